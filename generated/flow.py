@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4bfebe7cbd7d6c2877ad7a50265eb7a4f9d0b8b211b601ac10a43083f67e0660
+# sha256 of the text below: c4e2bd621e2b4c2953bb50437aa1cf128be7a2a7db63f9f222dcc25bb90c12a2
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
@@ -14,8 +14,8 @@ class Fragment(NamedTuple):
     """Formulas in words; operations on numbers where a phase begins, operations on series, and what they add.
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
-    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be left
-    out. ``states`` are series with those of their rates. A ``table`` has its name, is of slip, speed, rotation or
+    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be
+    omitted. ``states`` are series with those of their rates. A ``table`` has its name, is of slip, speed, rotation or
     time, with the series of its argument (of time, its own) and the degree of its pieces.
     """
 

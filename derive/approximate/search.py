@@ -1,7 +1,7 @@
 """The search for shapes: seams, baselines and degrees, judged by the bound that is proved of the program they make.
 
 Nothing in it is random and nothing is timed, so that it finds the same on every machine. What approximates badly or
-must round badly is left out by an estimate; of the rest the checker says which is best.
+must round badly is excluded by an estimate; of the rest the checker decides which is best.
 """
 
 import math

@@ -112,10 +112,10 @@ def coefficients(series: Any) -> list[arb]:
     """All TERMS + 1 coefficients of a series or of a constant, as balls."""
     if isinstance(series, arb):
         series = arb_series([series])
-    found = [arb(series[k]) for k in range(TERMS + 1)]
-    if not all(x.is_finite() for x in found):
+    taylor = [arb(series[k]) for k in range(TERMS + 1)]
+    if not all(x.is_finite() for x in taylor):
         raise ArithmeticError("a Taylor series is not finite on this interval")
-    return found
+    return taylor
 
 
 @cache
@@ -126,10 +126,10 @@ def at_zero(statement: str) -> list[fmpq]:
         s = a.sin()
         c = a.cos()
         series = exactly(statement, a, s, c, s.atanh())
-        found = [series[k] for k in range(TERMS + 1)]
-    if any(x != 0 for x in found[:CUBE]) or found[CUBE] == 0:
+        taylor = [series[k] for k in range(TERMS + 1)]
+    if any(x != 0 for x in taylor[:CUBE]) or taylor[CUBE] == 0:
         raise ArithmeticError(f"{statement} is not of order alpha**{CUBE}")
-    return found
+    return taylor
 
 
 @dataclass(frozen=True)

@@ -74,7 +74,7 @@ def _product(e: Mul, known: Mapping[Expr, str]) -> str:
 
 
 def _body(o: Operation, let: str, call: str, zero: str, end: str) -> tuple[list[str], list[str]]:
-    """Statements for order 0, functions first, and for order n, whose sums have their names."""
+    """Statements for order 0, functions first, and for order n, in which sums are named."""
     known: dict[Expr, str] = {total: f"sum{s.name}" for total, s in _sums(o).items()}
     functions = {f for e in o.start for f in e.atoms(Function)}
     start = []
@@ -124,7 +124,7 @@ def _c_case(o: Operation) -> str:
 
 
 def c() -> dict[str, str]:
-    """Codes and cases of the operations on series, of which each returns where the next stands, and on cells."""
+    """Codes and cases of the operations on series, each returning where the next begins, and on cells."""
     codes = (["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in SCALARS])
     cases = ""
     for name, (means, text, _) in SCALARS.items():

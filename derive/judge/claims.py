@@ -10,7 +10,7 @@ from sympy import Expr, oo, pi
 from derive.algebra.appendices import Appendix
 
 VERDICTS = {
-    "holds": "the form is proved equal to what precedes it, or every value lies where it is said to lie",
+    "holds": "the form is proved equal to what precedes it, or every value lies where the paper places it",
     "holds to the printed digits": "the value, rounded at the last printed place or cut off there, is the printed one",
     "definition": "names what nothing before it names; its dimension is right, and what follows uses it so",
     "imprecise": "true, but not sharp, or in a notation that contradicts itself",

@@ -106,7 +106,7 @@ def second_appendix() -> mpf:
 
 
 def limit_friction(as_printed: bool = False) -> mpf:
-    """mu_eq (3.21); with Appendix II for J_theta, if asked for as printed."""
+    """mu_eq (3.21); with Appendix II for J_theta, on request as printed."""
     weight_moment = second_appendix() if as_printed else moment("weight_moment")
     return weight_moment / moment("radial_weight")
 

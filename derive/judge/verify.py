@@ -78,7 +78,7 @@ _ARTANH = atanh(sin(alpha))
 
 
 def limits(domain: Domain) -> dict[str, tuple[Any, Any]]:
-    """Where each symbol lives: `DOMAINS`, and what a claim says itself."""
+    """The domain of each symbol: `DOMAINS`, and what the claim states."""
     return DOMAINS | {name: (low, high) for name, low, high in domain}
 
 
@@ -274,7 +274,7 @@ def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | 
 
 
 def _names(claim: Claim) -> bool:
-    """Whether a claim said to be a definition names what no claim before it names."""
+    """Whether a claim declared a definition names something that no earlier claim names."""
     name = re.compile(rf"(?<!\w){re.escape(claim.printed.partition(' = ')[0])}(?![\w*])")
     earlier = takewhile(lambda x: x.id != claim.id, CLAIMS)
     return claim.kind == "definition" and not any(name.search(x.printed) for x in earlier)
