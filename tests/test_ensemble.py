@@ -414,14 +414,14 @@ def test_sweep(file: Path, tmp_path: Path, asked: Any, said: Any, records: Any) 
     assert json.loads(out) == [json.loads(json.dumps(export.record(found)))]
     held = np.load(arrays)
     np.testing.assert_array_equal(held["sample_run_out"], found.samples["run_out"])
-    shares, values = held["run_out_quantiles"].T[:2]
+    shares, values = held["run_out_quantile"].T[:2]
     np.testing.assert_array_equal(values, [found.quantile("run_out", p).value for p in shares])
     lines = table.read_text("utf-8").splitlines()
     assert lines[0] == "table,output,input,at,value,low,high"
     assert len(lines) == 1 + len(export.rows(found))
     out = " ".join(said(line).split())
     assert f"{found.quantile('run_out', 0.5).value:.4g} [" in out
-    assert "Which unknown matters" in out
+    assert "Sensitivity indices" in out
     (record,) = records("sweep vaiont --uncertain friction.angle_deg=normal:14:1 --samples 100 --seed 4")
     assert record["moving"] == json.loads(json.dumps(export.record(ensemble(ONE, 100, 4))))["moving"]
     assert "solved at the median of arc.radius_m, arc.theta_2_deg" in asked("run", file)[2]

@@ -73,12 +73,13 @@ def find(name: str | PathLike[str]) -> Any:
     if name in (names := shipped()):
         return _FOLDER / f"{name}.toml"
     path = Path(name)
-    if os.path.exists(path) and not os.path.isdir(path):  # no error for names that no file can have
-        return path
+    for candidate in (path, Path(f"{name}.toml")):
+        if os.path.exists(candidate) and not os.path.isdir(candidate):  # no error for names that no file can have
+            return candidate
+    if str(name) and os.path.isdir(path):
+        raise ValueError(f"{path}: is a folder; give a scene's file")
     near = get_close_matches(path.stem, names, 1)
     is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)
-    if is_path and os.path.isdir(path):
-        raise ValueError(f"{path}: is a folder; give a scene's file")
     said = f"{path}: there is no such file" if is_path else f"scene {str(name)!r} is unknown"
     raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
 
@@ -90,7 +91,8 @@ def critical_of_file(
 
     Where it gives a circle, the factors of this one. ``tell`` takes lines of progress.
     """
-    source, file = find(name), str(name)
+    source = find(name)
+    file = str(source)
     document = _document(source, file)
     if "ground" not in document:
         raise ValueError(f"{file}: arc: says nothing of the ground beside it; a search needs [ground] in its place")
