@@ -162,6 +162,12 @@ _COHESION, _RATIO, _PRESSURE, _WATER, _DRAG, _VISCOSITY = sp.symbols(
     "cohesion pore_ratio pore_pressure water drag viscosity", real=True
 )
 _K_H, _K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
+_NORMAL, _INERTIA, _LIFT, _STRENGTH, TURNING, TURNING_SLOPE = sp.symbols(
+    "layered_normal layered_inertia layered_lift layered_strength turning turning_slope", real=True
+)
+_REMAINING, _REMAINING_INERTIA, REMAINING, REMAINING_SLOPE = sp.symbols(
+    "layered_remaining layered_remaining_inertia remaining remaining_slope", real=True
+)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
 
@@ -170,6 +176,11 @@ def _optional(name: str, help: str, unit: str = "", key: str | None = None, kind
     """Any number, a function of time or a text, that may be left out."""
     key = name if key is None else key
     return Parameter(name, unit, -_INFINITY, _INFINITY, help, key, symbol=symbol, optional=True, kind=kind)
+
+
+def _of_section(name: str, help: str, symbol: sp.Symbol, kind: str = "number") -> Parameter:
+    """What a layered section gives, over Theta*: no file and no user does."""
+    return Parameter(name, "", -_INFINITY, _INFINITY, help, "", symbol=symbol, optional=True, kind=kind)
 
 
 _OF_A_RECORD = (
@@ -206,6 +217,21 @@ EFFECTS = (
         Parameter("cohesion", "Pa", _BELOW_0, _INFINITY, "shear strength without normal stress", "cohesion_kPa", 1e3,
                   _COHESION, VALUE / REFERENCE),), (),
            "the slip surface has strength without normal stress", resistance=LAMBDA * _COHESION),
+    Effect("layered_strength", "2.23", (
+        _of_section("turning", "what friction takes hold of beyond the mean, where strength goes with the mass", TURNING),
+        _of_section("turning_slope", "its derivative by the dip", TURNING_SLOPE),
+        _of_section("normal", "what friction takes hold of beyond the mean, where strength stays with the base", _NORMAL,
+                    "rotation"),
+        _of_section("inertia", "the same of the square of the angular velocity", _INERTIA, "rotation"),
+        _of_section("lift", "what water takes from it", _LIFT, "rotation"),
+        _of_section("remaining", "friction that slip leaves beyond the mean's, where strength goes with the mass", REMAINING),
+        _of_section("remaining_slope", "its derivative by the dip", REMAINING_SLOPE),
+        _of_section("remaining_normal", "the same where strength stays with the base", _REMAINING, "rotation"),
+        _of_section("remaining_inertia", "the same of the square of the angular velocity", _REMAINING_INERTIA, "rotation"),
+        _of_section("strength", "strength without normal stress below the mass", _STRENGTH, "rotation")), (),
+           "soils along the arc have strengths of their own, by the weights of (2.23) straight above each",
+           press=THETA * (_NORMAL + TURNING + _INERTIA * OMEGA_2), pressure=THETA / LAMBDA * _LIFT,
+           resistance=THETA * (_STRENGTH + REMAINING + _REMAINING + _REMAINING_INERTIA * OMEGA_2)),
     Effect("drag", "3.11", (
         Parameter("xi", "m/s^2", 0.0, _INFINITY, "turbulence coefficient of Voellmy", "xi_m_s2", 1.0,
                   _DRAG, 2 * ALPHA * GRAVITY / (VALUE * THETA)),), ("speed squared",),
@@ -272,4 +298,6 @@ def formulas(effect: Effect) -> tuple[str, ...]:
 
 
 # The derivatives by psi of what turns with the mass.
-BY_PSI = {FALL: FALL_SLOPE, PRESS: PRESS_SLOPE, FALL_SLOPE: -FALL, PRESS_SLOPE: -PRESS}
+BY_PSI = {FALL: FALL_SLOPE, PRESS: PRESS_SLOPE, FALL_SLOPE: -FALL, PRESS_SLOPE: -PRESS,
+          TURNING: TURNING_SLOPE, TURNING_SLOPE: -TURNING,
+          REMAINING: REMAINING_SLOPE, REMAINING_SLOPE: -REMAINING}  # fmt: skip

@@ -38,7 +38,7 @@ def seen(q: sp.Symbol) -> sp.Symbol:
 
 def sign(q: sp.Symbol) -> sp.Expr:
     """What a component is multiplied by to be seen so: J_theta and the slope of J_r are odd in psi."""
-    return DIRECTION if q in (FALL, declared.PRESS_SLOPE) else ONE
+    return DIRECTION if q in (FALL, declared.PRESS_SLOPE, declared.TURNING_SLOPE, declared.REMAINING_SLOPE) else ONE
 
 
 def position() -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
@@ -85,7 +85,7 @@ def moving(effect: declared.Effect | None = None) -> dict[sp.Symbol, tuple[sp.Ex
     if effect is not None:
         signs = dict.fromkeys(odd(effect), DIRECTION)
         for p in effect.parameters:
-            if p.symbol is not None:
+            if p.symbol is not None and p.symbol not in BY_PSI:
                 s = signs.get(p.symbol, ONE)
                 found[p.symbol] = (s * p.symbol, series(f"d{p.symbol}", s) if p.kind == "series" else {})
             if p.kind == "rotation":
@@ -117,7 +117,7 @@ def of_effect(effect: declared.Effect) -> Fragment:
         inputs=[str(p.symbol) for p in symbols],
         optional=[str(p.symbol) for p in symbols if p.optional],
         states={str(x): rate for x in effect.given},
-        table=(turned[0], "rotation", "x", DEGREE) if turned else None,
+        tables=tuple((name, "rotation", "x", DEGREE) for name in turned),
     )
 
 
@@ -132,7 +132,7 @@ def of_law(law: declared.Law) -> Fragment:
     value, argument = cell(f"{law.name}.VALUE"), "x"
     if law.depends_on == ("time",):
         low.moving, argument = {value: (value, series(f"d{law.name}"))}, f"d{law.name}"
-        return low.fragment(words, {"mu": value}, table=(law.name, "time", argument, 0))
+        return low.fragment(words, {"mu": value}, tables=((law.name, "time", argument, 0),))
     if law.depends_on == ("speed",):
         # The logarithm of the speed over that where the phase began. The first piece, below the table, is constant.
         argument, beyond, start = "log_speed", cell("beyond"), cell("start_speed")
@@ -143,7 +143,7 @@ def of_law(law: declared.Law) -> Fragment:
     low.moving = {value: (value, powers(law.name, argument, law.degree))}
     of = "x" if argument == "x" else "log(omega/omega_0)"
     words.append(f"mu = VALUE + Q1 y + Q2 y^2 + ..., y = {of}")
-    return low.fragment(words, {"mu": value}, table=(law.name, law.depends_on[0], argument, law.degree))
+    return low.fragment(words, {"mu": value}, tables=((law.name, law.depends_on[0], argument, law.degree),))
 
 
 def pieces(law: declared.Law) -> tuple[list[sp.Expr], list[list[sp.Expr]]]:

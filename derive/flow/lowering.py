@@ -53,7 +53,7 @@ class Fragment(NamedTuple):
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
     of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be left
-    out. ``states`` are series with those of their rates. A ``table`` has its name, is of slip, speed, rotation or
+    out. ``states`` are series with those of their rates. Each of ``tables`` has its name, is of slip, speed, rotation or
     time, with the series of its argument (of time, its own) and the degree of its pieces.
     """
 
@@ -64,7 +64,7 @@ class Fragment(NamedTuple):
     series: tuple[tuple[object, ...], ...]
     adds: dict[str, tuple[str, str, tuple[tuple[str, str], ...]]]
     states: tuple[tuple[str, str], ...] = ()
-    table: tuple[str, str, str, int] | None = None
+    tables: tuple[tuple[str, str, str, int], ...] = ()
 
 
 @dataclass
@@ -207,13 +207,13 @@ class Lowering:
         inputs: Iterable[str] = (),
         optional: Iterable[str] = (),
         states: Mapping[str, sp.Expr] | None = None,
-        table: tuple[str, str, str, int] | None = None,
+        tables: tuple[tuple[str, str, str, int], ...] = (),
     ) -> Fragment:
         """The fragment of all that was lowered and of ``adds`` and of the states' rates."""
         added = {quantity: self.add(e, quantity) for quantity, e in adds.items() if e != 0}
         rates = tuple((name, self.register(self.split(rate)[1])) for name, rate in (states or {}).items())
         return Fragment(
-            tuple(words), tuple(inputs), tuple(optional), self.scalar(), tuple(self.series), added, rates, table
+            tuple(words), tuple(inputs), tuple(optional), self.scalar(), tuple(self.series), added, rates, tables
         )
 
     def scalar(self) -> tuple[tuple[str, ...], ...]:

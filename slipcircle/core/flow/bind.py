@@ -18,6 +18,7 @@ from slipcircle.core.flow.program import Program, join
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.forcing import factor as factor_of
 from slipcircle.core.scene.friction import law_parts
+from slipcircle.core.scene.layers import LayeredSection, OfRotation
 from slipcircle.core.scene.section import Section
 
 Floats = NDArray[np.float64]
@@ -118,13 +119,21 @@ def bind(
     scales = scales_of(arc)
     pieces: dict[str, tuple[tables.Data, Any, Any]] = {}  # by name: data, scale, factor
     functions: dict[str, Callable[[Any], Any]] = {}
+    terms = called.get("layered_strength", {})
+    functions_of_rotation = {n: v for n, v in terms.items() if isinstance(v, OfRotation)}
+    layered = dict[str, tables.Data]()
+    if functions_of_rotation:
+        assert isinstance(arc, LayeredSection)
+        layered = of_rotation(arc, functions_of_rotation, turns(effects))
     for effect in effects:
         own = {p.name: called[effect].get(p.name, 0.0) for p in EFFECTS[effect].parameters if p.kind == "number"}
         for p in EFFECTS[effect].parameters:
             if not p.symbol:
                 continue
             value = called[effect].get(p.name, 0.0)
-            if callable(value) and p.kind == "rotation":
+            if effect == "layered_strength" and p.name in layered:
+                pieces[p.symbol] = layered[p.name], 1.0, 1.0
+            elif callable(value) and p.kind == "rotation":
                 assert isinstance(arc, Section)
                 pieces[p.symbol] = under_water(arc, turns(effects)), 1.0, p.dimensionless(1.0, scales | own)
             elif callable(value):
@@ -169,7 +178,7 @@ def scales_of(arc: Arc | Section) -> dict[str, Any]:
         "reference_stress": arc.reference_stress,
         "Theta": arc.dimensionless.moment_of_inertia,
         "radius": plain(arc.radius),
-        "density": plain(arc.unit_weight) / plain(arc.gravity),
+        "density": plain(arc.mean_unit_weight) / plain(arc.gravity),
         "cover": arc.weights.cover,
     }
 
@@ -202,6 +211,42 @@ def under_water(section: Section, turning: bool, others: Any = None, count: int 
     if section.shape or others:
         return found
     return found._replace(breaks=found.breaks[:, 0], coefficients=found.coefficients[..., 0])
+
+
+def of_rotation(section: LayeredSection, terms: Mapping[str, OfRotation], turning: bool) -> dict[str, tables.Data]:
+    """Functions of the rotation that a layered section gives, in the same pieces, until its weight presses no more."""
+    circles = len(section.rotation_kinks.T)
+    lanes = max(f.coefficients.shape[1] for f in terms.values())
+    if turning:
+        weights = section.weights
+        most = np.broadcast_to(np.arctan2(weights.press, weights.press_slope), (lanes,))
+        least = most - np.pi
+        if circles == 1:
+            least, most = least.min(keepdims=True), most.max(keepdims=True)
+    split = np.cumsum([0, *(len(f.coefficients) for f in terms.values())])
+
+    def values(rotation: Floats) -> Floats:
+        if circles == 1:
+            return np.concatenate([f.parts(rotation) for f in terms.values()])
+        return np.stack([f(rotation) for f in terms.values()])
+
+    if turning:
+        breaks, coefficients = tables.between_kinks(values, section.rotation_kinks, least, most)
+    else:
+        still = values(np.zeros((1, circles)))[:, 0]
+        breaks, coefficients = np.zeros((1, circles)), np.zeros((1, tables.TERMS, *still.shape))
+        coefficients[0, 0] = still
+    found = {}
+    for k, (name, f) in enumerate(terms.items()):
+        if circles == 1:
+            mine = coefficients[:, :, split[k] : split[k + 1], 0] @ f.coefficients
+            starts = breaks[:, 0]
+        else:
+            mine, starts = coefficients[:, :, k], breaks
+        if lanes == 1:
+            mine, starts = mine[..., 0], starts if starts.ndim == 1 else starts[:, 0]
+        found[name] = tables.Data(starts, mine, np.zeros(len(breaks)))
+    return found
 
 
 def in_time(function: Any) -> tables.Data:

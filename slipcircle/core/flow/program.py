@@ -143,15 +143,14 @@ def join(
     link, sums, tables = Linker(), dict[str, list[Any]](), list[tuple[str, str, str, int]]()
     for name in ("gravity", *effects):
         _load(link, name, sums)
-        if table := FRAGMENTS[name].table:
+        for table in FRAGMENTS[name].tables:
             tables += [table] if table[0] in moving else []
             own = (table[0], *(f"{table[0]}.{x}" for x in _powers(table[3])))
             link.cells |= {} if table[0] in moving else dict.fromkeys(own, ("set", ZERO))
     turned = {name for name, _, _, _ in tables}
     for slot, name in enumerate(laws):
         _load(link, name, sums, "mu" if len(laws) == 1 else ("slip_mu", "rate_mu")[slot])
-        if table := FRAGMENTS[name].table:
-            tables.append(table)
+        tables += FRAGMENTS[name].tables
     if len(laws) > 1:
         _load(link, "product", sums)
     for name in ("balance", *(x for x in asked if x in FRAGMENTS)):

@@ -17,6 +17,7 @@ from slipcircle.base.series import Pulse, Series
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.forcing import factor, resolved
 from slipcircle.core.scene.friction import law_mistakes, law_parts
+from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
 from slipcircle.workbench.files.numbers import numbers_in, uncertain_numbers
 
@@ -170,6 +171,9 @@ class Scene(Generic[Numbers]):
     def called(self) -> Mapping[str, Mapping[str, Any]]:
         """Effects by name, each with its parameters, however they were given; and the water level of a section."""
         assert isinstance(self.effects, dict)
+        if isinstance(self.arc, LayeredSection):
+            kept = {n: v for n, v in self.arc.strength_terms().items() if not n.endswith("inertia") or "centripetal" in self.effects}
+            return self.effects | {"layered_strength": kept}
         if not isinstance(self.arc, Section) or self.arc.level is None:
             return self.effects
         return self.effects | {

@@ -233,7 +233,7 @@ class Section(Mass):
     @cached_property
     def mass_per_metre(self) -> Any:
         """kg/m."""
-        return self.area * np.divide(self.unit_weight, self.gravity)
+        return self.area * np.divide(self.mean_unit_weight, self.gravity)
 
     @cached_property
     def centroid(self) -> Any:

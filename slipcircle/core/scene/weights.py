@@ -60,6 +60,11 @@ class Mass:
     half_angle: Any
     dimensionless: Any
 
+    @property
+    def mean_unit_weight(self) -> Any:
+        """Weight over area, N/m^3."""
+        return self.unit_weight
+
     @cached_property
     def sagitta(self) -> Any:
         """f, the depth of the arc below its chord (2.12), by which stresses are scaled, m."""
@@ -73,7 +78,7 @@ class Mass:
     @cached_property
     def reference_stress(self) -> Any:
         """sigma_ref (2.13), Pa."""
-        return np.multiply(self.unit_weight, self.sagitta)
+        return np.multiply(self.mean_unit_weight, self.sagitta)
 
     @cached_property
     def static_normal_stress(self) -> Any:
