@@ -197,6 +197,7 @@ class LayeredSection(Section):
             wet = self.of_soils(lambda s: s.unit_weight if s.saturated_unit_weight is None else s.saturated_unit_weight)
             tops += [(*top, count) for top in tops]
             steps.append(np.diff(wet[:count] - weight, axis=0, prepend=0.0))
+        steps += [np.ones_like(weight[:1])] * bool(self.surcharge)
         return tops, np.concatenate(steps)
 
     @cached_property
@@ -204,19 +205,22 @@ class LayeredSection(Section):
         """The mass in strips."""
         (left, _), (right, _) = self._ends
         lines = self._lines_over_radius
-        loads = [x for x1, x2, _, _ in self.surcharge for x in (x1, x2)]
         _, centre, radius = self._circle
-        extra = (np.array(loads) - centre[:, :1]) / radius[:, None]
+        x, size = centre[:, :1], radius[:, None]
+        loads = [((x1 - x) / size, (x2 - x) / size, q1 / size, q2 / size) for x1, x2, q1, q2 in self.surcharge]
+        extra = np.concatenate([np.empty((len(x), 0)), *(end for load in loads for end in load[:2])], axis=1)
         datums = [s.datum for s in self.soils if s.datum is not None]
         if datums:
             depth = np.clip((centre[:, 1:] - np.array(datums)) / radius[:, None], -1.0, 1.0)
             across = np.sqrt((1.0 - depth) * (1.0 + depth))
             extra = np.concatenate([extra, across, -across], axis=1)
-        return cut_into_strips(lines, self._surfaces[0], len(self.layers), (left, right), extra)
+        return cut_into_strips(lines, self._surfaces[0], len(self.layers), (left, right), extra, loads)
 
     @cached_property
     def _cumulative(self) -> Floats:
-        """Integrals of a unit weight below each surface from the left end, (8, surfaces, circles, edges)."""
+        """Integrals of a unit weight below each surface from the left end, (8, surfaces, circles, edges).
+
+        The surcharges, if there are any, come last, as they are."""
         return self._strips.cumulative()
 
     @cached_property
@@ -386,7 +390,7 @@ class LayeredSection(Section):
         there = self._space(rotation)
         own = self.strength == "base"
         positions = there if own else there - rotation
-        inside = positions if own and self.foreland is not None else np.clip(positions, first, last)
+        inside = np.clip(positions, first, np.inf if own and self.foreland is not None else last)
         growth = self._growth(inside)
         stretches = self._stretches
         circle = np.arange(rotation.shape[1])
@@ -497,12 +501,18 @@ class LayeredSection(Section):
             terms |= self._gripping("remaining_normal", "remaining", "remaining_inertia", left)
         unit_weight = self._weighted[AREA] / self._moments["area"]
         cohesion = self.of_soils(lambda s: s.cohesion) / (unit_weight * self._circle[2] * theta)
-        terms["strength"] = OfRotation(self._space, self._by_direction(cohesion))
+        strength = [OfRotation(self._space, self._by_direction(cohesion))]
+        growth = self.of_soils(lambda s: s.cohesion_gradient) / (unit_weight * theta)
+        strength += [OfRotation(self._cohesion_growth, growth)] if np.any(growth) else []
+        peak = self.of_soils(lambda s: s.peak) / np.where(self.mean_peak > 0.0, self.mean_peak, 1.0)
+        ratio = self.of_soils(lambda s: s.pore_ratio)
+        lift = []
         if self.level is not None:
-            peak = self.of_soils(lambda s: s.peak) / np.where(self.mean_peak > 0.0, self.mean_peak, 1.0)
-            weight = peak * self.water_unit_weight / (unit_weight * theta)
-            terms["lift"] = OfRotation(self._heads, self._by_direction(weight))
-        return terms
+            weight = np.where(ratio > 0.0, 0.0, peak) * self.water_unit_weight / (unit_weight * theta)
+            lift.append(OfRotation(self._heads, self._by_direction(weight)))
+        if np.any(ratio):
+            lift.append(OfRotation(self._overburden, self._by_surface(peak * ratio) / theta))
+        return terms | {name: _sum(parts) for name, parts in (("strength", strength), ("lift", lift)) if parts}
 
     def _gripping(self, base: str, mass: str, inertia: str, coefficients: Floats) -> dict[str, Any]:
         """What friction takes hold of, with coefficients of the parts by surface: of weight and of inertia."""
@@ -514,6 +524,15 @@ class LayeredSection(Section):
         terms[mass] = self._shaped((coefficients * -normal).sum(axis=0))
         terms[f"{mass}_slope"] = self._shaped((coefficients * slope).sum(axis=0))
         return terms
+
+
+def _sum(functions: Sequence[OfRotation]) -> OfRotation:
+    """The sum of functions of the rotation."""
+
+    def parts(rotation: Floats) -> Floats:
+        return np.concatenate([f.parts(rotation) for f in functions])
+
+    return OfRotation(parts, np.concatenate([f.coefficients for f in functions]))
 
 
 _NUMBERS = ("unit_weight", "cohesion", "peak", "residual", "saturated_unit_weight", "cohesion_gradient", "pore_ratio")

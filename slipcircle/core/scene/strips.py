@@ -43,6 +43,8 @@ class Strips:
         Whether a surface lies above the arc in a strip.
     base : ndarray
         The layer at the arc, counted from the ground, (circles, strips).
+    loads : sequence
+        Pressures on the ground, each x1, x2 and its values there, over R as lengths are, (circles, 1).
     """
 
     x: Floats
@@ -50,6 +52,7 @@ class Strips:
     right: Floats
     above: NDArray[np.bool_]
     base: Integers
+    loads: Sequence[Sequence[Floats]] = ()
 
     @property
     def beta(self) -> Floats:
@@ -57,8 +60,15 @@ class Strips:
         return np.arcsin(np.clip(self.x, -1.0, 1.0))
 
     def cumulative(self) -> Floats:
-        """`INTEGRALS` from the left end to each edge, (integrals, surfaces, circles, strips + 1)."""
-        each = strip_integrals(self.x[:, :-1], self.x[:, 1:], self.left, self.right, self.above)
+        """`INTEGRALS` from the left end to each edge, (integrals, surfaces, circles, strips + 1).
+
+        Below each surface of a unit weight; where there are loads they are the last surface, and their mass lies on
+        the ground.
+        """
+        start, end = self.x[:, :-1], self.x[:, 1:]
+        each = strip_integrals(start, end, self.left, self.right, self.above)
+        if self.loads:
+            each = np.concatenate([each, self._load_integrals(start, end, start, end, self.left[0], self.right[0])], axis=1)
         total = np.cumsum(each, axis=-1)
         return np.concatenate([np.zeros_like(total[..., :1]), total], axis=-1)
 
@@ -76,7 +86,29 @@ class Strips:
         # The edge is straight, the arc is not: heights of the edge above the arc's points, and the arc's sagitta.
         straight = (1.0 - share) * at_start + share * at_end
         height = np.maximum((1.0 - share) * low + share * high + (here - straight), 0.0)
-        return cumulative[:, :, circle, k] + strip_integrals(start, x, low, height, self.above[:, circle, k])
+        part = strip_integrals(start, x, low, height, self.above[:, circle, k])
+        if self.loads:
+            part = np.concatenate([part, self._load_integrals(start, end, start, x, low[0], high[0])], axis=1)
+        return cumulative[:, :, circle, k] + part
+
+    def _load_integrals(self, start: Floats, end: Floats, x1: Floats, x2: Floats, left: Floats, right: Floats) -> Floats:
+        """The same of the loads between x1 and x2 in strips from start to end, with heights of the ground at both."""
+        y1, y2 = (height - np.sqrt((1.0 - x) * (1.0 + x)) for x, height in ((start, left), (end, right)))
+        slope = np.where(end - start > _THIN, (y2 - y1) / np.where(end - start > _THIN, end - start, 1.0), 0.0)
+        middle = (start + end) / 2
+        total = np.zeros((len(INTEGRALS), *x1.shape))
+        for s, weight in _GAUSS:
+            x = x1 + s * (x2 - x1)
+            y = y1 + slope * (x - start)
+            pressure = np.zeros_like(x)
+            for first, last, q1, q2 in self.loads:
+                share = (x - first) / (last - first)
+                pressure += np.where((middle > first) & (middle < last), q1 + share * (q2 - q1), 0.0)
+            rho = np.hypot(x, y)
+            values = (1.0, rho, rho * rho, x / rho, y / rho, x, y, 0.0)
+            for row, value in zip(total, values, strict=True):
+                row += weight * (x2 - x1) * pressure * value
+        return total[:, None]
 
 
 def strip_integrals(x1: Floats, x2: Floats, left: Floats, right: Floats, above: NDArray[np.bool_]) -> Floats:
@@ -128,7 +160,7 @@ def ring_integrals(x: Any, y: Any, e_x: Any, e_y: Any) -> Floats:
 
 
 def cut_into_strips(lines: Sequence[Floats], surfaces: Sequence[Sequence[int]], layers: int,
-                    ends: tuple[Floats, Floats], extra: Floats | None = None) -> Strips:
+                    ends: tuple[Floats, Floats], extra: Floats | None = None, loads: Sequence[Sequence[Floats]] = ()) -> Strips:
     """Cut masses into strips.
 
     Parameters
@@ -144,8 +176,11 @@ def cut_into_strips(lines: Sequence[Floats], surfaces: Sequence[Sequence[int]], 
         x of both ends of the arcs, (circles,).
     extra : ndarray, optional
         Further x at which to cut, (circles or 1, M).
+    loads : sequence
+        `Strips.loads`.
     """
     first, last = ends
+    lines = [_to_both_sides(line) for line in lines]
     edges = _edges(lines, first, last, extra)
     middle = (edges[:, :-1] + edges[:, 1:]) / 2
     depth = np.sqrt((1.0 - edges) * (1.0 + edges))  # of the arc below the centre
@@ -164,7 +199,15 @@ def cut_into_strips(lines: Sequence[Floats], surfaces: Sequence[Sequence[int]], 
             heights.append(np.where(inside, np.maximum(height, 0.0), 0.0))
     tops = np.minimum.accumulate(at_middle[:layers], axis=0)
     base = np.maximum(np.count_nonzero(tops > arc, axis=0) - 1, 0)
-    return Strips(edges, np.stack(left), np.stack(right), np.stack(above), base)
+    return Strips(edges, np.stack(left), np.stack(right), np.stack(above), base, loads)
+
+
+def _to_both_sides(line: Floats) -> Floats:
+    """A line that goes on horizontally beyond both sides of the circle."""
+    left, right = line[:, :1].copy(), line[:, -1:].copy()
+    left[..., 0] = np.minimum(left[..., 0] - 1.0, -2.0)
+    right[..., 0] = np.maximum(right[..., 0] + 1.0, 2.0)
+    return np.concatenate([left, line, right], axis=1)
 
 
 def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats | None) -> Floats:
@@ -217,8 +260,5 @@ def _heights(line: Floats, edges: Floats, middle: Floats) -> tuple[Floats, Float
     start, end = points[circle, k], points[circle, k + 1]
     run = end[..., 0] - start[..., 0]
     slope = np.where(run > 0.0, (end[..., 1] - start[..., 1]) / np.where(run > 0.0, run, 1.0), 0.0)
-    beyond = (after == 0) | (after == points.shape[1])
-    slope = np.where(beyond, 0.0, slope)
-    level = np.where(after == points.shape[1], end[..., 1], start[..., 1])
-    foot = np.where(after == points.shape[1], end[..., 0], start[..., 0])
-    return level + slope * (edges[:, :-1] - foot), level + slope * (edges[:, 1:] - foot)
+    at_left, at_right = (start[..., 1] + slope * (x - start[..., 0]) for x in (edges[:, :-1], edges[:, 1:]))
+    return at_left, at_right
