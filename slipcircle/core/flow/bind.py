@@ -124,7 +124,10 @@ def bind(
     layered = dict[str, tables.Data]()
     if functions_of_rotation:
         assert isinstance(arc, LayeredSection)
-        layered = of_rotation(arc, functions_of_rotation, turns(effects))
+        layered = of_rotation(
+            arc, functions_of_rotation, turns(effects), "shaking" in effects or bool(np.any(velocity < 0.0)),
+            min(accuracy, 1e-9) if lanes > 1 else 1e-11,
+        )
     for effect in effects:
         own = {p.name: called[effect].get(p.name, 0.0) for p in EFFECTS[effect].parameters if p.kind == "number"}
         for p in EFFECTS[effect].parameters:
@@ -213,33 +216,37 @@ def under_water(section: Section, turning: bool, others: Any = None, count: int 
     return found._replace(breaks=found.breaks[:, 0], coefficients=found.coefficients[..., 0])
 
 
-def of_rotation(section: LayeredSection, terms: Mapping[str, OfRotation], turning: bool) -> dict[str, tables.Data]:
-    """Functions of the rotation that a layered section gives, in the same pieces, until its weight presses no more."""
-    circles = len(section.rotation_kinks.T)
-    lanes = max(f.coefficients.shape[1] for f in terms.values())
-    if turning:
-        weights = section.weights
-        most = np.broadcast_to(np.arctan2(weights.press, weights.press_slope), (lanes,))
-        least = most - np.pi
-        if circles == 1:
-            least, most = least.min(keepdims=True), most.max(keepdims=True)
-    split = np.cumsum([0, *(len(f.coefficients) for f in terms.values())])
+def of_rotation(
+    section: LayeredSection, terms: Mapping[str, OfRotation], turning: bool, back: bool, accuracy: float
+) -> dict[str, tables.Data]:
+    """Functions of the rotation that a layered section gives, in the same pieces, until its weight presses no more.
+
+    ``back`` says whether the mass may move up-slope beyond where it began.
+    """
+    kinks = section.rotation_kinks
+    circles, lanes = kinks.shape[1], max(f.coefficients.shape[1] for f in terms.values())
 
     def values(rotation: Floats) -> Floats:
+        """Of one circle the parts, which all lanes share."""
         if circles == 1:
             return np.concatenate([f.parts(rotation) for f in terms.values()])
         return np.stack([f(rotation) for f in terms.values()])
 
+    still = np.zeros(circles)
     if turning:
-        breaks, coefficients = tables.between_kinks(values, section.rotation_kinks, least, most)
+        weights = section.weights
+        most = np.broadcast_to(np.arctan2(weights.press, weights.press_slope), (lanes,))
+        most = most.max(keepdims=True) if circles == 1 else most
+        least = most - np.pi if back else still
+        breaks, coefficients = tables.between_kinks(values, kinks, least, most, 1e-2 * accuracy)
     else:
-        still = values(np.zeros((1, circles)))[:, 0]
-        breaks, coefficients = np.zeros((1, circles)), np.zeros((1, tables.TERMS, *still.shape))
-        coefficients[0, 0] = still
+        breaks, coefficients = still[None], np.zeros((1, tables.TERMS, *values(still[None])[:, 0].shape))
+        coefficients[0, 0] = values(still[None])[:, 0]
+    parts = np.split(coefficients, np.cumsum([len(f.coefficients) for f in terms.values()])[:-1], axis=2)
     found = {}
     for k, (name, f) in enumerate(terms.items()):
         if circles == 1:
-            mine = coefficients[:, :, split[k] : split[k + 1], 0] @ f.coefficients
+            mine = (parts[k][..., 0].reshape(-1, len(f.coefficients)) @ f.coefficients).reshape(*coefficients.shape[:2], -1)
             starts = breaks[:, 0]
         else:
             mine, starts = coefficients[:, :, k], breaks

@@ -155,11 +155,11 @@ def turning(function: Callable[[Any], Any], kinks: Floats, least: Floats, most: 
 
 
 _TO_CHEBYSHEV = np.linalg.inv(np.cos(np.outer(np.arccos(_NODES), np.arange(TERMS))))
-_SMOOTH, _SHORTEST = 1e-13, 1e-3  # the last coefficient of a piece over the greatest value; width, rad
+_SHORTEST = 1e-3  # half the width of a piece, rad
 
 
-def between_kinks(function: Callable[[Any], Any], kinks: Floats, least: Floats, most: Floats) -> tuple[Floats, Floats]:
-    """Functions of the rotation in pieces that are halved until they are polynomials of degree 7 to 1e-13.
+def between_kinks(function: Callable[[Any], Any], kinks: Floats, least: Floats, most: Floats, tolerance: float) -> tuple[Floats, Floats]:
+    """Functions of the rotation in pieces that are halved until they are polynomials of degree 7.
 
     Parameters
     ----------
@@ -169,6 +169,8 @@ def between_kinks(function: Callable[[Any], Any], kinks: Floats, least: Floats, 
         Rotations at which a function may not be smooth, (kinks, n), increasing.
     least, most : ndarray
         Between which the functions are needed, (n,); beyond, each is a constant.
+    tolerance : float
+        The last coefficient of Chebyshev of a piece over the greatest value.
 
     Returns
     -------
@@ -190,7 +192,7 @@ def between_kinks(function: Callable[[Any], Any], kinks: Floats, least: Floats, 
         values = values.reshape(len(values), *at.shape)
         scale = max(scale, float(np.abs(values).max(initial=0.0)))
         chebyshev = np.einsum("kj,fpjn->pkfn", _TO_CHEBYSHEV, values)
-        rough = np.abs(chebyshev[:, -2:]).max(axis=(1, 2, 3)) > _SMOOTH * scale
+        rough = np.abs(chebyshev[:, -2:]).max(axis=(1, 2, 3)) > tolerance * scale
         rough &= half.max(axis=1) > _SHORTEST
         powers = np.einsum("tk,pkfn->ptfn", _POWERS, chebyshev)
         lengths = np.where(half > 0.0, half, np.inf)[:, None, None] ** np.arange(TERMS)[:, None, None]

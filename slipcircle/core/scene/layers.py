@@ -486,6 +486,7 @@ class LayeredSection(Section):
         peak, residual = self._shaped(self.mean_peak), self._shaped(self.mean_residual)
         return {**laws[0], "peak": peak, "residual": residual} if laws else peak
 
+    @cached_property
     def strength_terms(self) -> dict[str, Any]:
         """What the balance takes beyond a homogeneous mass with the mean friction, over Theta*: numbers and functions.
 
@@ -512,7 +513,8 @@ class LayeredSection(Section):
             lift.append(OfRotation(self._heads, self._by_direction(weight)))
         if np.any(ratio):
             lift.append(OfRotation(self._overburden, self._by_surface(peak * ratio) / theta))
-        return terms | {name: _sum(parts) for name, parts in (("strength", strength), ("lift", lift)) if parts}
+        terms |= {name: _sum(parts) for name, parts in (("strength", strength), ("lift", lift)) if parts}
+        return {n: v for n, v in terms.items() if not isinstance(v, OfRotation) or np.any(v.coefficients)}
 
     def _gripping(self, base: str, mass: str, inertia: str, coefficients: Floats) -> dict[str, Any]:
         """What friction takes hold of, with coefficients of the parts by surface: of weight and of inertia."""

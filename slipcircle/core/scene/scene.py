@@ -172,7 +172,7 @@ class Scene(Generic[Numbers]):
         """Effects by name, each with its parameters, however they were given; and the water level of a section."""
         assert isinstance(self.effects, dict)
         if isinstance(self.arc, LayeredSection):
-            kept = {n: v for n, v in self.arc.strength_terms().items() if not n.endswith("inertia") or "centripetal" in self.effects}
+            kept = {n: v for n, v in self.arc.strength_terms.items() if not n.endswith("inertia") or "centripetal" in self.effects}
             return self.effects | {"layered_strength": kept}
         if not isinstance(self.arc, Section) or self.arc.level is None:
             return self.effects
