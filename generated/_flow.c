@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "9f6c8ec9fe374df20cd50b93514e1fb7d1abd154fae6e8b091b54e31cbaad1fd"
+#define DIGEST "81480f61edb0a50ca0567013676d013f281e05c2bd6a63798ddba3417b23a1fb"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -1201,14 +1201,6 @@ static void step(Hand *h, unsigned which)
         const M nothing = from_rest & (e[0] == 0.0) & (last == 0.0); /* its drive vanished to rounding */
         TAKE(pick(lanes(ask) & ((e[0] < 0.0) | nothing), zero, at), STANDS);
     }
-    if (role->normal >= 0) {
-        const V *const normal = REGISTER(role->normal), sign = pick(c[LIFTED] > 0.0, -one, one);
-        const M passed = c[PASSED] == (double)LIFT;
-        if ((ask = which & suspects(normal, top - 1, tau, sign, zero, passed))) {
-            function(e, normal, top - 1, sign, zero, passed);
-            TAKE(first_zero(e, top - 1, tau, ask), LIFTS);
-        }
-    }
     if (role->upright >= 0) {
         const V *const upright = REGISTER(role->upright);
         if ((ask = which & suspects(upright, top - 1, tau, one, zero, no)))
@@ -1229,6 +1221,16 @@ static void step(Hand *h, unsigned which)
         if ((ask = which & bits(lower > 0.0) & suspects(p, top, tau, one, -lower, faster))) {
             function(e, p, top, one, -lower, faster);
             TAKE(first_zero(e, top, tau, ask), EDGES + 2 * i + 1);
+        }
+    }
+    /* Water over a mass may change faster than its motion, for which the step was chosen: what presses is a function of
+       the position until the first other event only, and may pass zero twice beyond it. */
+    if (role->normal >= 0) {
+        const V *const normal = REGISTER(role->normal), sign = pick(c[LIFTED] > 0.0, -one, one);
+        const M passed = c[PASSED] == (double)LIFT;
+        if ((ask = which & suspects(normal, top - 1, tau, sign, zero, passed))) {
+            function(e, normal, top - 1, sign, zero, passed);
+            TAKE(first_zero(e, top - 1, tau, ask), LIFTS);
         }
     }
 

@@ -21,6 +21,7 @@ if getattr(generated, "__project__", None) != "slipcircle":
     )
 
 from slipcircle.base import VERSION
+from slipcircle.core.motion.forms import use_forms
 
 if TYPE_CHECKING:
     from slipcircle.core.motion.motion import Motion
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from slipcircle.workbench.studies.study import Study
 
 __version__ = VERSION
+use_forms("slipcircle.workbench.common.forms")  # by `Motion.to_dict`, `to_pandas`, `to_xarray` and in notebooks
 # Each is loaded when it is asked for: where it is.
 _PLACES = {
     "Arc": "core.scene.arc",

@@ -34,7 +34,9 @@ def written(known: dict[str, dict[str, Any]]) -> str:
 
 def measures() -> str:
     """The file of the measures of sections, as it is to be, by strips in ball arithmetic."""
-    found = (integrals(sections.GROUND.tolist(), (x, y), r) for x, y, r in sections.drawn(sections.COUNT).T.tolist())
+    found = (
+        integrals(sections.GROUND.tolist(), (x, y), r) for x, y, r, *_ in sections.drawn(sections.COUNT).T.tolist()
+    )
     texts = zip(*([v.mid().str(24, radius=False) for v in one.values()] for one in found), strict=True)
     return json.dumps([*texts], indent=1) + "\n"
 

@@ -38,8 +38,7 @@ def main(samples: int) -> None:
     print(f"{'engine':16} {'s':>7} {'us a scene':>11} {'speed-up':>9} {'of this process, ms a block':>28}")
     serial = own = 0.0
     blocks: dict[int, float] = {}  # seconds of the processor, by size
-    for name, workers in (("serial", 1), ("threads", 2), ("processes", 1), ("processes", 2), ("dask", 2),
-                          ("dask, tuned", 2)):  # fmt: skip
+    for name, workers in (("threads", 1), ("threads", 2), ("dask", 2), ("dask, tuned", 2)):
         with ExitStack() as stack:
             address = None
             if name.startswith("dask"):  # its scheduler is a thread of this process
@@ -48,14 +47,14 @@ def main(samples: int) -> None:
                     LocalCluster(n_workers=workers, threads_per_worker=1, host="127.0.0.1", dashboard_address=":0")
                 )
                 address = cluster.scheduler_address
-            pool = stack.enter_context(engine(name.partition(",")[0], workers, address))
+            pool = stack.enter_context(engine(name.partition(",")[0], None if address else workers, address))
             run(pool, 4 * SIZE, SIZE)  # so that workers have started
             clock, processor = run(pool, samples, SIZE)
-            if name == "serial":
+            if workers == 1:
                 serial = clock
                 blocks = {SIZE: processor / samples * SIZE, LARGE: run(pool, samples, LARGE)[1] / samples * LARGE}
             own = run(pool, BLOCKS * 1024, 1024)[1] / BLOCKS
-            said = f"{own * 1e3:28.2f}" if address or name == "processes" else f"{'-':>28}"
+            said = f"{own * 1e3:28.2f}" if address else f"{'-':>28}"
             print(f"{f'{name} ({workers})':16} {clock:7.2f} {clock / samples * 1e6:11.3f} {serial / clock:9.2f} {said}")
     for size, each in blocks.items():
         count = -(-REGION // size)

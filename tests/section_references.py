@@ -38,7 +38,7 @@ def _integrals(ground: tuple[Any, ...], centre: tuple[float, float], radius: flo
 def _crossings(p: tuple[arb, arb], q: tuple[arb, arb]) -> list[arb]:
     """Angles from straight below the centre at which an edge meets the lower half of the unit circle."""
     slope = (q[1] - p[1]) / (q[0] - p[0])
-    a, b, c = 1 + slope**2, slope * (p[1] - slope * p[0]), (p[1] - slope * p[0]) ** 2 - 1
+    a, b, c = 1 + slope * slope, slope * (p[1] - slope * p[0]), (p[1] - slope * p[0]) ** 2 - 1
     disc = b * b - a * c
     found = [] if not disc > 0 else [(-b + s * disc.sqrt()) / a for s in (-1, 1)]
     return [x.asin() for x in found if p[0] < x < q[0] and p[1] + slope * (x - p[0]) < 0]
@@ -103,7 +103,9 @@ class Section(taylor.Problem):
             self.pieces_of_level.append((low, high, edge, total))
             total += _area(p, q, high) - _area(p, q, low) if edge else 0
         turns = [(b - end) * self.way for b in angles for end in self.ends]
-        self.borders = sorted((t.mid() for t in turns), key=float)
+        # Where the level begins as the ground does, the formula of the start is that of the way down.
+        passed = -(arb(2) ** -150)
+        self.borders = sorted((passed if abs(t) < -passed else t.mid() for t in turns), key=float)
 
     def under(self, phi: arb_series, place: int) -> arb_series | int:
         if not self.borders:

@@ -252,7 +252,7 @@ class Solution:
             h = self._length(y)
             if limit is not None and time + h >= limit:
                 h = limit - time
-            watched = {"stands": y[1], "lifts": -normal if lifted else normal}
+            watched = {"stands": y[1]}
             if piece < len(p.slip.breaks):
                 watched["slip"] = p.slip.breaks[piece] - slip - y[0]
             if band < len(p.speed.breaks):
@@ -265,6 +265,10 @@ class Solution:
             # What has just been passed is zero at first.
             zeros = {name: zero(s, h, name == last) for name, s in watched.items()}
             event, h = min([("", h), *((n, t) for n, t in zeros.items() if t is not None)], key=lambda e: float(e[1]))
+            # What presses may vary faster than the motion that the step is made for: beyond the border of a formula it
+            # may pass zero twice between two of the places where `zero` looks.
+            lifts = zero(-normal if lifted else normal, h, last == "lifts")
+            event, h = (event, h) if lifts is None else ("lifts", lifts)
             self.steps.append(Step(time, h, side, phi, y))
             top = zero(y[1].derivative(), h) if y[1][1] > 0 else None
             self.tops += [((time + t).mid(), side * value(y[1], t)) for t in (arb(0), h, top) if t is not None]

@@ -9,8 +9,9 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, ThreadPoolExecutor
+from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace
+from multiprocessing import get_context
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -66,12 +67,14 @@ def test_threads_give_the_same_bits(method: str) -> None:
         same(serial, ensemble(SCENE, executor=Backwards(), method=method, **MANY))
 
 
-def test_processes_give_the_same_bits() -> None:
+def test_any_executor_gives_the_same_bits() -> None:
+    """One of processes too; what is none is refused."""
     levels = {"friction.angle_deg": np.linspace(2, 24, 30), "arc.radius_m": [300.0, 400.0]}
-    with engine("processes", 2) as pool:
-        assert pool is not None
+    with ProcessPoolExecutor(2, get_context("spawn")) as pool:
         same(ensemble(SCENE, **MANY), ensemble(SCENE, executor=pool, **MANY))
         same(grid(SCENE, levels), grid(SCENE, levels, pool))
+    with pytest.raises(ValueError, match=r"executor = 'threads': must be one of concurrent.futures, or a Dask client"):
+        ensemble(SCENE, 10, executor="threads")
 
 
 class Stream:
@@ -111,11 +114,13 @@ def cluster() -> Iterator[Any]:
 LINE = "sweep vaiont-rate --uncertain friction.peak_deg=normal:24:1 --samples 1e6 --block 256 --engine"
 
 
-@pytest.mark.parametrize("name", ["serial", "threads", "processes", "dask"])
+@pytest.mark.parametrize("name", ["threads", "dask", "dask on a cluster"])
 def test_ctrl_c_ends_every_engine(name: str, request: pytest.FixtureRequest, tmp_path: Path) -> None:
     """The signal goes to all processes, as from a terminal; what is kept begins when the first block is done."""
-    address = request.getfixturevalue("cluster").scheduler_address if name == "dask" else ""
-    more = ["--scheduler", address] if address else ["--workers", "2"]
+    name, _, on_cluster = name.partition(" ")
+    more = ["--workers", "2"]
+    if on_cluster:
+        more = ["--scheduler", request.getfixturevalue("cluster").scheduler_address]
     process = subprocess.Popen(
         [sys.executable, "-m", "slipcircle", *LINE.split(), name, *more, "--resume", str(tmp_path)], cwd=ROOT,
         start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
@@ -144,22 +149,35 @@ def test_a_dask_worker_killed_in_the_middle(cluster: Any, told_at_once: None) ->
 
     progress: Any = Stream(kill)
     with engine("dask", scheduler=cluster.scheduler_address) as pool:
-        assert pool is not None
         same(serial, ensemble(SCENE, 20_000, 7, pool, size=256, sensitivity=0, progress=progress))
     assert progress.told
     assert "K20000 of" not in progress.told
 
 
+def test_a_dask_client_is_an_executor(cluster: Any) -> None:
+    from distributed import Client
+
+    with Client(cluster) as client:
+        same(ensemble(SCENE, **MANY), ensemble(SCENE, executor=client, **MANY))
+
+
 def test_what_an_engine_needs() -> None:
-    for name, scheduler in (("dask", None), ("serial", "tcp://127.0.0.1:1")):
-        with pytest.raises(ValueError, match="belong together"), engine(name, scheduler=scheduler):
+    for name, workers in (("threads", None), ("dask", 2)):
+        with pytest.raises(ValueError, match="leave out --workers"), engine(name, workers, "tcp://127.0.0.1:1"):
             pass
 
 
 def test_a_run_continues(tmp_path: Path) -> None:
-    """From any set of finished blocks, a damaged one, and what a killed writer left; with the seed that is there."""
-    whole = ensemble(SCENE, folder=tmp_path, **MANY)
+    """From any set of finished blocks, a damaged one, and what a killed writer left; with the seed that is there.
+
+    A block under the name of another one is not taken for it, nor is one of another study.
+    """
+    whole = ensemble(SCENE, folder=tmp_path / "blocks", **MANY)
+    ensemble(SCENE, folder=tmp_path / "other", **MANY | {"rng": 8})
+    tmp_path = tmp_path / "blocks"
     files = sorted(tmp_path.glob("block-*.npz"))
+    files[5].write_bytes(files[6].read_bytes())
+    files[8].write_bytes((tmp_path.parent / "other" / files[8].name).read_bytes())
     assert len(files) == 12 + 32
     for path in files[1::3]:
         path.unlink()
@@ -276,7 +294,7 @@ def test_workers_that_are_gone(gone: type[Exception], monkeypatch: pytest.Monkey
     def lost(*_: Any) -> None:
         raise gone
 
-    monkeypatch.setattr("slipcircle.workbench.outputs.sweep._compute", lost)
+    monkeypatch.setattr("slipcircle.workbench.commands.sweep._compute", lost)
     told = refused("sweep vaiont --grid friction.angle_deg=8,10")
     assert "a worker died; with --resume FOLDER it could continue" in told
 

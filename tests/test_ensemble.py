@@ -14,12 +14,14 @@ from scipy import stats
 
 from slipcircle import Scene, backanalyse, ensemble, load, solve
 from slipcircle.base.series import Series
-from slipcircle.core.motion.quantities import OUTCOMES
 from slipcircle.core.motion.states import Status
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.keys import schema
 from slipcircle.workbench.files.scenefile import load as read
+from slipcircle.workbench.stability.stability import METHODS, factors_of_safety
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.ensemble import grid
+from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.sampling import monte_carlo
 from slipcircle.workbench.studies.statistics import BIN_ERROR, moments, spread
 from slipcircle.workbench.studies.study import Study
@@ -226,7 +228,7 @@ def test_linear_propagation_next_to_the_limit(mean: float, moves: bool) -> None:
 
 def test_where_nothing_is_propagated() -> None:
     """What has no moments says so; a unit weight moves nothing here, and rounding is no disagreement."""
-    found = ensemble(replace(VAIONT, uncertain={"friction": stats.cauchy(0.2, 0.01)}), 20, 1)
+    found = ensemble(replace(VAIONT, uncertain={"friction": stats.pareto(2, scale=0.05)}), 20, 1)
     assert dict(found.linear) == {}
     assert "no finite mean" in found.no_linear
     assert found.mean("run_out").low < found.mean("run_out").high
@@ -299,17 +301,78 @@ def test_the_probability_of_moving() -> None:
     assert tuple(ensemble(scene, 1, 3).moving) == pytest.approx((1.0, 0.025, 1.0), rel=1e-12)
 
 
-def test_what_is_no_scene_is_counted_and_left_out() -> None:
-    scene = replace(VAIONT, uncertain={"arc.radius_m": {"distribution": "normal", "mean": 1000, "std": 800}})
+def test_what_is_no_scene_is_counted_apart() -> None:
+    """An end of the arc before its start; what lies beyond a number's own bounds has to be truncated by name."""
+    scene = replace(VAIONT, uncertain={"arc.theta_2_deg": {"distribution": "uniform", "low": 205, "high": 280}})
     found = ensemble(scene, 4000, 1)
-    assert found.counts[Status.INVALID] == np.sum(found.samples["arc.radius_m"] < 0.0) > 300
-    assert found.n == 4000 - found.counts[Status.INVALID]
-    assert Status.INVALID.reason in found.warnings[0]
-    nothing = ensemble(replace(VAIONT, uncertain={"friction.angle_deg": stats.norm(-50, 1)}), 10, 1)
+    assert found.counts[Status.INVALID] == np.sum(found.samples["arc.theta_2_deg"] < 215.2) > 300
+    assert found.n == 4000 - found.counts[Status.INVALID] == export.record(found)["valid_samples"]
+    assert f"{4000 - found.n} of 4000 samples are no scene and are not counted" in found.warnings[0]
+    assert found.failure["paper"].value == found.moving.value
+    nothing = ensemble(replace(VAIONT, uncertain={"arc.theta_2_deg": stats.norm(190, 1)}), 10, 1)
     assert nothing.n == 0
     assert math.isnan(nothing.moving.value)
     assert json.dumps(export.record(nothing), allow_nan=False)
     assert export.rows(nothing)
+    for key, given in (("friction.angle_deg", {"mean": 3, "std": 3}), ("arc.radius_m", {"mean": 1000, "std": 800})):
+        beyond = replace(VAIONT, uncertain={key: {"distribution": "normal"} | given})
+        with pytest.raises(ValueError, match=f"{key}: 1[16] % of its distribution lies outside .* truncated_normal"):
+            ensemble(beyond, 100)
+
+
+SLOPE = """
+[ground]
+points_m = [[0, 25], [30, 25], [50, 35], [90, 35]]
+unit_weight_kN_m3 = 20
+[circle]
+critical = "bishop"
+[friction]
+angle_deg = { distribution = "normal", mean = 20, std = 2 }
+[cohesion]
+cohesion_kPa = { distribution = "lognormal", mean = 5, std = 1.5 }
+"""
+
+
+@pytest.mark.parametrize(("method", "keep"), [("monte-carlo", True), ("sobol", False)], ids=["kept", "streamed"])
+def test_what_slides_without_a_result_moves(method: str, keep: bool, tmp_path: Path) -> None:
+    """Frozen geometry: whatever moves slides for ever, beyond every threshold, and has no mean."""
+    path = tmp_path / "slope.toml"
+    path.write_text(SLOPE, "utf-8")
+    found = ensemble(read(path), 1024, 1, method=method, keep=keep)
+    sliding = int(found.counts[Status.ENDLESS])
+    assert sliding == found.without_result > 100
+    assert (found.n, found.moving.value) == (1024, sliding / 1024)
+    assert found.failure["paper"] == found.moving
+    factors = (
+        factors_of_safety(
+            motions(found.scene, {n: u.to_si(found.samples[u.key]) for n, u in found.design.inputs.items()}).plan.scene
+        )
+        if keep
+        else {}
+    )
+    for method, factor in factors.items():
+        assert method not in METHODS or found.failure[method].value == np.mean(factor < 1.0)
+    assert found.failure["bishop"].value < found.failure["ordinary"].value < found.failure["paper"].value
+    record = json.loads(json.dumps(found.to_dict(), allow_nan=False))
+    assert [q["value"] for q in record["outputs"]["reach"]["quantiles"]] == [0.0] * 4 + ["beyond"] * 4
+    assert record["outputs"]["reach"]["mean"] == {"value": None, "low": None, "high": None}
+    assert record["outputs"]["reach"]["linear"] is None
+    assert math.isnan(found.sensitivity["reach"].first[0].value) is math.isnan(found.std("reach").value) is True
+    assert 0.0 < found.sensitivity["moves"].first[0].value < 1.0
+    assert ["quantile", "reach", "", 0.99, "beyond", "beyond", "beyond"] in export.rows(found)
+    assert any("count as moving and as beyond every threshold" in w for w in found.warnings)
+
+
+def test_a_part_without_a_result_ends_the_curve() -> None:
+    """Some of these turn over: the exceedance probability does not fall below that share."""
+    fast = replace(VAIONT, initial_velocity=20.0, uncertain={"initial_velocity": stats.uniform(50, 230)})
+    found = ensemble(fast, 2000, 1)
+    assert 0 < found.without_result < 1000
+    curve = found.exceedance("reach")
+    assert curve.probability[-1] >= found.without_result / 2000
+    assert found.quantile("reach", 1 - found.without_result / 2000).value == np.nanmax(found.samples["reach"])
+    above = found.quantile("reach", 1 - (found.without_result - 1) / 2000)
+    assert above.value == math.inf > above.low
 
 
 def test_indices_of_a_scene(file: Path) -> None:
@@ -374,7 +437,7 @@ def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) ->
     assert len(rows) == len(records(line)[0]["rows"]) == 82
     _, out, err = asked("sweep vaiont --grid friction.angle_deg=1e-9,10")
     assert "endless" in out
-    assert "1 of 2 samples have no answer and are left out: it never rests" in err
+    assert "1 of 2 scenes slide without a result: it never rests" in err
 
 
 @pytest.mark.parametrize(
@@ -384,7 +447,7 @@ def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) ->
         ("--uncertain friction.angle_deg=normal:10:1 --samples 1e300", "a whole number of samples, from 1 to 1e+12"),
         ("--grid friction.angle_deg=1:2", "must be KEY=FROM:TO:COUNT"),
         ("--grid friction.angel_deg=1:2:3", "did you mean friction.angle_deg"),
-        ("--grid friction.angle_deg=1 --engine dask", "belong together"),
+        ("--grid friction.angle_deg=1 --scheduler tcp://127.0.0.1:1", "is of --engine dask"),
         ("--grid friction.angle_deg=1,2 --grid friction.angle_deg=3", "each key once"),
         ("--grid friction.angle_deg=8:12:9999 --grid arc.radius_m=1:9:9999", "67108864 at most"),
         ("--grid friction.angle_deg=1:2:1000000000000", "not enough memory"),

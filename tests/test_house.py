@@ -128,8 +128,7 @@ def layer(name: str) -> int:
 LEAKS = {
     ("slipcircle.core.flow.lanes", "slipcircle.workbench.files.variation"),
     ("slipcircle.core.motion.derivatives", "slipcircle.workbench.files.numbers"),
-    ("slipcircle.core.motion.results", "slipcircle.workbench.common.markup"),
-    ("slipcircle.core.motion.results", "slipcircle.workbench.files.variation"),
+    ("slipcircle.core.motion.motion", "slipcircle.workbench.files.variation"),
     ("slipcircle.core.motion.sensitivity", "slipcircle.workbench.files.numbers"),
     ("slipcircle.core.motion.solver", "slipcircle.workbench.files.variation"),
     ("slipcircle.core.scene.forcing", "slipcircle.workbench.records.records"),

@@ -3,6 +3,7 @@
 import itertools
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -15,9 +16,10 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 from matplotlib.text import Text
 
-from slipcircle import Arc, Motion, Scene, load, solve
+from slipcircle import Arc, Motion, Scene, Section, critical, load, solve
 from slipcircle.base.series import Pulse
-from slipcircle.workbench.outputs import plots, plotstyle
+from slipcircle.workbench.outputs import pictures, plots, plotstyle, sectionplot
+from slipcircle.workbench.outputs.tables import motion_column
 from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
@@ -193,7 +195,7 @@ def test_water_that_heat_presses_is_what_friction_has_dissipated() -> None:
 def test_phase_plane_stacks_the_energy() -> None:
     m, ax = motion("wet-slope"), drawn()
     assert plots.phase_plane(m, ax) is ax
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("displacement $s$ (m)", "energy (MJ)")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("displacement $s$ (m)", "energy per metre of width (MJ/m)")
     (right,) = (a for a in ax.figure.axes if a is not ax)
     assert right.get_ylabel() == "speed $|v|$ (m/s)"
     work = 1e6 * ax.lines[0].get_ydata()
@@ -259,6 +261,8 @@ def test_ladder_is_drawn() -> None:
     assert [bool(bar.get_hatch()) for bar in ax.patches] == [not r.arrested for r in rungs]
     assert ax.get_xlabel() == "run-out along the arc (m)"
     assert [t.get_text() for t in ax.get_yticklabels()] == ["no effect", "+ rotation", "+ centripetal"]
+    assert set(legend(ax)) == {"does not come to rest", "comes to rest", "with all effects: 677.3 m"}
+    assert ax.child_axes[0].get_yticklabels()[0].get_text().endswith("still moving at 38.08 s")
     assert clashes(ax.figure) == []
 
 
@@ -275,6 +279,54 @@ def test_animation_moves_the_mass() -> None:
         x, y = moving.get_xy()[0]
         assert np.arctan2(y, x) % (2 * np.pi) == pytest.approx(float(np.asarray(arc.theta_1)) + float(state.rotation))
         assert f"{float(state.velocity):.2f} m/s" in figure.get_suptitle()
+
+
+# --- words that could mislead --------------------------------------------------------------------------------------
+
+
+def test_the_section_says_when_and_how_far_and_that_the_circle_goes_on() -> None:
+    """No velocity in metres; how the toe of a slope ends above its ground, which the tables and reports say as well."""
+    m = solve(load("real-slope"))
+    words = legend(plots.section(m, drawn((9.0, 6.0))))
+    assert "peak velocity after 3.803 s and 5.393 m" in words
+    assert any(w.startswith("at rest after 6.477 s and 10.41 m") for w in words)
+    section = m.plan.scene.arc
+    assert isinstance(section, Section)
+    hangs = m.journey.toe_y - np.interp(m.journey.toe_x, *np.transpose(section.ground))
+    assert any(f"ends {hangs:.4g} m above the ground" in w for w in words)
+    assert f"{hangs:.4g} m above the ground" in motion_column(m)["toe at the end"]
+    assert "toe at the end" not in motion_column(motion("vaiont"))
+    assert "still moving after 30 s and 1020 m" in legend(plots.section(motion("vaiont-frozen"), drawn((9.0, 6.0))))
+
+
+def test_energies_say_of_what_width_they_are() -> None:
+    wide = replace(load("wet-slope"), arc=replace(load("wet-slope").arc, width=50.0))
+    assert plots.phase_plane(solve(wide), drawn()).get_ylabel() == "energy of 50 m of width (MJ)"
+
+
+@pytest.mark.parametrize("depth", [0.0, 5.0])
+def test_the_map_of_a_search_is_darkest_where_most_dangerous_and_whole(depth: float) -> None:
+    stability = load("real-slope").stability
+    assert stability is not None
+    slope = stability.slope
+    found, figure = critical(slope, depth=depth), canvas((9.0, 6.0))
+    sectionplot.critical_circle(found, figure)
+    ax = figure.axes[0]
+    (cells,) = (c for c in ax.collections if c.get_array() is not None)
+    low, high = (cells.get_cmap()(x)[:3] for x in (0.0, 1.0))
+    assert sum(low) < 0.5 * sum(high)
+    least, most = cells.get_clim()
+    assert least == np.nanmin(found.values)
+    (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
+    x, y = found.centres[found.values < most].T
+    assert np.all((left <= x) & (x <= right) & (bottom <= y) & (y <= top))
+    assert most > 1.03 * least
+
+
+def test_a_stored_picture_says_what_it_shows() -> None:
+    """Its title, axes and legends stand in the file, by which pictures in the repository are compared with today's."""
+    said = pictures.words_of(pictures.picture("ladder", ladder(SCENES["vaiont"]), "ladder.png"))
+    assert {"run-out along the arc (m)", "with all effects: 677.3 m", "does not come to rest"} <= set(said)
 
 
 # --- greys and names -----------------------------------------------------------------------------------------------

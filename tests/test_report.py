@@ -17,9 +17,9 @@ import pytest
 
 from slipcircle import Motion, Scene, load, solve
 from slipcircle.base.series import Series
-from slipcircle.core.motion.quantities import RESULTS
-from slipcircle.core.motion.quantities import record as record_of
 from slipcircle.workbench.common import files
+from slipcircle.workbench.common.quantities import RESULTS
+from slipcircle.workbench.common.quantities import record as record_of
 from slipcircle.workbench.files.scenefile import find
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
@@ -192,7 +192,7 @@ def test_uncertain_inputs_are_marked() -> None:
 def test_a_mass_that_stays_has_a_report_too() -> None:
     root = tree(report([solve(Scene(load("vaiont").arc, 0.9, ["rotation"], name="still"))]))
     cells = rows(root)
-    assert (cells["moves"].text, cells["comes to rest"].text) == ("no", "yes")
+    assert (cells["moves"].text, cells["comes to rest"].text) == ("no", "does not move")
     assert len(list(root.iter("img"))) == 1
 
 
@@ -266,7 +266,7 @@ def test_a_picture_of_several_scenes_holds_them_all() -> None:
 def test_paths_are_checked_before_the_work(
     tmp_path: Path, refused: Any, monkeypatch: pytest.MonkeyPatch, words: str, told: str
 ) -> None:
-    monkeypatch.setattr("slipcircle.__main__.solve", lambda scene: pytest.fail("solved"))
+    monkeypatch.setattr("slipcircle.workbench.commands.run.solve", lambda scene: pytest.fail("solved"))
     own = tmp_path / "own.toml"
     own.write_text(find("vaiont").read_text("utf-8"), "utf-8")
     assert told.replace("{}", str(tmp_path)) in refused("run", own, words.replace("{}", str(tmp_path)))

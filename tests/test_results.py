@@ -15,7 +15,8 @@ import generated
 import slipcircle
 from slipcircle import Arc, Motion, Scene, Status, Study, ensemble, kernels, load, solve
 from slipcircle.base.kinds import Array
-from slipcircle.core.motion.quantities import HISTORY, OUTCOMES, RESULTS, digits_left, shown, to_error
+from slipcircle.base.text import digits_left, shown
+from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, RESULTS, to_error
 from slipcircle.workbench.studies.ensemble import grid
 
 VAIONT = load("vaiont")
@@ -48,11 +49,11 @@ def study() -> Study:
 
 
 def test_repr_has_the_key_results(study: Study) -> None:
-    assert repr(solve(VAIONT)) == "<Motion vaiont: 27.97 m/s at most; run-out 677.3 m; rests after 38.08 s>"
+    assert repr(solve(VAIONT)) == "<Motion vaiont: 27.97 m/s at most; run-out 677.3 m; comes to rest after 38.08 s>"
     still = solve(replace(VAIONT, friction=0.9))
     assert repr(still) == f"<Motion vaiont: does not move, factor of safety {still.factor_of_safety:.3f}>"
     moving = solve(replace(VAIONT, end_time=10.0))
-    assert repr(moving).endswith("still moves after 10 s>")
+    assert repr(moving).endswith("still moving at 10 s>")
     said = repr(many(initial_velocity=0.0))
     assert said.startswith("<3 motions vaiont: 2 rests, 1 stays; ")
     assert "run-out 0 to 786 m" in said
@@ -211,7 +212,7 @@ def test_xarray_keeps_dimensions(study: Study) -> None:
     assert results.coords["friction"].dims == ("lane_1",)
     assert results.coords["initial_velocity"].dims == ("lane_0",)
     other = xarray.DataArray(np.array([0.0, 1.0, 2.0]), dims=("push",))
-    with pytest.raises(ValueError, match="initial_velocity: its dimension 'push' stands where 'angle' does"):
+    with pytest.raises(ValueError, match="initial_velocity: its dimension 'push' is on the axis of 'angle'"):
         many(friction=friction, initial_velocity=other).to_xarray()
     assert solve(VAIONT).to_xarray(TIMES)["velocity"].dims == ("time",)
     assert study.to_xarray()["run_out"].dims == ("sample",)

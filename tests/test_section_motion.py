@@ -9,7 +9,8 @@ import pytest
 from scipy.optimize import brentq
 
 from slipcircle import Arc, Motion, Scene, Section, load, solve
-from slipcircle.workbench.stability.stability import Slope, factors
+from slipcircle.workbench.stability.slices import circle_factors
+from slipcircle.workbench.stability.stability import Slope
 
 GROUND = [[0.0, 25.0], [30.0, 25.0], [38.0, 30.0], [50.0, 35.0], [90.0, 35.0]]
 CENTRE, RADIUS = [29.5, 53.6], 28.6
@@ -63,7 +64,7 @@ def test_the_factor_is_that_of_the_paper_along_the_circle(ratio: float) -> None:
     motion = solve(Scene(section, 0.3, effects))
     slope = Slope(GROUND, 3e3, 0.3, 20e3, pore_ratio=ratio)
     centre, radius = np.array([CENTRE]), np.array([RADIUS])
-    found = factors(slope, centre, radius, section.exit[None], section.entry[None])
+    found = circle_factors(slope.arrays(), centre, radius, section.exit[None], section.entry[None])
     assert motion.factor_of_safety == pytest.approx(float(found["paper"][0]), rel=1e-9)
     assert motion.pore_pressure_at(0.0) == pytest.approx(ratio * 20e3 * section.mean_cover, rel=1e-12)
     assert abs(motion.energy.residual) < 1e-11 * motion.energy.work

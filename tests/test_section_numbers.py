@@ -1,8 +1,10 @@
 """The numbers of a section: lanes of circles, grounds and levels, derivatives, studies and back-analyses by them."""
 
 import json
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace
 from itertools import product
+from multiprocessing import get_context
 from typing import Any
 
 import numpy as np
@@ -16,7 +18,6 @@ from test_section_water import LEVEL
 from slipcircle import Motion, Scene, Section, backanalyse, ensemble, load, solve
 from slipcircle.core.motion.states import Status
 from slipcircle.workbench.files.numbers import fields_with, numbers_in
-from slipcircle.workbench.studies.engines import engine
 from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.motions import motions
 
@@ -120,22 +121,14 @@ def bits(executor: Any) -> list[bytes]:
     return [v.tobytes() for study in (found, on_grid) for v in study.samples.values()]
 
 
-@pytest.fixture(scope="module")
-def serial() -> list[bytes]:
-    return bits(None)
-
-
-@pytest.mark.parametrize("name", ["threads", "processes", "dask"])
-def test_every_engine_gives_the_same_bits(name: str, serial: list[bytes]) -> None:
-    if name == "dask":
-        distributed = pytest.importorskip("distributed")
-        with distributed.LocalCluster(
-            n_workers=1, threads_per_worker=2, processes=False, dashboard_address=":0"
-        ) as cluster, distributed.Client(cluster) as client:  # fmt: skip
-            assert bits(client.get_executor()) == serial
-        return
-    with engine(name, 2) as pool:
+def test_every_executor_gives_the_same_bits() -> None:
+    distributed = pytest.importorskip("distributed")
+    serial = bits(ThreadPoolExecutor(1))
+    assert bits(None) == serial
+    with ProcessPoolExecutor(2, get_context("spawn")) as pool:
         assert bits(pool) == serial
+    with distributed.Client(n_workers=1, threads_per_worker=2, processes=False, dashboard_address=":0") as client:
+        assert bits(client) == serial
 
 
 # --- derivatives -----------------------------------------------------------------------------------------------------

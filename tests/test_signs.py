@@ -9,7 +9,7 @@ import pytest
 
 from slipcircle import Arc, Scene, Section, backanalyse, ensemble, solve
 from slipcircle.base.series import Pulse, Series
-from slipcircle.core.motion.quantities import HISTORY, RESULTS
+from slipcircle.workbench.common.quantities import HISTORY, RESULTS
 
 RIGHT = Arc(60.0, math.radians(220.0), math.radians(290.0), 19e3)
 LEFT = Arc(60.0, math.radians(250.0), math.radians(320.0), 19e3)

@@ -8,11 +8,13 @@ import numpy as np
 import peers_slopes
 import pytest
 
+from slipcircle import Scene
 from slipcircle.core.scene import circles
 from slipcircle.core.scene.ground import circle_through
 from slipcircle.core.scene.section import Section
 from slipcircle.workbench.stability.search import Search, critical
-from slipcircle.workbench.stability.stability import METHODS, Slope, factors
+from slipcircle.workbench.stability.slices import circle_factors
+from slipcircle.workbench.stability.stability import METHODS, Slope, factors_of_safety
 
 
 def tangent(degrees: float) -> float:
@@ -29,7 +31,7 @@ def masses(ground: Any, centre: Any, radius: Any) -> tuple[Any, Any, Any, Any]:
 
 def fixed(slope: Slope, centre: tuple[float, float], radius: float) -> dict[str, float]:
     """The factors of the one stretch of a circle that is driven."""
-    found = factors(slope, *masses(slope.ground, np.array([centre]), np.array([radius])), pieces=50)
+    found = circle_factors(slope.arrays(), *masses(slope.ground, np.array([centre]), np.array([radius])), pieces=50)
     k = int(np.nanargmin(found["ordinary"]))
     return {name: float(values[k]) for name, values in found.items()}
 
@@ -218,11 +220,40 @@ def test_many_circles_are_single_ones() -> None:
     centre, radius = circle_through(p, q, depth=rng.uniform(0.1, 0.4, 500) * np.hypot(*(q - p).T) * 0.99)
     slope = Slope(GROUND, 8e3, tangent(25), 19e3, level=LEVEL)
     every = masses(GROUND, centre, radius)
-    many = factors(slope, *every)
+    many = circle_factors(slope.arrays(), *every)
     for k in range(0, len(every[1]), 37):
-        one = factors(slope, *(x[k : k + 1] for x in every))
+        one = circle_factors(slope.arrays(), *(x[k : k + 1] for x in every))
         for name, values in many.items():
             assert float(values[k]) == pytest.approx(float(one[name][0]), rel=1e-12, nan_ok=True), name
+
+
+def test_factors_of_an_ensemble_are_those_of_its_scenes() -> None:
+    rng = np.random.default_rng(2)
+    lanes = 5
+    ground = np.array(GROUND) + [0.0, 1.0] * rng.uniform(-0.3, 0.3, (lanes, len(GROUND), 1))
+    level = np.array(LEVEL) - [0.0, 1.0] * rng.uniform(0.5, 2.0, (lanes, 1, 1))
+    friction, cohesion, weight = rng.uniform([0.0, 0.0, 18e3], [0.8, 9e3, 21e3], (lanes, 3)).T
+    friction[0] = 0.0
+
+    def scene(k: Any) -> Scene[Any]:
+        section = Section(ground[k], (-6.0, 24.0), 25.0, weight[k], level=level[k])
+        return Scene(section, friction[k], {"cohesion": {"cohesion": cohesion[k]}, "pore_pressure": {"pressure": 2e3}})
+
+    many = factors_of_safety(scene(...), k_h=0.05)
+    for k in range(lanes):
+        slope = Slope(ground[k], cohesion[k], friction[k], weight[k], level=level[k], pressure=2e3, k_h=0.05)
+        one = fixed(slope, (-6.0, 24.0), 25.0)
+        for method in METHODS:
+            assert factors_of_safety(scene(k), k_h=0.05)[method] == pytest.approx(many[method][k], rel=1e-12)
+            assert one[method] == pytest.approx(many[method][k], rel=1e-9)  # cut into 50 pieces
+
+
+@pytest.mark.parametrize("cohesion", [3e3, 30e3])
+def test_a_base_may_lie_at_the_height_of_the_toe(cohesion: float) -> None:
+    rock = replace(ACADS, cohesion=cohesion, friction=0.0 if cohesion > 1e4 else ACADS.friction, base=25.0)
+    on_rock, above = critical(rock), critical(replace(rock, base=25.0 - 1e-6))
+    assert on_rock.factor_of_safety["bishop"] == pytest.approx(above.factor_of_safety["bishop"], rel=1e-6)
+    assert Section(rock.ground, on_rock.centre, on_rock.radius, 20e3, between=on_rock.between, base=25.0).depth > 0.0
 
 
 def test_a_lifted_toe_is_refused_by_bishop_alone() -> None:

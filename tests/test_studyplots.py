@@ -235,6 +235,6 @@ def test_every_study_has_a_report(name: str) -> None:
 def test_what_cannot_be_written_is_said_before_the_work(
     more: str, told: str, tmp_path: Path, refused: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("slipcircle.workbench.outputs.sweep._compute", lambda *_: pytest.fail("computed"))
+    monkeypatch.setattr("slipcircle.workbench.commands.sweep._compute", lambda *_: pytest.fail("computed"))
     assert told in refused("sweep vaiont", more.replace("{}", str(tmp_path)))
     assert not list(tmp_path.iterdir())

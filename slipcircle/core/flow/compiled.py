@@ -3,7 +3,8 @@
 import os
 import sys
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from functools import cache, lru_cache
 from importlib import import_module
 from typing import Any
@@ -49,9 +50,22 @@ def module() -> Any:
     return None
 
 
+_numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open
+
+
+@contextmanager
+def numpy_only() -> Iterator[bool]:
+    """Integrate in NumPy although there is a binary; for comparisons. Says whether there is one."""
+    _numpy_only.append(True)
+    try:
+        yield module() is not None
+    finally:
+        _numpy_only.pop()
+
+
 def engine() -> Any:
     """The module whose `walk`, `begin` and `registers` are the faster ones here: this one where there is a binary."""
-    return sys.modules[__name__] if module() else numpy_walk
+    return sys.modules[__name__] if module() and not _numpy_only else numpy_walk
 
 
 @lru_cache(maxsize=256)

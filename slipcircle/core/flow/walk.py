@@ -198,8 +198,6 @@ class Walker(Resting):
             which = np.where(at < found, k, which)
             found = np.minimum(found, at)
 
-        if (normal := p.roles["normal"]) >= 0:
-            later(1, r[normal] * np.where(c[its.LIFTED] > 0.0, -1.0, 1.0), c[its.PASSED] == its.LIFT)
         if (upright := p.roles.get("upright", -1)) >= 0:
             later(99, r[upright])
         for k, slot in enumerate(p.tables):
@@ -214,6 +212,12 @@ class Walker(Resting):
                 back[0] -= c[slot.cells + its.LOWER]
                 back[0] = np.where(c[slot.cells + its.LOWER] > 0.0, back[0], 1e300)
                 later(3 + 2 * k, back, c[its.PASSED] == its.FASTER)
+        if (normal := p.roles["normal"]) >= 0:
+            # Water over a mass may change faster than its motion, for which the step was chosen: what presses is a
+            # function of the position until the first other event only, and may pass zero twice beyond it.
+            pressing = r[normal] * np.where(c[its.LIFTED] > 0.0, -1.0, 1.0)
+            at = first_root(divided(pressing, c[its.PASSED] == its.LIFT), np.minimum(found, h))
+            which, found = np.where(at <= found, 1, which), np.minimum(found, at)
         none = ~np.isfinite(found)
         return np.where(none, h, found), np.where(none, -1, which)
 

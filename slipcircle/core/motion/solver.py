@@ -10,7 +10,7 @@ from generated.cells import MOST_TURNS
 from generated.effects import EFFECTS
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.flow.lanes import BLOCK, Lanes
-from slipcircle.core.motion.motion import KEPT, Motion, kept
+from slipcircle.core.motion.motion import FINAL_ENTRIES, Motion, final_entries
 from slipcircle.core.motion.plan import CLOSED_IN_TIME, Plan, plan
 from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.scene import Scene
@@ -59,11 +59,11 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     lanes, single = lanes_of(chosen, invalid), not chosen.scene.shape
     log: list[Any] = []
     if lanes.count <= BLOCK:
-        return Motion(chosen, lanes, kept(lanes.solve(log if single else None), single), log)
-    found = np.empty((len(KEPT), lanes.count))
+        return Motion(chosen, lanes, final_entries(lanes.solve(log if single else None), single), log)
+    found = np.empty((len(FINAL_ENTRIES), lanes.count))
     for which, part in lanes.parts():
-        found[:, which] = part.solve()[list(KEPT)]
-    return Motion(chosen, lanes, dict(zip(KEPT, found, strict=True)), log)
+        found[:, which] = part.solve()[list(FINAL_ENTRIES)]
+    return Motion(chosen, lanes, dict(zip(FINAL_ENTRIES, found, strict=True)), log)
 
 
 def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:

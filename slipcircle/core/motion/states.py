@@ -1,4 +1,4 @@
-"""What a motion is told in: what became of it, its state and its energy at a time, its phases."""
+"""The parts of a `Motion`: how it ended, its state and its energy at a time, its phases."""
 
 from collections.abc import Callable
 from dataclasses import InitVar, dataclass, field
@@ -7,38 +7,38 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated import cells as its
+from generated import cells as ix
 
 
 class Status(IntEnum):
-    """What became of a scene."""
+    """How the motion of a scene ended."""
 
     RESTS = 0  #: it moved, and came to rest without turning back
     STAYS = 1  #: it does not move
     MOVING = 2  #: it still moves at its end time, or nothing ever brings it to rest: then to its first standstill
     TURNED = 3  #: it turned back at least once, and came to rest
-    UPRIGHT = 4  #: no answer: the chord stands upright and the mass would hang over
-    ENDLESS = 5  #: no answer: it never rests, or turns back too often
-    FAILED = 6  #: no answer: its numbers overflow
+    UPRIGHT = 4  #: no result: the chord stands upright and the mass would hang over
+    ENDLESS = 5  #: no result: it never rests, or turns back too often
+    FAILED = 6  #: no result: overflow
     INVALID = 7  #: its numbers are no scene
 
     @property
     def reason(self) -> str:
-        """Why there is no answer; empty where there is one."""
+        """Why there is no result; empty where there is one."""
         return _REASONS.get(self.name, "")
 
 
 _REASONS = {
     "UPRIGHT": "the chord stands upright, and the mass would hang over",
     "ENDLESS": "it never rests, or turns back too often",
-    "FAILED": "its numbers overflow",
+    "FAILED": "overflow",
     "INVALID": "its numbers are no scene, such as an angle below its bound, or a circle that misses the ground",
 }
 
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
-# What becomes of a lane that the walk leaves so; one that moved.
-BECOMES = np.full(its.NEED + 1, Status.FAILED, np.int8)
-BECOMES[[its.ARRESTED, its.ENDED, its.STOPPED, its.UPRIGHT, its.TOO_LONG]] = (
+# How a lane that moved has ended, by the status in which the integration leaves it.
+STATUS_OF_END = np.full(ix.NEED + 1, Status.FAILED, np.int8)
+STATUS_OF_END[[ix.ARRESTED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_LONG]] = (
     Status.RESTS,
     Status.MOVING,
     Status.MOVING,

@@ -176,16 +176,23 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     Raises
     ------
     ValueError
-        For a level that is not below both points.
+        For a level that is above a point, or at the height of both.
+
+    Notes
+    -----
+    At heights h >= l of the points above the level, and a run between them, the circle touches the level at a distance
+    u = h (run^2 - l (h - l))/(h run + sqrt(h l (run^2 + (h - l)^2))) from the higher point, towards the lower one.
     """
-    p, q = _from_left(first, second)
-    low = np.asarray(level, dtype=np.float64)
-    a, b, run = p[..., 1] - low, q[..., 1] - low, (q - p)[..., 0]
-    if np.any((a <= 0.0) | (b <= 0.0)) or np.any(run == 0.0):
+    (p, q), base = _from_left(first, second), np.asarray(level, dtype=np.float64)
+    from_left, from_right, run = p[..., 1] - base, q[..., 1] - base, (q - p)[..., 0]
+    high, low = np.maximum(from_left, from_right), np.minimum(from_left, from_right)
+    if np.any((low < 0.0) | (high <= 0.0)) or np.any(run == 0.0):
         raise ValueError(
-            f"circle_touching: level = {np.max(low):.10g}: must lie below both points, which must not "
-            "lie above each other"
+            f"circle_touching: level = {np.max(base):.10g}: must lie below both points or touch the lower one, "
+            "and the points must not lie above each other"
         )
-    u = a * (run**2 + b * (b - a)) / (a * run + np.sqrt(a * b * (run**2 + (b - a) ** 2)))
-    radius = (u * u + a * a) / (2 * a)
-    return np.stack([p[..., 0] + u, low + radius], axis=-1), radius[()]
+    between = np.sqrt(high * low * (run**2 + (high - low) ** 2))
+    away = high * (run**2 - low * (high - low)) / (high * run + between)
+    radius = (away**2 + high**2) / (2 * high)
+    x = np.where(from_left >= from_right, p[..., 0] + away, q[..., 0] - away)
+    return np.stack([x, base + radius], axis=-1), radius[()]

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.core.motion.quantities import plain, shown, time_text
+from slipcircle.base.text import shown
 from slipcircle.workbench.common import files
+from slipcircle.workbench.common.quantities import plain, time_text
 from slipcircle.workbench.cost.cost import BEATEN, FRONTIER, LOST, REPEATS, SIZES, TIMES, Row
 from slipcircle.workbench.outputs.tables import WIDTH, Part
 

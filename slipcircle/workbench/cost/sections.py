@@ -1,7 +1,7 @@
 """What sections cost: this package beside Gauss quadrature of the definition and shapely, judged by 24 digits.
 
 A million circles through one ground of ten edges, in blocks, so that memory is bounded. Shapely gives area and centroid
-of polygons, and is judged by these alone.
+of polygons, and is judged by these alone; quadrature is given where the circle enters and leaves.
 """
 
 import json
@@ -9,109 +9,107 @@ from collections.abc import Callable
 from decimal import Decimal
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from slipcircle.core.scene import circles
-from slipcircle.core.scene.circles import MEASURES
-from slipcircle.core.scene.ground import circle_through
 from slipcircle.core.scene.section import Section
 from slipcircle.workbench.cost.reference import Floats, reference
 from slipcircle.workbench.cost.ways import Subject, Way
 
-# `MEASURES` of the sections of `drawn(COUNT)`, to 24 digits; ``python tests/exact_scenes.py`` writes them.
-ANSWERS, COUNT = Path(__file__).with_name("sections.json"), 12
+# Area, integrals of r and r^2, of the unit vector (x, y)/r and of (x, y) over the mass, from the centre and over powers
+# of the radius, of the sections of `drawn(COUNT)`, to 24 digits; ``python tests/exact_scenes.py`` writes them.
+ANSWERS, COUNT, MEASURES = Path(__file__).with_name("sections.json"), 12, 7
 PATIENCE = 80.0  # of a pass, as of `Subject`: a million sections of ours take less
 _X = np.linspace(-60.0, 60.0, 11)
 GROUND = np.stack([_X, 10.0 - _X / 5 + 1.5 * np.sin(_X / 9)], axis=1)
 _BLOCK, _GAUSS, _SEGMENTS = 1 << 13, (4, 8, 16), (8, 64, 512)
+_BASE = -1e3  # m, below every circle
 
 
 def drawn(count: int) -> Floats:
-    """Centres and radii of circles that enter near one end of the ground and leave near the other, (3, n)."""
+    """Circles that enter near one end of the ground and leave near the other: x, y, radius, and x of both ends."""
     rng = np.random.default_rng(16)
-    x = rng.uniform([[-59], [50]], [[-50], [59]], (2, count))
-    p, q = np.stack([x, np.interp(x, *GROUND.T)], axis=2)
-    centre, radius = circle_through(p, q, depth=rng.uniform(0.1, 0.3, count) * np.hypot(*(q - p).T))
-    return np.stack([*centre.T, radius])
+    left, right = rng.uniform([[-59], [50]], [[-50], [59]], (2, count))
+    width, height = right - left, np.interp(right, *GROUND.T) - np.interp(left, *GROUND.T)
+    half_chord = np.hypot(width, height) / 2
+    depth = rng.uniform(0.1, 0.3, count) * 2 * half_chord
+    radius = (half_chord**2 + depth**2) / (2 * depth)
+    above = (radius - depth) / (2 * half_chord)  # of the centre over the chord, in chords
+    x = left + width / 2 - above * height
+    y = np.interp(left, *GROUND.T) + height / 2 + above * width
+    return np.stack([x, y, radius, left, right])
 
 
 # --- ways ------------------------------------------------------------------------------------------------------------
 
 
-def blocks(one: Callable[[Floats, Floats], Floats], x: Any, y: Any, radius: Any) -> Floats:
-    """`MEASURES` of sections, a block of circles at a time, (7, n)."""
-    circle = np.stack([np.atleast_1d(v) for v in (x, y, radius)])
-    found = np.empty((len(MEASURES), circle.shape[1]))
-    for k in range(0, circle.shape[1], _BLOCK):
-        some = circle[:, k : k + _BLOCK]
-        found[:, k : k + _BLOCK] = one(some[:2].T, some[2])
-    return found
+def blocks(compute: Callable[..., Floats], *circles: Floats) -> Floats:
+    """The measures of sections, a block of circles at a time, (7, n)."""
+    columns = np.stack([np.atleast_1d(values) for values in circles])
+    results = np.empty((MEASURES, columns.shape[1]))
+    for first in range(0, columns.shape[1], _BLOCK):
+        block = slice(first, first + _BLOCK)
+        results[:, block] = compute(*columns[:, block])
+    return results
 
 
-def bare(centre: Floats, radius: Floats) -> Floats:
-    """By the functions over arrays: where the circles cut, and the moments."""
-    parts = circles.cut(GROUND[None], centre, radius)
-    return np.array(list(circles.moments(parts, parts.stretch == 0).values()))
+def section(x: Floats, y: Floats, radius: Floats, *_: Floats) -> Floats:
+    """By a `Section`, which checks its input."""
+    mass = Section(GROUND, np.stack([x, y], axis=1), radius, 2e4)
+    moments, facing = mass.moments, mass.facing
+    unit_vector = facing * moments["radial_weight_slope"], -moments["radial_weight"]
+    first = -facing * moments["weight_moment"], -moments["weight_moment_slope"]
+    area = mass.area / radius**2
+    return np.array([area, moments["polar_moment"], moments["moment_of_inertia"], *unit_vector, *first])
 
 
-def whole(centre: Floats, radius: Floats) -> Floats:
-    """By a `Section`, which checks what it is given."""
-    m = (found := Section(GROUND, centre, radius, 2e4)).moments
-    return np.array(
-        [
-            found.area / radius**2,
-            m["polar_moment"],
-            m["moment_of_inertia"],
-            found.facing * m["radial_weight_slope"],
-            -m["radial_weight"],
-            -found.facing * m["weight_moment"],
-            -m["weight_moment_slope"],
-        ]
-    )
-
-
-def gauss(points: int, centre: Floats, radius: Floats) -> Floats:
+def gauss(points: int, x: Floats, y: Floats, radius: Floats, left: Floats, right: Floats) -> Floats:
     """The double integrals of the definitions over vertical strips under each edge, by Gauss-Legendre both ways."""
-    parts = circles.cut(GROUND[None], centre, radius)
     nodes, weights = np.polynomial.legendre.leggauss(points)
-    found = np.zeros((len(MEASURES), len(radius)))
-    for s, w in zip((1 + nodes) / 2, weights / 2, strict=True):
-        x, top = parts.x + s * parts.e_x, parts.y + s * parts.e_y
-        floor = -np.sqrt(1.0 - x * x)
-        for t, v in zip((1 + nodes) / 2, weights / 2, strict=True):
-            y = floor + t * (top - floor)
-            r, share = np.hypot(x, y), w * v * parts.e_x * (top - floor)
-            found += [(share * f).sum(axis=1) for f in (1.0, r, r * r, x / r, y / r, x, y)]
-    return found
+    rule = [*zip((1 + nodes) / 2, weights / 2, strict=True)]
+    corners = np.clip(GROUND[:, 0], left[:, None], right[:, None])
+    starts, widths = corners[:, :-1], np.diff(corners, axis=1)
+    total = np.zeros((MEASURES, len(radius)))
+    for share, weight in rule:
+        across = starts + share * widths
+        horizontal = (across - x[:, None]) / radius[:, None]
+        top = (np.interp(across, *GROUND.T) - y[:, None]) / radius[:, None]
+        bottom = -np.sqrt(1.0 - horizontal**2)
+        strip = weight * widths / radius[:, None] * (top - bottom)
+        for inner, inner_weight in rule:
+            vertical = bottom + inner * (top - bottom)
+            r = np.hypot(horizontal, vertical)
+            measures = (np.ones_like(r), r, r * r, horizontal / r, vertical / r, horizontal, vertical)
+            total += [(inner_weight * strip * measure).sum(axis=1) for measure in measures]
+    return total
 
 
-def polygons(segments: int, centre: Floats, radius: Floats) -> Floats:
+def polygons(segments: int, x: Floats, y: Floats, radius: Floats, *_: Floats) -> Floats:
     """Area and centroid by shapely, of a circle of four times so many chords."""
     import shapely  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
-    soil = shapely.Polygon([*GROUND, (GROUND[-1, 0], -1e3), (GROUND[0, 0], -1e3)])
-    cut = shapely.intersection(shapely.buffer(shapely.points(centre), radius, quad_segs=segments), soil)
-    middle, area = shapely.centroid(cut), shapely.area(cut) / radius**2
-    found = np.full((len(MEASURES), len(radius)), np.nan)
-    found[0] = area
-    for row, of, x in ((5, shapely.get_x, centre[:, 0]), (6, shapely.get_y, centre[:, 1])):
-        found[row] = area * (of(middle) - x) / radius
-    return found
+    soil = shapely.Polygon([*GROUND, (GROUND[-1, 0], _BASE), (GROUND[0, 0], _BASE)])
+    discs = shapely.buffer(shapely.points(x, y), radius, quad_segs=segments)
+    masses = shapely.intersection(discs, soil)
+    centroid, area = shapely.centroid(masses), shapely.area(masses) / radius**2
+    results = np.full((MEASURES, len(radius)), np.nan)
+    results[0] = area
+    results[5] = area * (shapely.get_x(centroid) - x) / radius
+    results[6] = area * (shapely.get_y(centroid) - y) / radius
+    return results
 
 
 def subject() -> Subject:
     """Ways to the moments of sections."""
-    found = [
-        Way("slipcircle, arrays", partial(blocks, bare), ours=True),
-        Way("slipcircle, Section", partial(blocks, whole), ours=True),
-        *(Way(f"Gauss, {n} x {n} points", partial(blocks, partial(gauss, n))) for n in _GAUSS),
-        *(Way(f"shapely, {4 * n} chords", partial(blocks, partial(polygons, n)), needs="shapely") for n in _SEGMENTS),
-    ]
+    ways = [Way("slipcircle", partial(blocks, section), ours=True)]
+    for points in _GAUSS:
+        ways.append(Way(f"Gauss, {points} x {points} points", partial(blocks, partial(gauss, points))))
+    for segments in _SEGMENTS:
+        cut = partial(blocks, partial(polygons, segments))
+        ways.append(Way(f"shapely, {4 * segments} chords", cut, needs="shapely"))
     known = [[*map(Decimal, row)] for row in json.loads(ANSWERS.read_text("utf-8"))]
     size = np.abs(np.array(known, dtype=np.float64))
-    for pair in ([3, 4], [5, 6]):  # radial and moment: of their length as vectors
+    for pair in ([3, 4], [5, 6]):  # components of a vector: relative to its length
         size[pair] = np.hypot(*size[pair])
     exact = reference(drawn(COUNT), known, size=size)
-    return Subject("sections", found, lambda kind: exact, drawn, patience=PATIENCE, weighed=True)
+    return Subject("sections", ways, lambda kind: exact, drawn, patience=PATIENCE, weighed=True)

@@ -7,19 +7,14 @@ from importlib import metadata
 from pathlib import Path
 
 import generated
-import slipcircle
 from generated._compiled import LEVEL
+from slipcircle.base import VERSION
 
 
 def facts() -> dict[str, str]:
     """Versions of the package, Python and the libraries that it can use, what runs, digests of the generated text."""
     kernels = "NumPy, not compiled" if LEVEL == "numpy" else f"compiled, {LEVEL}"
-    found = {
-        "slipcircle": slipcircle.__version__,
-        "python": platform.python_version(),
-        "processor": processor(),
-        "kernels": kernels,
-    }
+    found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor(), "kernels": kernels}
     for library in ("numpy", "scipy", "matplotlib", "dask", "sympy", "mpmath", "python-flint"):
         try:
             found[library] = metadata.version(library)

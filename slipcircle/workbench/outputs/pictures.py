@@ -10,7 +10,7 @@ from typing import Any
 
 from slipcircle.core.motion.motion import Motion
 from slipcircle.workbench.common import files
-from slipcircle.workbench.outputs.plotstyle import missing
+from slipcircle.workbench.outputs.plotstyle import described, missing
 
 _KINDS = ("png", "svg", "pdf", "jpg")
 _MOST = 20  # scenes in one picture
@@ -42,15 +42,26 @@ def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> 
         figure = Figure(figsize=size, dpi=70 if kind == "gif" else 120, layout="constrained")
         drawn = draw(figure)
         held = io.BytesIO()
-        dated = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
+        metadata = {
+            "png": {"Description": "\n".join(described(figure))},  # for tests, and for those who do not see it
+            "svg": {"Date": None},
+            "pdf": {"CreationDate": None},
+        }
         with warnings.catch_warnings():  # a name may hold letters that the font does not have
             warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)
             if kind == "gif":
                 figure.draw_without_rendering()
                 figure.set_layout_engine("none")  # which would lay out every frame anew
                 return _played(drawn)
-            figure.savefig(held, format=kind, metadata=dated.get(kind))
+            figure.savefig(held, format=kind, metadata=metadata.get(kind))
     return held.getvalue()
+
+
+def words_of(png: bytes) -> list[str]:
+    """What titles, axes and legends of a picture say that `render` has drawn as .png."""
+    from PIL import Image
+
+    return str(getattr(Image.open(io.BytesIO(png)), "text", {}).get("Description", "")).split("\n")
 
 
 def _played(animation: Any) -> bytes:

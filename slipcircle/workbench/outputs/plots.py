@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.quantities import HISTORY, prefixed
 from slipcircle.core.scene.forcing import in_time
+from slipcircle.workbench.common.quantities import HISTORY, prefixed
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
@@ -26,6 +26,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     mark,
     number,
     still,
+    width,
     work,
 )
 from slipcircle.workbench.outputs.sectionplot import animate, section
@@ -129,7 +130,8 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     given = first + columns["work_of_gravity_and_shaking"]
     factor, unit = prefixed(np.concatenate([given, columns["dissipation"]]), "J")
     way = "path travelled, as it turns back" if back else "displacement $s$"
-    ax.set(xlabel=f"{way} (m)", ylabel=f"energy ({unit})")
+    of_width, per = width(motion)
+    ax.set(xlabel=f"{way} (m)", ylabel=f"energy {of_width} ({unit}{per})")
     if not motion.moves:
         return still(motion, ax)
     lost, kinetic = factor * columns["dissipation"], factor * columns["kinetic_energy"]
@@ -178,20 +180,28 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
 
 
 def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
-    """The run-out as the effects of a scene are added one by one; hatched where the mass does not come to rest."""
-    ax = axis(ax, (9.0, 3.5))
-    rungs = list(rungs)
+    """The run-out as the effects of a scene are added one by one, beside that of the whole scene."""
+    ax, rungs = axis(ax, (9.0, 3.5)), list(rungs)
     lines(ax, [f"+ {r.added}" if r.added else "no effect" for r in rungs])
+    unexplained = {"rests": "comes to rest", "moves on": "does not come to rest"}
     for place, r in enumerate(rungs):
-        ax.barh(place, r.run_out, height=0.62, **AREAS["rests" if r.arrested else "moves on"])
-    ax.axvline(rungs[-1].run_out, **LINES["help"])
+        role = "rests" if r.arrested else "moves on"
+        ax.barh(place, r.run_out, height=0.62, label=unexplained.pop(role, None), **AREAS[role])
+    ax.axvline(rungs[-1].run_out, label=f"with all effects: {number(rungs[-1].run_out)} m", **LINES["help"])
     ax.set_xlabel("run-out along the arc (m)")
-    said = (f"{number(r.run_out)} m, peak {number(r.peak_velocity)} m/s, {number(r.duration)} s" for r in rungs)
-    ends = ["" if r.arrested else ", still moving" for r in rungs]
     side = ax.secondary_yaxis("right")
-    side.set_yticks(range(len(rungs)), [f"{what}{end}" for what, end in zip(said, ends, strict=True)])
+    side.set_yticks(range(len(rungs)), [_rung_words(r) for r in rungs])
     side.tick_params(length=0)
+    legend(ax, columns=3)
     return ax
+
+
+def _rung_words(rung: Rung) -> str:
+    """How far, how fast and how long the mass of a rung moves."""
+    if not rung.peak_velocity:
+        return "does not move"
+    end = "at rest after" if rung.arrested else "still moving at"
+    return f"{number(rung.run_out)} m, peak {number(rung.peak_velocity)} m/s, {end} {number(rung.duration)} s"
 
 
 def overview(motion: Motion, figure: Any) -> Any:

@@ -3,8 +3,10 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+import numpy as np
+
+from slipcircle.base.text import shown
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.quantities import shown
 
 # The one palette, by role: colour (Okabe and Ito's, which the colour-blind tell apart) with dashes, a marker or a
 # hatch, which greys leave apart.
@@ -106,11 +108,27 @@ def empty(words: str, ax: Any, *sides: str) -> Any:
     return ax
 
 
+def described(figure: Any) -> list[str]:
+    """What titles, axes and legends of a figure say; not the texts at points, which may hold measured times."""
+    said = [part.get_suptitle() for part in (figure, *figure.subfigs)]
+    for ax in figure.axes:
+        said += [ax.get_title(), ax.get_title("left"), ax.get_xlabel(), ax.get_ylabel()]
+        if (explained := ax.get_legend()) is not None:
+            said += [text.get_text() for text in explained.get_texts()]
+    return [text for text in said if text]
+
+
 def ending(motion: Motion) -> str:
     """How a motion ends, in words."""
     if motion.arrested:
         return "at rest"
-    return "first standstill" if motion.plan.scene.end_time is None else "end, still moving"
+    return "first standstill" if motion.plan.scene.end_time is None else "still moving"
+
+
+def width(motion: Motion) -> tuple[str, str]:
+    """What energies are of, in words, and what follows their unit: a metre of width, unless the scene has a width."""
+    metres = float(np.asarray(motion.plan.scene.arc.width))
+    return ("per metre of width", "/m") if metres == 1.0 else (f"of {number(metres)} m of width", "")
 
 
 def work(motion: Motion) -> str:

@@ -13,19 +13,22 @@ from typing import Any
 import numpy as np
 
 from generated.effects import EFFECTS, LAWS
+from slipcircle.base.text import shown
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.plan import Plan, plan
-from slipcircle.core.motion.quantities import OUTCOMES, RESULTS, Quantity, plain, record, results, shown, words
 from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.friction import law_names
 from slipcircle.workbench.common.markup import Raw, escaped, table, tag
+from slipcircle.workbench.common.quantities import OUTCOMES, RESULTS, Quantity, plain, prefixed, record, results, words
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
-from slipcircle.workbench.outputs.plotstyle import work
+from slipcircle.workbench.outputs.plotstyle import width, work
 from slipcircle.workbench.outputs.provenance import inputs
-from slipcircle.workbench.outputs.tables import Part, interval, motion_column
+from slipcircle.workbench.outputs.tables import Part, end_words, interval, motion_column
+from slipcircle.workbench.outputs.trace import toe_words
+from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
-from slipcircle.workbench.studies.statistics import BIN_ERROR, Estimate
+from slipcircle.workbench.studies.statistics import BEYOND, BIN_ERROR, Estimate
 from slipcircle.workbench.studies.study import Study
 
 ASSUMED = (
@@ -146,7 +149,12 @@ def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), comman
     parts = []
     if len(motions) > 1:
         links = [Raw(f'<a href="#scene-{k + 1}">{escaped(name)}</a>') for k, name in enumerate(names)]
-        parts.append(table([[q.label, *(_value(q, m) for m in motions)] for q in RESULTS], ["", *links]))
+        ends = [end_words(m) for m in motions]
+        rows = [
+            [q.label, *(_value(q, m, end.get(q.label, "")) for m, end in zip(motions, ends, strict=True))]
+            for q in RESULTS
+        ]
+        parts.append(table(rows, ["", *links]))
     for k, (m, file) in enumerate(zip(motions, files, strict=True)):
         told = _chapter(m.plan, m.warnings, _of_motion(m, file), record(m), " in SI units and radians", file)
         parts += [Raw(f'<section id="scene-{k + 1}">'), tag("h2", names[k]), *told, Raw("</section>")]
@@ -159,12 +167,18 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
         keys = ", ".join(u.key for u in plan.scene.uncertain.values())
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
     known, told = {q.label: q for q in results(motion)}, motion_column(motion, verbose=True)
-    rows = [[label, _value(known[label], motion, text) if label in known else text] for label, text in told.items()]
+    ends = end_words(motion)
+    rows = [
+        [label, _value(known[label], motion, ends.get(label, "")) if label in known else text]
+        for label, text in told.items()
+    ]
     yield Part([], rows, "Key results")
     yield tag("h3", "Pictures")
     captions = {
         "section": "The section: forces at the start; the mass at the start, at its peak velocity and at the end."
     }
+    if where := toe_words(motion):
+        captions["section"] += f" Beyond the toe the method continues the circle; the toe ends {where}."
     if motion.moves:
         captions |= {
             "histories": "The motion over time. Where the mobilised friction is below the friction needed to stand "
@@ -198,9 +212,14 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
         "residual": "residual: start + work - dissipation - end",
     }
     *energies, residual = (abs(float(getattr(motion.energy, name))) for name in labels)
-    rows = [[label, _value(Quantity(name, "J", label, name), motion.energy)] for name, label in labels.items()]
+    of_width, per = width(motion)
+    rows = []
+    for name, label in labels.items():
+        energy = float(getattr(motion.energy, name))
+        factor, unit = prefixed(energy, "J")
+        rows.append([label, _data(energy, f"{_number(factor * energy)} {unit}{per}")])
     share = _number(residual / (max(energies) or 1.0))
-    yield Part([], rows, "Energy check", f"The residual is {share} of the largest of them.")
+    yield Part([], rows, f"Energy check, {of_width}", f"The residual is {share} of the largest of them.")
 
 
 def _value(quantity: Quantity, found: Any, told: str = "") -> str:
@@ -208,6 +227,8 @@ def _value(quantity: Quantity, found: Any, told: str = "") -> str:
     value = quantity.read(found)
     if isinstance(value, bool) or np.ndim(value):
         return told or quantity.text(found)
+    if told:
+        return _data(float(value), escaped(told))
     seen, unit = quantity.seen(value)
     return _data(float(value), f"{_number(seen)} {unit}".rstrip())
 
@@ -218,17 +239,21 @@ def _value(quantity: Quantity, found: Any, told: str = "") -> str:
 def parts(found: Study) -> Iterator[Part]:
     """What is said of a study of samples, on the screen and in its report, in this order."""
     heads = [q.heading for q in OUTCOMES.values()]
+    failure = [[f"probability of F < 1, {METHODS[method][0]}", p] for method, p in found.failure.items()]
+    invalid = found.design.n - found.n
+    apart = f" of {found.design.n}, as {invalid} are no scene" if invalid else ""
     yield Part(
         [],
-        [["probability of moving", found.moving]],
+        [["probability of moving", found.moving], *failure],
         "Whether it moves",
-        f"{found.n} samples; in brackets the interval of {100 * found.confidence:g} % confidence from their number",
+        f"{found.n} samples{apart}; in brackets the interval of {100 * found.confidence:g} % confidence from their "
+        "number",
     )
     yield Part(
         ["exceeded with probability", *heads],
         [[f"{1 - p:.2g}", *(found.quantile(n, p) for n in OUTCOMES)] for p in export.QUANTILES],
         "How far and how fast",
-        "" if found.samples else f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off",
+        "; ".join(_quantile_notes(found)),
     )
     rows = []
     for k, (what, estimated) in enumerate((("mean", found.mean), ("std", found.std))):
@@ -255,6 +280,13 @@ def parts(found: Study) -> Iterator[Part]:
         [[str(c.n), c.moving, c.median, c.upper] for c in found.convergence],
         "Convergence",
     )
+
+
+def _quantile_notes(found: Study) -> Iterator[str]:
+    if found.without_result:
+        yield f"{BEYOND}: among the {found.without_result} samples that slide without a result, so beyond any value"
+    if not found.samples:
+        yield f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"
 
 
 def study_report(found: Study, file: bytes | None = None, command: str = "") -> str:

@@ -6,16 +6,19 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.core.motion.motion import Motion
+from slipcircle.core.motion.states import State
 from slipcircle.core.scene.arc import Arc
 from slipcircle.workbench.outputs.plotstyle import AREAS, FORCES, HALO, LINES, axis, ending, finish, mark, number
-from slipcircle.workbench.outputs.trace import Floats
+from slipcircle.workbench.outputs.trace import Floats, toe_words
 from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.stability import METHODS
 
 _ARROWS = (-0.6, -0.2, 0.2, 0.6)  # where on the arc reactions are drawn, over alpha
 _SMALL = 0.12  # chord over view: below, the mass is a mark, without forces
 _SEEN, _WIDE = 0.02, 0.1  # displacements over the chord: which is drawn as it is, and what a smaller one is drawn as
 _MARGIN = 0.16  # of the view
-_CELLS = 20  # of the map of factors, across
+_CELLS = 30  # of the map of factors, across
+_SHARE, _TALL = 0.05, 1.4  # of the least factor, above which its map may end; height of the map over its width, at most
 _ON_ARC = 200  # points of an outline
 
 
@@ -84,7 +87,9 @@ def section(motion: Motion, ax: Any = None) -> Any:
     turn = max(turns, key=abs)
     if turn:
         beyond = mass.ends[int(turn > 0.0)] + np.linspace(0.0, turn, 60)
-        ax.plot(*mass.on_circle(beyond).T, zorder=4, label="its continuation, assumed", **LINES["help"])
+        hangs = toe_words(motion)
+        words = "the circle continued beyond the toe,\n" + (f"which ends {hangs}" if hangs else "as the method assumes")
+        ax.plot(*mass.on_circle(beyond).T, zorder=4, label=words, **LINES["help"])
     factors = _factors(motion.plan.scene.stability)
     _scenery(
         ax, mass, soil, f"centre; $R$ = {number(mass.radius)} m{factors}", low - _MARGIN * size, high + _MARGIN * size
@@ -122,10 +127,15 @@ def _places(motion: Motion) -> list[tuple[str, float, str]]:
     if motion.moves:
         peak, end = motion.peak, motion.end
         toe = f",\ntoe {number(motion.journey.run_out)} m further" if hasattr(motion, "journey") else ""
-        found.append(("end", float(end.rotation), f"{ending(motion)}: {number(end.displacement)} m{toe}"))
+        found.append(("end", float(end.rotation), f"{ending(motion)} {_after(end)}{toe}"))
         if peak.rotation not in (0.0, end.rotation):
-            found.append(("peak", float(peak.rotation), f"peak velocity: {number(peak.displacement)} m"))
+            found.append(("peak", float(peak.rotation), f"peak velocity {_after(peak)}"))
     return found
+
+
+def _after(state: State) -> str:
+    """When and how far on its way a mass is, in the words of a legend."""
+    return f"after {number(state.time)} s and {number(state.displacement)} m"
 
 
 def _factors(found: Critical | None) -> str:
@@ -137,6 +147,8 @@ def _factors(found: Critical | None) -> str:
 
 def _scenery(ax: Any, mass: Mass, soil: Any, words: str, low: Any, high: Any) -> None:
     """Circle and centre, and the chord of an arc or a ground with soil, water and firm layer, between two corners."""
+    from matplotlib.patheffects import withStroke
+
     ax.plot(*mass.arc.T, zorder=4, label="slip circle", **LINES["main"])
     ground = "ground"
     if isinstance(soil, Arc):
@@ -154,7 +166,8 @@ def _scenery(ax: Any, mass: Mass, soil: Any, words: str, low: Any, high: Any) ->
             ax.plot(x, level[[0, *range(len(level)), -1], 1], color="#56B4E9", lw=1.6, zorder=3, label="water level")
     ax.plot(*mass.ground.T, color="black", lw=1.4, zorder=3, label=ground)
     seen = np.all((mass.centre >= low) & (mass.centre <= high))
-    ax.plot(*(mass.centre if seen else ([], [])), "k+", ms=9, mew=1.5, zorder=5, ls="", label=words)
+    (cross,) = ax.plot(*(mass.centre if seen else ([], [])), "k+", ms=9, mew=1.5, zorder=5, ls="", label=words)
+    cross.set_path_effects([withStroke(linewidth=HALO + 1.0, foreground="white")])  # it may lie on a dark map
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
 
 
@@ -260,22 +273,40 @@ def critical_circle(found: Critical, figure: Any) -> Any:
     ax.add_patch(Polygon(outline, closed=True, label="mass", zorder=2, **AREAS["start"]))
     _scenery(ax, mass, found.slope, f"centre; $R$ = {number(mass.radius)} m{_factors(found)}", low, high)
     finish(ax, "$x$ (m)", "$y$ (m)")
-    # The least factor of the circles about the centres in each cell, up to half more than the least of all.
-    least = float(np.nanmin(found.values, initial=np.inf))
-    shown = found.values <= 1.5 * least
-    if np.count_nonzero(shown) > 10:
-        view = (*ax.get_xlim(), *ax.get_ylim())
-        cells = ax.hexbin(
-            *found.centres[shown].T,
-            found.values[shown],
-            gridsize=_CELLS,
-            reduce_C_function=np.min,
-            extent=view,
-            vmin=least,
-            cmap="viridis_r",
-            lw=0.1,
-            zorder=0,
-        )
-        words = f"least factor of safety of circles about a centre ({found.method})"
-        ax.figure.colorbar(cells, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format="%.2f")
+    _map(found, ax)
     return figure
+
+
+def _map(found: Critical, ax: Any) -> None:
+    """The least factor of the circles about the centres in each cell, darkest where it is least.
+
+    The frame grows until it holds every centre of a factor up to `_SHARE` above the least, as far as it is not more
+    than `_TALL` times as high as wide; what is shown ends at the least factor of a centre outside of the frame.
+    """
+    known = np.isfinite(found.values)
+    centres, values = found.centres[known], found.values[known]
+    if values.size <= 10:
+        return
+    least = float(values.min())
+    valley = centres[values <= (1.0 + _SHARE) * least]
+    (left, bottom), (right, top) = np.transpose([ax.get_xlim(), ax.get_ylim()])
+    left, right = min(left, valley[:, 0].min()), max(right, valley[:, 0].max())
+    top = min(max(top, valley[:, 1].max()), bottom + _TALL * (right - left))
+    ax.set(xlim=(left, right), ylim=(bottom, top))
+    outside = np.any((centres < (left, bottom)) | (centres > (right, top)), axis=1)
+    most = min(float(values[outside].min(initial=np.inf)), 1.5 * least)
+    drawn = ~outside & (values < most)
+    cells = ax.hexbin(
+        *centres[drawn].T,
+        values[drawn],
+        gridsize=_CELLS,
+        reduce_C_function=np.min,
+        extent=(left, right, bottom, top),
+        vmin=least,
+        vmax=most,
+        cmap="viridis",
+        lw=0.1,
+        zorder=0,
+    )
+    words = f"least factor of safety of the circles about each centre, up to {most:.3g}, by {METHODS[found.method][0]}"
+    ax.figure.colorbar(cells, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format="%.2f")

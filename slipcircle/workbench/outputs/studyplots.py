@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slipcircle.core.motion.quantities import OUTCOMES
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import number_in
 from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, axis, empty, known, legend, lines, mark, number
 from slipcircle.workbench.studies.motions import motions
+from slipcircle.workbench.studies.statistics import BEYOND
 
 if TYPE_CHECKING:
     from slipcircle.core.motion.derivatives import Sensitivity
@@ -38,31 +39,45 @@ _SHARE = 0.01  # of all others
 def exceedance(found: "Study", output: str = "reach", ax: Any = None, rare: bool = False) -> Any:
     """The probability that an output is at least so large, in its confidence band, with two quantiles marked.
 
-    On a logarithmic axis, where what is rare shows, it stands beside the linear one, which has the legend.
+    It ends at the share of the samples that slide to no known end, which exceed every value. On a logarithmic axis,
+    where what is rare shows, it stands beside the linear one, which has the legend.
     """
     _check(found, output, OUTCOMES)
     ax, unit = axis(ax), OUTCOMES[output].unit
-    ax.set(xlabel=_label(output), ylabel="probability of at least as much (–)", ylim=(-0.02, 1.02))
+    ax.set(xlabel=_label(output), ylabel="exceedance probability (–)", ylim=(-0.02, 1.02))
     ax.grid(alpha=0.3)
     curve, moving = found.exceedance(output, _POINTS), found.moving
-    if not curve.at.size or moving.value == 0.0:
-        return empty("nothing moves", ax, "x")
+    if not found.n:
+        return empty("no sample is a scene", ax, "x")
+    if not curve.at.size:
+        sliding = f"{found.without_result} of {found.n} samples slide without a result,\nno other moves"
+        return empty(sliding if found.without_result else "nothing moves", ax, "x")
     at = np.concatenate([[0.0], curve.at])  # whatever moves has a run-out, a velocity and a duration above 0
     value, low, high = (np.concatenate([[first], rest]) for first, rest in zip(moving, curve[1:], strict=True))
     ax.fill_between(at, low, high, label=f"{100 * found.confidence:g} % confidence at each place", **AREAS["band"])
-    ax.plot(at, value, label=f"{number(found.n)} samples", **LINES["main"])
+    ax.plot(at, value, label=_samples(found), **LINES["main"])
     for role, p, words in (("peak", 0.5, "median"), ("end", 0.95, "exceeded by 5 %")):
         place = found.quantile(output, p).value
-        if place > 0.0:
+        if 0.0 < place < np.inf:
             mark(ax, place, np.interp(place, at, value), role, f"{words}: {number(place)} {unit}")
+        elif place == np.inf:
+            ax.plot([], [], ls="", label=f"{words}: {BEYOND}")
     top = float(at[-1])
-    least = float(at[np.flatnonzero(value == 1.0)[-1]]) if moving.value == 1.0 else 0.0
-    ax.set_xlim(max(0.0, least - 0.05 * (top - least)) if least > 0.4 * top else 0.0, top + 0.02 * (top - least))
+    certain = float(at[np.flatnonzero(value == 1.0)[-1]]) if moving.value == 1.0 else 0.0
+    left = max(0.0, certain - 0.05 * (top - certain)) if certain > 0.4 * top else 0.0
+    ax.set_xlim(left, top + 0.02 * (top - certain))
     if rare:
         ax.set(yscale="log", ylim=(0.5 / found.n, 1.5))
     else:
         legend(ax)
     return ax
+
+
+def _samples(found: "Study") -> str:
+    """How many samples a curve is of, and which it does not show."""
+    beyond, invalid = found.without_result, found.design.n - found.n
+    words = [f"{found.n} samples", f"{beyond} of them beyond every value" * (beyond > 0)]
+    return ", ".join(filter(None, [*words, f"{invalid} more are no scene" * (invalid > 0)]))
 
 
 def indices(found: "Study", output: str = "reach", ax: Any = None, named: bool = True) -> Any:

@@ -10,14 +10,16 @@ from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from generated.effects import EFFECTS
+from slipcircle.base.text import shown
 from slipcircle.core.flow.program import join
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.plan import Plan, counted
-from slipcircle.core.motion.quantities import JOURNEY, OUTCOMES, results, shown, time_text, to_error, words
+from slipcircle.workbench.common.quantities import JOURNEY, OUTCOMES, results, time_text, to_error, words
+from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies.ladder import Rung
-from slipcircle.workbench.studies.statistics import Estimate
+from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 
 if TYPE_CHECKING:
     from slipcircle.core.motion.derivatives import Sensitivity
@@ -57,15 +59,14 @@ COEFFICIENTS = {
 def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     """The table of one motion: each value by its label, key results first."""
     chosen = [q for q in results(motion) if verbose or q.key or (q in JOURNEY and motion.moves)]
-    found = {q.label: q.text(motion) for q in chosen}
+    found = {q.label: q.text(motion) for q in chosen} | end_words(motion)
+    if words_of_toe := toe_words(motion):
+        found["toe at the end"] = f"{words_of_toe}: the method continues the circle there"
     if (circle := motion.plan.scene.stability) is not None:
         if not circle.slope.k_h and circle.factor_of_safety["paper"] is not None:
             del found["factor of safety"]  # the paper's, which stands among these
         told = ("entry", "exit")  # as ends of the slip surface
         found |= {label: value for label, value in stability_column(circle).items() if label not in told}
-    if not motion.arrested:
-        ended = motion.plan.scene.end_time is not None
-        found["comes to rest"] = "no, still moving" if ended else "no, nothing holds it; to its first standstill"
     if motion.plan.law != "constant":
         found["friction angle"] += f", {motion.plan.law}"
     found |= {
@@ -78,6 +79,18 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
         d = asdict(motion.plan.scene.arc.dimensionless)
         found |= {symbol: f"{float(d[name]):z.5f}" for symbol, name in COEFFICIENTS.items()}
     return found
+
+
+def end_words(motion: Motion) -> dict[str, str]:
+    """What stands for the end and its time, by label, where a motion does not come to rest."""
+    if not motion.moves:
+        return {"comes to rest": "does not move", "duration": "-"}
+    if motion.arrested:
+        return {}
+    time = OUTCOMES["duration"].text(motion)
+    if motion.plan.scene.end_time is None:
+        return {"comes to rest": "no, nothing holds it", "duration": f"first standstill at {time}"}
+    return {"comes to rest": "no", "duration": f"still moving at {time}"}
 
 
 def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
@@ -157,7 +170,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
             time_text(1e9 * r.seconds),
             f"{r.cost}",
             *(f"{shown(getattr(r, q.name))} {q.unit}" for q in told),
-            "no" if not r.arrested else "yes" if r.peak_velocity else "stays",
+            "still moving" if not r.arrested else "yes" if r.peak_velocity else "does not move",
             f"{100 * r.difference:.3g} %",
         ]
         for r in rungs
@@ -220,11 +233,15 @@ def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) 
 
 
 def interval(e: Estimate) -> str:
-    """A value and its interval, to two digits of the interval's width."""
-    if math.isnan(e.value):
+    """A value and its interval, to two digits of the interval's width; bounds alone where only they are known."""
+    if all(map(math.isnan, e)):
         return "-"
-    value, *ends = ("?" if math.isnan(x) else to_error(x, e.high - e.low) for x in e)
-    return f"{value} [{', '.join(ends)}]"
+    if e.low == math.inf:
+        return BEYOND
+    error = e.high - e.low if e.high < math.inf else max(e.value - e.low, 0.0)
+    error = error if error < math.inf else 0.0
+    value, low, high = ("?" if math.isnan(x) else BEYOND if x == math.inf else to_error(x, error) for x in e)
+    return f"{low} to {high}" if math.isnan(e.value) else f"{value} [{low}, {high}]"
 
 
 def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
@@ -235,6 +252,8 @@ def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
 
 def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool) -> Iterator[str]:
     for number, row in enumerate(zip(*columns, strict=True)):
+        if not any(row[1:]) and len(row) > 1 and row[0]:
+            continue  # which only columns above or below have
         cells = (wrap(c, w, break_on_hyphens=False) for c, w in zip(row, widths, strict=True))
         for parts in zip_longest(*(c or [""] for c in cells), fillvalue=""):
             yield "  ".join(p.ljust(w) for p, w in zip(parts, widths, strict=True)).rstrip()

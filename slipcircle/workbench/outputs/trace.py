@@ -7,10 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.text import shown
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.quantities import HISTORY
 from slipcircle.core.scene.forcing import in_time
+from slipcircle.core.scene.section import Section
 from slipcircle.workbench.common import files
+from slipcircle.workbench.common.quantities import HISTORY
 
 Floats = NDArray[np.float64]
 
@@ -55,6 +57,27 @@ def telling_times(motion: Motion) -> Floats:
     law = motion.plan.scene.friction
     found += [law["time"]] if isinstance(law, Mapping) and "time" in law else []
     return np.unique(np.clip(np.concatenate(found), 0.0, motion.duration))
+
+
+def toe_height(motion: Motion) -> float:
+    """How high the toe of a section's mass lies above the ground in the end, m; NaN beyond the ends of the ground.
+
+    Beyond the toe the mass is assumed to go on along its circle, which leaves the ground upwards or cuts into it.
+    """
+    section = motion.plan.scene.arc
+    if not isinstance(section, Section):
+        return np.nan
+    toe, ground = motion.journey, np.asarray(section.ground, dtype=np.float64)
+    below = np.interp(float(toe.toe_x), ground[:, 0], ground[:, 1], left=np.nan, right=np.nan)
+    return float(toe.toe_y - below)
+
+
+def toe_words(motion: Motion) -> str:
+    """Where the toe ends above or below the ground, in words; empty where that is less than a thousandth of its way."""
+    height = toe_height(motion)
+    if not motion.moves or not abs(height) > 1e-3 * abs(motion.run_out):
+        return ""
+    return f"{shown(abs(height))} m {'above' if height > 0.0 else 'below'} the ground"
 
 
 def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:

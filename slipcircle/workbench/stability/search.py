@@ -11,7 +11,8 @@ from slipcircle.base.checks import raise_all
 from slipcircle.core.scene.circles import Floats
 from slipcircle.core.scene.ground import circle_through, circle_touching
 from slipcircle.core.scene.section import Section
-from slipcircle.workbench.stability.stability import METHODS, Slope, factors
+from slipcircle.workbench.stability.slices import circle_factors
+from slipcircle.workbench.stability.stability import METHODS, Slope
 
 _PLACES, _LEAST, _EDGES = 40, 7, 12  # of the ground; on each edge, where there are few edges
 _VERTICES = 48  # beyond, those nearest to even places
@@ -153,7 +154,8 @@ def at_circle(slope: Slope, section: Section) -> Critical:
 def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Critical:
     """One circle, by arrays of one."""
     found = {
-        name: float(value[0]) for name, value in factors(slope, centre, radius, left, right, pieces=_PIECES).items()
+        name: float(value[0])
+        for name, value in circle_factors(slope.arrays(), centre, radius, left, right, pieces=_PIECES).items()
     }
     middle, first, second = ((float(p[0, 0]), float(p[0, 1])) for p in (centre, left, right))
     entry, exit = (first, second) if found["facing"] >= 0.0 else (second, first)
@@ -213,7 +215,7 @@ class Search:
 
     def __init__(self, slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> None:
         self.slope, self.method, self.depth, self.ends = slope, method, depth, {"entry": entry, "exit": exit}
-        self.ground = np.asarray(slope.ground)
+        self.ground, self.arrays = np.asarray(slope.ground), slope.arrays()
         self.along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(self.ground, axis=0).T))])
         self.blur = 1e-9 * float(self.along[-1])
         self.centres: list[Floats] = []
@@ -229,7 +231,7 @@ class Search:
         if self.slope.base is None:
             return upright
         centre, _ = circle_touching(left, right, self.slope.base)
-        between = (left[:, 0] < centre[:, 0]) & (centre[:, 0] < right[:, 0])
+        between = (left[:, 0] <= centre[:, 0] + self.blur) & (centre[:, 0] - self.blur <= right[:, 0])
         a, b = (np.arctan2(np.abs(p[:, 0] - centre[:, 0]), centre[:, 1] - p[:, 1]) for p in (left, right))
         return np.where(between, np.minimum(upright, (a + b) / 2 * (1 - 1e-12)), upright)
 
@@ -242,12 +244,16 @@ class Search:
     def judged(self, q: Floats) -> Floats:
         """The factor of each circle, NaN where there is none, or none that is wanted."""
         values = np.full(len(q), np.nan)
-        every = np.nonzero(np.subtract(*self.points(q[:, 1::-1]).T[0]) > self.blur)[0]
+        left, right = self.points(q[:, 0]), self.points(q[:, 1])
+        apart = right[:, 0] - left[:, 0] > self.blur
+        if self.slope.base is not None:  # between points on the base there is no circle above it
+            apart &= np.maximum(left[:, 1], right[:, 1]) - self.slope.base > self.blur
+        every = np.nonzero(apart)[0]
         for lanes in np.array_split(every, -(-len(every) * len(self.ground) // _SIZE) or 1):
             circle = self.laid(q[lanes])
             k = np.nonzero(self._thickness(q[lanes], *circle[:2]) >= self.depth)[0]
             centre, radius, left, right = (part[k] for part in circle)
-            found = factors(self.slope, centre, radius, left, right, (self.method,))
+            found = circle_factors(self.arrays, centre, radius, left, right, (self.method,))
             good = found[self.method] > 0.0
             for limit, way in zip(self.ends.values(), (1.0, -1.0), strict=True):
                 if limit is not None:

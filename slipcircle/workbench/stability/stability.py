@@ -1,25 +1,24 @@
-"""Three factors of safety of a homogeneous slope on any circles: the paper's, the ordinary method's and Bishop's.
+"""Factors of safety of a homogeneous slope: the paper's, the ordinary method's and Bishop's, on given circles.
 
-They are integrals along the arc of the integrands in `generated.slopes`, by Gauss' rule between the kinks of ground and
-water, so they are converged values and not those of a number of slices.
+`slices` has the numerics; here are the slope as users give it, the methods' names and words, and scenes of arrays.
 """
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from generated import slopes
+from generated.effects import LAWS
 from slipcircle.base.checks import raise_all
-from slipcircle.core.scene import circles
-from slipcircle.core.scene.circles import Floats
 from slipcircle.core.scene.friction import law_parts
 from slipcircle.core.scene.ground import field_mistakes, ponds
+from slipcircle.core.scene.section import Section
+from slipcircle.workbench.stability.slices import Floats, SlopeArrays, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
@@ -55,9 +54,7 @@ effective normal stress is negative, and friction works against the slope. The s
 of from a fifth on. Beside Taylor's friction circles Bishop's least factor is right to 1 % below a share of 14 %, and \
 2 % too small at 25 %, 5 % at 34 % and 9 % at 48 %, on vertical cuts with friction; with those stresses set to 0 it \
 would be 4 to 23 % too great there. With mu = 0 the share is without meaning."""
-LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is without sense
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
-_ROUNDS, _LEAST = 20, 5e-3  # steps towards Bishop's factor, and the least that is looked for
+_BLOCK = 1 << 10  # sections at a time: their slices stay in the caches
 
 
 @dataclass(frozen=True)
@@ -118,148 +115,106 @@ class Slope:
             if self.cohesion == 0.0 and self.friction == 0.0:
                 found.append("cohesion and friction are both 0: the slope has no strength")
             lowest = float(ground[:, 1].min())
-            if self.base is not None and self.base >= lowest:
-                found.append(f"base = {self.base:.10g}: must lie below the ground, whose lowest point is {lowest:.10g}")
+            if self.base is not None and self.base > lowest:
+                found.append(
+                    f"base = {self.base:.10g}: must lie below the ground or touch it; its lowest point is {lowest:.10g}"
+                )
         raise_all("Slope", found)
 
-
-def _edge(line: Floats, above: Floats, x: Floats) -> tuple[Floats, Floats]:
-    """Of the edge of a line above a point, continued where the line ends: its height at x, and its slope."""
-    k = np.clip(np.searchsorted(line[:, 0], above) - 1, 0, len(line) - 2)
-    run, rise = np.diff(line, axis=0).T
-    slope = np.divide(rise, run, out=np.zeros(len(run)), where=run > 0.0)
-    return line[k, 1] + slope[k] * (x - line[k, 0]), slope[k]
+    def arrays(self) -> SlopeArrays:
+        """For `circle_factors`."""
+        numbers = {n: getattr(self, n) for n in SlopeArrays._fields if n not in ("ground", "level")}
+        level = None if self.level is None else np.asarray(self.level)[None]
+        return SlopeArrays(np.asarray(self.ground)[None], level, **numbers)
 
 
-def factors(
-    slope: Slope,
-    centre: Floats,
-    radius: Floats,
-    left: Floats,
-    right: Floats,
-    methods: Collection[str] = METHODS,
-    pieces: int = 1,
-) -> dict[str, Floats]:
-    """Factors of safety of the masses between circles and the ground, from one point of the ground to another.
+def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:
+    """Factors of safety of a section at the start of its motion, of one scene or of each scene of an ensemble.
 
-    Of circles (n, 2) and (n,), and the ends of their arcs, (n, 2), m, between which the ground lies inside the circle;
-    by the methods that are asked for, the others are NaN. Cut into pieces, besides at kinks, an arc is counted at 10
-    points of each for the sake of ``negative``.
+    Parameters
+    ----------
+    scene : Scene
+        Of a `Section`; of its effects cohesion and pore pressure count, of its friction law the value at rest.
+    k_h : float or array_like
+        Horizontal acceleration over g, positive down-slope.
 
     Returns
     -------
     dict of ndarray
-        Factors by method, NaN where it refuses the circle. ``facing``: 1 where the mass slides to the right, -1 to the
-        left, 0 where nothing drives it. ``negative``: share of the arc under negative effective normal stress, by the
-        ordinary method or by Bishop's, if greater.
+        In the shape of the scene, by ``METHODS``: NaN where a method refuses the circle; infinite where nothing drives
+        the mass. ``facing`` and ``negative`` as in `circle_factors`.
 
-    Notes
-    -----
-    Water: the ordinary method takes N' = W cos(a) - u l, which reproduces published factors (Fredlund and Krahn 1977);
-    its other convention, (W - u b) cos(a), gives greater ones. Bishop's method refuses a circle where m_alpha falls
-    below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
+    Raises
+    ------
+    ValueError
+        For an `Arc`, of which nothing is known but its chord, and for pressures of a record.
     """
-    ground, n, (cx, cy) = np.asarray(slope.ground), len(radius), centre.T
-    first, last = (np.arctan2(p[:, 0] - cx, cy - p[:, 1]) for p in (left, right))
-    sound = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
-    sound &= (first > 0.0) | (last < 0.0) | (_edge(ground, cx, cx)[0] < cy)
-    vertices = np.arcsin(np.clip((ground[1:-1, 0] - cx[:, None]) / radius[:, None], -1, 1))
-    kinks, level = [np.linspace(first, last, pieces + 1, axis=1), vertices], None
-    if slope.level is not None and n:
-        level, _, wet_kinks = circles.wet(np.asarray(slope.level), centre, radius)
-        kinks.append(wet_kinks)
-    at = np.sort(np.clip(np.concatenate(kinks, axis=1), first[:, None], last[:, None]), axis=1)
-    row, k = np.nonzero((np.diff(at, axis=1) > 0.0) & sound[:, None])
-    low, half = at[row, k], (at[row, k + 1] - at[row, k]) / 2
-    middle, r = low + half, radius[row]
-    beta = middle + half * _NODES[:, None]  # nodes first: sums over them are sums of rows
-    sine, cosine, weight = np.sin(beta), np.cos(beta), half * _WEIGHTS[:, None]
-
-    def above(line: Floats) -> Floats:
-        """Height of a line above the centre, over R."""
-        height, rise = _edge(line, cx[row] + r * np.sin(middle), cx[row])
-        return (height - cy[row]) / r + rise * sine
-
-    def total(values: Floats) -> Floats:
-        return np.bincount(row, values.sum(axis=0), n).astype(np.float64)
-
-    top = above(ground)
-    height = np.maximum(top + cosine, 0.0)
-    if level is None:
-        pressure = slope.pore_ratio * height
-    else:
-        pressure = (slope.water_unit_weight / slope.unit_weight) * np.maximum(above(level) + cosine, 0.0)
-    pressure = pressure + slope.pressure / (slope.unit_weight * r)
-    drive = total(weight * slopes.drive(sine, cosine, height, 0.0))
-    still = 1e-9 * total(weight * cosine * height)
-    facing = np.where(np.abs(drive) > still, np.sign(drive), 0.0)
-    sine = sine * facing[row]  # from here on down-slope is positive
-    k_h, mu = slope.k_h, slope.friction
-    drive = total(weight * slopes.drive(sine, cosine, height, k_h)) if k_h else np.abs(drive)
-    drive = np.where(sound & (facing != 0.0) & (drive > still), drive, np.nan)
-    cohesion, arc = slope.cohesion / (slope.unit_weight * radius), np.where(sound, last - first, np.nan)
-    normal = slopes.ordinary_normal(sine, cosine, height, pressure, k_h)
-    ordinary = (cohesion * arc + mu * total(normal * weight)) / drive
-    negative = total(np.where(normal < 0.0, weight, 0.0)) / arc
-    paper = bishop = np.full(n, np.nan)
-    if "paper" in methods:
-        distance = np.hypot(sine, top)
-        stress = slopes.radial_weight(cosine, distance) - pressure
-        if k_h:
-            stress += k_h * slopes.radial_tilt(sine, cosine, height, distance)
-        paper = (cohesion * arc + mu * np.maximum(total(weight * stress), 0.0)) / drive
-    if "bishop" in methods:
-        strength = slopes.bishop_strength(cosine, height, pressure, cohesion[row], mu) * weight
-        ends = np.array([first, last]) * facing
-        bishop = ordinary if mu == 0.0 else _bishop(strength, sine, cosine, row, mu, drive, ends, ordinary)
-        normal = slopes.bishop_normal(sine, cosine, height, pressure, cohesion[row], mu, bishop[row])
-        negative = np.maximum(negative, total(np.where(normal < 0.0, weight, 0.0)) / arc)
-    return {"paper": paper, "ordinary": ordinary, "bishop": bishop, "facing": facing, "negative": negative}
+    section = scene.arc
+    if not isinstance(section, Section):
+        raise ValueError("factors_of_safety: scene.arc: must be a Section; an Arc has the factor of its Motion alone")
+    strength = soil(scene.friction, scene.called)
+    if not strength:
+        raise ValueError(
+            "factors_of_safety: scene: needs friction or cohesion, and a pore pressure that no record prescribes"
+        )
+    slope, arcs = _lanes(scene, section, strength, k_h)
+    blocks = []
+    for lanes in np.array_split(np.arange(len(arcs[0])), -(-len(arcs[0]) // _BLOCK)):
+        some: dict[str, Any] = {
+            name: None if values is None else values[lanes] for name, values in slope._asdict().items()
+        }
+        centre, radius, left, right = (values[lanes] for values in arcs)
+        blocks.append(circle_factors(SlopeArrays(**some), centre, radius, left, right))
+    found = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
+    undriven = (found["facing"] == 0.0) & np.isfinite(found["negative"])
+    found |= {name: np.where(undriven, np.inf, found[name]) for name in METHODS}
+    return {name: values.reshape(scene.shape) for name, values in found.items()}
 
 
-def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, float]:
+def _lanes(
+    scene: Any, section: Section, strength: Mapping[str, Any], k_h: Any
+) -> tuple[SlopeArrays, tuple[Floats, ...]]:
+    """Slopes and arcs of the scenes of an ensemble, with one axis of lanes."""
+
+    def by_lane(value: Any, axes: int = 0) -> Floats:
+        own = np.shape(value)[np.ndim(value) - axes :]
+        whole = np.broadcast_to(np.asarray(value, dtype=np.float64), (*scene.shape, *own))
+        return whole.reshape(-1, *own)
+
+    of_section = {n: getattr(section, n) for n in ("unit_weight", "water_unit_weight")}
+    numbers = {**strength, **of_section, "k_h": k_h}
+    level = None if section.level is None else by_lane(section.level, 2)
+    slope = SlopeArrays(by_lane(section.ground, 2), level, **{n: by_lane(value) for n, value in numbers.items()})
+    rightward = by_lane(section.facing)[:, None] > 0.0
+    entry, exit_ = by_lane(section.entry, 1), by_lane(section.exit, 1)
+    left, right = np.where(rightward, entry, exit_), np.where(rightward, exit_, entry)
+    return slope, (by_lane(section.centre, 1), by_lane(section.radius), left, right)
+
+
+def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
     """Strength and pore pressure of a slope, as a scene's friction and effects have them at the start.
 
-    Empty where nothing is known of a pressure that a record holds, or where there is no strength.
+    Numbers, or arrays where the scene has arrays. Empty where nothing is known of a pressure that a record holds, or
+    where there is no strength.
     """
 
-    def first(value: Any) -> float:
-        return float(np.ravel(value(0.0) if callable(value) else value)[0])
+    def at_start(value: Any) -> Any:
+        if callable(value):
+            return value(0.0)
+        return value[0] if "time" in water and np.ndim(value) == 1 else value
 
-    given, water = effects.get("cohesion", {}), effects.get("pore_pressure", {})
-    laws = [[of[n] for n in ("peak", "coefficient", "function") if n in of] for _, of in law_parts(friction)]
-    strength = {"friction": math.prod(first(of[0]) for of in laws), "cohesion": first(given.get("cohesion", 0.0))}
-    if "record" in water or not any(strength.values()):
+    def at_rest(law: str, parameters: Mapping[str, Any]) -> Any:
+        if law == "callable":
+            return float(np.ravel(parameters["function"](0.0))[0])
+        table = LAWS[law].parameters[0].kind == "list"
+        value = parameters["peak" if "peak" in parameters else "coefficient"]
+        return value[0] if table else value
+
+    cohesion, water = effects.get("cohesion", {}), effects.get("pore_pressure", {})
+    coefficients = [at_rest(*part) for part in law_parts(friction)]
+    strength = {"friction": math.prod(coefficients), "cohesion": at_start(cohesion.get("cohesion", 0.0))}
+    if "record" in water or not any(np.any(value) for value in strength.values()):
         return {}
-    return strength | {"pore_ratio": first(water.get("ratio", 0.0)), "pressure": first(water.get("pressure", 0.0))}
-
-
-def _bishop(
-    strength: Floats,
-    sine: Floats,
-    cosine: Floats,
-    row: NDArray[np.int64],
-    mu: float,
-    drive: Floats,
-    ends: Floats,
-    start: Floats,
-) -> Floats:
-    """F of y = 1/F where y times the integral of strength/m_alpha(y) is the drive, which grows with y.
-
-    By Newton's steps, all circles at once. m_alpha = cos - y mu sin has its least value at an end of the arc: that
-    makes the range of y.
-    """
-    s, c, n = mu * np.sin(ends), np.cos(ends) - LEAST_LEVER, len(drive)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        high = np.min(np.where(s > 0.0, np.maximum(c, 0.0) / s, 1.0 / _LEAST), axis=0).clip(max=1.0 / _LEAST)
-        low = np.max(np.where((s < 0.0) & (c < 0.0), c / s, 0.0), axis=0)
-        y = np.where(low < high, np.clip(1.0 / np.maximum(start, _LEAST), low, high), np.nan)
-        for _ in range(_ROUNDS):
-            factor = 1.0 / y
-            lever = slopes.bishop_lever(sine, cosine, mu, factor[row])
-            shear = strength / lever
-            excess = y * np.bincount(row, shear.sum(axis=0), n) - drive
-            y = np.clip(y - excess / np.bincount(row, (shear * cosine / lever).sum(axis=0), n), low, high)
-            if not np.any(np.abs(y * factor - 1.0) > 1e-9):
-                break
-        return np.where(np.abs(excess) <= 1e-9 * drive, factor, np.nan)
+    return strength | {
+        name: at_start(water.get(key, 0.0)) for name, key in (("pore_ratio", "ratio"), ("pressure", "pressure"))
+    }

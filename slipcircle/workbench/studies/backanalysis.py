@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.quantities import OUTCOMES
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.scene.scene import Scene, checked
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.variation import scene_with
 from slipcircle.workbench.studies.inversion import (
     Bounds,

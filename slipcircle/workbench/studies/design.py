@@ -6,22 +6,28 @@ often. Blocks of samples come first, then those for the sensitivity indices.
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core.motion.quantities import OUTCOMES
+from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.states import ANSWERED, Status
 from slipcircle.core.scene.scene import Scene
+from slipcircle.core.scene.section import Section
 from slipcircle.workbench.common.distributions import statistics
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain
+from slipcircle.workbench.stability.stability import METHODS as STABILITY_METHODS
+from slipcircle.workbench.stability.stability import factors_of_safety, soil
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.sampling import latin, monte_carlo, sobol
 from slipcircle.workbench.studies.statistics import bins, moments, sums
 
 Floats = NDArray[np.float64]
 Result = dict[str, NDArray[Any]]
+# Of a sample that slides, but not to a known end: it moves, and exceeds every threshold.
+NO_RESULT = tuple(s for s in Status if s not in ANSWERED and s is not Status.INVALID)
 METHODS = ("monte-carlo", "sobol", "latin-hypercube")
 REPLICATES = 16  # independent scramblings of a Sobol sequence, whose spread is the error
 BATCHES = 32  # of the base points of sensitivity indices, whose spread is the error
@@ -86,20 +92,46 @@ class Design:
 
 
 def _drawn(design: Design, points: Any) -> list[Floats]:
+    """Values of each input, in its key's unit, at points of the unit cube, (inputs, ...)."""
     if np.any(design.correlation != np.eye(len(points))):  # a Gaussian copula: normal scores are mixed
         normal = statistics().norm
-        mixed = np.tensordot(np.linalg.cholesky(design.correlation), normal.ppf(points), 1)
-        points = np.clip(normal.cdf(mixed), 2.0**-54, 1.0 - 2.0**-53)
+        scores = np.tensordot(np.linalg.cholesky(design.correlation), normal.ppf(points), 1)
+        points = np.clip(normal.cdf(scores), 2.0**-54, 1.0 - 2.0**-53)
     return [np.asarray(u.drawn(p.reshape(-1))) for u, p in zip(design.drawn.values(), points, strict=True)]
 
 
-def _solve(design: Design, values: list[Floats]) -> tuple[NDArray[np.int8], dict[str, Floats]]:
-    """Status and outcomes of scenes, magnitudes; what does not move has moved by 0."""
+def _on_grid(design: Design, index: int) -> list[Floats]:
+    """The same of a block of a grid."""
+    _, start, length = design.piece(index)
+    places = np.unravel_index(np.arange(start, start + length), [len(level) for level in design.levels])
+    return [level[place] for level, place in zip(design.levels, places, strict=True)]
+
+
+class _Solved(NamedTuple):
+    """What blocks count of their scenes."""
+
+    motion: Motion
+    moves: Floats  # 1 or 0, NaN of what is no scene
+    outcomes: dict[str, Floats]  # magnitudes; 0 of what does not move, infinite of what slides without a result
+
+
+def _solve(design: Design, values: list[Floats]) -> _Solved:
     with np.errstate(all="ignore"):
-        given = {n: number.to_si(x) for (n, number), x in zip(design.inputs.items(), values, strict=True)}
-    motion = motions(design.scene, given, design.accuracy)
-    moves = np.where(np.isin(motion.status, ANSWERED), motion.moves, np.nan)
-    return motion.status, {"moves": moves} | {n: np.abs(motion.outcomes[n]) for n in OUTCOMES}
+        si = {n: number.to_si(x) for (n, number), x in zip(design.inputs.items(), values, strict=True)}
+    motion = motions(design.scene, si, design.accuracy)
+    no_result = np.isin(motion.status, NO_RESULT)
+    moves = np.where(motion.status == Status.INVALID, np.nan, motion.moves | no_result)
+    outcomes = {n: np.where(no_result, np.inf, np.abs(motion.outcomes[n])) for n in OUTCOMES}
+    return _Solved(motion, moves, outcomes)
+
+
+def _factors(motion: Motion) -> dict[str, Floats]:
+    """Factors of safety at the start by method: the paper's, and on a ground the others where the strength is known."""
+    factors, scene = {"paper": motion.factor_of_safety}, motion.plan.scene
+    if isinstance(scene.arc, Section) and soil(scene.friction, scene.called):
+        by_method = factors_of_safety(scene)
+        factors |= {method: by_method[method] for method in STABILITY_METHODS if method not in factors}
+    return factors
 
 
 def run_block(design: Design, index: int) -> Result:
@@ -108,40 +140,48 @@ def run_block(design: Design, index: int) -> Result:
     Returns
     -------
     dict of ndarray
-        ``status`` counts; of each output the bins that are not empty, their counts, the extremes and the `moments`; the
+        ``status`` counts; of each output the bins that are not empty, their counts, and of its finite values the
+        extremes and the `moments`; of each factor of safety how many are below 1, and how many are not known; the
         samples where they are kept. For sensitivity indices instead the `sums` of each outcome.
     """
     if index >= design.sample_blocks:
         return {"sums": _sums(design, index)}
     if design.method == "grid":
-        _, start, length = design.piece(index)
-        at = np.unravel_index(np.arange(start, start + length), [len(x) for x in design.levels])
-        drawn = [x[k] for x, k in zip(design.levels, at, strict=True)]
+        values = _on_grid(design, index)
     else:
-        drawn = _drawn(design, design.points(index, len(design.inputs)))
-    status, outputs = _solve(design, drawn)
+        values = _drawn(design, design.points(index, len(design.inputs)))
+    solved = _solve(design, values)
+    valid, status = ~np.isnan(solved.moves), solved.motion.status
     result: Result = {"status": np.bincount(status, minlength=len(Status))}
-    answered = ~np.isnan(outputs["moves"])
-    for name in OUTCOMES:
-        values = outputs[name][answered]
-        result[f"{name}.bins"], result[f"{name}.counts"] = np.unique(bins(values), return_counts=True)
-        result[f"{name}.moments"] = moments(values)
-        result[f"{name}.ends"] = np.array([values.min(), values.max()]) if values.size else np.array([np.inf, -np.inf])
+    for name, outcome in solved.outcomes.items():
+        of_scenes = outcome[valid]
+        finite = of_scenes[of_scenes < np.inf]
+        result[f"{name}.bins"], result[f"{name}.counts"] = np.unique(bins(of_scenes), return_counts=True)
+        result[f"{name}.moments"] = moments(finite)
+        result[f"{name}.ends"] = np.array([finite.min(initial=np.inf), finite.max(initial=-np.inf)])
+    for method, factor in _factors(solved.motion).items() if design.drawn else ():
+        of_scenes = factor[valid]
+        result[f"factor.{method}"] = np.array([np.sum(of_scenes < 1.0), np.sum(np.isnan(of_scenes))])
     if design.keep:
-        result |= {f"sample.{u.key}": x for u, x in zip(design.inputs.values(), drawn, strict=True)}
-        result |= {f"sample.{n}": outputs[n] for n in OUTCOMES} | {"sample.status": status}
+        result |= {f"sample.{u.key}": x for u, x in zip(design.inputs.values(), values, strict=True)}
+        result |= {f"sample.{n}": np.where(np.isinf(x), np.nan, x) for n, x in solved.outcomes.items()}
+        result["sample.status"] = status
     return result
 
 
 def _sums(design: Design, index: int) -> Floats:
-    """`sums` of each output for a batch of base points A, B, and A with one column of B for each input."""
+    """`sums` of moving and of each outcome for a batch of base points A, B, and A with one column of B for each input.
+
+    Of the base points whose scenes are all valid.
+    """
     d = len(design.inputs)
     points = design.points(index, 2 * d)
     count = points.shape[1]
-    laid = np.tile(points[:d, None, :], (1, d + 2, 1))
-    laid[:, 1] = points[d:]
+    matrices = np.tile(points[:d, None, :], (1, d + 2, 1))
+    matrices[:, 1] = points[d:]
     for k in range(d):
-        laid[k, 2 + k] = points[d + k]
-    _, outputs = _solve(design, _drawn(design, laid))
-    answered = np.all(~np.isnan(outputs["moves"].reshape(d + 2, count)), axis=0)
-    return np.stack([sums(y.reshape(d + 2, count)[:, answered]) for y in outputs.values()])
+        matrices[k, 2 + k] = points[d + k]
+    solved = _solve(design, _drawn(design, matrices))
+    outputs = np.stack([solved.moves, *solved.outcomes.values()]).reshape(-1, d + 2, count)
+    valid = ~np.isnan(outputs[0]).any(axis=0)
+    return np.stack([sums(y[:, valid]) for y in outputs])

@@ -1,7 +1,7 @@
-"""Where blocks are computed: here, in threads, in processes or on a Dask cluster; and what keeps them.
+"""Where blocks are computed: in threads, on a Dask cluster, or by any executor; and the folder that keeps them.
 
-Blocks may finish in any order and are handed on by their index, so that every engine gives the same bits on machines of
-one class. With a folder each is kept when it is finished, under its name only when it is whole on the disk, and a
+Blocks may finish in any order and are handed on by their index, so that every executor gives the same bits on machines
+of one class. With a folder each is kept when it is finished, under its name only when it is whole on the disk, and a
 later run with the same folder computes what is missing.
 
 On many machines, with s seconds a block and worker, w workers, and the scheduler and this process taking c seconds a
@@ -11,6 +11,7 @@ Dask's workers want MALLOC_TRIM_THRESHOLD_=268435456 in their environment: with 
 are given back to the system and faulted in again, which takes half as long again or more.
 """
 
+import hashlib
 import json
 import logging
 import os
@@ -30,8 +31,8 @@ import numpy as np
 from slipcircle.workbench.common.files import replacing, write
 from slipcircle.workbench.studies.design import Design, Result, run_block
 
-ENGINES = ("serial", "threads", "processes", "dask")
-_PRESSED = Event()  # Ctrl-C, while Dask computes
+ENGINES = ("threads", "dask")
+_INTERRUPTED = Event()  # Ctrl-C, while Dask computes
 _AHEAD = 512  # blocks that may be under way beyond the first unfinished one: more than a cluster's workers
 
 
@@ -50,75 +51,76 @@ def forecast(blocks: int, seconds: float, overhead: float, workers: int) -> floa
 
 
 @contextmanager
-def engine(name: str, workers: int | None = None, scheduler: str | None = None) -> Iterator[Executor | None]:
-    """An executor by the engine's name, one of `ENGINES`; none for "serial".
+def engine(name: str = "threads", workers: int | None = None, scheduler: str | None = None) -> Iterator[Executor]:
+    """An executor by the engine's name, one of `ENGINES`, with so many workers: by default one for each processor.
 
-    With so many workers, by default one for each processor, or those of the Dask scheduler at an address, such as
-    tcp://10.0.0.1:8786.
+    Dask's are those of a scheduler at an address, such as tcp://10.0.0.1:8786; without one, processes on this machine.
     """
     if workers is not None and workers < 1:
         raise ValueError(f"--workers {workers}: must be 1 at least; leave it out for one for each processor")
+    if scheduler is not None and (name != "dask" or workers is not None):
+        raise ValueError("--scheduler: is of --engine dask, and has its own workers: leave out --workers")
     workers = workers or os.cpu_count() or 1
-    if (name == "dask") != (scheduler is not None):
-        raise ValueError("--engine dask and --scheduler ADDRESS belong together: the address of a running scheduler")
-    if name == "threads":
-        with _stopping(ThreadPoolExecutor(workers)) as pool:
-            yield pool
-    elif name == "processes":
-        from concurrent.futures import ProcessPoolExecutor  # only here, as it loads much
-        from multiprocessing import get_context
-
-        deaf = signal.SIGINT, signal.SIG_IGN
-        with _stopping(ProcessPoolExecutor(workers, get_context("spawn"), signal.signal, deaf)) as pool:
-            with _uninterrupted():  # workers inherit it: this process ends them, and they print no traceback
-                for _ in range(workers):
-                    pool.submit(int)
-            yield pool
-    elif name == "dask":
-        try:
-            from distributed import Client
-        except ImportError as error:
-            raise ImportError("--engine dask needs Dask: pip install 'slipcircle[dask]'") from error
-        try:
-            client = Client(scheduler, timeout="10s")
-        except OSError as error:
-            raise ValueError(f"--scheduler {scheduler}: no Dask scheduler answers there: {error}") from error
-        cluster = client.get_executor()
+    if name == "dask":
+        client = _dask_client(workers, scheduler)
+        executor = client.get_executor()
         log = logging.getLogger("tornado.application")  # would print a traceback for a future that is cancelled
-        with _heeding():
+        with _deferred_interrupt():
             try:
-                yield cluster
+                yield executor
             finally:
                 log.disabled = True
-                cluster.shutdown(wait=False)  # one message for all that are left; future by future takes seconds
+                executor.shutdown(wait=False)  # one message for all that are left; future by future takes seconds
                 client.close()
+                if client.cluster is not None:
+                    client.cluster.close()
                 log.disabled = False
     else:
-        yield None
+        pool = ThreadPoolExecutor(workers)
+        try:
+            yield pool
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)  # interrupted it waits for no block
+            raise
+        pool.shutdown(cancel_futures=True)
 
 
-@contextmanager
-def _stopping(pool: Executor) -> Iterator[Executor]:
-    """A pool that waits for no block when it is interrupted: processes are ended, threads go with this one."""
+def _dask_client(workers: int, scheduler: str | None) -> Any:
     try:
-        yield pool
-    except BaseException:
-        from multiprocessing import active_children
+        from distributed import Client, LocalCluster
+    except ImportError as error:
+        raise ImportError("--engine dask needs Dask: pip install 'slipcircle[dask]'") from error
+    if scheduler is None:
+        with _blocked_interrupt():  # its processes inherit it: this one ends them, and they print no traceback
+            return Client(
+                LocalCluster(
+                    n_workers=workers, threads_per_worker=1, host="127.0.0.1", dashboard_address=None, silence_logs=50
+                )
+            )
+    try:
+        return Client(scheduler, timeout="10s")
+    except OSError as error:
+        raise ValueError(f"--scheduler {scheduler}: no Dask scheduler answers there: {error}") from error
 
-        ended = active_children()
-        for child in ended:
-            child.terminate()
-        pool.shutdown(wait=bool(ended), cancel_futures=True)
-        raise
-    pool.shutdown(cancel_futures=True)
+
+def as_executor(given: Any) -> Executor:
+    """An executor of `concurrent.futures`, or that of a Dask client."""
+    if hasattr(given, "get_executor"):
+        return given.get_executor()
+    if not hasattr(given, "submit"):
+        raise ValueError(f"executor = {given!r}: must be one of concurrent.futures, or a Dask client")
+    return given
 
 
 @contextmanager
-def _uninterrupted() -> Iterator[None]:
+def _blocked_interrupt() -> Iterator[None]:
     """Without Ctrl-C, where signals can be held back."""
+    from multiprocessing import resource_tracker
+
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
+    resource_tracker.ensure_running()  # starting, it would let them through again
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
@@ -127,42 +129,43 @@ def _uninterrupted() -> Iterator[None]:
 
 
 @contextmanager
-def _heeding() -> Iterator[None]:
-    """A Ctrl-C that `_first` raises: raised at once inside one of Dask's own callbacks it would be swallowed there."""
+def _deferred_interrupt() -> Iterator[None]:
+    """A Ctrl-C that `_finished` raises: raised at once in one of Dask's own callbacks it would be swallowed there."""
     try:
-        before = signal.signal(signal.SIGINT, lambda *_: _PRESSED.set())
+        before = signal.signal(signal.SIGINT, lambda *_: _INTERRUPTED.set())
     except ValueError:  # outside the main thread, which alone hears signals
         yield
         return
     try:
         yield
     finally:
-        _PRESSED.clear()
+        _INTERRUPTED.clear()
         signal.signal(signal.SIGINT, before)
 
 
-def _first(running: Iterable[Future[Result]]) -> set[Future[Result]]:
-    """Those that are done, when there are some."""
+def _finished(running: Iterable[Future[Result]]) -> set[Future[Result]]:
+    """Those that are done, as soon as there are some."""
     while True:
         done = wait(running, timeout=0.1, return_when=FIRST_COMPLETED).done
-        if _PRESSED.is_set():
+        if _INTERRUPTED.is_set():
             raise KeyboardInterrupt
         if done:
             return done
 
 
 class Folder:
-    """Finished blocks on the disk, for one study, seed and size."""
+    """Finished blocks on the disk, for one study, seed and size; each says which block of which study it is."""
 
     def __init__(self, path: str | os.PathLike[str], description: dict[str, Any]) -> None:
-        self.path = Path(path)
+        self.path, text = Path(path), json.dumps(description, indent=2).encode()
+        self._study = hashlib.sha256(text).hexdigest()
         try:
             self.path.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise ValueError(f"{self.path}: can be no folder for blocks: {error.strerror}") from error
         held = stored(self.path)
         if held is None:
-            write(self.path / "study.json", json.dumps(description, indent=2).encode())
+            write(self.path / "study.json", text)
         elif other := [k for k in description | held if description.get(k) != held.get(k)]:
             raise ValueError(
                 f"{self.path}: holds blocks of another study: {', '.join(other)} differ; give an empty folder"
@@ -171,18 +174,22 @@ class Folder:
     def _file(self, index: int) -> Path:
         return self.path / f"block-{index:08d}.npz"
 
+    def _label(self, index: int) -> str:
+        return f"block {index} of study {self._study}"
+
     def load(self, index: int) -> Result | None:
-        """A finished block; none if it is not there, or was damaged since."""
+        """A finished block; none if it is not there, was damaged since, or is another one under this name."""
         try:
             with open(self._file(index), "rb") as whole, np.load(whole, allow_pickle=False) as file:
-                return {k: file[k] for k in file.files}
+                result = {k: file[k] for k in file.files}
         except (OSError, ValueError, EOFError, zipfile.BadZipFile):
             return None
+        return result if str(result.pop("label", "")) == self._label(index) else None
 
     def save(self, index: int, result: Result) -> None:
         """Keep a finished block."""
         with replacing(self._file(index)) as file:
-            np.savez(file, **result)  # type: ignore[arg-type]
+            np.savez(file, label=np.array(self._label(index)), **result)  # type: ignore[arg-type]
 
 
 def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
@@ -191,48 +198,45 @@ def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
     if not path.exists():
         return None
     try:
-        found = json.loads(path.read_text("utf-8"))
+        description = json.loads(path.read_text("utf-8"))
     except ValueError as error:
         raise ValueError(f"{path}: is damaged: {error}; give an empty folder") from error
-    if not isinstance(found, dict):
+    if not isinstance(description, dict):
         raise ValueError(f"{path}: is no study; give an empty folder")
-    return found
+    return description
 
 
-def computed(
-    design: Design,
-    executor: Executor | None = None,
-    folder: Folder | None = None,
-    progress: Callable[[int, int], None] | None = None,
+def run_blocks(
+    design: Design, executor: Executor, folder: Folder | None = None, progress: Callable[[int, int], None] | None = None
 ) -> Iterator[Result]:
-    """Results of all blocks of a design, in their order; `Progress` hears of each that is finished."""
-    blocks, ahead, begun = design.blocks, _AHEAD if executor else 1, 0
+    """Results of all blocks of a design, in their order; `Progress` is called with each that is finished."""
     finished: dict[int, Result] = {}
     running: dict[Future[Result], int] = {}
 
-    def done(index: int, result: Result, fresh: bool = True) -> None:
+    def finish(index: int, result: Result, computed: bool) -> None:
         finished[index] = result
-        if folder and fresh:
+        if folder and computed:
             folder.save(index, result)
         if progress:
             scenes = design.scenes(index)
-            progress(scenes, 0 if fresh else scenes)
+            progress(scenes, 0 if computed else scenes)
 
+    def begin(index: int) -> None:
+        kept = folder.load(index) if folder else None
+        if kept is not None:
+            finish(index, kept, computed=False)
+        else:
+            running[executor.submit(run_block, design, index)] = index
+
+    begun = 0
     try:
-        for index in range(blocks):
-            until = min(index + ahead, blocks)
-            for k in range(begun, until):
-                kept = folder.load(k) if folder else None
-                if kept is not None:
-                    done(k, kept, fresh=False)
-                elif executor:
-                    running[executor.submit(run_block, design, k)] = k
-                else:
-                    done(k, run_block(design, k))
-            begun = until
+        for index in range(design.blocks):
+            while begun < min(index + _AHEAD, design.blocks):
+                begin(begun)
+                begun += 1
             while index not in finished:
-                for future in _first(running):
-                    done(running.pop(future), future.result())
+                for future in _finished(running):
+                    finish(running.pop(future), future.result(), computed=True)
             yield finished.pop(index)
     finally:
         for future in running:  # what was finished meanwhile is kept as well
@@ -246,19 +250,26 @@ class Progress:
     def __init__(self, scenes: int, stream: IO[str] = sys.stderr) -> None:
         self.scenes, self.stream = scenes, stream
         self.done = self.kept = 0
-        self.began = self.said = time.monotonic()
+        self.start = self.shown = time.monotonic()
 
     def __call__(self, scenes: int, kept: int) -> None:
+        """Count scenes that are done, of which so many were kept by an earlier run."""
         self.done, self.kept = self.done + scenes, self.kept + kept
-        now, terminal = time.monotonic(), self.stream.isatty()
-        if self.done < self.scenes and now - self.said < (0.2 if terminal else 10.0):
+        now, is_terminal = time.monotonic(), self.stream.isatty()
+        is_last = self.done >= self.scenes
+        if not is_last and now - self.shown < (0.2 if is_terminal else 10.0):
             return
-        self.said = now
-        rate = (self.done - self.kept) / max(now - self.began, 1e-9)
-        left = f"{(self.scenes - self.done) / rate:.0f} s left" if rate else "all there already"
-        if rate and self.done >= self.scenes:
-            left = f"in {now - self.began:.3g} s"
-        kept_too = f", {self.kept} from before" if self.kept else ""
-        text = f"{self.done} of {self.scenes} scenes{kept_too}, {rate:.3g} a second, {left}"
-        end = "\n" if self.done >= self.scenes or not terminal else ""
-        print(("\r\x1b[K" if terminal else "") + text, end=end, file=self.stream, flush=True)
+        self.shown = now
+        before, end = "\r\x1b[K" if is_terminal else "", "\n" if is_last or not is_terminal else ""
+        print(before + self._text(now - self.start), end=end, file=self.stream, flush=True)
+
+    def _text(self, seconds: float) -> str:
+        rate = (self.done - self.kept) / max(seconds, 1e-9)
+        if not rate:
+            left = "all there already"
+        elif self.done >= self.scenes:
+            left = f"in {seconds:.3g} s"
+        else:
+            left = f"{(self.scenes - self.done) / rate:.0f} s left"
+        kept = f", {self.kept} from before" if self.kept else ""
+        return f"{self.done} of {self.scenes} scenes{kept}, {rate:.3g} a second, {left}"

@@ -5,7 +5,6 @@ import json
 import math
 import os
 from collections.abc import Mapping
-from concurrent.futures import Executor
 from dataclasses import fields
 from typing import IO, Any
 
@@ -16,13 +15,13 @@ from slipcircle.base import VERSION
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
 from slipcircle.base.series import Series
 from slipcircle.core.motion.plan import plan
-from slipcircle.core.motion.quantities import OUTCOMES
 from slipcircle.core.scene.scene import Scene, checked
 from slipcircle.core.scene.section import Section
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, numbers_in
 from slipcircle.workbench.files.variation import along_means, value_in
 from slipcircle.workbench.studies.design import METHODS, REPLICATES, Design
-from slipcircle.workbench.studies.engines import Folder, Progress, computed, stored
+from slipcircle.workbench.studies.engines import Folder, Progress, as_executor, engine, run_blocks, stored
 from slipcircle.workbench.studies.sampling import MOST_LATIN
 from slipcircle.workbench.studies.study import Study
 
@@ -30,6 +29,7 @@ _KEEP = 2**20  # samples up to which they are kept by default
 _BASE = 2**14
 _MOST_GRID = 2**26
 _MOST = 10**12
+_OUTSIDE = 1e-4  # of a distribution, that may lie out of a number's bounds; such samples are counted apart
 
 
 def _known(given: Any) -> Any:
@@ -70,7 +70,7 @@ def ensemble(
     scene: Scene,
     n: int,
     rng: Any = None,
-    executor: Executor | None = None,
+    executor: Any = None,
     *,
     method: str = "monte-carlo",
     sensitivity: int | None = None,
@@ -92,8 +92,8 @@ def ensemble(
         How many samples.
     rng : int, SeedSequence or Generator, optional
         The seed, or what one is drawn from; the same seed gives the same bits with any executor.
-    executor : concurrent.futures.Executor, optional
-        Where blocks are computed: threads, processes, or ``client.get_executor()`` of Dask; by default here.
+    executor : concurrent.futures.Executor or dask.distributed.Client, optional
+        Where blocks are computed; by default in threads, one for each processor.
     method : str, optional
         "monte-carlo"; "sobol": 16 independently scrambled sequences, whose spread gives the intervals, best for n of 16
         times a power of two; or "latin-hypercube", in memory, whose intervals are those of Monte Carlo: too wide.
@@ -175,7 +175,9 @@ def ensemble(
             if not right
         ],
     )
-    seed, n, drawn, scene = _seed(rng, folder), int(n), dict(scene.uncertain), along_means(scene)
+    seed, n, drawn = _seed(rng, folder), int(n), dict(scene.uncertain)
+    raise_all("ensemble", _truncated(drawn))
+    scene = along_means(scene)
     matrix = _correlation(drawn, correlation or {})
     base = sensitivity
     if base is None:
@@ -195,6 +197,20 @@ def ensemble(
         size or _size(n, method),
     )
     return conduct(design, executor, confidence, folder, progress)
+
+
+def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
+    """A sentence for each distribution of which much lies where there is no scene: it is truncated only by name."""
+    found = []
+    for uncertain in drawn.values():
+        number, distribution = uncertain.number, uncertain.distribution
+        outside = float(distribution.cdf(number.low) + 1.0 - distribution.cdf(number.high))
+        if outside > _OUTSIDE:
+            found.append(
+                f"{number.key}: {100 * outside:.2g} % of its distribution lies outside of {number.low:g} to "
+                f"{number.high:g}, where there is no scene; truncate it by name: truncated_normal with low and high"
+            )
+    return found
 
 
 def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> NDArray[np.float64]:
@@ -225,7 +241,7 @@ def _size(n: int, method: str) -> int:
 def grid(
     scene: Scene,
     levels: Mapping[str, Any],
-    executor: Executor | None = None,
+    executor: Any = None,
     *,
     accuracy: float | None = None,
     folder: str | os.PathLike[str] | None = None,
@@ -283,16 +299,16 @@ def grid(
 
 
 def conduct(
-    design: Design,
-    executor: Executor | None,
-    confidence: float,
-    folder: str | os.PathLike[str] | None,
-    progress: IO[str] | None,
+    design: Design, executor: Any, confidence: float, folder: str | os.PathLike[str] | None, progress: IO[str] | None
 ) -> Study:
     """Compute a design's blocks and add them up."""
-    kept = Folder(folder, _described(design)) if folder is not None else None
-    told = Progress(design.n + design.base * (len(design.inputs) + 2), progress) if progress else None
-    return Study(design, confidence, computed(design, executor, kept, told))
+    blocks = Folder(folder, _described(design)) if folder is not None else None
+    scenes = design.n + design.base * (len(design.inputs) + 2)
+    shown = Progress(scenes, progress) if progress else None
+    if executor is not None:
+        return Study(design, confidence, run_blocks(design, as_executor(executor), blocks, shown))
+    with engine("threads") as threads:
+        return Study(design, confidence, run_blocks(design, threads, blocks, shown))
 
 
 def _described(design: Design) -> dict[str, Any]:

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.plan import plan
-from slipcircle.core.motion.quantities import OUTCOMES
 from slipcircle.core.motion.solver import motion_of
 from slipcircle.core.scene.scene import Scene
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import lengths
 from slipcircle.workbench.files.variation import scenes_with
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slipcircle.core.motion.quantities import OUTCOMES, words
+from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.files.variation import scene_with
 from slipcircle.workbench.studies.design import Design
 from slipcircle.workbench.studies.motions import derivatives

@@ -1,4 +1,8 @@
-"""Studies: how far and how fast a scene gets where its numbers are uncertain, or take the values of a grid."""
+"""Studies: how far and how fast a scene gets where its numbers are uncertain, or take the values of a grid.
+
+Samples that are no scene are counted apart, and statistics are of the others. Samples that slide to no known end move,
+and exceed every threshold: quantiles among them are infinite, and statistics that they could change are not given.
+"""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -9,17 +13,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.quantities import OUTCOMES, shown, words
-from slipcircle.core.motion.results import library
-from slipcircle.core.motion.states import ANSWERED, Status
+from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.scene import Scene
+from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.markup import Raw, table, tag
+from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.studies import export
-from slipcircle.workbench.studies.design import Design, Result
+from slipcircle.workbench.studies.design import NO_RESULT, Design, Result
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.propagation import Linear, disagreement, propagated
 from slipcircle.workbench.studies.statistics import (
     BINS,
+    NOT_GIVEN,
     Estimate,
     Indices,
     Spread,
@@ -32,6 +37,7 @@ from slipcircle.workbench.studies.statistics import (
     spread,
     standard_error,
     student,
+    value_text,
     width,
 )
 
@@ -57,7 +63,7 @@ class Convergence(NamedTuple):
 
 
 class Study:
-    """What a study found; intervals hold with the confidence at each place, not everywhere at once.
+    """Statistics of solved samples; intervals hold with the confidence at each place, not everywhere at once.
 
     Attributes
     ----------
@@ -83,24 +89,21 @@ class Study:
         self._histograms = {n: np.zeros((replicates, BINS), np.int64) for n in OUTCOMES}
         self._moments = {n: np.zeros((replicates, 5)) for n in OUTCOMES}
         self._ends = dict.fromkeys(OUTCOMES, (math.inf, -math.inf))
-        kept, sums = dict[str, list[NDArray[Any]]](), list[Floats]()
+        self._failing: dict[str, NDArray[np.int64]] = {}
+        samples, sums = dict[str, list[NDArray[Any]]](), list[Floats]()
         for index, result in enumerate(results):
-            if "sums" in result:
+            if index >= design.sample_blocks:
                 sums.append(result["sums"])
                 continue
             self._add(index % replicates, result)
             for name, values in result.items():
                 if name.startswith("sample."):
-                    kept.setdefault(name.removeprefix("sample."), []).append(values)
-            turns, rest = divmod(index + 1, replicates)
-            last = index + 1 == design.sample_blocks
-            if design.method != "grid" and not rest and (turns & (turns - 1) == 0 or last):
+                    samples.setdefault(name.removeprefix("sample."), []).append(values)
+            if self._is_checkpoint(index + 1):
                 median, upper = (self.quantile("reach", p) for p in (0.5, 0.95))
                 self.convergence.append(Convergence(self.n, self.moving, median, upper))
-        self.samples = {name: np.concatenate(values) for name, values in kept.items()}
-        if sums:
-            names = ("moves", *OUTCOMES)
-            self.sensitivity = {n: indices(np.stack(sums)[:, k], confidence) for k, n in enumerate(names)}
+        self.samples = {name: np.concatenate(values) for name, values in samples.items()}
+        self._indices_from(np.stack(sums) if sums else None)
 
     def _add(self, replicate: int, result: Result) -> None:
         """Add a block up."""
@@ -109,19 +112,39 @@ class Study:
             self._histograms[name][replicate, result[f"{name}.bins"]] += result[f"{name}.counts"]
             both = np.stack([self._moments[name][replicate], result[f"{name}.moments"]])
             self._moments[name][replicate] = pooled(both)
-            ends, (low, high) = self._ends[name], result[f"{name}.ends"].tolist()
-            self._ends[name] = min(ends[0], low), max(ends[1], high)
+            (least, greatest), (low, high) = self._ends[name], result[f"{name}.ends"].tolist()
+            self._ends[name] = min(least, low), max(greatest, high)
+        for name in result:
+            if name.startswith("factor."):
+                method = name.removeprefix("factor.")
+                counts = self._failing.setdefault(method, np.zeros((self.design.replicates, 2), np.int64))
+                counts[replicate] += result[name]
+
+    def _is_checkpoint(self, blocks: int) -> bool:
+        """Whether the convergence is looked at after so many blocks: whole turns of all replicates, powers of two."""
+        turns, rest = divmod(blocks, self.design.replicates)
+        is_power = turns & (turns - 1) == 0
+        return self.design.method != "grid" and not rest and (is_power or blocks == self.design.sample_blocks)
+
+    def _indices_from(self, sums: Floats | None) -> None:
+        """The sensitivity indices from the sums of batches of base points, (batches, 1 + outcomes, ...)."""
+        self._invalid_points = 0
+        if sums is not None:
+            self._invalid_points = self.design.base - int(sums[:, 0, 0].sum())
+            named = enumerate(("moves", *OUTCOMES))
+            self.sensitivity = {n: indices(sums[:, k], self.confidence) for k, n in named}
 
     @property
     def scene(self) -> Scene:
         """Whose numbers vary."""
         return self.design.scene
 
-    # -- what people take from it
+    # -- tables -------------------------------------------------------------------------------------------------------
 
     def __repr__(self) -> str:
-        of = [f"{self.design.n} scenes, {self.design.method}", ", ".join(f"{n} {name}" for name, n in self._counted())]
-        return f"<Study {self.scene.name}: {'; '.join([*of, *(' '.join(row) for row in self._summary())])}>"
+        size = f"{self.design.n} scenes, {self.design.method}"
+        counted = ", ".join(f"{n} {name}" for name, n in self._counted())
+        return f"<Study {self.scene.name}: {'; '.join([size, counted, *map(' '.join, self._summary())])}>"
 
     def _repr_html_(self) -> str:
         return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + table([*self._counted(), *self._summary()]))
@@ -131,9 +154,9 @@ class Study:
 
     def _summary(self) -> list[list[str]]:
         rows = []
-        for name, of in OUTCOMES.items():
-            low, middle, high = (shown(self.quantile(name, p).value) for p in (0.05, 0.5, 0.95))
-            rows.append([words(name), f"{middle} ({low} to {high}) {of.unit}"])
+        for name, quantity in OUTCOMES.items():
+            low, median, high = (value_text(self.quantile(name, p).value) for p in (0.05, 0.5, 0.95))
+            rows.append([words(name), f"{median} ({low} to {high}) {quantity.unit}"])
         return rows
 
     def __len__(self) -> int:
@@ -144,8 +167,8 @@ class Study:
 
     def __getitem__(self, index: int) -> Motion:
         """The motion of one sample, solved again; a ValueError says why where it is no scene."""
-        given = {n: u.to_si(self._kept[u.key][[index]]) for n, u in self.design.inputs.items()}
-        return motions(self.scene, given, self.design.accuracy)[0]
+        si = {n: u.to_si(self._kept[u.key][[index]]) for n, u in self.design.inputs.items()}
+        return motions(self.scene, si, self.design.accuracy)[0]
 
     @property
     def _kept(self) -> Mapping[str, NDArray[Any]]:
@@ -154,7 +177,10 @@ class Study:
         return self.samples
 
     def to_dict(self) -> dict[str, Any]:
-        """What JSON holds of it: statistics, curves, indices; SI units but for inputs, None for what cannot be said."""
+        """What JSON holds of it: statistics, curves, indices; SI units but for inputs.
+
+        None for what cannot be said, "beyond" for a quantile among samples that slide to no known end.
+        """
         return export.record(self)
 
     def to_pandas(self) -> Any:
@@ -165,12 +191,11 @@ class Study:
         ValueError
             If they were not kept.
         """
-        kinds = [Status(s) for s in self._kept["status"].tolist()]
-        more = {"status": [s.name for s in kinds], "reason": [s.reason for s in kinds]}
-        frame = library("pandas").DataFrame({**self.samples, **more})
-        frame.attrs["units"] = {n: q.unit for n, q in OUTCOMES.items()} | {
-            u.key: u.unit for u in self.design.inputs.values()
-        }
+        statuses = [Status(s) for s in self._kept["status"].tolist()]
+        named = {"status": [s.name for s in statuses], "reason": [s.reason for s in statuses]}
+        frame = library("pandas").DataFrame({**self.samples, **named})
+        frame.attrs["units"] = {n: q.unit for n, q in OUTCOMES.items()}
+        frame.attrs["units"] |= {u.key: u.unit for u in self.design.inputs.values()}
         return frame
 
     def to_xarray(self) -> Any:
@@ -180,6 +205,8 @@ class Study:
             return frame.set_index(keys).to_xarray()
         return frame.rename_axis("sample").to_xarray().set_coords(keys)
 
+    # -- counts and probabilities -------------------------------------------------------------------------------------
+
     @property
     def counts(self) -> NDArray[np.int64]:
         """Samples of each `Status`."""
@@ -187,43 +214,97 @@ class Study:
 
     @property
     def n(self) -> int:
-        """Samples with an answer: the others are no scenes, or failed, and are left out of what follows."""
-        return int(self._answered.sum())
+        """Samples that are scenes, of which all statistics are."""
+        return int(self._valid.sum())
 
     @property
-    def _answered(self) -> NDArray[np.int64]:
-        return np.asarray(self._counts[:, ANSWERED].sum(axis=1))
+    def _valid(self) -> NDArray[np.int64]:
+        """The same of each replicate."""
+        return np.asarray(self._counts.sum(axis=1) - self._counts[:, Status.INVALID])
+
+    @property
+    def without_result(self) -> int:
+        """Samples that slide, but not to a known end: they move, and exceed every threshold."""
+        return int(self.counts[[*NO_RESULT]].sum())
 
     @property
     def moving(self) -> Estimate:
         """Probability that the mass moves."""
-        moving = self._answered - self._counts[:, Status.STAYS]
-        return Estimate(*(float(x[0]) for x in self._probability(moving[:, None])))
+        moving = self._valid - self._counts[:, Status.STAYS]
+        return self._single_probability(moving)
+
+    @property
+    def failure(self) -> Mapping[str, Estimate]:
+        """Probability that the factor of safety at the start is below 1, by method.
+
+        Where some samples have no such factor its value is NaN, and its interval holds whatever they were.
+        """
+        found = {}
+        for method, counts in self._failing.items():
+            failing, unknown = counts.T
+            estimate = self._single_probability(failing)
+            if unknown.any():
+                at_most = self._single_probability(failing + unknown)
+                estimate = Estimate(math.nan, estimate.low, at_most.high)
+            found[method] = estimate
+        return found
+
+    def _single_probability(self, hits: NDArray[np.int64]) -> Estimate:
+        return Estimate(*(float(x[0]) for x in self._probability(hits[:, None])))
+
+    def _probability(self, hits: NDArray[np.int64]) -> tuple[Floats, Floats, Floats]:
+        """Probabilities and their intervals from how often, (replicates, ...)."""
+        n, total = self.n, hits.sum(axis=0)
+        if not n:
+            return tuple(np.full((3, *total.shape), np.nan))
+        value = total / n
+        low, high = proportion(total, n, self.confidence)
+        if self.design.replicates > 1:
+            filled = self._valid > 0
+            half = student(hits[filled] / self._valid[filled, None], self.confidence)
+            unanimous = (total == 0) | (total == n)  # the replicates agree, and cannot tell how surely
+            low = np.where(unanimous, low, np.maximum(value - half, 0))
+            high = np.where(unanimous, high, np.minimum(value + half, 1))
+        return value, low, high
+
+    # -- statistics of outputs ----------------------------------------------------------------------------------------
 
     def quantile(self, output: str, p: float) -> Estimate:
-        """A quantile of an output; its value is a sample's where they were kept, else within `BIN_ERROR` of it."""
+        """A quantile of an output; its value is a sample's where they were kept, else within `BIN_ERROR` of it.
+
+        Infinite where it lies among the samples that slide to no known end.
+        """
         if not self.n:
-            return Estimate(math.nan, math.nan, math.nan)
-        counts, ends = self._histograms[output], self._ends[output]
-        if output in self.samples:
-            values = np.sort(self.samples[output][np.isin(self.samples["status"], ANSWERED)])
-
-        def at(share: float) -> float:
-            if not 0.0 <= share <= 1.0:
-                return math.nan
-            if output in self.samples:
-                return float(values[max(0, math.ceil(share * self.n) - 1)])
-            return float(histogram_quantile(counts.sum(axis=0), share, ends))
-
+            return NOT_GIVEN
+        value = self._at_share(output, p)
         if self.design.replicates > 1:
-            each = np.array([histogram_quantile(c, p, ends) for c in counts if c.any()])
-            half = float(student(each, self.confidence))
-            return Estimate(at(p), max(0.0, at(p) - half), at(p) + half)
+            histograms = [h for h in self._histograms[output] if h.any()]
+            each = np.array([histogram_quantile(h, p, self._ends[output]) for h in histograms])
+            if np.all(each < np.inf):
+                half = float(student(each, self.confidence))
+                return Estimate(value, max(0.0, value - half), value + half)
         low, high = ranks(p, self.n, self.confidence)
-        return Estimate(at(p), at((low - 0.5) / self.n), at((high - 0.5) / self.n))
+        ends = (self._at_share(output, (rank - 0.5) / self.n) for rank in (low, high))
+        return Estimate(value, *ends)
+
+    def _at_share(self, output: str, share: float) -> float:
+        """The value that such a share of the samples does not exceed; NaN beyond all of them."""
+        if not 0.0 <= share <= 1.0:
+            return math.nan
+        if output not in self.samples:
+            histogram = self._histograms[output].sum(axis=0)
+            return float(histogram_quantile(histogram, share, self._ends[output]))
+        rank = max(0, math.ceil(share * self.n) - 1)
+        in_order = self._in_order(output)
+        return float(in_order[rank]) if rank < len(in_order) else math.inf
+
+    def _in_order(self, output: str) -> Floats:
+        """The kept samples that have a result, in order."""
+        status = self.samples["status"]
+        return np.sort(self.samples[output][~np.isin(status, [*NO_RESULT, Status.INVALID])])
 
     def mean(self, output: str) -> Estimate:
-        """Mean of an output; what does not move counts as 0."""
+        """Mean of an output; what does not move counts as 0. Not given where some slide to no known end."""
         return self._interval(*self._sampled(output)[:2])
 
     def std(self, output: str) -> Estimate:
@@ -231,12 +312,15 @@ class Study:
         return self._interval(*self._sampled(output)[2:])
 
     def _sampled(self, output: str) -> Spread:
+        """Mean and standard deviation with their errors, from the replicates where there are several."""
+        if self.without_result:
+            return Spread(math.nan, math.nan, math.nan, math.nan)
         each = self._moments[output]
-        found, filled = spread(pooled(each)), each[each[:, 0] > 1]
+        together, filled = spread(pooled(each)), each[each[:, 0] > 1]
         if len(filled) < 2:
-            return found
+            return together
         errors = standard_error(np.array([spread(m) for m in filled])).tolist()
-        return found._replace(mean_error=errors[0], std_error=errors[2])
+        return together._replace(mean_error=errors[0], std_error=errors[2])
 
     def _interval(self, value: float, error: float) -> Estimate:
         half = error * width(self.confidence, self.design.replicates)
@@ -254,6 +338,8 @@ class Study:
 
     @cached_property
     def _linear(self) -> tuple[Mapping[str, Linear], str]:
+        if self.without_result and self.design.drawn:
+            return {}, f"{self.without_result} samples slide without a result"
         try:
             return propagated(self.design), ""
         except ValueError as error:
@@ -261,56 +347,53 @@ class Study:
 
     def exceedance(self, output: str, points: int = 101) -> Exceedance:
         """Probability that an output is at least so large, at edges of bins, where it has no bin error."""
-        high = self._ends[output][1]
         if not self.n:
             return Exceedance(*np.empty((4, 0)))
-        wanted = np.linspace(0.0, high, points)
-        places = np.unique(np.searchsorted(edges(), wanted, side="right") - 1)
+        greatest = max(self._ends[output][1], 0.0)
+        values = np.linspace(0.0, greatest, points)
+        places = np.unique(np.searchsorted(edges()[:-1], values, side="right") - 1)
         places = places[places > 0]  # at the first edge the probability is 1
         above = np.cumsum(self._histograms[output][:, ::-1], axis=1)[:, ::-1][:, places]
         return Exceedance(edges()[places], *self._probability(above))
 
     def bins(self, output: str) -> Floats:
-        """The histogram of an output: from, to and how many, in rows; only bins that hold any."""
+        """The histogram of an output: from, to and how many, in rows; only bins that hold any, infinity the last."""
         counts = self._histograms[output].sum(axis=0)
         filled = np.flatnonzero(counts)
         return np.stack([edges()[filled], edges()[filled + 1], counts[filled]], axis=1)
 
-    def _probability(self, hits: NDArray[np.int64]) -> tuple[Floats, Floats, Floats]:
-        """Probabilities and their intervals from how often, (replicates, ...)."""
-        n, total = self.n, hits.sum(axis=0)
-        if not n:
-            return tuple(np.full((3, *total.shape), np.nan))
-        value = total / n
-        low, high = proportion(total, n, self.confidence)
-        if self.design.replicates > 1:
-            filled = self._answered > 0
-            half = student(hits[filled] / self._answered[filled, None], self.confidence)
-            sure = (total == 0) | (total == n)  # the replicates agree, and cannot tell how surely
-            low = np.where(sure, low, np.maximum(value - half, 0))
-            high = np.where(sure, high, np.minimum(value + half, 1))
-        return value, low, high
-
-    # -- what to know
+    # -- what to know -------------------------------------------------------------------------------------------------
 
     @property
     def warnings(self) -> list[str]:
         """What to know before the numbers are used."""
-        found, stability = [], self.scene.stability
-        if stability is not None and stability.method:
-            of = "scene as it is given" if self.design.method == "grid" else "means"
-            found.append(
-                f"all of them slide along the critical circle of the {of}, of the least factor by "
-                f"{stability.method}; it is looked for once, and kept"
-            )
-        total = int(self.counts.sum())
-        for status, text in (
-            *((s, f"have no answer and are left out: {s.reason}") for s in Status if s.reason),
-            (Status.MOVING, "still move at their end: run-out and duration are those until then"),
-        ):
-            if count := int(self.counts[status]):
-                found.append(f"{count} of {total} samples {text}")
+        found = self._circle_warnings()
+        is_grid, total = self.design.method == "grid", int(self.counts.sum())
+        scenes = "scenes" if is_grid else "samples"
+        counted = "" if is_grid else "; they count as moving and as beyond every threshold"
+        for status in (s for s in Status if self.counts[s]):
+            share = f"{int(self.counts[status])} of {total} {scenes}"
+            if status in NO_RESULT:
+                found.append(f"{share} slide without a result: {status.reason}{counted}")
+            elif status is Status.INVALID:
+                found.append(f"{share} are no scene and are not counted: {status.reason}")
+            elif status is Status.MOVING:
+                found.append(f"{share} still move at their end: run-out and duration are those until then")
+        if self.without_result and not is_grid:
+            found.append("means, standard deviations and indices of outputs are not given: samples without a result")
+        if self._invalid_points:
+            found.append(f"{self._invalid_points} of {self.design.base} base points are no scenes: indices lack them")
         for name, linear in self.linear.items():
-            if said := disagreement(name, linear, self._sampled(name), self.design.accuracy):
-                found.append(said)
+            if difference := disagreement(name, linear, self._sampled(name), self.design.accuracy):
+                found.append(difference)
         return found
+
+    def _circle_warnings(self) -> list[str]:
+        stability = self.scene.stability
+        if stability is None or not stability.method:
+            return []
+        whose = "scene as it is given" if self.design.method == "grid" else "means"
+        return [
+            f"all of them slide along the critical circle of the {whose}, of the least factor by "
+            f"{stability.method}; it is searched once, and kept"
+        ]

@@ -4,19 +4,22 @@ import argparse
 from itertools import combinations
 from typing import Any
 
-from slipcircle.core.motion import quantities
-from slipcircle.core.motion.quantities import OUTCOMES, digits_left, shown, to_error
+from slipcircle.base.text import digits_left, shown
+from slipcircle.workbench.commands import values as read
+from slipcircle.workbench.commands.common import add_files, add_scene
+from slipcircle.workbench.common import quantities
+from slipcircle.workbench.common.quantities import OUTCOMES, to_error
 from slipcircle.workbench.files.scenefile import load
-from slipcircle.workbench.outputs import options as read
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.tables import Answer, Part, beside
 from slipcircle.workbench.studies.backanalysis import FITTED, BackAnalysis, Solution, backanalyse
 
+HELP = "the friction, or another number, that explains an observed motion"
 # The options by outcome; each ends in its unit.
 OPTIONS = {n: f"--{n}-{q.unit}".replace("_", "-").replace("/", "-") for n, q in OUTCOMES.items()}
 
 
-def arguments(parser: argparse.ArgumentParser) -> None:
+def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     for name, option in OPTIONS.items():
         parser.add_argument(
@@ -30,10 +33,12 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         "--field",
         action="append",
         metavar="KEY[=LOW:HIGH]",
-        help="what is looked for, a scene "
+        help="parameter to fit, a scene "
         "file's key, by default friction.angle_deg, and between which values; several for several "
         "observations; a point's coordinate by its number from 0: ground.points_m.3.y",
     )
+    add_files(parser, "what was observed over the fields")
+    add_scene(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:

@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-DIGITS = 4  # significant, of a number that people read
+from slipcircle.base.text import DIGITS, digits_left, shown
+
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
 
 
@@ -182,13 +183,6 @@ def words(name: str, unit: str = "") -> str:
     return name.lower().replace("run_out", "run-out").replace("_", " ") + (f" ({unit})" if unit else "")
 
 
-def shown(value: float, digits: int = DIGITS) -> str:
-    """A number rounded to significant digits."""
-    if not math.isfinite(value):
-        return "infinite" if value > 0.0 else "-infinite" if value < 0.0 else "-"
-    return f"{float(f'{value:.{digits - 1}e}') + 0.0:.{max(digits, 6)}g}"
-
-
 def to_error(value: float, error: float) -> str:
     """A number that is known up to an error: to two digits of that, or as `shown` where there is none."""
     if not error > 0.0:
@@ -204,11 +198,6 @@ def time_text(nanoseconds: float) -> str:
     """A measured time, to three digits."""
     per, unit = next(((p, u) for p, u in ((1e6, "ms"), (1e3, "us")) if nanoseconds >= p), (1.0, "ns"))
     return f"{shown(nanoseconds / per, 3)} {unit}"
-
-
-def digits_left(error: float) -> int:
-    """Significant digits, at most `DIGITS`, of which a relative error moves the last one by half a unit at most."""
-    return DIGITS if error <= 0.0 else max(1, min(DIGITS, math.floor(-math.log10(min(2 * error, 1.0)))))
 
 
 def prefixed(values: Any, unit: str) -> tuple[float, str]:

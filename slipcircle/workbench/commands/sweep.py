@@ -1,4 +1,4 @@
-"""`slipcircle sweep`: a scene on a grid of values, or for samples of its uncertain numbers."""
+"""`slipcircle sweep`: an ensemble or a grid of one scene, its table and files."""
 
 import argparse
 import sys
@@ -9,13 +9,15 @@ from typing import Any, cast
 
 import numpy as np
 
-from slipcircle.core.motion.quantities import OUTCOMES, shown, words
+from slipcircle.base.text import shown
 from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.scene import Scene
+from slipcircle.workbench.commands import values as read
+from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
+from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.files.scenefile import find, load
-from slipcircle.workbench.outputs import options as read
 from slipcircle.workbench.outputs import pictures, studyplots
 from slipcircle.workbench.outputs.report import parts, study_report
 from slipcircle.workbench.outputs.tables import Answer, Part
@@ -25,10 +27,11 @@ from slipcircle.workbench.studies.engines import ENGINES, engine
 from slipcircle.workbench.studies.ensemble import ensemble, grid
 from slipcircle.workbench.studies.study import Study
 
+HELP = "a scene on a grid of values, or for samples of its uncertain numbers"
 _MOST_ROWS = 60  # of a grid, on the screen
 
 
-def arguments(parser: argparse.ArgumentParser) -> None:
+def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     what = parser.add_mutually_exclusive_group(required=True)
     what.add_argument("--samples", type=read.count, metavar="N", help="draw the scene's uncertain numbers N times: 1e6")
@@ -54,7 +57,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         metavar="KEY,KEY=R",
         help="of two uncertain numbers: friction.angle_deg,cohesion.cohesion_kPa=-0.5",
     )
-    parser.add_argument("--seed", type=int, help="repeats a run bit by bit; by default a new one, which is told")
+    parser.add_argument("--seed", type=int, help="repeats a run bit by bit; by default random; printed")
     parser.add_argument("--method", choices=METHODS, default=METHODS[0], help="how to draw; default %(default)s")
     parser.add_argument("--sensitivity", type=int, metavar="N", help="base points of the sensitivity indices")
     parser.add_argument(
@@ -65,9 +68,17 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         "as 262144, keep more workers busy than a scheduler can otherwise serve",
     )
     parser.add_argument("--engine", choices=ENGINES, default=ENGINES[0], help="where to compute; default %(default)s")
-    parser.add_argument("--workers", type=int, metavar="N", help="threads or processes; by default all processors")
-    parser.add_argument("--scheduler", metavar="ADDRESS", help="of a running Dask cluster: tcp://10.0.0.1:8786")
+    parser.add_argument("--workers", type=int, metavar="N", help="how many at once; by default one a processor")
+    parser.add_argument(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="of a running Dask cluster, tcp://10.0.0.1:8786; without it --engine dask starts one on this machine",
+    )
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
+    picture = "exceedance curves and which unknown matters, or a grid of one or two numbers"
+    arrays = "all results as NumPy arrays, the samples where kept"
+    add_files(parser, picture, report=REPORT, csv="one table of all results", npz=arrays)
+    add_scene(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:
@@ -88,7 +99,7 @@ def run(options: argparse.Namespace) -> Answer:
     content = find(options.scene).read_bytes()
     try:
         found = _compute(scene, levels, options)
-    except (BrokenExecutor, CancelledError) as error:  # processes, Dask
+    except (BrokenExecutor, CancelledError) as error:
         kept = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
         raise ValueError(f"--engine {options.engine}: a worker died; {kept}") from error
     pictures.write(options.plot, "study", found)
@@ -142,8 +153,8 @@ def _of_grid(found: Study) -> _Told:
 
 def _of_samples(found: Study) -> _Told:
     """Every estimate of a study with its interval."""
-    head = ("table", "output", "input", "at", "value", "low", "high")
-    rows = ([None if x != x else x for x in row] for row in export.rows(found))
+    head = export.HEAD
+    rows = export.rows(found)
 
     title = f"{found.scene.name}: {found.design.n} samples, {found.design.method}, seed {found.seed}\n"
     return head, rows, lambda: [export.record(found)], [title, *parts(found)]

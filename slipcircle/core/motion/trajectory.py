@@ -1,0 +1,197 @@
+"""A solved scene over time: states, stresses, friction and energy at any times, of one scene or of an ensemble's lanes.
+
+The integration keeps a few state entries of each lane's end; what happens on the way is integrated again when it is
+asked for. Dimensionless numbers become SI units here: times by sqrt(R/g), lengths along the arc by R.
+"""
+
+from collections.abc import Mapping
+from functools import cached_property, partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from generated import cells as ix
+from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
+from slipcircle.core.flow.lanes import Lanes
+from slipcircle.core.flow.program import Log
+from slipcircle.core.motion.plan import Plan
+from slipcircle.core.motion.states import STATUS_OF_END, Energy, State, Status
+
+Floats = NDArray[np.float64]
+RESTS, STAYS, TURNED, INVALID = map(int, (Status.RESTS, Status.STAYS, Status.TURNED, Status.INVALID))
+ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
+
+
+class Trajectory:
+    """The lanes of a solved scene and their final state entries; `Motion` says what these amount to."""
+
+    def __init__(self, plan: Plan, lanes: Lanes, final: Mapping[int, Any], log: Log) -> None:
+        self.plan = plan
+        self._lanes, self._final, self._log = lanes, final, log
+        self._last_read: tuple[bytes, Floats] | None = None
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The broadcast shape of the scene's arrays; empty for a single scene."""
+        return self.plan.scene.shape
+
+    def _shaped(self, values: Any) -> Any:
+        """One number of each lane in the scene's shape; of a single scene a Python number."""
+        if self.shape:
+            return np.reshape(values, self.shape)
+        return values.item() if hasattr(values, "item") else values
+
+    # --- how it ended ------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _status(self) -> Any:
+        """The status of each lane, as a number."""
+        final = self._final
+        ended = final[ix.STATUS]
+        status: Any
+        if self.shape:
+            status = STATUS_OF_END[np.asarray(ended, np.intp)]
+        else:
+            status = int(STATUS_OF_END[int(ended)])
+        turned = (status == RESTS) & (final[ix.TURNS] > 0.0)
+        status = choose(turned, TURNED, status)
+        never_moved = (status <= TURNED) & (ended != ix.STOPPED) & (final[ix.PHASES] == 0.0)
+        status = choose(never_moved, STAYS, status)
+        return choose(self._lanes.invalid, INVALID, status)
+
+    @cached_property
+    def _solved(self) -> Any:
+        """Which lanes have a result."""
+        return self._status <= TURNED
+
+    def _known(self, values: Any) -> Any:
+        """Values of lanes with a result, NaN of the others."""
+        return choose(self._solved, values, np.nan)
+
+    @cached_property
+    def _duration(self) -> Any:
+        """Time from the start to the end of each lane, s."""
+        lanes, final = self._lanes, self._final
+        rest = final[ix.REST_SINCE] * lanes.time_scale
+        at_end_time = final[ix.STATUS] == ix.ENDED
+        return self._known(choose(at_end_time, lanes.end_time, rest))
+
+    # --- states ------------------------------------------------------------------------------------------------------
+
+    def at(self, times: ArrayLike) -> State:
+        """The state at any times between the start and the end, and at rest after an arrest.
+
+        Parameters
+        ----------
+        times : float or array_like
+            s; the same for all lanes of an ensemble, whose states get the scene's shape followed by theirs.
+
+        Raises
+        ------
+        ValueError
+            For times before the start, not finite, or after the end of a motion that has not come to rest.
+        """
+        time = self._checked(times)
+        rotation, omega, rate = self._rows(time)[:3]
+        every_time = np.broadcast_to(time, (*self.shape, *time.shape))[()]
+        over_time, stress = partial(self._over_time, time), partial(self._stress_at, time)
+        return self._state(every_time, rotation, omega, rate, over_time, stress)
+
+    def _state(self, time: Any, rotation: Any, omega: Any, rate: Any, shaped: Any, stress: Any) -> State:
+        """A state in SI units from dimensionless numbers; `shaped` gives them the scene's shape."""
+        scale, radius = self._lanes.time_scale, self._lanes.radius
+        with np.errstate(over="ignore"):  # an overflow is refused where it is asked for
+            angular_velocity = omega / scale
+            velocity = radius * angular_velocity
+            acceleration = radius * rate / scale**2
+            displacement = radius * rotation
+        columns = (rotation, angular_velocity, velocity, displacement, acceleration)
+        return State(time, *(shaped(column + 0.0) for column in columns), stress=stress)  # + 0.0: no -0.0
+
+    def _checked(self, times: ArrayLike) -> Floats:
+        """Times as an array, none of them beyond the end of a lane that still moves there."""
+        raise_all("Motion.at", mistakes({"times": times}, {"times": ALLOWED_TIMES}))
+        time = np.asarray(times, dtype=np.float64)
+        moving = (self._final[ix.STATUS] != ix.ARRESTED) & self._solved
+        ends = choose(moving, self._duration, np.inf)
+        last = float(np.min(ends))
+        late = time[time > last]
+        if late.size:
+            asked = float(late.flat[0])
+            end = "the end of this motion" if self.plan.scene.end_time is None else "the scene's end_time"
+            raise ValueError(
+                f"Motion.at: times = {asked!r}: must be at most {end}, {last!r} s, as the mass does not rest there"
+            )
+        return time
+
+    def _rows(self, time: Floats) -> Floats:
+        """Rotation, omega, its rate, slip and further states, (rows, times, lanes); kept for the same times again."""
+        key = time.tobytes()
+        if self._last_read is None or self._last_read[0] != key:
+            flat_times = np.ravel(time)
+            rows = self._lanes.read(flat_times)
+            ended = flat_times[:, None] >= self._duration  # whatever rounding makes of the time of the end
+            for row, entry in enumerate((ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)):
+                rows[row] = np.where(ended, self._final[entry], rows[row])
+            self._last_read = key, rows
+        return self._last_read[1]
+
+    def _over_time(self, time: Floats, values: Floats) -> Any:
+        """Values (times, lanes) in the scene's shape followed by that of the times."""
+        return values.T.reshape(self.shape + time.shape)[()]
+
+    def _stresses(self, time: Floats) -> tuple[Floats, Floats, Floats]:
+        """Mean normal stress with the water and without, Pa, and the law's friction, each (times, lanes)."""
+        outputs = self._lanes.outputs(np.ravel(time), self._rows(time))
+        unit = self._lanes.stress_unit
+        return outputs["pressing"].T * unit, outputs["normal"].T * unit, outputs["mu"].T
+
+    def _stress_at(self, time: Floats) -> Any:
+        total, _, _ = self._stresses(time)
+        return self._over_time(time, total)
+
+    def pore_pressure_at(self, times: ArrayLike) -> Any:
+        """The mean pore pressure on the slip surface, with what heat has added, Pa; times as for `at`."""
+        time = self._checked(times)
+        total, effective, _ = self._stresses(time)
+        return self._over_time(time, total - effective)
+
+    def effective_stress_at(self, times: ArrayLike) -> Any:
+        """The mean normal stress on the slip surface less the pore pressure, 0 where that is more, Pa; as for `at`."""
+        time = self._checked(times)
+        _, effective, _ = self._stresses(time)
+        return self._over_time(time, np.maximum(effective, 0.0))
+
+    def friction_at(self, times: ArrayLike) -> Any:
+        """The friction coefficient that the law gives, 0 where contact is lost; times as for `at`."""
+        time = self._checked(times)
+        _, effective, friction = self._stresses(time)
+        return self._over_time(time, np.where(effective > 0.0, friction, 0.0))
+
+    def holding_friction_at(self, times: ArrayLike) -> Any:
+        """The friction coefficient at which the mass, brought to rest where it is, would just stay; times as for `at`.
+
+        NaN where contact is lost.
+        """
+        time = self._checked(times)
+        holding = self._lanes.holding_friction(np.ravel(time), self._rows(time))
+        return self._over_time(time, holding.T)
+
+    def path_at(self, times: ArrayLike) -> Any:
+        """The path travelled from the start, there and back, m; times as for `at`."""
+        time = self._checked(times)
+        slip = self._rows(time)[3]
+        return self._over_time(time, self._lanes.radius * slip)
+
+    def energy_at(self, times: ArrayLike) -> Energy:
+        """The energy balance from the start to any times, as for `at`; integrated beside the motion when asked for."""
+        time = self._checked(times)
+        flat_times, unit = np.ravel(time), self._lanes.energy_unit
+        balance, kinetic_start = self._lanes.energies(flat_times)
+        arrested = self._final[ix.STATUS] == ix.ARRESTED
+        at_rest = arrested & (flat_times[:, None] >= self._duration)
+        kinetic = np.where(at_rest, 0.0, balance["kinetic"])
+        terms = (kinetic, balance["work"], balance["dissipation"])
+        start = np.broadcast_to(unit * kinetic_start, self._lanes.count)
+        return Energy(self._shaped(start), *(self._over_time(time, unit * term) for term in terms))

@@ -1,0 +1,48 @@
+"""What commands share: their common options, the checks before the work, errors that name the scene."""
+
+import argparse
+import re
+from collections.abc import Callable
+from typing import TypeVar
+
+from slipcircle.core.scene.scene import Scene
+from slipcircle.workbench.common import files
+from slipcircle.workbench.files.scenefile import find
+from slipcircle.workbench.outputs import pictures
+
+T = TypeVar("T")
+SCENE = "a scene that ships, by name (`slipcircle --help` lists them), or the path of a TOML file"
+PICTURE_TYPES = "; .png, .svg, .pdf or .jpg"
+REPORT = "a report for a reviewer, one HTML file"
+
+
+def add_scene(parser: argparse.ArgumentParser) -> None:
+    """The scene of a command that takes one."""
+    parser.add_argument("scene", metavar="SCENE", help=SCENE)
+
+
+def add_files(parser: argparse.ArgumentParser, picture: str, **tables: str) -> None:
+    """Options that name files to write: a picture of something, and tables by the option's name."""
+    parser.add_argument("--plot", metavar="FILE", action="append", default=[], help=f"draw {picture}{PICTURE_TYPES}")
+    for name, content in tables.items():
+        parser.add_argument(f"--{name}", metavar="FILE", help=f"write {content}")
+
+
+def check_files(options: argparse.Namespace) -> None:
+    """See that all files of a command can be written and its pictures drawn, before the work."""
+    given = vars(options)
+    outputs = {f"--{name}": given[name] for name in ("plot", "report", "csv", "npz") if given.get(name)}
+    scenes = given.get("scenes") or [name for name in [given.get("scene")] if name]
+    files.check(options.command, outputs, [str(find(name)) for name in scenes])
+    if "--plot" in outputs or "--report" in outputs:
+        for path in options.plot or [""]:
+            pictures.check(options.command, path, len(scenes))
+
+
+def with_scene_context(scene: Scene, work: Callable[[Scene], T]) -> T:
+    """What a function makes of a scene; an error says of which scene, and names the key of its file."""
+    try:
+        return work(scene)
+    except ValueError as error:
+        message = re.sub("end_time(?!_)", "end_time_s", str(error))
+        raise ValueError(f"{scene.name}: {message}") from error

@@ -1,0 +1,89 @@
+"""`slipcircle run`: solve scenes, print their motions side by side, write their files."""
+
+import argparse
+from collections.abc import Iterator, Mapping, Sequence
+
+from slipcircle.base.text import shown
+from slipcircle.core.motion.motion import Motion
+from slipcircle.core.motion.solver import solve
+from slipcircle.workbench.commands import values
+from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, with_scene_context
+from slipcircle.workbench.common import files
+from slipcircle.workbench.common.quantities import OUTCOMES, record
+from slipcircle.workbench.files.scenefile import find, load
+from slipcircle.workbench.files.variation import other_way
+from slipcircle.workbench.outputs import pictures, tables
+from slipcircle.workbench.outputs.tables import Answer, Part
+from slipcircle.workbench.outputs.trace import csv
+
+HELP = "solve scenes and print their motion side by side"
+
+
+def options(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument("scenes", nargs="+", metavar="SCENE", help=SCENE)
+    parser.add_argument("--verbose", action="store_true", help="all numbers, the arc's coefficients too")
+    polarities = "each shaken scene also with its horizontal shaking turned around, and the mean of both"
+    parser.add_argument("--polarities", action="store_true", help=polarities)
+    picture = "section, motion and energy, and the slide itself as .gif; may be given more than once"
+    add_files(parser, picture, report=REPORT, csv="the motion over time, in SI units and full precision")
+    times = "times of --csv in s, by default 401 even ones from start to end: 0:60:1"
+    parser.add_argument("--times", type=values.times, metavar="FROM:TO:STEP", help=times)
+
+
+def run(options: argparse.Namespace) -> Answer:
+    """Run the command."""
+    if options.times is not None and not options.csv:
+        raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
+    sources = [find(name).read_bytes() for name in options.scenes] if options.report else []
+    scenes = [load(name) for name in options.scenes]
+    if options.polarities:
+        scenes = [polarity for scene in scenes for polarity in (scene, other_way(scene))]
+        sources = [source for source in sources for _ in range(2)]
+    motions = [with_scene_context(scene, solve) for scene in scenes]
+    _write_files(motions, sources, options)
+    means = _polarity_means(motions) if options.polarities else {}
+    columns = [tables.motion_column(motion, options.verbose) for motion in motions]
+    for mean in means.values():
+        columns.append({q.label: f"{shown(mean[name])} {q.unit}" for name, q in OUTCOMES.items()})
+    notes = [f"{scene.name}: {scene.note}" for scene in scenes if scene.note]
+    head = ["", *(scene.name for scene in scenes), *means]
+    return Answer(
+        lambda: [*map(record, motions), *({"scene": name, **mean} for name, mean in means.items())],
+        [Part(head, tables.beside(columns), note="; ".join(notes))],
+        _warnings(motions),
+    )
+
+
+def _write_files(motions: Sequence[Motion], sources: Sequence[bytes], options: argparse.Namespace) -> None:
+    """Make all files that are asked for before the first is written."""
+    contents: dict[str, bytes] = {}
+    if options.csv:
+        contents[options.csv] = csv(motions, options.times)
+    for path in options.plot:
+        contents[path] = pictures.picture("motions", motions, path)
+    if options.report:
+        from slipcircle.workbench.outputs.report import report
+
+        contents[options.report] = report(motions, sources, options.line).encode()
+    for path, content in contents.items():
+        files.write(path, content)
+
+
+def _polarity_means(motions: Sequence[Motion]) -> dict[str, Mapping[str, float]]:
+    """The mean size of each outcome over both polarities of a scene, by the name of a column."""
+    means: dict[str, Mapping[str, float]] = {}
+    for one, other in zip(motions[::2], motions[1::2], strict=True):
+        sizes = {name: (abs(one.outcomes[name]) + abs(other.outcomes[name])) / 2 for name in OUTCOMES}
+        means[f"{one.plan.scene.name} mean"] = sizes
+    return means
+
+
+def _warnings(motions: Sequence[Motion]) -> Iterator[str]:
+    for motion in motions:
+        scene = motion.plan.scene
+        for warning in motion.warnings:
+            yield f"{scene.name}: {warning}"
+        if scene.uncertain:
+            keys = ", ".join(uncertain.key for uncertain in scene.uncertain.values())
+            yield f"{scene.name}: solved at the median of {keys}; sweep draws them"

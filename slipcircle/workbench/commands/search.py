@@ -1,0 +1,35 @@
+"""`slipcircle search`: the circle along which a slope fails first, and its factors of safety."""
+
+import argparse
+
+from slipcircle.workbench.commands.common import add_files
+from slipcircle.workbench.files.scenefile import critical_of_file
+from slipcircle.workbench.outputs import pictures, tables
+from slipcircle.workbench.outputs.tables import Answer, Part, say
+from slipcircle.workbench.stability.stability import METHODS
+
+HELP = "the critical circle of a slope, and its factors of safety by three methods"
+SLOPE = "a scene that ships, by name, or the path of a TOML file with [ground] and soil"
+
+
+def options(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument("scenes", nargs="+", metavar="SLOPE", help=SLOPE)
+    parser.add_argument("--method", choices=METHODS, help="method to minimise; default bishop")
+    add_files(parser, "the section, the circle and the factors over centres")
+
+
+def run(options: argparse.Namespace) -> Answer:
+    """Run the command."""
+    if options.plot and len(options.scenes) > 1:
+        raise ValueError(f"search: --plot {options.plot[0]}: shows one slope; search them one by one")
+    searched = [critical_of_file(name, options.method, say) for name in options.scenes]
+    names, notes, circles = zip(*searched, strict=True)
+    pictures.write(options.plot, "search", circles[0])
+    for name, circle in zip(names, circles, strict=True):
+        if circle.warning:
+            say(f"{name}: {circle.warning}")
+    columns = [tables.stability_column(circle) for circle in circles]
+    note = "; ".join(f"{name}: {text}" for name, text in zip(names, notes, strict=True) if text)
+    table = Part(["", *names], tables.beside(columns), note=note)
+    return Answer(lambda: [circle.record() for circle in circles], [table])

@@ -1,0 +1,28 @@
+"""`slipcircle sensitivity`: exact derivatives of a motion, printed, drawn or as JSON."""
+
+import argparse
+
+from slipcircle.core.motion.solver import solve
+from slipcircle.workbench.commands.common import add_files, add_scene
+from slipcircle.workbench.files.scenefile import load
+from slipcircle.workbench.outputs import pictures, tables
+from slipcircle.workbench.outputs.tables import Answer
+
+HELP = "exact derivatives of the motion by each number of a scene"
+
+
+def options(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    add_files(parser, "what a change of each number changes")
+    add_scene(parser)
+
+
+def run(options: argparse.Namespace) -> Answer:
+    """Run the command."""
+    motion = solve(load(options.scene))
+    derivatives, name = motion.sensitivity(), motion.plan.scene.name
+    pictures.write(options.plot, "sensitivity", derivatives)
+    keys = {parameter: number.key for parameter, number in derivatives.keys.items()}
+    record = {"scene": name} | vars(derivatives) | {"keys": keys, "elasticities": derivatives.elasticities}
+    warnings = [f"{name}: {warning}" for warning in derivatives.warnings]
+    return Answer(lambda: [record], [tables.sensitivity_part(derivatives, name)], warnings)

@@ -1,0 +1,117 @@
+"""What a `Motion` turns into for people and their tools: a dictionary, pandas, xarray, HTML; its methods call these.
+
+Columns are named and in units as `quantities` declares them.
+"""
+
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from slipcircle.base.text import shown
+from slipcircle.core.motion.motion import Motion
+from slipcircle.core.motion.states import Status
+from slipcircle.workbench.common.markup import Raw, table, tag
+from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, results, words
+
+
+def library(name: str) -> Any:
+    """A library that only its own form needs, or what to type where it is missing."""
+    try:
+        return import_module(name)
+    except ImportError as error:
+        raise ImportError(f"to_{name} needs {name}: pip install {name}") from error
+
+
+def html(motion: Motion) -> str:
+    """A table of the key results; of many lanes how many have each status, and the range of each outcome."""
+    if motion.shape:
+        counts = [[words(status), str(count)] for status, count in motion.count().items()]
+        rows = counts + [[words(name), _span(motion.outcomes[name], q.unit)] for name, q in OUTCOMES.items()]
+    else:
+        rows = [[q.label, q.text(motion)] for q in results(motion) if q.key]
+    return Raw(tag("b", motion.plan.scene.name or "motion") + table(rows))
+
+
+def _span(values: Any, unit: str) -> str:
+    """The least and the greatest of the values that are known."""
+    known = values[~np.isnan(values)]
+    return f"{shown(known.min())} to {shown(known.max())} {unit}" if known.size else "-"
+
+
+def to_dict(motion: Motion, times: ArrayLike | None) -> dict[str, Any]:
+    """Results by name in SI units, with the numbers that vary before them; or histories at times, s."""
+    if times is not None:
+        time = np.asarray(times, dtype=np.float64)
+        return {name: q.at(motion, time) for name, q in HISTORY.items()}
+    columns = {name: value for name, value in motion.plan.scene.numbers.items() if np.ndim(value)}
+    for quantity in results(motion):
+        columns |= quantity.columns(motion)
+    names = np.array([status.name for status in Status])[motion.status] if motion.shape else motion.status.name
+    columns |= {"status": names, "reason": motion.reason}
+    if motion.shape:
+        columns = {name: np.broadcast_to(value, motion.shape) for name, value in columns.items()}
+    return columns
+
+
+def to_pandas(motion: Motion, times: ArrayLike | None) -> Any:
+    """`to_dict` as a pandas.DataFrame: a row for each lane, or for each lane and time; units in ``attrs``."""
+    pandas = library("pandas")
+    axes, columns = _axes_and_columns(motion, times)
+    frame = pandas.DataFrame({name: np.ravel(values) for name, values in columns.items()})
+    if len(axes) > 1:
+        frame.index = pandas.MultiIndex.from_product(axes.values(), names=[*axes])
+    elif axes:
+        frame.index = pandas.Index(*axes.values(), name=next(iter(axes)))
+    frame.attrs["units"] = _units(motion)
+    return frame
+
+
+def to_xarray(motion: Motion, times: ArrayLike | None) -> Any:
+    """`to_dict` as an xarray.Dataset, with the dimensions that inputs had; numbers that vary are its coordinates."""
+    xarray = library("xarray")
+    axes, columns = _axes_and_columns(motion, times)
+    lane_dims, units = _dimensions(motion), _units(motion)
+    coordinates: dict[str, Any] = {"time": ("time", axes["time"], {"units": "s"})} if "time" in axes else {}
+    for name, value in motion.plan.scene.numbers.items():
+        if not np.ndim(value):
+            continue
+        columns.pop(name, None)
+        dims = lane_dims[len(lane_dims) - np.ndim(value) :]
+        varying = [dim for dim, size in zip(dims, np.shape(value), strict=True) if size > 1]
+        coordinates[name] = (varying, np.squeeze(np.asarray(value)))
+    variables = {name: ([*axes], np.asarray(v), {"units": units.get(name, "")}) for name, v in columns.items()}
+    return xarray.Dataset(variables, coordinates, {"scene": motion.plan.scene.name})
+
+
+def _axes_and_columns(motion: Motion, times: ArrayLike | None) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Axes by name, the last of them time where there are any, and columns over all of them."""
+    axes: dict[str, Any] = {}
+    for name, size in zip(_dimensions(motion), motion.shape, strict=True):
+        axes[name] = np.arange(size)
+    if times is None:
+        return axes, to_dict(motion, None)
+    axes["time"] = np.ravel(np.asarray(times, dtype=np.float64))
+    columns = to_dict(motion, axes["time"])
+    del columns["time"]
+    return axes, columns
+
+
+def _units(motion: Motion) -> dict[str, str]:
+    return {q.name: q.unit for q in (*results(motion), *HISTORY.values())}
+
+
+def _dimensions(motion: Motion) -> list[str]:
+    """Names of the shape's axes: those of inputs that have some, else lane, or lane_0, lane_1, ..."""
+    count = len(motion.shape)
+    named: dict[int, str] = {}
+    for name, value in motion.plan.scene.numbers.items():
+        dims = [str(dim) for dim in getattr(value, "dims", ())]
+        for axis, dim in enumerate(dims, count - len(dims)):
+            if named.setdefault(axis, dim) != dim:
+                raise ValueError(
+                    f"{name}: its dimension {dim!r} is on the axis of {named[axis]!r}, and NumPy pairs them element by "
+                    "element; use xarray.broadcast before"
+                )
+    return [named.get(axis, "lane" if count == 1 else f"lane_{axis}") for axis in range(count)]
