@@ -18,7 +18,7 @@ from slipcircle.base.checks import raise_all
 from slipcircle.core.scene.friction import law_parts
 from slipcircle.core.scene.ground import field_mistakes, ponds
 from slipcircle.core.scene.section import Section
-from slipcircle.workbench.stability.slices import Floats, SlopeArrays, circle_factors
+from slipcircle.workbench.stability.slices import Floats, SlopeArrays, SoilArrays, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
@@ -123,9 +123,10 @@ class Slope:
 
     def arrays(self) -> SlopeArrays:
         """For `circle_factors`."""
-        numbers = {n: getattr(self, n) for n in SlopeArrays._fields if n not in ("ground", "level")}
+        numbers = {n: getattr(self, n) for n in ("water_unit_weight", "pressure", "k_h")}
         level = None if self.level is None else np.asarray(self.level)[None]
-        return SlopeArrays(np.asarray(self.ground)[None], level, **numbers)
+        soil = SoilArrays(self.cohesion, self.friction, self.unit_weight, self.pore_ratio)
+        return SlopeArrays(np.asarray(self.ground)[None], (soil,), level=level, **numbers)
 
 
 def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:
