@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "81480f61edb0a50ca0567013676d013f281e05c2bd6a63798ddba3417b23a1fb"
+#define DIGEST "6c42a36e3a7846846ed99cc2d812def16cde99924bac16e4844809cb370c9985"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -35,8 +35,8 @@ typedef struct {
 
 typedef struct {
     /* Of the program: cells, of which those from `made` on come from the prologue or are alike in all lanes; registers,
-     * states, tables, those of time and the others. */
-    int cells, made, registers, states, tables, timed, sloped;
+     * states, tables, those of time and the others; whether its rate depends on the speed alone. */
+    int cells, made, registers, states, tables, timed, sloped, autonomous;
     const int32_t *scalar, *scalar_end, *series, *series_end, *later_end, *state; /* after `series` what no rate needs */
     const Table *table;
     const Roles *role;
@@ -89,8 +89,8 @@ static int runs(int kind)
 }
 
 /* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers,
- * of those on series and of those on series that no rate needs, roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
-enum { HEAD = 8, WIDEST = 64 };
+ * of those on series and of those on series that no rate needs, autonomous; roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
+enum { HEAD = 9, WIDEST = 64 };
 
 static int read_program(Walk *w, const Py_buffer *program)
 {
@@ -101,6 +101,7 @@ static int read_program(Walk *w, const Py_buffer *program)
     w->role = (const Roles *)(p + HEAD);
     w->scalar_end = w->series = w->scalar + p[5];
     w->series_end = w->series + p[6], w->later_end = w->state = w->series_end + p[7];
+    w->autonomous = p[8];
     w->table = (const Table *)(w->state + 3 * w->states);
     for (int t = 0; t < w->tables; t++) w->timed += w->table[t].kind == 2, w->sloped += w->table[t].kind != 2;
     return (const int32_t *)(w->table + w->tables) == end && w->tables <= MOST_TABLES && w->states <= MOST_STATES ? 0 : -1;
@@ -215,16 +216,17 @@ typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false i
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, X, OMEGA };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, Q1 };
-enum { START, MOVING, RESTING, ARRESTED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
-enum { NOTHING, LIFT, FASTER, SLOWER, STOOD };
+enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
+enum { NOTHING, LIFT, FASTER, SLOWER };
+enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_BREAKPOINT };
 enum { NOTE_BEGINS = 1, NOTE_STANDS, NOTE_LIFTS, NOTE_LANDS };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define STIFF_CHANGE 0.001
 #define CARRIED 0.001
+#define SETTLED 1.4210854715202004e-14
 enum { LIN, RAMP, MUL, SQR, TIM, TURN, EXP, REC, LOG, POW };
 enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S_LOG, S_LOG1P, S_SQRT, S_ABS, S_MIN, S_MAX, S_LESS, S_SELECT };
-enum { NONE = -1, STANDS, LIFTS, TIPS, EDGES }; /* events: none, standstill, lift-off or landing, upright, tables' */
 enum { READY, BEGIN, FACE, GO, ENTER, LEAP, ANEW }; /* what is to be based before a lane's next step */
 
 /* The lanes in hand, beside their cells. */
@@ -1133,10 +1135,10 @@ static void ends(Hand *h, unsigned k, double rate, int status)
 static void passes(Hand *h, unsigned k, int event, double rate)
 {
     Walk *const w = h->w;
-    const Table *const t = w->table + (event - EDGES) / 2;
-    const Data *const d = w->data + (event - EDGES) / 2;
+    const Table *const t = w->table + (event - EVENT_BREAKPOINT) / 2;
+    const Data *const d = w->data + (event - EVENT_BREAKPOINT) / 2;
     V *const all = h->c, *const c = all + t->cell;
-    const int up = (event - EDGES) % 2 == 0;
+    const int up = (event - EVENT_BREAKPOINT) % 2 == 0;
     enters(h, k, rate);
     if (t->kind == OF_SPEED) all[OMEGA][k] = c[up ? UPPER : LOWER][k], all[PASSED][k] = up ? FASTER : SLOWER;
     if (t->kind == OF_ROTATION) {
@@ -1182,7 +1184,7 @@ static void step(Hand *h, unsigned which)
     tau = pick(order < c[ORDER], room, lesser(c[FACTOR] * tau, room));
     const M whole = tau >= room;
     int event[LANES];
-    for (int k = 0; k < LANES; k++) event[k] = NONE;
+    for (int k = 0; k < LANES; k++) event[k] = EVENT_NONE;
 #define TAKE(found, code) \
     do { \
         const V at_ = (found); \
@@ -1199,12 +1201,12 @@ static void step(Hand *h, unsigned which)
         for (int i = 0; i < 2; i++) function(e, e, top, one, zero, from_rest & (e[0] == 0.0));
         const V at = first_zero(e, top, tau, ask);
         const M nothing = from_rest & (e[0] == 0.0) & (last == 0.0); /* its drive vanished to rounding */
-        TAKE(pick(lanes(ask) & ((e[0] < 0.0) | nothing), zero, at), STANDS);
+        TAKE(pick(lanes(ask) & ((e[0] < 0.0) | nothing), zero, at), EVENT_STANDSTILL);
     }
     if (role->upright >= 0) {
         const V *const upright = REGISTER(role->upright);
         if ((ask = which & suspects(upright, top - 1, tau, one, zero, no)))
-            TAKE(first_zero(upright, top - 1, tau, ask), TIPS);
+            TAKE(first_zero(upright, top - 1, tau, ask), EVENT_CHORD_UPRIGHT);
     }
     for (int i = 0; w->sloped && i < w->tables; i++) {
         const Table *const t = w->table + i;
@@ -1214,13 +1216,13 @@ static void step(Hand *h, unsigned which)
         const M slower = t->kind == OF_SPEED ? c[PASSED] == (double)SLOWER : no;
         if ((ask = which & suspects(p, top, tau, -one, upper, slower))) {
             function(e, p, top, -one, upper, slower);
-            TAKE(first_zero(e, top, tau, ask), EDGES + 2 * i);
+            TAKE(first_zero(e, top, tau, ask), EVENT_BREAKPOINT + 2 * i);
         }
         if (t->kind != OF_SPEED) continue;
         const M faster = c[PASSED] == (double)FASTER;
         if ((ask = which & bits(lower > 0.0) & suspects(p, top, tau, one, -lower, faster))) {
             function(e, p, top, one, -lower, faster);
-            TAKE(first_zero(e, top, tau, ask), EDGES + 2 * i + 1);
+            TAKE(first_zero(e, top, tau, ask), EVENT_BREAKPOINT + 2 * i + 1);
         }
     }
     /* Water over a mass may change faster than its motion, for which the step was chosen: what presses is a function of
@@ -1230,8 +1232,16 @@ static void step(Hand *h, unsigned which)
         const M passed = c[PASSED] == (double)LIFT;
         if ((ask = which & suspects(normal, top - 1, tau, sign, zero, passed))) {
             function(e, normal, top - 1, sign, zero, passed);
-            TAKE(first_zero(e, top - 1, tau, ask), LIFTS);
+            TAKE(first_zero(e, top - 1, tau, ask), EVENT_LIFT_OFF);
         }
+    }
+
+    /* A motion that nothing will end: where the rate depends on the speed alone, it never falls below zero again. */
+    unsigned endless = 0;
+    if (w->autonomous) {
+        endless = which & bits((net[0] * tau >= -SETTLED * omega[0]) & (room == INFINITY) & (c[LIFTED] == 0.0));
+        EACH(k, endless) if (event[k] != EVENT_NONE) endless &= ~(1u << k);
+        tau = pick(lanes(endless), zero, tau);
     }
 
     /* Peak: the net moment falls through zero. It may do so beyond a trough, too. */
@@ -1261,10 +1271,11 @@ static void step(Hand *h, unsigned which)
     const M peaks = peak < INFINITY;
     if (bits(peaks)) CANDIDATE(peaks, value(omega, top, peak), c[TIME] + peak, value(x, top, peak), value(net, top - 1, peak));
 
-    const V until = pick(whole, limit, c[TIME] + tau);
-    unsigned at_limit = bits(whole) & which;
+    const M to_limit = whole & ~lanes(endless);
+    const V until = pick(to_limit, limit, c[TIME] + tau);
+    unsigned at_limit = bits(to_limit) & which;
     V until_[1] = {until}; /* in memory, for lanes */
-    EACH(k, which) if (event[k] != NONE) at_limit &= ~(1u << k), until_[0][k] = c[TIME][k] + tau[k];
+    EACH(k, which) if (event[k] != EVENT_NONE) at_limit &= ~(1u << k), until_[0][k] = c[TIME][k] + tau[k];
     if (w->samples) EACH(k, which) read_off(h, k, c[TIME][k], until_[0][k], 1, top);
     for (int i = 0; i < w->states; i++) {
         V *const cell = c + w->state[3 * i];
@@ -1276,24 +1287,25 @@ static void step(Hand *h, unsigned which)
     }
     c[TIME] = pick(here, until_[0], c[TIME]);
     unsigned eventful = 0;
-    EACH(k, which) eventful |= (unsigned)(event[k] != NONE) << k;
+    EACH(k, which) eventful |= (unsigned)(event[k] != EVENT_NONE) << k;
     const M stiff = (size(net[0]) * tau < STIFF_CHANGE * omega[0]) & ~lanes(eventful);
     c[STEPS] += pick(here & ~lanes(at_limit), pick(stiff, flat(STIFF_STEP), one), zero);
     c[PASSED] = pick(here, zero, c[PASSED]);
     CANDIDATE(here, c[OMEGA], c[TIME], c[X], rate);
     EACH(k, which) {
-        if (event[k] == NONE) {
+        if (event[k] == EVENT_NONE) {
+            if (endless >> k & 1) c[STATUS][k] = TOO_LONG;
             if (!(at_limit >> k & 1)) continue;
             if (c[TIME][k] >= c[END_TIME][k]) ends(h, k, rate[k], ENDED);
             else if (pass_breaks(h, k)) h->todo[k] = LEAP;
-        } else if (event[k] == STANDS) stands(h, k);
-        else if (event[k] == LIFTS) {
+        } else if (event[k] == EVENT_STANDSTILL) stands(h, k);
+        else if (event[k] == EVENT_LIFT_OFF) {
             c[LIFTED][k] = 1.0 - c[LIFTED][k];
             if (c[LIFTED][k] > 0.0) lifted_now(h, k);
             else note(h, k, NOTE_LANDS);
             enters(h, k, rate[k]);
             c[PASSED][k] = LIFT;
-        } else if (event[k] == TIPS) ends(h, k, rate[k], UPRIGHT);
+        } else if (event[k] == EVENT_CHORD_UPRIGHT) ends(h, k, rate[k], UPRIGHT);
         else passes(h, k, event[k], rate[k]);
     }
 }
@@ -1353,13 +1365,13 @@ static void wait(Hand *h, unsigned which)
         const int over = !starts && !(until < INFINITY);
         if (w->samples) read_off(h, k, c[TIME][k], fmin(until, c[END_TIME][k]), 0, 0);
         c[STEPS][k] += !at_break, c[PASSED][k] = NOTHING;
-        if (over) {
-            stays(h, k, ARRESTED);
+        if (over || until >= c[END_TIME][k]) { /* what happens after its end time decides nothing */
+            if (!over) c[TIME][k] = c[END_TIME][k];
+            stays(h, k, over ? ARRESTED : PAUSED);
             continue;
         }
         c[TIME][k] = until;
-        if (starts && until >= c[END_TIME][k]) stays(h, k, ENDED);
-        else if (starts) face(h, k, way[k]), h->todo[k] = GO, h->jumps[k] = sudden[k] != 0;
+        if (starts) face(h, k, way[k]), h->todo[k] = GO, h->jumps[k] = sudden[k] != 0;
         else if (turned) {
             c[LIFTED][k] = 1.0 - c[LIFTED][k], c[PASSED][k] = LIFT, h->todo[k] = ANEW;
             if (c[LIFTED][k] > 0.0) lifted_now(h, k);

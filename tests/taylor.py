@@ -184,12 +184,10 @@ class Solution:
                 if p.free and p.end is None and self.steps:
                     break
                 found = self._start(time, phi, slip, excess)
-                if found is None:
+                if found is None or not (p.end is None or found[0] < p.end):  # later starts decide nothing
                     self.arrested = True
                     break
                 time, side = found
-                if p.end is not None and not time < p.end:
-                    break
             self.episodes += 1
             if self.episodes > self.most[1]:
                 raise Unfit

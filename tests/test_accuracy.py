@@ -18,7 +18,7 @@ import taylor
 from mpmath import mpf
 
 import slipcircle
-from generated import cells as its
+from generated import layout as ix
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.core.flow.bind import Bound
 
@@ -89,8 +89,6 @@ def near_limit(number: int) -> bool:
 
 def test_the_file_holds_400_scenes_of_every_kind() -> None:
     assert [row["group"] for row in ROWS] == [group for group, _ in references.names()]
-    assert {solved(k).plan.method for k in NUMBERS} == {solved(k).plan.method for k in range(400)}
-    assert len({solved(k).plan.method for k in NUMBERS}) == 2
     assert sum(near_limit(k) for k in NUMBERS) >= 20
     motions = [row["reference"] for row in ROWS]
     assert {(m["moves"], m["arrested"]) for m in motions} == {(True, True), (True, False), (False, True)}
@@ -125,7 +123,7 @@ def test_implicit_steps_tell_the_same(part: int, monkeypatch: pytest.MonkeyPatch
 
     def spent(bound: Bound) -> Any:
         cells = begun(bound)
-        cells[its.STEPS] = its.MOST_STEPS  # of what explicit steps a lane may take
+        cells[ix.STEPS] = ix.MOST_STEPS  # of what explicit steps a lane may take
         return cells
 
     monkeypatch.setattr(Bound, "start", spent)

@@ -179,7 +179,7 @@ def test_all_minima() -> None:
         motion = solve(replace(VAIONT, arc=arc, friction=s.values["friction"]))
         assert motion.run_out == pytest.approx(400.0, rel=1e-7)
         assert float(motion.peak.velocity) == pytest.approx(17.0, rel=1e-7)
-    assert "hardly told" in found.warnings[0]
+    assert "hardly determined" in found.warnings[0]
     narrow = {"dip": (0.1, 0.3), "friction": (0.01, 0.1)}
     inside = backanalyse(
         VAIONT, run_out=(400.0, 1.0), peak_velocity=(17.0, 0.1), field=["friction", "dip"], bounds=narrow
@@ -240,6 +240,7 @@ def test_a_fit_of_one_field() -> None:
     assert 0.0 < first.standard_error < 0.01
 
 
+SOFTENING = load("vaiont-softening").friction
 TWO: dict[str, Any] = {"run_out": 400.0, "duration": 38.0}
 
 
@@ -252,6 +253,7 @@ TWO: dict[str, Any] = {"run_out": 400.0, "duration": 38.0}
         ({"run_out": (400.0, 1.0), "duration": 30.0}, "for all observations, or for none"),
         ({"run_out": 400.0, "field": "nose"}, "nose: is no number of a scene"),
         ({"run_out": 400.0, "bounds": (1.0, 0.0)}, "the lower one first"),
+        ({"run_out": 400.0, "friction": SOFTENING}, "has no single angle; give one of friction.peak_deg, "),
         ({"run_out": (400.0, 5.0), "field": ["friction", "dip"]}, r"2 fields from 1 .*cannot be told apart"),
         (TWO | {"field": ["friction", "unit_weight"]}, "unit_weight: changes nothing of"),
         ({"run_out": (2.0, 1.0), "peak_velocity": (0.5, 0.1), "field": ["friction", "friction"]}, "named twice"),
@@ -261,8 +263,20 @@ TWO: dict[str, Any] = {"run_out": 400.0, "duration": 38.0}
     ],
 )
 def test_mistakes(asked: dict[str, Any], said: str) -> None:
+    more = dict(asked)
+    scene = replace(VAIONT, friction=more.pop("friction", VAIONT.friction))
     with pytest.raises(ValueError, match=said):
-        backanalyse(VAIONT, **asked)
+        backanalyse(scene, **more)
+
+
+def test_a_value_at_the_end_of_its_range_says_so() -> None:
+    """Of an exact root and of a fit."""
+    root = backanalyse(VAIONT, run_out=400.0).value
+    at_end = backanalyse(VAIONT, run_out=400.0, bounds=(root - 1e-6, 20.0))
+    fitted = backanalyse(VAIONT, run_out=(400.0, 5.0), duration=(38.0, 1.0), bounds=(17.0, 20.0))
+    for found in (at_end, fitted):
+        assert any("lies at the end of the range that was searched" in w for w in found.warnings)
+    assert backanalyse(VAIONT, run_out=400.0).warnings == ()
 
 
 def test_command(said: Any, records: Any, refused: Any) -> None:

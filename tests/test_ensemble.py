@@ -96,7 +96,7 @@ def test_in_python() -> None:
         ({"arc.radius_m": {"distribution": "uniform", "low": -1, "high": 5}}, "reaches down to -1"),
     ):
         with pytest.raises(ValueError, match=re.escape(said)):
-            replace(VAIONT, uncertain=given)
+            ensemble(replace(VAIONT, uncertain=given), 10)
     with pytest.raises(ValueError, match=r"(?s)no number is uncertain.*n = 0.*method = 'lhs'.*confidence = 2"):
         ensemble(VAIONT, 0, method="lhs", confidence=2)
 

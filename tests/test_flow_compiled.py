@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import slipcircle
-from generated import cells as its
+from generated import layout as ix
 from slipcircle.base.series import Pulse, Series
 from slipcircle.core.flow import compiled, walk
 from slipcircle.core.flow.bind import Bound, bind
@@ -43,7 +43,7 @@ SCENES: dict[str, tuple[dict[str, Any], Any, float]] = {
     "heat": (TURNING | {"thermal_pressurisation": {"pressurisation": 1e3, "heat_capacity": 2.7e6, "thickness": 0.1}},
              MU, 200.0),
 }  # fmt: skip
-RESULTS = slice(0, its.OMEGA + 1)
+RESULTS = slice(0, ix.OMEGA + 1)
 
 
 def lanes(name: str, accuracy: float = 1e-11) -> Bound:
@@ -52,7 +52,7 @@ def lanes(name: str, accuracy: float = 1e-11) -> Bound:
 
 
 def run(bound: Bound, which: Any = slice(None), **options: Any) -> Any:
-    cells = np.ascontiguousarray(bound.cells[:, which])
+    cells = np.array(bound.cells[:, which], order="C")
     compiled.walk(bound.program, bound.tables, cells, **options)
     return cells[RESULTS]
 
@@ -69,8 +69,8 @@ def test_a_lane_is_the_same_alone_in_any_order_and_when_interrupted(name: str, m
 
 
 def alike(one: Any, other: Any, within: float) -> None:
-    assert np.array_equal(one[[its.STATUS, its.PHASES]], other[[its.STATUS, its.PHASES]])
-    for cell in (its.TIME, its.PEAK_OMEGA, its.END_ROTATION, its.REACH_ROTATION, its.REST_SINCE, its.LIFT_TIME):
+    assert np.array_equal(one[[ix.STATUS, ix.PHASES]], other[[ix.STATUS, ix.PHASES]])
+    for cell in (ix.TIME, ix.PEAK_OMEGA, ix.END_ROTATION, ix.REACH_ROTATION, ix.REST_SINCE, ix.LIFT_TIME):
         a, b = one[cell], other[cell]
         assert np.array_equal(np.isnan(a), np.isnan(b))
         assert np.nanmax(np.abs(a - b), initial=0.0) <= within * np.nanmax(np.abs(a), initial=1e-300), cell
@@ -99,7 +99,7 @@ def test_samples_and_notes_are_those_of_numpy() -> None:
         samples = Samples(times, np.full((4, 61, LANES), np.nan))
         log: Log = []
         walker(bound.program, bound.tables, bound.cells.copy(), samples, log)
-        found.append((samples.states, [(kind, round(t, 9)) for kind, t, *_ in log if kind in (its.BEGINS, its.STANDS)]))
+        found.append((samples.states, [(k, round(t, 9)) for k, t, *_ in log if k in (ix.NOTE_BEGINS, ix.NOTE_STANDS)]))
     states, other = found[0][0], found[1][0]
     assert np.all(np.isfinite(states))
     # The rate leaps where a sample meets a standstill or a break.

@@ -14,7 +14,7 @@ from derive.check.proof import ProofError
 from derive.declare import effects as declared
 from derive.declare.effects import EFFECTS, LAMBDA, LAWS, MU, OMEGA, SLIP, THETA, VALUE, Effect, Law, Parameter
 from derive.flow import emit, fragments, operations
-from generated import cells, flow, series
+from generated import flow, layout, series
 from slipcircle.core.flow.link import RESULTS
 from slipcircle.core.flow.program import Program, join
 
@@ -160,7 +160,7 @@ def test_reading_order_and_places(fresh: None) -> None:
             known |= {*results}
         written = [op[1] for op in p.scalar if op[1] < p.lasting]
         assert len(written) == len({*written})
-        assert p.cells[: len(cells.CELLS)] == cells.CELLS
+        assert p.cells[: len(layout.CELLS)] == layout.CELLS
         assert {p.cells.index(x) for x in p.constants} == {*range(p.lasting, p.lasting + len(p.constants))}
 
 

@@ -18,6 +18,7 @@ from matplotlib.text import Text
 
 from slipcircle import Arc, Motion, Scene, Section, critical, load, solve
 from slipcircle.base.series import Pulse
+from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs import pictures, plots, plotstyle, sectionplot
 from slipcircle.workbench.outputs.tables import motion_column
 from slipcircle.workbench.outputs.trace import csv
@@ -306,7 +307,7 @@ def test_energies_say_of_what_width_they_are() -> None:
 
 @pytest.mark.parametrize("depth", [0.0, 5.0])
 def test_the_map_of_a_search_is_darkest_where_most_dangerous_and_whole(depth: float) -> None:
-    stability = load("real-slope").stability
+    stability = stability_of(load("real-slope"))
     assert stability is not None
     slope = stability.slope
     found, figure = critical(slope, depth=depth), canvas((9.0, 6.0))

@@ -1,6 +1,7 @@
 """Series, pulses and record files: exact values and integrals, the common formats, a clear error for each mistake."""
 
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -268,15 +269,29 @@ def test_a_record_scaled_to_a_peak_in_a_file(tmp_path: Path, records: Any) -> No
     assert peak > 0.0
 
 
-def test_a_record_is_read_over_one_gravity(tmp_path: Any) -> None:
-    record = tmp_path / "shock.csv"
-    record.write_text("time s,acc m/s2\n0,0\n1,-1.962\n2,0\n", encoding="utf-8")
-    effects = {"shaking": {"record": record, "holds": "ground", "units": "m/s2"}}
-    drawn: dict[str, Any] = {"uncertain": {"gravity": {"distribution": "uniform", "low": 1, "high": 9}}}
-    for arc, more in ((replace(ARC, gravity=np.array([9.81, 3.7])), {}), (ARC, drawn)):
-        with pytest.raises(ValueError, match=r"arc\.gravity: must be one number with a record"):
-            Scene(arc, 0.5, effects, **more)
-    assert Scene(replace(ARC, gravity=np.array([9.81, 9.81])), 0.5, effects).shape == (2,)
+@pytest.mark.parametrize(
+    ("arc", "shaking", "said"),
+    [
+        (
+            "gravity_m_s2 = { distribution = 'uniform', low = 1, high = 9 }",
+            "holds = 'ground'",
+            "arc.gravity_m_s2: must",
+        ),
+        ("", "", 'must say whether it holds "ground" or "driving"'),
+        ("", "holds = 'ground'\npulse = 'sine'", "exclude each other"),
+        ("", "holds = 'ground'\ncycles = 2", "shaking.cycles: does not belong to a record"),
+        ("", "holds = 'ground'\nvertical_record = 'nowhere.csv'", "nowhere.csv"),
+    ],
+)
+def test_a_file_says_what_its_record_is(tmp_path: Path, arc: str, shaking: str, said: str) -> None:
+    write(tmp_path, "time s,acc m/s2\n0,0\n1,-1.962\n2,0\n", "r.csv")
+    text = f"[arc]\nradius_m = 60\ntheta_1_deg = 215\ntheta_2_deg = 280\nunit_weight_kN_m3 = 19\n{arc}\n[friction]\n"
+    path = write(tmp_path, f"{text}angle_deg = 30\n[shaking]\nrecord = 'r.csv'\nunits = 'm/s2'\n{shaking}\n", "s.toml")
+    with pytest.raises(ValueError, match=re.escape(said)):
+        load(path)
+
+
+def test_lanes_may_have_one_gravity() -> None:
     assert Scene(replace(ARC, gravity=np.empty(0)), 0.5, TURNING).shape == (0,)
 
 

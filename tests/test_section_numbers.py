@@ -17,7 +17,7 @@ from test_section_water import LEVEL
 
 from slipcircle import Motion, Scene, Section, backanalyse, ensemble, load, solve
 from slipcircle.core.motion.states import Status
-from slipcircle.workbench.files.numbers import fields_with, numbers_in
+from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
 from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.motions import motions
 
@@ -135,7 +135,7 @@ def test_every_executor_gives_the_same_bits() -> None:
 
 
 def moved(section: Section, name: str, to: float) -> Section:
-    return replace(section, **fields_with(section, {name: to}))
+    return replace(section, **changed_fields(section, {name: to}))
 
 
 def outputs(given: Any, name: str, to: float) -> list[arb]:
@@ -157,7 +157,7 @@ def test_derivatives_against_thirty_digits(index: int) -> None:
     """Differences of series solutions in ball arithmetic of random scenes: softening, a level, pushed up, shaken."""
     given = section_references.row(index)["scene"]
     motion = solve(section_references.scene(given))
-    found, own = motion.sensitivity(), numbers_in(motion.plan.scene.arc)
+    found, own = motion.sensitivity(), arc_numbers(motion.plan.scene.arc)
     sign = np.array([np.sign(motion.peak.velocity), 1.0, 1.0])
     size = np.abs(found.values).max(axis=1)[:3]
     for field in ("radius", "centre", "ground", "level"):
@@ -207,7 +207,7 @@ def test_derivatives_are_those_of_lanes_beside(which: str) -> None:
     scene = SCENES[which]
     found = solve(scene).sensitivity()
     skew = ("ground.2.x", "ground.3.x") if which == "a scarp" else ()  # moved to one side it overhangs
-    for name in [n for n in found.parameters if n in numbers_in(scene.arc) and n not in skew]:
+    for name in [n for n in found.parameters if n in arc_numbers(scene.arc) and n not in skew]:
         step = 1e-4 * (float(scene.arc.depth) if found.parameters[name] == "m" else found.at[name])
         y = motions(scene, {name: found.at[name] + step * np.array([1.0, -1.0, 2.0, -2.0])}, 1e-15).outcomes
         for output, row in zip(found.outputs, found.values, strict=True):

@@ -12,7 +12,7 @@ import section_references
 import taylor
 import test_accuracy
 
-from generated import cells as its
+from generated import layout as ix
 from slipcircle import Motion, Scene, Section, solve
 from slipcircle.core.flow import compiled, walk
 
@@ -51,7 +51,7 @@ def test_a_thin_mass_lands_where_it_leaves_the_water(wide: float, friction: floa
     bound = motion._lanes.bound
     cells = bound.cells.copy()
     walk.walk(bound.program, bound.tables, cells)
-    assert cells[its.END_ROTATION] == pytest.approx(motion.end.rotation, rel=1e-10)
+    assert cells[ix.END_ROTATION] == pytest.approx(motion.end.rotation, rel=1e-10)
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -88,7 +88,7 @@ def test_energy_is_kept_and_both_walks_agree(velocity: float, effects: Any) -> N
     one, other = bound.cells.copy(), bound.cells.copy()
     walk.walk(bound.program, bound.tables, one)
     compiled.walk(bound.program, bound.tables, other)
-    for cell in (its.STATUS, its.PHASES, its.TIME, its.PEAK_OMEGA, its.END_ROTATION, its.REST_SINCE):
+    for cell in (ix.STATUS, ix.PHASES, ix.TIME, ix.PEAK_OMEGA, ix.END_ROTATION, ix.REST_SINCE):
         assert one[cell] == pytest.approx(other[cell], rel=1e-12, nan_ok=True)
 
 

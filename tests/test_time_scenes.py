@@ -87,10 +87,27 @@ def test_shaking_that_ends_while_it_slides_and_a_rest_before_the_end_time() -> N
     assert motion.arrested
     assert motion.duration > 3.0
     waits = solve(Scene(ARC, 0.5, TURNING | {"shaking": push}, end_time=0.5))
-    assert (waits.moves, waits.arrested, waits.run_out, waits.duration) == (False, False, 0.0, 0.5)
+    assert (waits.moves, waits.arrested, waits.run_out, waits.duration) == (False, True, 0.0, 0.0)  # as without it
     over = solve(Scene(ARC, 0.5, TURNING | {"shaking": push}, end_time=500.0))
     assert (over.arrested, over.duration) == (True, motion.duration)
     assert over.at(400.0).displacement == motion.run_out
+
+
+@pytest.mark.parametrize("end_time", [None, 9.0])
+def test_what_happens_after_the_end_time_decides_nothing_before_it(end_time: float | None) -> None:
+    """The mass rests from 1.8 s on, and would start again at 10.7 s."""
+    shaking = {
+        "horizontal": Series(np.array([0.0, 1, 1.5, 9.5, 12, 13]), np.array([0, 0.4, -0.3, -0.3, 0.5, 0]), False)
+    }
+    friction = 1.2 * float(solve(Scene(ARC, 0.3, TURNING)).limit_friction)
+    motion = solve(Scene(ARC, friction, TURNING | {"shaking": shaking}, end_time=end_time))
+    assert (motion.status.name, motion.arrested) == ("RESTS", True)
+    assert [phase.start < 9.0 for phase in motion.phases] == ([True, False] if end_time is None else [True])
+    if end_time:
+        first = solve(Scene(ARC, friction, TURNING | {"shaking": shaking})).phases[0]
+        assert (motion.duration, motion.at(end_time).velocity) == (first.end, 0.0)
+        with pytest.raises(ValueError, match=r"at most the scene.s end_time, 9\.0 s"):
+            motion.at(9.5)
 
 
 def test_water_that_rises_later_starts_it_later() -> None:

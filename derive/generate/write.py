@@ -17,8 +17,8 @@ from derive.check.records import Record
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
-from derive.flow import cells, series
 from derive.flow import emit as flow
+from derive.flow import layout, series
 from derive.generate import emit_c, functions, slopes
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -31,12 +31,12 @@ def files(proved: list[Record]) -> dict[str, str]:
     kernels, motion, closed = functions.kernels(proved), functions.motion(), closed_forms()
     c_source = emit_c.source(variants(), functions.comments(kernels, proved))
     c_walk = (emit.TEMPLATES / "_flow.c").read_text(encoding="utf-8")
-    for mark, lines in (cells.c() | series.c()).items():
+    for mark, lines in (layout.c() | series.c()).items():
         c_walk = c_walk.replace(f"@{mark}@\n", lines)
     growth, laws = map(emit.described, (functions.growth(closed), functions.laws()))
     texts = {
         "_compiled.py": (emit.TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
-        "cells.py": cells.python(),
+        "layout.py": layout.python(),
         "definitions.py": definitions_module(closed),
         "_evaluate.py": (emit.TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
         "effects.py": functions.effects_module(),

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import cells as its
+from generated import layout as ix
 from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
 from slipcircle.base.checks import choose, plain
@@ -60,7 +60,7 @@ class Bound(NamedTuple):
     def lengthen(self, cells: Floats) -> None:
         """Sample Python functions of slip on, as far as lanes are."""
         for k, function in self.functions.items():
-            slip = float(np.max(cells[its.SLIP] * cells[self.program.tables[k].cells + its.SCALE]))
+            slip = float(np.max(cells[ix.SLIP] * cells[self.program.tables[k].cells + ix.SCALE]))
             while (end := float(self.tables[k].breaks[-1])) <= slip * (1.0 + 1e-12):
                 self.tables[k] = tables.sampled(function, 2 * end, self.tables[k])
 
@@ -168,7 +168,7 @@ def bind(
     for slot in program.tables:
         piece, scale, factor = pieces[slot.name]
         data.append(piece)
-        cells[slot.cells + its.SCALE], cells[slot.cells + its.SCALED_BY] = scale, factor
+        cells[slot.cells + ix.SCALE], cells[slot.cells + ix.SCALED_BY] = scale, factor
     places = {k: functions[slot.name] for k, slot in enumerate(program.tables) if slot.name in functions}
     return Bound(program, data, cells, time_scale, places, joined)
 

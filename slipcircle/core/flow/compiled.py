@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import cells as its
+from generated import layout as ix
 from generated.series import DIGEST, SCALAR, SERIES
 from slipcircle.core.flow import walk as numpy_walk
 from slipcircle.core.flow.link import RESULTS
@@ -104,11 +104,12 @@ def flat(program: Program) -> bytes:
         len(scalar),
         len(series),
         len(later),
+        int(program.autonomous),
     )
-    roles = [program.roles.get(name, -1) for name in its.ROLES]
-    roles = [role if name.startswith("cell_") else at[role] for name, role in zip(its.ROLES, roles, strict=True)]
+    roles = [program.roles.get(name, -1) for name in ix.ROLES]
+    roles = [role if name.startswith("cell_") else at[role] for name, role in zip(ix.ROLES, roles, strict=True)]
     states = [(cell, at[r], at[rate]) for cell, r, rate in program.states]
-    tables = [(its.KINDS.index(t.kind), at[t.register], t.cells, t.degree) for t in program.tables]
+    tables = [(ix.KINDS.index(t.kind), at[t.register], t.cells, t.degree) for t in program.tables]
     parts = (sizes, roles, scalar, series, later, *states, *tables)
     return np.array([i for part in parts for i in part], dtype=np.int32).tobytes()
 
@@ -137,7 +138,7 @@ def walk(
     pieces = _pieces(tables, count)
     times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
     notes = _NOTHING if log is None else np.empty((NOTES, 4))
-    code, order, left = flat(program), int(cells[its.ORDER].max()), 1
+    code, order, left = flat(program), int(cells[ix.ORDER].max()), 1
     while left:
         left, noted = binary.walk(code, pieces, cells, order, 0, count, ROUNDS, times, states, notes, number)
         if log is not None:

@@ -8,16 +8,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import cells as its
+from generated import layout as ix
 from slipcircle.base.checks import EPS, choose, plain
-from slipcircle.core.flow import frozen
 from slipcircle.core.flow.bind import Bound, bind
 from slipcircle.core.flow.columns import Columns
 from slipcircle.core.flow.compiled import engine
 from slipcircle.core.flow.program import Log, Samples
 from slipcircle.core.scene.arc import Arc
+from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.section import Section
-from slipcircle.workbench.files.variation import unchecked
 
 Floats = NDArray[np.float64]
 # Lanes at once, so that what they need stays in the cache; rows a power of two apart would share its lines.
@@ -26,38 +25,31 @@ ASKED = ("pressing", "normal", "mu")  # what a program is asked for beside its s
 
 
 def walked(
-    bound: Bound,
-    closed: bool = False,
-    samples: Samples | None = None,
-    log: Log | None = None,
-    walker: Any = None,
-    cells: Any = None,
+    bound: Bound, samples: Samples | None = None, log: Log | None = None, walker: Any = None, cells: Any = None
 ) -> Floats:
     """The cells of lanes at their end, by default a copy's; from the start again where a Python function goes on."""
     walker = walker or engine().walk
     while True:
         cells = bound.start() if cells is None else cells
-        if closed:
-            frozen.walk(bound.program, bound.tables, cells, samples, log)
         walker(bound.program, bound.tables, cells, samples, log)
-        if cells[its.STATUS].max(initial=0.0) < its.TOO_LONG:
+        if cells[ix.STATUS].max(initial=0.0) < ix.TOO_LONG:
             return cells
-        many = (cells[its.STATUS] == its.TOO_LONG) & (cells[its.STEPS] > its.MOST_STEPS)
-        long = np.flatnonzero(many & (cells[its.OMEGA] > 0.0))
+        many = (cells[ix.STATUS] == ix.TOO_LONG) & (cells[ix.STEPS] > ix.MOST_STEPS)
+        long = np.flatnonzero(many & (cells[ix.OMEGA] > 0.0))
         while long.size:
             from slipcircle.core.flow import stiff  # only here
 
             stiff.walk(bound.program, bound.tables, cells, samples, log, long)
-            long = long[cells[its.STATUS, long] == its.NEED]
+            long = long[cells[ix.STATUS, long] == ix.NEED]
             if long.size:
                 bound.lengthen(cells[:, long])
-        needs = np.flatnonzero(cells[its.STATUS] == its.NEED)
+        needs = np.flatnonzero(cells[ix.STATUS] == ix.NEED)
         if not needs.size:
             return cells
         one = cells[:, needs[:1]]  # walks on from where it is, to find out how far the function is asked for
-        while one[its.STATUS, 0] == its.NEED:
+        while one[ix.STATUS, 0] == ix.NEED:
             bound.lengthen(one)
-            one[its.OMEGA], one[its.STATUS] = one[its.DIRECTION] * one[its.OMEGA], its.START
+            one[ix.OMEGA], one[ix.STATUS] = one[ix.DIRECTION] * one[ix.OMEGA], ix.START
             engine().walk(bound.program, [t.lanes(needs[:1]) for t in bound.tables], one)
         cells = None
         if log is not None:
@@ -78,8 +70,6 @@ class Lanes:
     velocity, end_time : float or ndarray
         m/s, and s or infinity.
     accuracy : float
-    closed : bool
-        Whether the paper's closed form in time holds.
     count : int
         How many there are.
     invalid : ndarray of bool
@@ -92,7 +82,6 @@ class Lanes:
     velocity: Any
     end_time: Any
     accuracy: float
-    closed: bool
     count: int
     invalid: Any = False
 
@@ -106,7 +95,9 @@ class Lanes:
             return value[which] if by_lane else value
 
         given = {f.name: cut(getattr(self, f.name)) for f in fields(Lanes)}
-        arc = unchecked(self.arc, {n: cut(getattr(self.arc, n), axes) for n, axes in self.arc.quantities.items()})
+        arc = replace_unchecked(
+            self.arc, {n: cut(getattr(self.arc, n), axes) for n, axes in self.arc.quantities.items()}
+        )
         return Lanes(**given | {"arc": arc, "count": np.arange(self.count)[which].size})
 
     def parts(self) -> Iterator[tuple[slice, "Lanes"]]:
@@ -123,7 +114,7 @@ class Lanes:
     def _bind(self) -> Bound:
         found = bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count)
         if self.invalid is not False:
-            found.cells[its.STATUS, np.broadcast_to(self.invalid, self.count)] = its.FAILED
+            found.cells[ix.STATUS, np.broadcast_to(self.invalid, self.count)] = ix.FAILED
         return found
 
     @cached_property
@@ -150,23 +141,23 @@ class Lanes:
     def solve(self, log: Log | None = None) -> Floats:
         """The cells of all lanes at their end."""
         if self.count == 1:
-            return walked(self.bound, self.closed, None, log)
+            return walked(self.bound, None, log)
         bound = self._bind()  # of many lanes copies and what is kept cost as much as the walk
-        return walked(bound, self.closed, None, log, cells=None if bound.functions else bound.cells)
+        return walked(bound, None, log, cells=None if bound.functions else bound.cells)
 
-    def _sampled(self, bound: Bound, times: Floats, closed: bool) -> tuple[Floats, Floats]:
+    def _sampled(self, bound: Bound, times: Floats) -> tuple[Floats, Floats]:
         """As `read`, of any bound lanes; and their last cells."""
         order = np.argsort(times, kind="stable")
         at = times[order][:, None] / np.broadcast_to(bound.time_scale, (1, self.count))
         rows = np.zeros((2 + len(bound.program.states), times.size, self.count))
         found = np.full((2 + len(bound.program.states), times.size, self.count), np.nan)
-        cells = walked(bound, closed, Samples(np.ascontiguousarray(at), rows))
+        cells = walked(bound, Samples(np.ascontiguousarray(at), rows))
         found[:, order] = rows
         return found, cells
 
     def read(self, times: Floats) -> Floats:
         """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes)."""
-        return self._sampled(self.bound, times, self.closed)[0]
+        return self._sampled(self.bound, times)[0]
 
     def stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         """The mean normal stress, Pa, of each lane in one state; dimensionless numbers."""
@@ -219,10 +210,10 @@ class Lanes:
     ) -> tuple[Floats, Floats]:
         """Cells and registers at the start of a phase in given states."""
         cells = bound.cells[:, each].copy()
-        cells[its.TIME], cells[its.ROTATION], cells[its.OMEGA] = time, rotation, abs(omega)
-        cells[its.DIRECTION], cells[its.LIFTED] = side, 0.0
+        cells[ix.TIME], cells[ix.ROTATION], cells[ix.OMEGA] = time, rotation, abs(omega)
+        cells[ix.DIRECTION], cells[ix.LIFTED] = side, 0.0
         if further is not None:
-            cells[its.SLIP] = further[0]
+            cells[ix.SLIP] = further[0]
             bound.lengthen(cells)
             for (cell, _, _), value in zip(bound.program.states[2:], further[1:], strict=True):
                 cells[cell] = value
@@ -232,12 +223,13 @@ class Lanes:
     @property
     def brake(self) -> Floats:
         """q = 2 (lambda A mu + d)/Theta* at the start, read off the program."""
-        bound = self.bound
-        lanes = Columns(bound.program, bound.tables, bound.cells.copy(), None, np.arange(self.count))
-        lanes.c[its.DIRECTION] = 1.0
-        with np.errstate(all="ignore"):
-            lanes.base()
-            return 2 * frozen.brake(lanes)
+        bound, roles = self.bound, self.bound.program.roles
+        cells = bound.cells.copy()
+        cells[ix.DIRECTION] = 1.0
+        engine().begin(bound.program, bound.tables, cells)
+        cells[roles["cell_drive"]], cells[ix.OMEGA] = 0.0, 1.0
+        net = engine().registers(bound.program, bound.tables, cells)[roles["net"]]
+        return np.asarray(-2.0 * net)
 
     @cached_property
     def statics(self) -> dict[str, Floats]:
@@ -248,9 +240,9 @@ class Lanes:
         bound = self.bound.shaken()
         roles, at = bound.program.roles, bound.program.places
         c = bound.cells
-        c[its.OMEGA], c[its.DIRECTION] = 0.0, np.where(c[at["fall"]] < 0.0, -1.0, 1.0)
+        c[ix.OMEGA], c[ix.DIRECTION] = 0.0, np.where(c[at["fall"]] < 0.0, -1.0, 1.0)
         c[at["k_h"]], shaken = 0.0, c.copy()
-        shaken[at["k_h"]] = c[its.DIRECTION]
+        shaken[at["k_h"]] = c[ix.DIRECTION]
         engine().begin(bound.program, bound.tables, c)
         engine().begin(bound.program, bound.tables, shaken)
         driving, resisting, normal, mu, limit = (
@@ -275,8 +267,8 @@ class Lanes:
     def energies(self, times: Floats) -> tuple[dict[str, Floats], Floats]:
         """Kinetic energy, work and dissipation at times in s, (times, lanes), and the first kinetic energy."""
         bound = self.bound.asking(("energy",))
-        rows, _ = self._sampled(bound, times, False)
+        rows, _ = self._sampled(bound, times)
         names = [bound.program.cells[cell] for cell, _, _ in bound.program.states[2:]]
         work, lost = (rows[4 + names.index(n)] for n in ("work", "dissipation"))
         found = {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": np.maximum(lost, 0.0)}
-        return found, bound.cells[its.OMEGA] ** 2 / 2
+        return found, bound.cells[ix.OMEGA] ** 2 / 2

@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from generated.cells import CELLS, TABLE
 from generated.flow import FRAGMENTS, INPUTS, QUANTITIES
+from generated.layout import CELLS, TABLE
 from slipcircle.core.flow.link import ZERO, Linker, Operation, needed, places
 
 Floats = NDArray[np.float64]
@@ -71,6 +71,15 @@ class Program:
     def places(self) -> Mapping[str, int]:
         """Where the cells are, by name."""
         return {name: k for k, name in enumerate(self.cells)}
+
+    @cached_property
+    def autonomous(self) -> bool:
+        """Whether d(omega)/dt depends on omega alone between breaks in time: frozen geometry, friction without slip."""
+        arguments = set[int]()
+        for kind, *names in self.series:
+            if kind != "ramp":
+                arguments |= {r for _, r in names[2]} if kind == "lin" else {*names[1:]}
+        return len(self.states) == 2 and self.roles["x"] not in arguments
 
     def blank(self, lanes: int) -> NDArray[np.float64]:
         """Cells of lanes of which nothing is known but the constants; memory that nobody writes to is not taken."""

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import cells as its
+from generated import layout as ix
 from slipcircle.base.checks import EPS
 from slipcircle.core.flow.columns import Columns
 from slipcircle.core.flow.polynomials import divided, first_root
@@ -19,37 +19,37 @@ class Resting(Columns):
     def begin(self) -> None:
         """A phase of motion begins, in the direction that is set; what presses decides whether it is lifted."""
         c = self.c
-        c[its.STATUS], c[its.PASSED], c[its.LIFTED] = its.MOVING, its.NOTHING, 0.0
+        c[ix.STATUS], c[ix.PASSED], c[ix.LIFTED] = ix.MOVING, ix.NOTHING, 0.0
         self.base()
         normal = self.program.roles["normal"]
         presses = c[self.program.roles["cell_normal0"]] if normal < 0 else self._series(0)[0][normal, 0]
-        c[its.LIFTED] = presses < 0.0
-        self.on(c[its.LIFTED] > 0.0, "base")
-        c[its.PHASES] += 1.0
-        c[its.TURNS] += c[its.LAST_WAY] * c[its.DIRECTION] < 0.0
-        c[its.LAST_WAY] = c[its.DIRECTION]
-        self._note(its.BEGINS)
-        self._lift_time(c[its.LIFTED] > 0.0)
+        c[ix.LIFTED] = presses < 0.0
+        self.on(c[ix.LIFTED] > 0.0, "base")
+        c[ix.PHASES] += 1.0
+        c[ix.TURNS] += c[ix.LAST_WAY] * c[ix.DIRECTION] < 0.0
+        c[ix.LAST_WAY] = c[ix.DIRECTION]
+        self._note(ix.NOTE_BEGINS)
+        self._lift_time(c[ix.LIFTED] > 0.0)
         self.look(self._series(0)[0][self.program.roles["net"], 0])
 
-    def decide(self) -> None:
+    def decide(self, stopped: bool = False) -> None:
         """At a standstill: the way in which the mass moves on, if any; else it rests, or waits for another time."""
         c = self.c
-        c[its.X] = c[its.OMEGA] = 0.0
+        c[ix.X] = c[ix.OMEGA] = 0.0
         best = np.zeros(c.shape[1])
         for side in (1.0, -1.0):
-            net = self._margin(side)
+            net = self._margin(side, stopped)
             best = np.where((net > 0.0) & (best == 0.0), side, best)
-        c[its.DIRECTION] = best
+        c[ix.DIRECTION] = best
         self.on(best != 0.0, "begin")
         still = best == 0.0
-        self._lift_time(still & (c[its.LIFTED] > 0.0))
+        self._lift_time(still & (c[ix.LIFTED] > 0.0))
         waits = still & self._changes()
-        c[its.STATUS, waits] = its.RESTING
-        c[its.STATUS, still & ~waits] = its.ARRESTED
+        c[ix.STATUS, waits] = ix.RESTING
+        c[ix.STATUS, still & ~waits] = ix.ARRESTED
         self.on(still & ~waits, "rest")
 
-    def _margin(self, side: float) -> Floats:
+    def _margin(self, side: float, stopped: bool) -> Floats:
         """The drive less the resistance at rest, in one direction; minus infinity where it may not start that way."""
         c = self.c
         self._face(side)
@@ -58,26 +58,26 @@ class Resting(Columns):
         terms = np.abs(c[roles["cell_driving"]]) + c[roles["cell_resisting"]]
         scale = np.maximum(EPS * (terms + c[roles["cell_mu"]] * np.abs(c[roles["cell_normal0"]])), 1e-300)
         # What has just stopped does not go on the way it came: rounding must not say so.
-        allowed = self.may_start(side) & ((c[its.PASSED] != its.STOOD) | (c[its.LAST_WAY] != side))
-        c[its.CLOSE] = np.where(allowed, np.minimum(c[its.CLOSE], np.abs(net) / scale), c[its.CLOSE])
+        allowed = self.may_start(side) & ~(stopped & (c[ix.LAST_WAY] == side))
+        c[ix.CLOSE] = np.where(allowed, np.minimum(c[ix.CLOSE], np.abs(net) / scale), c[ix.CLOSE])
         return np.where(allowed, net, -np.inf)
 
     def _face(self, side: float) -> None:
         """The numbers of a phase from rest in one direction."""
         c = self.c
-        toggled, lifted = c[its.PASSED] == its.LIFT, c[its.LIFTED].copy()  # just now, at rest
-        c[its.DIRECTION], c[its.LIFTED] = side, 0.0
+        toggled, lifted = c[ix.PASSED] == ix.LIFT, c[ix.LIFTED].copy()  # just now, at rest
+        c[ix.DIRECTION], c[ix.LIFTED] = side, 0.0
         self.base()
-        c[its.LIFTED] = np.where(toggled, lifted, c[self.program.roles["cell_normal0"]] <= 0.0)
-        self.on(c[its.LIFTED] > 0.0, "base")
+        c[ix.LIFTED] = np.where(toggled, lifted, c[self.program.roles["cell_normal0"]] <= 0.0)
+        self.on(c[ix.LIFTED] > 0.0, "base")
 
     def rest(self) -> None:
         """A lane that stays where it is."""
         c = self.c
-        c[its.END_ROTATION], c[its.END_OMEGA], c[its.END_RATE] = c[its.ROTATION], 0.0, 0.0
-        over = c[its.REST_SINCE] > c[its.END_TIME]  # cannot be, but for rounding
-        c[its.REST_SINCE, over] = c[its.END_TIME, over]
-        self._read(c[its.TIME], np.full(c.shape[1], np.inf), None)
+        c[ix.END_ROTATION], c[ix.END_OMEGA], c[ix.END_RATE] = c[ix.ROTATION], 0.0, 0.0
+        over = c[ix.REST_SINCE] > c[ix.END_TIME]  # cannot be, but for rounding
+        c[ix.REST_SINCE, over] = c[ix.END_TIME, over]
+        self._read(c[ix.TIME], np.full(c.shape[1], np.inf), None)
 
     def wait(self) -> None:
         """One step of lanes at rest: to the next break of what changes with time, or to where the mass starts."""
@@ -85,16 +85,16 @@ class Resting(Columns):
         net_of = p.roles["net"]
         begins, way, jumps = np.full(c.shape[1], np.inf), np.zeros(c.shape[1]), np.zeros(c.shape[1], dtype=bool)
         limit = self._break()
-        h = np.where(np.isfinite(limit), limit - c[its.TIME], 1.0)
+        h = np.where(np.isfinite(limit), limit - c[ix.TIME], 1.0)
         stretch = h.copy()
         margins = []
         for side in (1.0, -1.0):
             self._face(side)
-            r, last = self._series(int(c[its.ORDER].max()), frozen=True)
+            r, last = self._series(int(c[ix.ORDER].max()), frozen=True)
             stretch = np.minimum(stretch, self._length(r, last, [net_of]))
             touching = np.abs(r[net_of, 0]) <= 2 * c[p.roles["cell_drive_scale"]]
             margins.append((side, r[net_of].copy(), self.may_start(side) | np.zeros(c.shape[1], dtype=bool), touching))
-        self._lift_time(c[its.LIFTED] > 0.0)
+        self._lift_time(c[ix.LIFTED] > 0.0)
         for side, net, allowed, touching in margins:
             now = allowed & (net[0] > 0.0) & ~touching
             series = divided(-net, touching)
@@ -105,29 +105,26 @@ class Resting(Columns):
             jumps = np.where(sooner, now, jumps)
         lifts = np.full(c.shape[1], np.inf)
         if (normal := p.roles["normal"]) >= 0:
-            series = r[normal] * np.where(c[its.LIFTED] > 0.0, -1.0, 1.0)
-            lifts = first_root(divided(series, c[its.PASSED] == its.LIFT), stretch)
+            series = r[normal] * np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
+            lifts = first_root(divided(series, c[ix.PASSED] == ix.LIFT), stretch)
             lifts[lifts > begins * (1.0 + 1e-9)] = np.inf  # where both pass zero, it is lifted and does not start
             begins[np.isfinite(lifts)] = np.inf
             stretch = np.minimum(stretch, lifts)
         starts = np.isfinite(begins)
-        until = np.where(starts, c[its.TIME] + begins, np.where(stretch < h, c[its.TIME] + stretch, limit))
+        until = np.where(starts, c[ix.TIME] + begins, np.where(stretch < h, c[ix.TIME] + stretch, limit))
         over = ~starts & ~np.isfinite(until)
-        late = (until >= c[its.END_TIME]) & ~over
-        self._read(c[its.TIME], np.minimum(until, c[its.END_TIME]), None)
-        c[its.DIRECTION] = way
+        late = (until >= c[ix.END_TIME]) & ~over
+        self._read(c[ix.TIME], np.minimum(until, c[ix.END_TIME]), None)
+        c[ix.DIRECTION] = way
         lifted = np.isfinite(lifts) & ~starts & ~over
-        c[its.PASSED] = np.where(lifted, its.LIFT, its.NOTHING)
-        c[its.LIFTED] = np.where(lifted, 1.0 - c[its.LIFTED], c[its.LIFTED])
-        c[its.STATUS, over] = its.ARRESTED
-        self.on(over, "rest")
-        c[its.TIME] = np.where(over, c[its.TIME], until)
-        self._lift_time(lifted & (c[its.LIFTED] > 0.0))
-        self._pass_breaks(~starts & ~over & (c[its.TIME] >= limit))
-        ended = starts & late
-        c[its.STATUS, ended] = its.ENDED
-        self.on(ended, "rest")
-
+        c[ix.PASSED] = np.where(lifted, ix.LIFT, ix.NOTHING)
+        c[ix.LIFTED] = np.where(lifted, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
+        c[ix.STATUS, over] = ix.ARRESTED
+        c[ix.STATUS, late] = ix.PAUSED  # what happens after its end time decides nothing
+        c[ix.TIME] = np.where(over, c[ix.TIME], np.minimum(until, c[ix.END_TIME]))
+        self.on(over | late, "rest")
+        self._lift_time(lifted & ~late & (c[ix.LIFTED] > 0.0))
+        self._pass_breaks(~starts & ~over & (c[ix.TIME] >= limit))
         goes = starts & ~late
         self.on(goes, "start_again", jumps[goes])
 

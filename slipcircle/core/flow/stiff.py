@@ -21,7 +21,7 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
-from generated import cells as its
+from generated import layout as ix
 from slipcircle.base.checks import EPS
 from slipcircle.core.flow.columns import Columns
 from slipcircle.core.flow.compiled import engine
@@ -63,10 +63,10 @@ def walk(
     """As `slipcircle.core.flow.walk.walk`, for some lanes, one after the other, from where they are."""
     for lane in which:
         one = _Implicit(program, [t.lanes([lane]) for t in tables], cells[:, [lane]], samples, np.array([lane]), log)
-        one.c[its.STATUS], one.c[its.STEPS] = its.MOVING, 0.0
+        one.c[ix.STATUS], one.c[ix.STEPS] = ix.MOVING, 0.0
         with np.errstate(all="ignore"):
             one.rebase()
-            while one.c[its.STATUS, 0] <= its.RESTING:
+            while one.c[ix.STATUS, 0] <= ix.RESTING:
                 one.round()
         cells[:, lane] = one.c[:, 0]
 
@@ -78,18 +78,18 @@ class _Implicit(Walker):
 
     def step(self) -> None:
         c, p = self.c, self.program
-        limit = float(min(self._break()[0], c[its.END_TIME, 0]))
+        limit = float(min(self._break()[0], c[ix.END_TIME, 0]))
         self.given_in_time = [
-            (p.tables[k], k, self._local(p.tables[k], self.tables[k])[0, 0], c[p.tables[k].cells + its.INC, 0])
+            (p.tables[k], k, self._local(p.tables[k], self.tables[k])[0, 0], c[p.tables[k].cells + ix.INC, 0])
             for k in self.timed
         ]
         self.cells = [cell for cell, _, _ in p.states]
         self.rates = [rate for _, _, rate in p.states]
         watched, net = self._watched(), p.roles["net"]
-        r, last = self._series(int(c[its.ORDER].max()))
+        r, last = self._series(int(c[ix.ORDER].max()))
         explicit = float(np.minimum(self._length(r, last, [register for _, register, _ in p.states]), 1e3)[0])
         h = 4.0 * explicit
-        first, hit, creeps = float(c[its.TIME, 0]), -1, False
+        first, hit, creeps = float(c[ix.TIME, 0]), ix.EVENT_NONE, False
         time, y = first, c[self.cells, 0]
         now = self._registers(np.array([time]), y[:, None])[:, 0]
         while hit < 0 and time < limit and not creeps:
@@ -110,34 +110,34 @@ class _Implicit(Walker):
             top = self._first_zero(lambda y, r: r[net], found, time, y, now)
             if top <= end:
                 at_top = found.states(top)[:, 0]
-                rotation = c[its.ROTATION] + c[its.DIRECTION] * at_top[0]
+                rotation = c[ix.ROTATION] + c[ix.DIRECTION] * at_top[0]
                 self._fastest(at_top[1:2], np.array([top]), rotation, np.zeros(1))
             self._write(time, end, found)
             time, y = end, found.states(end)[:, 0]
             now = self._registers(np.array([time]), y[:, None])[:, 0]
-            creeps = np.isinf(limit) and abs(y[1]) < CREEP * abs(c[its.PEAK_OMEGA, 0])
+            creeps = np.isinf(limit) and abs(y[1]) < CREEP * abs(c[ix.PEAK_OMEGA, 0])
             h *= min(4.0, 0.9 * (TOLERANCE / max(found.error, 1e-300)) ** (1 / POINTS))
         c[:] = self._at(np.array([time]), y[:, None])
         if hit < 0 and time < limit:
-            c[its.STATUS, 0] = its.TOO_LONG
+            c[ix.STATUS, 0] = ix.TOO_LONG
             return
         self.settle(np.array([hit]), now[[net]], np.array([hit < 0]))
 
     def _watched(self) -> list[tuple[int, Watched]]:
         """Events by their numbers, with what of states and registers is above zero before them."""
-        roles, sign = self.program.roles, -1.0 if self.c[its.LIFTED, 0] > 0.0 else 1.0
-        found: list[tuple[int, Watched]] = [(0, lambda y, r: y[1])]
+        roles, sign = self.program.roles, -1.0 if self.c[ix.LIFTED, 0] > 0.0 else 1.0
+        found: list[tuple[int, Watched]] = [(ix.EVENT_STANDSTILL, lambda y, r: y[1])]
         if roles["normal"] >= 0:
-            found.append((1, lambda y, r: sign * r[roles["normal"]]))
+            found.append((ix.EVENT_LIFT_OFF, lambda y, r: sign * r[roles["normal"]]))
         if roles["upright"] >= 0:
-            found.append((99, lambda y, r: r[roles["upright"]]))
+            found.append((ix.EVENT_CHORD_UPRIGHT, lambda y, r: r[roles["upright"]]))
         for k, slot in enumerate(self.program.tables):
-            upper, lower = (float(self.c[slot.cells + x, 0]) for x in (its.UPPER, its.LOWER))
+            upper, lower = (float(self.c[slot.cells + x, 0]) for x in (ix.UPPER, ix.LOWER))
             at = {"slip": 0, "rotation": 0, "speed": 1}.get(slot.kind)
             if at is not None and np.isfinite(upper):
-                found.append((2 + 2 * k, partial(_short_of, at, upper, 1.0)))
+                found.append((ix.EVENT_BREAKPOINT + 2 * k, partial(_short_of, at, upper, 1.0)))
             if slot.kind == "speed" and lower:
-                found.append((3 + 2 * k, partial(_short_of, 1, lower, -1.0)))
+                found.append((ix.EVENT_BREAKPOINT + 2 * k + 1, partial(_short_of, 1, lower, -1.0)))
         return found
 
     # --- one step -----------------------------------------------------------------------------------------------------
@@ -148,10 +148,10 @@ class _Implicit(Walker):
     def _at(self, times: Floats, states: Floats) -> Floats:
         """Cells of this lane at some times in some states, (states, times)."""
         c = np.repeat(self.c, times.size, axis=1)
-        c[its.TIME], c[self.cells] = times, states
+        c[ix.TIME], c[self.cells] = times, states
         for slot, k, first, before in self.given_in_time:
             now = Columns(self.program, (), c, None, self.which)._local(slot, self._tables(times.size)[k])
-            c[slot.cells + its.INC] = before + now[0] - first
+            c[slot.cells + ix.INC] = before + now[0] - first
         return c
 
     def _registers(self, times: Floats, states: Floats) -> Floats:
@@ -222,15 +222,15 @@ class _Implicit(Walker):
         """Read the states off at sample times from one time up to another."""
         if self.samples is None:
             return
-        c, column, side = self.c[:, 0], int(self.which[0]), self.c[its.DIRECTION, 0]
+        c, column, side = self.c[:, 0], int(self.which[0]), self.c[ix.DIRECTION, 0]
         times, into = self.samples.times[:, column], self.samples.states
         rows = slice(np.searchsorted(times, begin), np.searchsorted(times, end, side="right"))
         if not times[rows].size:
             return
         y = step.states(times[rows])
         net = self._registers(times[rows], y)[self.program.roles["net"]]
-        into[:3, rows, column] = c[its.ROTATION] + side * y[0], side * y[1], side * net
-        into[3, rows, column], into[4:, rows, column] = c[its.SLIP] + y[0], y[2:]
+        into[:3, rows, column] = c[ix.ROTATION] + side * y[0], side * y[1], side * net
+        into[3, rows, column], into[4:, rows, column] = c[ix.SLIP] + y[0], y[2:]
 
 
 class _Step(NamedTuple):

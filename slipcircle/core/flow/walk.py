@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import cells as its
+from generated import layout as ix
 from slipcircle.base.checks import EPS
 from slipcircle.core.flow.columns import Columns
 from slipcircle.core.flow.polynomials import divided, first_root, increment, shifted, value
@@ -38,7 +38,7 @@ def walk(
     log : list, optional
         Takes the events of the first lane: kind, time, rotation, direction.
     """
-    live = np.flatnonzero(cells[its.STATUS] <= its.RESTING)
+    live = np.flatnonzero(cells[ix.STATUS] <= ix.RESTING)
     with np.errstate(all="ignore"):
         while live.size:
             here = [t.lanes(live) for t in tables]
@@ -47,7 +47,7 @@ def walk(
             while True:
                 lanes.round()
                 rounds += 1
-                going = lanes.c[its.STATUS] <= its.RESTING
+                going = lanes.c[ix.STATUS] <= ix.RESTING
                 if np.count_nonzero(going) <= live.size // 2 or rounds == 10_000:
                     break
             cells[:, live] = lanes.c
@@ -83,82 +83,88 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats) -> Floats
 class Walker(Resting):
     """Lanes on their way, which this class steps."""
 
-    stiff_step: float = its.STIFF_STEP
+    stiff_step: float = ix.STIFF_STEP
 
     def round(self) -> None:
-        status = self.c[its.STATUS].copy()
-        self.on(status == its.START, "start")
-        self.on(status == its.MOVING, "step")
-        self.on(status == its.RESTING, "wait")
+        status = self.c[ix.STATUS].copy()
+        self.on(status == ix.START, "start")
+        self.on(status == ix.MOVING, "step")
+        self.on(status == ix.RESTING, "wait")
         c = self.c
-        lost = ~np.isfinite(c[its.TIME] + c[its.X] + c[its.OMEGA] + c[its.ROTATION])
-        c[its.STATUS, lost & (c[its.STATUS] <= its.RESTING)] = its.FAILED
-        most = np.where(c[its.OMEGA] > 0.0, its.MOST_STEPS, 2 * its.MOST_STEPS)  # at rest it can wait
-        long = (c[its.STEPS] > most) | ((c[its.TURNS] > its.MOST_TURNS) & (len(self.timed) == 0))
-        c[its.STATUS, long & (c[its.STATUS] <= its.RESTING)] = its.TOO_LONG
+        lost = ~np.isfinite(c[ix.TIME] + c[ix.X] + c[ix.OMEGA] + c[ix.ROTATION])
+        c[ix.STATUS, lost & (c[ix.STATUS] <= ix.RESTING)] = ix.FAILED
+        most = np.where(c[ix.OMEGA] > 0.0, ix.MOST_STEPS, 2 * ix.MOST_STEPS)  # at rest it can wait
+        long = (c[ix.STEPS] > most) | ((c[ix.TURNS] > ix.MOST_TURNS) & (len(self.timed) == 0))
+        c[ix.STATUS, long & (c[ix.STATUS] <= ix.RESTING)] = ix.TOO_LONG
 
     def start(self) -> None:
         """A lane that moves at first begins its first phase; one that rests is asked whether it stays."""
         c = self.c
-        c[its.DIRECTION] = np.sign(c[its.OMEGA])
-        c[its.OMEGA] = np.abs(c[its.OMEGA])
+        c[ix.DIRECTION] = np.sign(c[ix.OMEGA])
+        c[ix.OMEGA] = np.abs(c[ix.OMEGA])
         self.find_pieces()
-        self.on(c[its.OMEGA] > 0.0, "begin")
-        self.on(c[its.OMEGA] == 0.0, "decide")
+        self.on(c[ix.OMEGA] > 0.0, "begin")
+        self.on(c[ix.OMEGA] == 0.0, "decide")
 
     # --- motion -------------------------------------------------------------------------------------------------------
 
     def step(self) -> None:
         """One step of lanes that move, up to their next event."""
         c, p = self.c, self.program
-        order = int(c[its.ORDER].max())
+        order = int(c[ix.ORDER].max())
         r, last = self._series(order)
         x, omega, net = (r[p.roles[n]] for n in ("x", "omega", "net"))
-        limit = np.minimum(self._break(), c[its.END_TIME])
-        room = limit - c[its.TIME]
+        limit = np.minimum(self._break(), c[ix.END_TIME])
+        room = limit - c[ix.TIME]
         states = [register for _, register, _ in p.states]
         h = self._length(r, last, states)
-        early = last < c[its.ORDER]
+        early = last < c[ix.ORDER]
         h = np.where(early, room, np.minimum(h, room))
         h = np.where(np.isfinite(h), h, self._far(r))
-        at_limit = h >= room
         tau, event = self._events(r, h)
-        at_limit &= event < 0
+        # Where the rate depends on the speed alone it never falls below zero again.
+        settled = (net[0] * tau >= -ix.SETTLED * omega[0]) & np.isinf(room) & (c[ix.LIFTED] == 0.0)
+        endless = settled & (event == ix.EVENT_NONE) & p.autonomous
+        tau = np.where(endless, 0.0, tau)
+        at_limit = (h >= room) & (event == ix.EVENT_NONE) & ~endless
         self._peak(net, x, omega, tau)
-        self._read(c[its.TIME], np.where(at_limit, limit, c[its.TIME] + tau), (x, omega, net, r))
-        stiff = (np.abs(net[0]) * tau < its.STIFF_CHANGE * omega[0]) & (event < 0)
-        c[its.STEPS] += np.where(stiff, self.stiff_step, 1.0) * ~at_limit  # a record takes as many as it has samples
+        self._read(c[ix.TIME], np.where(at_limit, limit, c[ix.TIME] + tau), (x, omega, net, r))
+        stiff = (np.abs(net[0]) * tau < ix.STIFF_CHANGE * omega[0]) & (event < 0)
+        c[ix.STEPS] += np.where(stiff, self.stiff_step, 1.0) * ~at_limit  # a record takes as many as it has samples
         for cell, register, _ in p.states:
             c[cell] += increment(r[register], tau)
         for k in self.timed:
             slot = p.tables[k]
             rise = increment(r[slot.register], tau)
-            c[slot.cells + its.INC] += rise
-            c[slot.cells + its.WAY] += np.abs(rise)
-        c[its.TIME] = np.where(at_limit, limit, c[its.TIME] + tau)
+            c[slot.cells + ix.INC] += rise
+            c[slot.cells + ix.WAY] += np.abs(rise)
+        c[ix.TIME] = np.where(at_limit, limit, c[ix.TIME] + tau)
+        c[ix.STATUS, endless] = ix.TOO_LONG
         self.settle(event, value(net, tau), at_limit)
 
     def settle(self, event: NDArray[np.intp], rate: Floats, at_limit: Any) -> None:
         """What follows from where a step has ended: an event, a break of what changes with time, the end."""
         c, p = self.c, self.program
-        c[its.PASSED] = its.NOTHING
-        self.on(event == 0, "stand")
-        if 1 <= event.max(initial=-1):
-            lifting = event == 1
-            c[its.LIFTED, lifting] = 1.0 - c[its.LIFTED, lifting]
-            self._lift_time(lifting & (c[its.LIFTED] > 0.0))
-            if lifting[0] and c[its.LIFTED, 0] == 0.0:
-                self._note(its.LANDS)
-            kinks = event >= 1
+        c[ix.PASSED] = ix.NOTHING
+        self.on(event == ix.EVENT_STANDSTILL, "stand")
+        if ix.EVENT_LIFT_OFF <= event.max(initial=ix.EVENT_NONE):
+            lifting = event == ix.EVENT_LIFT_OFF
+            c[ix.LIFTED, lifting] = 1.0 - c[ix.LIFTED, lifting]
+            self._lift_time(lifting & (c[ix.LIFTED] > 0.0))
+            if lifting[0] and c[ix.LIFTED, 0] == 0.0:
+                self._note(ix.NOTE_LANDS)
+            kinks = (event >= ix.EVENT_LIFT_OFF) & (event != ix.EVENT_CHORD_UPRIGHT)
             part, rates = self.part(kinks), rate[kinks]
             part.kink(event[kinks], rates)
             if part is not self:
                 c[:, kinks] = part.c
-            c[its.PASSED, lifting] = its.LIFT
-        c[its.STATUS, event == 99] = its.UPRIGHT
-        going = c[its.STATUS] == its.MOVING
+            c[ix.PASSED, lifting] = ix.LIFT
+        upright = event == ix.EVENT_CHORD_UPRIGHT
+        self.on(upright, "end", rate[upright])
+        c[ix.STATUS, upright] = ix.UPRIGHT
+        going = c[ix.STATUS] == ix.MOVING
         self.on(going, "look", rate[going])
-        ends = at_limit & going & (c[its.TIME] >= c[its.END_TIME])
+        ends = at_limit & going & (c[ix.TIME] >= c[ix.END_TIME])
         self.on(ends, "end", rate[ends])
         leaps = self._pass_breaks(at_limit & ~ends & going)
         if np.any(leaps) and p.roles["normal"] >= 0:
@@ -167,9 +173,9 @@ class Walker(Resting):
     def end(self, rate: Floats) -> None:
         """What is asked for ends while it moves."""
         c = self.c
-        c[its.STATUS] = its.ENDED
-        c[its.END_ROTATION] = c[its.ROTATION] + c[its.DIRECTION] * c[its.X]
-        c[its.END_OMEGA], c[its.END_RATE] = c[its.DIRECTION] * c[its.OMEGA], c[its.DIRECTION] * rate
+        c[ix.STATUS] = ix.ENDED
+        c[ix.END_ROTATION] = c[ix.ROTATION] + c[ix.DIRECTION] * c[ix.X]
+        c[ix.END_OMEGA], c[ix.END_RATE] = c[ix.DIRECTION] * c[ix.OMEGA], c[ix.DIRECTION] * rate
         self._reach()
 
     def _far(self, r: Floats) -> Floats:
@@ -178,17 +184,17 @@ class Walker(Resting):
         w0, w1 = r[self.program.roles["omega"], :2]
         with np.errstate(divide="ignore", invalid="ignore"):
             stop = np.where(w1 < 0.0, -2.0 * w0 / w1, np.inf)
-        return np.where(np.isfinite(stop) & (stop > 0.0), stop, 1e3 + 0.0 * c[its.TIME])
+        return np.where(np.isfinite(stop) & (stop > 0.0), stop, 1e3 + 0.0 * c[ix.TIME])
 
     def _events(self, r: Floats, h: Floats) -> tuple[Floats, NDArray[np.intp]]:
-        """The first event within the step and its time: 0 standstill, 1 lift-off or landing, 2.. tables, 99 upright."""
+        """The first event within the step, and its time."""
         c, p = self.c, self.program
         omega = r[p.roles["omega"]]
         # From rest its first root is now: divide by the time as often as it is zero.
         w = omega
         for _ in range(3):
             w = divided(w, w[0] == 0.0)
-        found, which = first_root(w, h), np.zeros(h.shape, dtype=np.intp)
+        found, which = first_root(w, h), np.full(h.shape, ix.EVENT_STANDSTILL, dtype=np.intp)
         # It rests at once where its drive vanished to rounding or points backwards.
         found = np.where((w[0] < 0.0) | ((w[0] == 0.0) & (value(omega, h) == 0.0)), 0.0, found)
 
@@ -199,80 +205,80 @@ class Walker(Resting):
             found = np.minimum(found, at)
 
         if (upright := p.roles.get("upright", -1)) >= 0:
-            later(99, r[upright])
+            later(ix.EVENT_CHORD_UPRIGHT, r[upright])
         for k, slot in enumerate(p.tables):
             if slot.kind == "time":
                 continue
             ahead = -(omega if slot.kind == "speed" else r[p.roles["x"]])
-            bound = np.where(np.isfinite(c[slot.cells + its.UPPER]), c[slot.cells + its.UPPER], 1e300)
+            bound = np.where(np.isfinite(c[slot.cells + ix.UPPER]), c[slot.cells + ix.UPPER], 1e300)
             ahead[0] += bound
-            later(2 + 2 * k, ahead, (c[its.PASSED] == its.SLOWER) & (slot.kind == "speed"))
+            later(ix.EVENT_BREAKPOINT + 2 * k, ahead, (c[ix.PASSED] == ix.SLOWER) & (slot.kind == "speed"))
             if slot.kind == "speed":
                 back = omega.copy()
-                back[0] -= c[slot.cells + its.LOWER]
-                back[0] = np.where(c[slot.cells + its.LOWER] > 0.0, back[0], 1e300)
-                later(3 + 2 * k, back, c[its.PASSED] == its.FASTER)
+                back[0] -= c[slot.cells + ix.LOWER]
+                back[0] = np.where(c[slot.cells + ix.LOWER] > 0.0, back[0], 1e300)
+                later(ix.EVENT_BREAKPOINT + 2 * k + 1, back, c[ix.PASSED] == ix.FASTER)
         if (normal := p.roles["normal"]) >= 0:
             # Water over a mass may change faster than its motion, for which the step was chosen: what presses is a
             # function of the position until the first other event only, and may pass zero twice beyond it.
-            pressing = r[normal] * np.where(c[its.LIFTED] > 0.0, -1.0, 1.0)
-            at = first_root(divided(pressing, c[its.PASSED] == its.LIFT), np.minimum(found, h))
-            which, found = np.where(at <= found, 1, which), np.minimum(found, at)
+            pressing = r[normal] * np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
+            at = first_root(divided(pressing, c[ix.PASSED] == ix.LIFT), np.minimum(found, h))
+            which, found = np.where(at <= found, ix.EVENT_LIFT_OFF, which), np.minimum(found, at)
         none = ~np.isfinite(found)
-        return np.where(none, h, found), np.where(none, -1, which)
+        return np.where(none, h, found), np.where(none, ix.EVENT_NONE, which)
 
     def stand(self) -> None:
         """At a standstill: where it is now, and whether it stays."""
         c = self.c
-        c[its.ROTATION] += c[its.DIRECTION] * c[its.X]
-        c[its.SLIP] += c[its.X]
-        c[its.X] = c[its.OMEGA] = 0.0
-        c[its.PASSED] = its.STOOD
-        c[its.REST_SINCE] = c[its.TIME]
-        self._note(its.STANDS)
+        c[ix.ROTATION] += c[ix.DIRECTION] * c[ix.X]
+        c[ix.SLIP] += c[ix.X]
+        c[ix.X] = c[ix.OMEGA] = 0.0
+        c[ix.REST_SINCE] = c[ix.TIME]
+        self._note(ix.NOTE_STANDS)
         self._reach()
-        self.on(c[its.FIRST_ONLY] == 0.0, "decide")
-        self.on(c[its.FIRST_ONLY] > 0.0, "_carried")
+        self.on(c[ix.FIRST_ONLY] == 0.0, "decide", True)
+        self.on(c[ix.FIRST_ONLY] > 0.0, "_carried")
 
     def _carried(self) -> None:
         """A mass that nothing brings to rest stops its walk at the first standstill where that is so."""
         c, roles = self.c, self.program.roles
-        c[its.DIRECTION] = 1.0
+        c[ix.DIRECTION] = 1.0
         self.base()
         p0, ps0 = c[roles["cell_p0"]], c[roles["cell_ps0"]]
         most = np.hypot(p0, ps0)
-        carried = ~self._changes() & (c[roles["cell_normal0"]] + (most - p0) <= its.CARRIED * most)
-        never = (c[its.FIRST_ONLY] == 1.0) | carried
-        c[its.STATUS, never] = its.STOPPED
+        carried = ~self._changes() & (c[roles["cell_normal0"]] + (most - p0) <= ix.CARRIED * most)
+        never = (c[ix.FIRST_ONLY] == 1.0) | carried
+        c[ix.STATUS, never] = ix.STOPPED
         self.on(never, "rest")
-        self.on(~never, "decide")
+        self.on(~never, "decide", True)
 
     def kink(self, event: NDArray[np.intp], rate: Floats) -> None:
         """Base the phase anew where it enters a piece of a table, or is lifted or lands."""
         c, p = self.c, self.program
         roles = p.roles
         drive, scale = c[roles["cell_drive"]].copy(), c[roles["cell_drive_scale"]].copy()
-        c[its.ROTATION] += c[its.DIRECTION] * c[its.X]
-        c[its.SLIP] += c[its.X]
+        c[ix.ROTATION] += c[ix.DIRECTION] * c[ix.X]
+        c[ix.SLIP] += c[ix.X]
         for k, slot in enumerate(p.tables):
             if slot.kind == "time":
                 continue
             at, data = slot.cells, self.tables[k]
-            up, down = event == 2 + 2 * k, event == 3 + 2 * k
+            up = event == ix.EVENT_BREAKPOINT + 2 * k
+            down = event == ix.EVENT_BREAKPOINT + 2 * k + 1
             if slot.kind == "rotation":
-                edge = data.begins(c[at + its.PIECE].astype(np.intp) + (up & (c[its.DIRECTION] > 0.0)))
-                c[its.ROTATION] = np.where(up, edge, c[its.ROTATION])
+                edge = data.begins(c[at + ix.PIECE].astype(np.intp) + (up & (c[ix.DIRECTION] > 0.0)))
+                c[ix.ROTATION] = np.where(up, edge, c[ix.ROTATION])
             elif slot.kind == "slip":
-                c[at + its.PIECE, up] += 1.0
-                edge = data.breaks[c[at + its.PIECE].astype(np.intp)]
-                c[its.SLIP] = np.where(up, edge / c[at + its.SCALE], c[its.SLIP])
+                c[at + ix.PIECE, up] += 1.0
+                edge = data.breaks[c[at + ix.PIECE].astype(np.intp)]
+                c[ix.SLIP] = np.where(up, edge / c[at + ix.SCALE], c[ix.SLIP])
             else:
-                c[its.OMEGA] = np.where(up, c[at + its.UPPER], np.where(down, c[at + its.LOWER], c[its.OMEGA]))
-                c[at + its.PIECE] += up * 1.0 - down * 1.0
-                c[its.PASSED] = np.where(up, its.FASTER, np.where(down, its.SLOWER, c[its.PASSED]))
+                c[ix.OMEGA] = np.where(up, c[at + ix.UPPER], np.where(down, c[at + ix.LOWER], c[ix.OMEGA]))
+                c[at + ix.PIECE] += up * 1.0 - down * 1.0
+                c[ix.PASSED] = np.where(up, ix.FASTER, np.where(down, ix.SLOWER, c[ix.PASSED]))
             if data.open:
-                c[its.STATUS, up & (c[at + its.PIECE] == len(data.breaks) - 1)] = its.NEED
-        timed = [p.tables[k].cells + its.PIECE for k in self.timed]
+                c[ix.STATUS, up & (c[at + ix.PIECE] == len(data.breaks) - 1)] = ix.NEED
+        timed = [p.tables[k].cells + ix.PIECE for k in self.timed]
         before = c[timed]
         self.base()
         scale[np.any(c[timed] != before, axis=0)] = np.inf  # at a break of a function of time, which may leap there
@@ -292,17 +298,17 @@ class Walker(Resting):
         """Where what presses has leapt, whether the mass is lifted is decided again."""
         c = self.c
         lifted = self._series(0)[0][self.program.roles["normal"], 0] < 0.0
-        other = lifted != (c[its.LIFTED] > 0.0)
+        other = lifted != (c[ix.LIFTED] > 0.0)
         self._lift_time(other & lifted)
-        c[its.LIFTED] = lifted
+        c[ix.LIFTED] = lifted
 
         self.on(other, "rebase")
 
     def rebase(self) -> None:
         """The phase goes on from where it is."""
         c = self.c
-        c[its.ROTATION] += c[its.DIRECTION] * c[its.X]
-        c[its.SLIP] += c[its.X]
+        c[ix.ROTATION] += c[ix.DIRECTION] * c[ix.X]
+        c[ix.SLIP] += c[ix.X]
         self.base()
 
     # --- the greatest speed -------------------------------------------------------------------------------------------
@@ -325,11 +331,11 @@ class Walker(Resting):
         if k.size:
             c = self.c
             speed, gone, rate = value(np.stack([omega[:, k], x[:, k], net[:, k]], axis=1), at[k])
-            time = c[its.TIME, k] + at[k]
-            better = speed > np.abs(c[its.PEAK_OMEGA, k])
+            time = c[ix.TIME, k] + at[k]
+            better = speed > np.abs(c[ix.PEAK_OMEGA, k])
             self._set_peak(k[better], time[better], gone[better], speed[better], rate[better])
 
     def _set_peak(self, k: Any, time: Any, gone: Any, speed: Any, rate: Any) -> None:
         c = self.c
-        c[its.PEAK_TIME, k], c[its.PEAK_ROTATION, k] = time, c[its.ROTATION, k] + c[its.DIRECTION, k] * gone
-        c[its.PEAK_OMEGA, k], c[its.PEAK_RATE, k] = c[its.DIRECTION, k] * speed, c[its.DIRECTION, k] * rate
+        c[ix.PEAK_TIME, k], c[ix.PEAK_ROTATION, k] = time, c[ix.ROTATION, k] + c[ix.DIRECTION, k] * gone
+        c[ix.PEAK_OMEGA, k], c[ix.PEAK_RATE, k] = c[ix.DIRECTION, k] * speed, c[ix.DIRECTION, k] * rate

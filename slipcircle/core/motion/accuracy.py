@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import cells as its
+from generated import layout as ix
 from slipcircle.base.checks import EPS, choose
 from slipcircle.core.flow.bind import STEP, Bound
 from slipcircle.core.flow.lanes import Lanes, walked
@@ -33,11 +33,11 @@ SHARES = (np.arange(8) + 0.5) / 8  # of the duration, at which states are compar
 @lru_cache(maxsize=256)
 def _moves(program: Program) -> Floats:
     """Which way the companions move each cell, inputs of the program alone, (cells, 8); 0 for the motion itself."""
-    names, reserved = program.cells, len(its.CELLS)
+    names, reserved = program.cells, len(ix.CELLS)
     inputs = [
         k for k in range(reserved, len(names)) if "." not in names[k] or not names[k].rpartition(".")[2].isupper()
     ]
-    every = [its.LIMIT, its.OMEGA, *inputs, *(slot.cells + its.SCALED_BY for slot in program.tables)]
+    every = [ix.LIMIT, ix.OMEGA, *inputs, *(slot.cells + ix.SCALED_BY for slot in program.tables)]
     found = np.zeros((len(names), 8))
     for place, k in enumerate(every):
         if k < program.given:  # the others follow from these
@@ -51,8 +51,8 @@ def companions(bound: Bound, which: NDArray[np.intp], moved: float) -> Bound:
     Of a single lane ``which`` may be several; ``moved`` is what rounding may do to an input.
     """
     cells = bound.cells * (1.0 + moved * _moves(bound.program)[:, which])
-    cells[its.ORDER] += which > 0
-    cells[its.FACTOR] = FACTORS[which]
+    cells[ix.ORDER] += which > 0
+    cells[ix.FACTOR] = FACTORS[which]
     return bound._replace(cells=cells)
 
 
@@ -63,16 +63,16 @@ def estimate(lanes: Lanes, cells: Mapping[int, Floats]) -> Floats:
     decides whether the mass moves or rests.
     """
     bound, single, own = lanes.bound, lanes.count == 1, _told(cells)
-    moves, size = cells[its.PHASES] > 0.0, np.maximum(np.abs(own), 1e-300)
+    moves, size = cells[ix.PHASES] > 0.0, np.maximum(np.abs(own), 1e-300)
     samples = None
     if single:  # all at once, beside the motion itself
         times = np.repeat(SHARES[:, None] * own[0], 8, axis=1)
         samples = Samples(times, np.zeros((2 + len(bound.program.states), *times.shape)))
-    spread, unlike = np.zeros(1), np.asarray(cells[its.CLOSE] < UNDECIDED)
+    spread, unlike = np.zeros(1), np.asarray(cells[ix.CLOSE] < UNDECIDED)
     for which in [np.arange(8)] if single else np.arange(1, 8)[:, None]:
-        other = walked(companions(bound, which, lanes.arc.rounding), lanes.closed, samples)
+        other = walked(companions(bound, which, lanes.arc.rounding), samples)
         spread = np.fmax(spread, np.fmax.reduce(np.abs(_told(other) - own) / size))
-        unlike = unlike | (other[its.STATUS] != cells[its.STATUS]) | ((other[its.PHASES] > 0.0) != moves)
+        unlike = unlike | (other[ix.STATUS] != cells[ix.STATUS]) | ((other[ix.PHASES] > 0.0) != moves)
     if samples and moves:  # its states, too
         off = np.abs(samples.states[:2] - samples.states[:2, :, :1]) / size[1:, None]
         spread = np.fmax(spread, np.fmax.reduce(off, axis=(0, 1)))
@@ -84,5 +84,5 @@ def estimate(lanes: Lanes, cells: Mapping[int, Floats]) -> Floats:
 
 def _told(cells: Any) -> Floats:
     """Duration, run-out and peak velocity, (3, lanes)."""
-    ends = choose(cells[its.STATUS] == its.ENDED, cells[its.END_TIME], cells[its.REST_SINCE])
-    return np.reshape([ends, cells[its.END_ROTATION], np.abs(cells[its.PEAK_OMEGA])], (3, -1))
+    ends = choose(cells[ix.STATUS] == ix.ENDED, cells[ix.END_TIME], cells[ix.REST_SINCE])
+    return np.reshape([ends, cells[ix.END_ROTATION], np.abs(cells[ix.PEAK_OMEGA])], (3, -1))

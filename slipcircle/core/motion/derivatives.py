@@ -1,12 +1,12 @@
 """Derivatives of a motion's outputs by the parameters of its scene, as they are told."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.workbench.files.numbers import Number
+from slipcircle.core.scene.scene import Scene
 
 Floats = NDArray[np.float64]
 
@@ -25,8 +25,8 @@ class Sensitivity:
         Value of each output and each parameter.
     values : ndarray
         d(output)/d(parameter), SI units and radians.
-    keys : mapping of Number
-        Of each parameter, as a scene file has it.
+    scene : Scene
+        Whose parameters they are.
     warnings : tuple of str
         What to know before the values are used.
     elasticities : ndarray
@@ -37,7 +37,7 @@ class Sensitivity:
     parameters: Mapping[str, str]
     at: Mapping[str, float]
     values: Floats
-    keys: Mapping[str, Number]
+    scene: Scene = field(repr=False, compare=False)
     warnings: tuple[str, ...] = ()
 
     @property

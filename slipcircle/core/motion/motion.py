@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Generic, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import cells as ix
+from generated import layout as ix
 from slipcircle.base.checks import choose
 from slipcircle.base.kinds import Numbers
 from slipcircle.base.text import digits_left, shown
@@ -21,8 +21,8 @@ from slipcircle.core.motion.forms import Forms
 from slipcircle.core.motion.states import Phase, State, Status
 from slipcircle.core.motion.trajectory import Trajectory
 from slipcircle.core.motion.warnings import collect_warnings
+from slipcircle.core.scene.parameters import with_parameters
 from slipcircle.core.scene.section import Journey, Section
-from slipcircle.workbench.files.variation import scene_with
 
 if TYPE_CHECKING:
     from slipcircle.core.motion.derivatives import Sensitivity
@@ -124,7 +124,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def arrested(self) -> Any:
-        return self._shaped(self._final[ix.STATUS] == ix.ARRESTED)
+        return self._shaped(self._rests_at_end)
 
     @property
     def stopped_at(self) -> Numbers:
@@ -222,10 +222,10 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         times: list[float] = []
         lifted, resumed = False, -1.0
         for event, time, _, _ in self._log:
-            if event == ix.LIFTS and not lifted and resumed != time:
+            if event == ix.NOTE_LIFTS and not lifted and resumed != time:
                 times.append(time * self._lanes.time_scale)
-            resumed = time if event == ix.BEGINS and lifted else -1.0
-            lifted = event == ix.LIFTS or (lifted and event == ix.STANDS)
+            resumed = time if event == ix.NOTE_BEGINS and lifted else -1.0
+            lifted = event == ix.NOTE_LIFTS or (lifted and event == ix.NOTE_STANDS)
         return tuple(times)
 
     @cached_property
@@ -234,9 +234,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         scale = self._lanes.time_scale
         phases: list[Phase] = []
         for event, time, rotation, direction in self._log:
-            if event == ix.BEGINS:
+            if event == ix.NOTE_BEGINS:
                 phases.append(Phase(time * scale, self._duration, rotation, int(direction)))
-            elif event == ix.STANDS:
+            elif event == ix.NOTE_STANDS:
                 phases[-1] = phases[-1]._replace(end=time * scale)
         return tuple(phases)
 
@@ -318,7 +318,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         scene = self.plan.scene
         arrays = {name: value for name, value in scene.numbers.items() if np.ndim(value)}
         chosen = {name: np.broadcast_to(value, self.shape)[index] for name, value in arrays.items()}
-        plan = replace(self.plan, scene=scene_with(scene, chosen))
+        plan = replace(self.plan, scene=with_parameters(scene, chosen))
         numbers = np.arange(prod(self.shape)).reshape(self.shape)[index]
         lanes = self._lanes.taken(np.ravel(numbers))
         if np.ndim(numbers):

@@ -12,7 +12,6 @@ from slipcircle.core.scene.friction import law_depends, law_names
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
 
 DEFAULT_ACCURACY = 1e-9
-CLOSED_IN_TIME = "closed form in time"
 FLOW = "Taylor series in time, events as their roots"
 WORDS = {"speed": "the speed"}
 STEPS = 8  # that a motion typically takes
@@ -54,7 +53,7 @@ class Plan:
 
 
 def plan(scene: Scene, accuracy: float | None = None) -> Plan:
-    """Choose how to solve a scene: in closed form where the paper's holds, else by its flow program.
+    """How a scene is solved: by its flow program, which only the effects that it calls for are part of.
 
     Parameters
     ----------
@@ -102,11 +101,11 @@ def _choice(called: tuple[str, ...], laws: Any, moving: tuple[tuple[str, str], .
         "effects": effects,
         "left_out": tuple(e for e in EFFECTS if e not in effects),
         "law": " times ".join(names),
-        "method": FLOW if reasons else CLOSED_IN_TIME,
+        "method": FLOW,
         "why": "; ".join(reasons),
         "fragments": ("gravity", *effects, *names, "balance"),
         "operations": counted(program),
-        "cost": STEPS * flops(program, terms) if reasons else 50,
+        "cost": STEPS * flops(program, terms),
     }
 
 

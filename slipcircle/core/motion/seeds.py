@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import cells as its
+from generated import layout as ix
 from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
 from generated.growth import arc_growth
@@ -58,7 +58,7 @@ class Seeds:
         self._effects()
         self._laws(c, at)
         self.end_dot = self.one("end_time") / float(lanes.time_scale)
-        self.omega = c[its.OMEGA] * (self.relative("initial_velocity", lanes.velocity) - self.speed_growth)
+        self.omega = c[ix.OMEGA] * (self.relative("initial_velocity", lanes.velocity) - self.speed_growth)
 
     def _arc(self, arc: Arc, held: Mapping[str, float]) -> "_Geometry":
         alpha = float(arc.half_angle)

@@ -6,15 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from generated.cells import MOST_TURNS
 from generated.effects import EFFECTS
+from generated.layout import MOST_TURNS
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.flow.lanes import BLOCK, Lanes
 from slipcircle.core.motion.motion import FINAL_ENTRIES, Motion, final_entries
-from slipcircle.core.motion.plan import CLOSED_IN_TIME, Plan, plan
+from slipcircle.core.motion.plan import Plan, plan
 from slipcircle.core.motion.states import Status
+from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.scene import Scene
-from slipcircle.workbench.files.variation import unchecked
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
@@ -68,12 +68,10 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
 
 def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
     """The lanes of a scene, flat."""
-    scene, closed = chosen.scene, chosen.method == CLOSED_IN_TIME
+    scene = chosen.scene
     if not scene.shape:
         end = np.inf if scene.end_time is None else scene.end_time
-        return Lanes(
-            scene.arc, scene.called, scene.friction, scene.initial_velocity, end, chosen.accuracy, closed, 1, invalid
-        )
+        return Lanes(scene.arc, scene.called, scene.friction, scene.initial_velocity, end, chosen.accuracy, 1, invalid)
     count = math.prod(scene.shape)
 
     def flat(given: Any, axes: int = 0) -> Any:
@@ -84,7 +82,9 @@ def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
         return value if value.shape == (count, *own) else np.broadcast_to(value, (*scene.shape, *own)).reshape(-1, *own)
 
     numbers = scene.numbers
-    arc = unchecked(scene.arc, {n: flat(getattr(scene.arc, n), axes) for n, axes in scene.arc.quantities.items()})
+    arc = replace_unchecked(
+        scene.arc, {n: flat(getattr(scene.arc, n), axes) for n, axes in scene.arc.quantities.items()}
+    )
     called = {
         e: {n: flat(v) if f"{e}.{n}" in numbers else v for n, v in given.items()} for e, given in scene.called.items()
     }
@@ -96,7 +96,7 @@ def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
     elif not callable(law):
         law = flat(law)
     end = np.inf if scene.end_time is None else flat(scene.end_time)
-    return Lanes(arc, called, law, flat(scene.initial_velocity), end, chosen.accuracy, closed, count, invalid)
+    return Lanes(arc, called, law, flat(scene.initial_velocity), end, chosen.accuracy, count, invalid)
 
 
 def _refuse(motion: Motion) -> None:

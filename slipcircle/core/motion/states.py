@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated import cells as ix
+from generated import layout as ix
 
 
 class Status(IntEnum):
@@ -38,7 +38,8 @@ _REASONS = {
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
 # How a lane that moved has ended, by the status in which the integration leaves it.
 STATUS_OF_END = np.full(ix.NEED + 1, Status.FAILED, np.int8)
-STATUS_OF_END[[ix.ARRESTED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_LONG]] = (
+STATUS_OF_END[[ix.ARRESTED, ix.PAUSED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_LONG]] = (
+    Status.RESTS,
     Status.RESTS,
     Status.MOVING,
     Status.MOVING,

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from generated import cells as ix
+from generated import layout as ix
 from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
 from slipcircle.core.flow.lanes import Lanes
 from slipcircle.core.flow.program import Log
@@ -43,6 +43,12 @@ class Trajectory:
         return values.item() if hasattr(values, "item") else values
 
     # --- how it ended ------------------------------------------------------------------------------------------------
+
+    @property
+    def _rests_at_end(self) -> Any:
+        """Whether each lane is at rest at its end, for good or until something changes beyond its end time."""
+        status = self._final[ix.STATUS]
+        return (status == ix.ARRESTED) | (status == ix.PAUSED)
 
     @cached_property
     def _status(self) -> Any:
@@ -113,15 +119,16 @@ class Trajectory:
         """Times as an array, none of them beyond the end of a lane that still moves there."""
         raise_all("Motion.at", mistakes({"times": times}, {"times": ALLOWED_TIMES}))
         time = np.asarray(times, dtype=np.float64)
-        moving = (self._final[ix.STATUS] != ix.ARRESTED) & self._solved
-        ends = choose(moving, self._duration, np.inf)
+        status = self._final[ix.STATUS]
+        known_until = choose(status == ix.PAUSED, self._lanes.end_time, self._duration)
+        ends = choose((status != ix.ARRESTED) & self._solved, known_until, np.inf)
         last = float(np.min(ends))
         late = time[time > last]
         if late.size:
             asked = float(late.flat[0])
             end = "the end of this motion" if self.plan.scene.end_time is None else "the scene's end_time"
             raise ValueError(
-                f"Motion.at: times = {asked!r}: must be at most {end}, {last!r} s, as the mass does not rest there"
+                f"Motion.at: times = {asked!r}: must be at most {end}, {last!r} s, unless the mass rests for good"
             )
         return time
 
@@ -189,8 +196,7 @@ class Trajectory:
         time = self._checked(times)
         flat_times, unit = np.ravel(time), self._lanes.energy_unit
         balance, kinetic_start = self._lanes.energies(flat_times)
-        arrested = self._final[ix.STATUS] == ix.ARRESTED
-        at_rest = arrested & (flat_times[:, None] >= self._duration)
+        at_rest = self._rests_at_end & (flat_times[:, None] >= self._duration)
         kinetic = np.where(at_rest, 0.0, balance["kinetic"])
         terms = (kinetic, balance["work"], balance["dissipation"])
         start = np.broadcast_to(unit * kinetic_start, self._lanes.count)

@@ -16,9 +16,7 @@ LISTED, MANY_PHASES = 3, 100  # lift-offs named one by one; phases that many tim
 
 def collect_warnings(motion: Any) -> tuple[str, ...]:
     """Sentences about lift-off, conditioning, water and swinging back; empty where all is well."""
-    stability = motion.plan.scene.stability
-    search = [stability.warning] if stability and stability.warning else []
-    return (*search, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *_swing(motion))
+    return (*_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *_swing(motion))
 
 
 def _lift_offs(motion: Any) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Effects as a scene is given them, made of what was given: functions of time from pulses, records and lists."""
+"""Effects as a scene is given them, made of what was given: functions of time from pulses and lists."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -8,16 +8,15 @@ import numpy as np
 from slipcircle.base.series import Pulse, Series
 
 _FACTORS = ("amplitude", "vertical_amplitude", "scale", "peak")
-_OF_WATER = ("units", "column", "step", "start", "gaps")
-_OF_RECORDS = ("holds", "units", "step", "start", "gaps")
 _FITTING = {  # to each way to say what shakes
     "horizontal": {"vertical", *_FACTORS},
     "pulse": {*_FACTORS[:2], "start", "duration", "cycles"},
-    "record": {*_OF_RECORDS, "column", "vertical_record", "vertical_column", *_FACTORS[2:]},
 }
+_OF_RECORDS = ("record", "units", "column", "step", "start", "gaps")
+_IN_FILES = "record: a file's name belongs into a scene file; in Python give {} = slipcircle.Record.read(path, ...)"
 
 
-def resolved(name: str, given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
+def resolved(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
     """An effect's parameters, with functions of time in the place of what they are made of.
 
     Raises
@@ -27,10 +26,10 @@ def resolved(name: str, given: Mapping[str, Any], gravity: float) -> dict[str, A
     """
     try:
         if name == "shaking":
-            return _shaking(given, gravity)
+            return _shaking(given)
         if name == "pore_pressure":
             return _water(given)
-    except (ValueError, OSError) as error:
+    except ValueError as error:
         raise ValueError(f"effects.{name}: {error}") from error
     return dict(given)
 
@@ -56,17 +55,11 @@ def in_time(called: Mapping[str, Mapping[str, Any]]) -> dict[str, Series | Pulse
 
 
 def _water(given: Mapping[str, Any]) -> dict[str, Any]:
-    """A ratio and a pressure: numbers, or functions of time from a record or from lists with their times."""
-    rest = {k: v for k, v in given.items() if k not in ("record", "time", *_OF_WATER)}
+    """A ratio and a pressure: numbers, or functions of time from lists with their times."""
+    rest = {k: v for k, v in given.items() if k != "time"}
     if "record" in given:
-        from slipcircle.workbench.records.records import read_pore_pressure
-
-        found = read_pore_pressure(given["record"], **{k: given[k] for k in _OF_WATER if k in given})
-        other = next((k for k in ("time", *found) if k in given), None)
-        if other is not None:
-            raise ValueError(f"{other} and record exclude each other; leave one out")
-        return rest | found
-    strange = next((k for k in _OF_WATER if k in given), None)
+        raise ValueError(_IN_FILES.format("pressure"))
+    strange = next((k for k in _OF_RECORDS if k in given), None)
     if strange is not None:
         raise ValueError(f"{strange} belongs to a record; leave it out, or give record")
     if "time" not in given:  # without it a list is an ensemble
@@ -77,8 +70,10 @@ def _water(given: Mapping[str, Any]) -> dict[str, Any]:
     return rest | {k: Series(np.asarray(given["time"]), np.asarray(v)) for k, v in lists.items()}
 
 
-def _shaking(given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
-    """k_h(t) and k_v(t) from a pulse, a record, or as they are."""
+def _shaking(given: Mapping[str, Any]) -> dict[str, Any]:
+    """k_h(t) and k_v(t) from a pulse, or as they are."""
+    if "record" in given:
+        raise ValueError(_IN_FILES.format("horizontal"))
     ways = [w for w in _FITTING if w in given]
     if len(ways) != 1:
         raise ValueError(f"{' and '.join(ways)} exclude each other; leave one out")
@@ -90,24 +85,11 @@ def _shaking(given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
         raise ValueError("scale and peak exclude each other; leave one out")
     if way == "horizontal":
         return dict(given)
-    more = {k: given[k] for k in (*_FACTORS, "two_way") if k in given}
-    if way == "pulse":
-        missing = [k for k in ("amplitude", "duration") if k not in given]
-        if missing:
-            raise ValueError(f"{missing[0]} is missing: a pulse needs it")
-        pulse = Pulse(
-            given["pulse"],
-            1.0,
-            *(float(given.get(k, v)) for k, v in (("start", 0.0), ("duration", 0.0), ("cycles", 1.0))),
-        )
-        return {"horizontal": pulse} | ({"vertical": pulse} if "vertical_amplitude" in given else {}) | more
-    from slipcircle.workbench.records.records import read_record
-
-    if "holds" not in given:
-        raise ValueError('holds is missing: a record must say whether it holds "ground" or "driving" acceleration')
-    common = {k: given[k] for k in _OF_RECORDS if k in given} | {"gravity": gravity}
-    made: dict[str, Any] = {"horizontal": read_record(given["record"], column=given.get("column"), **common)}
-    if "vertical_record" in given or "vertical_column" in given:
-        path = given.get("vertical_record", given["record"])
-        made["vertical"] = read_record(path, column=given.get("vertical_column"), **common)
-    return made | ({} if "peak" in given else {"scale": 1.0}) | more
+    missing = [k for k in ("amplitude", "duration") if k not in given]
+    if missing:
+        raise ValueError(f"{missing[0]} is missing: a pulse needs it")
+    pulse = Pulse(
+        given["pulse"], 1.0, *(float(given.get(k, v)) for k, v in (("start", 0.0), ("duration", 0.0), ("cycles", 1.0)))
+    )
+    series = {"horizontal": pulse} | ({"vertical": pulse} if "vertical_amplitude" in given else {})
+    return series | {k: given[k] for k in (*_FACTORS, "two_way") if k in given}

@@ -15,14 +15,11 @@ from slipcircle.base.checks import INFINITY, Bounds, mistakes, parameter_mistake
 from slipcircle.base.kinds import Array, Numbers
 from slipcircle.base.series import Pulse, Series
 from slipcircle.core.scene.arc import Arc
+from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.core.scene.forcing import factor, resolved
 from slipcircle.core.scene.friction import law_mistakes, law_parts
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
-from slipcircle.workbench.files.numbers import numbers_in, uncertain_numbers
-
-if TYPE_CHECKING:
-    from slipcircle.workbench.stability.search import Critical
 
 One = float | str | Series | Pulse | Mapping[str, float | str]  # what a parameter is in one scene
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
@@ -47,7 +44,7 @@ class Scene(Generic[Numbers]):
     effects : mapping or iterable of str, optional
         Effects by name, each with its parameters: ``{"centripetal": {}}``, or names alone where none has any. What
         changes with time is a `slipcircle.base.series.Series` or `Pulse`, or what such are made of: a pulse by
-        name, a record's file, or a list with its times.
+        name, or a list with its times.
     initial_velocity : float or array_like, optional
         Velocity along the arc at the start, m/s, positive down-slope.
     end_time : float or array_like, optional
@@ -57,11 +54,10 @@ class Scene(Generic[Numbers]):
     name, note : str, optional
         What the scene is, and where its numbers come from.
     uncertain : mapping, optional
-        Numbers known by a distribution, which `ensemble` draws; `solve` takes the scene's own. Keys as in a scene file,
-        ``"friction.angle_deg"`` or ``"circle.radius_m"``, or SI names as in ``numbers``, ``"friction"``; values are
-        frozen distributions of scipy.stats, or ``{"distribution": "normal", "mean": 10, "std": 1}``, in the key's unit.
-    stability : Critical, optional
-        Factors of safety of the section's circle, and how it was found; the motion does not depend on it.
+        Numbers known by a distribution, which `ensemble` draws and checks; `solve` takes the scene's own. Keys as in a
+        scene file, ``"friction.angle_deg"`` or ``"circle.radius_m"``, or SI names as in ``numbers``, ``"friction"``;
+        values are frozen distributions of scipy.stats, or ``{"distribution": "normal", "mean": 10, "std": 1}``, in the
+        key's unit.
 
     Notes
     -----
@@ -83,7 +79,6 @@ class Scene(Generic[Numbers]):
     name: str = ""
     note: str = ""
     uncertain: Mapping[str, Any] = field(default_factory=dict)
-    stability: Critical | None = None
 
     if TYPE_CHECKING:  # numbers alone make one scene, an array an ensemble; a mapping of who knows what, either
 
@@ -99,7 +94,6 @@ class Scene(Generic[Numbers]):
             name: str = ...,
             note: str = ...,
             uncertain: Mapping[str, Any] = ...,
-            stability: Critical | None = None,
         ) -> None: ...
         @overload
         def __init__(
@@ -119,7 +113,6 @@ class Scene(Generic[Numbers]):
             name: str = ...,
             note: str = ...,
             uncertain: Mapping[str, Any] = ...,
-            stability: Critical | None = None,
         ) -> None: ...
         def __init__(self, *given: Any, **named: Any) -> None: ...
 
@@ -144,27 +137,18 @@ class Scene(Generic[Numbers]):
             found.append(
                 "arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"
             )
-        gravity = np.unique(self.arc.gravity).tolist() if known else []
         for name, parameters in effects.items():
             if said := _effect_mistakes(name, parameters):
                 found += said
-            elif "record" in parameters and (len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain}):
-                found.append(
-                    "arc.gravity: must be one number with a record, which is read over gravity; give "
-                    "effects.shaking.horizontal as a Series over gravity instead"
-                )
             else:
                 try:
-                    effects[name] = resolved(name, parameters, max(gravity, default=9.81))
+                    effects[name] = resolved(name, parameters)
                 except ValueError as error:
                     found.append(str(error))
         found += [] if found else shape_mistakes({n: v for n, v in self.numbers.items() if np.ndim(v)})
         uncertain: Any = self.uncertain
         if not isinstance(uncertain, Mapping):
             found.append(f"uncertain = {uncertain!r}: must be a mapping from numbers to their distributions")
-        elif self.uncertain and not found:
-            drawn, found = uncertain_numbers(self)
-            object.__setattr__(self, "uncertain", drawn)
         raise_all(f"Scene {self.name}".rstrip(), found)
 
     @property
@@ -183,7 +167,7 @@ class Scene(Generic[Numbers]):
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
         """All that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``, ``cohesion.cohesion``, ..."""
-        found = numbers_in(self.arc)
+        found = arc_numbers(self.arc)
         law = self.friction
         if isinstance(law, Mapping):
             for path, (name, own) in zip(("friction", "friction.rate"), law_parts(law), strict=False):

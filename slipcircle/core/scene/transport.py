@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.core.scene import circles
+from slipcircle.core.scene.coordinates import indices_of
 from slipcircle.core.scene.section import Section
-from slipcircle.workbench.files.numbers import places
 
 Floats = NDArray[np.float64]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(48)
@@ -34,8 +34,8 @@ class Growth(NamedTuple):
 def telling(section: Section) -> list[str]:
     """The numbers of a single section that its motion depends on; of the ground those of the edges over the mass."""
     over = np.flatnonzero(_over(section))
-    ground = {n for n, at in places(section, "ground").items() if over[0] <= at[0] <= over[-1] + 1}
-    return [n for field in section.quantities for n in places(section, field) if field != "ground" or n in ground]
+    ground = {n for n, at in indices_of(section, "ground").items() if over[0] <= at[0] <= over[-1] + 1}
+    return [n for field in section.quantities for n in indices_of(section, field) if field != "ground" or n in ground]
 
 
 def through_vertex(section: Section) -> bool:
@@ -63,7 +63,7 @@ def growth(section: Section, names: Sequence[str]) -> Growth:
 
     def numbers(gradient: Any, points: Floats, field: str) -> Floats:
         """By the section's numbers, of a gradient by vertices (..., V, 2)."""
-        by = {name: gradient[(..., *at)] for name, at in places(section, field).items()}
+        by = {name: gradient[(..., *at)] for name, at in indices_of(section, field).items()}
         by |= {f"centre.{axis}": -gradient[..., k].sum(axis=-1) for k, axis in enumerate("xy")}
         by["radius"] = -(gradient * points).sum(axis=(-2, -1))
         return np.stack([by.get(n, np.zeros(gradient.shape[:-2])) for n in names], axis=-1) / radius

@@ -44,12 +44,12 @@ def options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     form = "KEY or KEY=LOW:HIGH: friction.angle_deg=5:15"
-    fields = read.by_key("field", options.field or ["friction.angle_deg"], form, read.bounds)
+    fields = read.by_key("field", options.field or [], form, read.bounds)
     seen = {name: getattr(options, name) for name in OUTCOMES}
     if all(value is None for value in seen.values()):
         raise ValueError(f"backanalyse: nothing observed: give one of {', '.join(OPTIONS.values())}")
     bounds = {key: ends for key, ends in fields.items() if ends}
-    found = backanalyse(load(options.scene), field=list(fields), bounds=bounds, **seen)
+    found = backanalyse(load(options.scene), field=list(fields) or None, bounds=bounds, **seen)
     pictures.write(options.plot, "backanalysis", found)
     name, columns = found.motion.plan.scene.name, [_column(found, s) for s in found.solutions]
     heads = [f"solution {k}" for k in range(1, len(columns) + 1)] if len(columns) > 1 else [name]

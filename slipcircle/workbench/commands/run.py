@@ -10,6 +10,8 @@ from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, with_scene_context
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import OUTCOMES, record
+from slipcircle.workbench.files.loaded import warnings_of
+from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import find, load
 from slipcircle.workbench.files.variation import other_way
 from slipcircle.workbench.outputs import pictures, tables
@@ -82,8 +84,8 @@ def _polarity_means(motions: Sequence[Motion]) -> dict[str, Mapping[str, float]]
 def _warnings(motions: Sequence[Motion]) -> Iterator[str]:
     for motion in motions:
         scene = motion.plan.scene
-        for warning in motion.warnings:
+        for warning in warnings_of(motion):
             yield f"{scene.name}: {warning}"
         if scene.uncertain:
-            keys = ", ".join(uncertain.key for uncertain in scene.uncertain.values())
+            keys = ", ".join(uncertain.key for uncertain in uncertain_numbers(scene).values())
             yield f"{scene.name}: solved at the median of {keys}; sweep draws them"

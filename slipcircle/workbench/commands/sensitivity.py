@@ -4,6 +4,7 @@ import argparse
 
 from slipcircle.core.motion.solver import solve
 from slipcircle.workbench.commands.common import add_files, add_scene
+from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import pictures, tables
 from slipcircle.workbench.outputs.tables import Answer
@@ -22,7 +23,8 @@ def run(options: argparse.Namespace) -> Answer:
     motion = solve(load(options.scene))
     derivatives, name = motion.sensitivity(), motion.plan.scene.name
     pictures.write(options.plot, "sensitivity", derivatives)
-    keys = {parameter: number.key for parameter, number in derivatives.keys.items()}
-    record = {"scene": name} | vars(derivatives) | {"keys": keys, "elasticities": derivatives.elasticities}
+    known = by_name(motion.plan.scene)
+    keys = {parameter: known[parameter].key for parameter in derivatives.parameters}
+    record = vars(derivatives) | {"scene": name} | {"keys": keys, "elasticities": derivatives.elasticities}
     warnings = [f"{name}: {warning}" for warning in derivatives.warnings]
     return Answer(lambda: [record], [tables.sensitivity_part(derivatives, name)], warnings)

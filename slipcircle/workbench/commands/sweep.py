@@ -17,6 +17,7 @@ from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.common.quantities import OUTCOMES, words
+from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import find, load
 from slipcircle.workbench.outputs import pictures, studyplots
 from slipcircle.workbench.outputs.report import parts, study_report
@@ -88,7 +89,7 @@ def run(options: argparse.Namespace) -> Answer:
         forms = ", ".join(":".join((n, *d.parameters)) for n, d in DISTRIBUTIONS.items())
         form = f"KEY=, each key once, and one of {forms}"
         drawn = read.by_key("uncertain", options.uncertain, form, read.distribution)
-        others = {name: u for name, u in scene.uncertain.items() if u.key not in drawn}
+        others = {name: u for name, u in uncertain_numbers(scene).items() if u.key not in drawn}
         scene = replace(scene, uncertain=others | drawn)
     if options.report and options.grid:
         raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")

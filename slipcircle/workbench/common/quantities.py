@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.text import DIGITS, digits_left, shown
+from slipcircle.workbench.files.loaded import stability_of, warnings_of
 
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
 
@@ -143,6 +144,7 @@ HISTORY: Mapping[str, Quantity] = {
 def record(motion: Any) -> dict[str, Any]:
     """A motion as JSON holds it: SI units, radians, full precision; null for what is infinite or not known."""
     scene, law = motion.plan.scene, motion.plan.scene.friction
+    stability = stability_of(scene)
     states = {name: asdict(getattr(motion, name)) for name in ("reach", "peak", "end")}
     return plain(
         {
@@ -156,11 +158,11 @@ def record(motion: Any) -> dict[str, Any]:
         }
         | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q in JOURNEY}
         | states
-        | ({"stability": scene.stability.record()} if scene.stability else {})
+        | ({"stability": stability.record()} if stability else {})
         | {
             "energy": asdict(motion.energy) | {"residual": motion.energy.residual},
             "error_estimate": motion.error_estimate,
-            "warnings": motion.warnings,
+            "warnings": warnings_of(motion),
         }
     )
 

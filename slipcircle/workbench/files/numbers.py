@@ -8,14 +8,17 @@ list that it stands in, the number of its point from 0, and x or y: ``ground.poi
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from generated.effects import EFFECTS
+from slipcircle.base.checks import raise_all
+from slipcircle.core.scene.coordinates import indices_of
 from slipcircle.core.scene.friction import law_names
 from slipcircle.core.scene.ground import FAR
+from slipcircle.core.scene.scene import Scene
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.files.keys import Number as Number
 from slipcircle.workbench.files.keys import Table, tables_of
@@ -39,52 +42,11 @@ _POINTS = {"centre": "circle.centre_m", "ground": "ground.points_m", "level": "w
 _RULE = "a point's coordinate by its number from 0, such as ground.points_m.3.y"
 
 
-@lru_cache(maxsize=256)
-def _names(field: str, shape: tuple[int, ...]) -> dict[str, tuple[Any, ...]]:
-    return (
-        {".".join((field, *map(str, at[:-1]), "xy"[at[-1]])): at for at in np.ndindex(shape)} if shape else {field: ()}
-    )
-
-
-def places(arc: Any, field: str) -> dict[str, tuple[Any, ...]]:
-    """The numbers of one of its fields: each by its name, with its place in the axes of one section."""
-    value, axes = getattr(arc, field), arc.quantities[field]
-    return {} if value is None else _names(field, np.shape(value)[-axes:] if axes else ())
-
-
 def lengths(arc: Any) -> set[str]:
     """The coordinates and radii of a section, which are as large as it is far from the origin, or flat."""
-    return {n for field in ("radius", *_POINTS) for n in places(arc, field)} if "ground" in arc.quantities else set()
-
-
-def numbers_in(arc: Any) -> dict[str, Any]:
-    """The numbers of an arc or a section by name: each a number, or an array of one a lane."""
-    found: dict[str, Any] = {}
-    for field in arc.quantities:
-        value = getattr(arc, field)
-        lanes = np.asarray(value)
-        found |= {name: lanes[(..., *at)] if at else value for name, at in places(arc, field).items()}
-    return found
-
-
-def fields_with(arc: Any, values: Mapping[str, Any]) -> dict[str, Any]:
-    """The fields of an arc or a section that change with other values of its numbers."""
-    found: dict[str, Any] = {}
-    for field, axes in arc.quantities.items():
-        own = places(arc, field)
-        given = {name: at for name, at in own.items() if name in values}
-        if given and not axes:
-            found[field] = values[field]
-        elif given:
-            held = np.asarray(getattr(arc, field), dtype=np.float64)
-            lanes = () if len(given) == len(own) else held.shape[:-axes]  # those of what stays
-            lanes = np.broadcast_shapes(lanes, *(np.shape(values[name]) for name in given))
-            found[field] = np.empty((*lanes, *held.shape[-axes:]))
-            if len(given) < len(own):
-                found[field][...] = held
-            for name, at in given.items():
-                found[field][(..., *at)] = values[name]
-    return found
+    if "ground" not in arc.quantities:
+        return set()
+    return {name for field in ("radius", *_POINTS) for name in indices_of(arc, field)}
 
 
 def by_key(scene: Any) -> dict[str, Number]:
@@ -102,7 +64,7 @@ def by_key(scene: Any) -> dict[str, Number]:
         if not k.startswith("arc."):
             found[k] = replace(n, key=k)
     for field, key in _POINTS.items():
-        names = {key + name.removeprefix(field): name for name in places(arc, field)}
+        names = {key + name.removeprefix(field): name for name in indices_of(arc, field)}
         found |= {k: Number(k, name, "m", -FAR, FAR, si="m") for k, name in names.items()}
     return found
 
@@ -173,8 +135,14 @@ class Uncertain:
         return {"key": self.key, "distribution": f"scipy.stats.{d.dist.name}({', '.join(said)})"}
 
 
-def uncertain_numbers(scene: Any) -> tuple[dict[str, Uncertain], list[str]]:
-    """Uncertain numbers by their names in `Scene.numbers`, and a sentence for each mistake."""
+def uncertain_numbers(scene: Scene) -> dict[str, Uncertain]:
+    """The uncertain numbers of a scene by their names in `Scene.numbers`.
+
+    Raises
+    ------
+    ValueError
+        Lists every key that is no number of the scene, and every distribution that is none.
+    """
     found: dict[str, Uncertain] = {}
     said = []
     for path, value in scene.uncertain.items():
@@ -198,4 +166,5 @@ def uncertain_numbers(scene: Any) -> tuple[dict[str, Uncertain], list[str]]:
         found[number.name] = Uncertain(number, dict(value) if isinstance(value, Mapping) else value)
     values = scene.numbers
     said += [f"uncertain.{u.key}: the scene has no value of it to vary" for n, u in found.items() if n not in values]
-    return found, said
+    raise_all(f"Scene {scene.name}".rstrip(), said)
+    return found

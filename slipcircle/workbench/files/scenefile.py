@@ -13,6 +13,8 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from generated.effects import EFFECTS, LAWS
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.friction import RATE_LAWS, law_mistakes
@@ -21,7 +23,9 @@ from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.section import Section
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.files.keys import SLOPING, Key, Table, law_table, tables_of
-from slipcircle.workbench.files.numbers import numbers
+from slipcircle.workbench.files.loaded import SlopeScene
+from slipcircle.workbench.files.numbers import numbers, uncertain_numbers
+from slipcircle.workbench.records.forcing import with_records
 from slipcircle.workbench.stability.search import Critical, at_circle, critical
 from slipcircle.workbench.stability.stability import Slope, soil
 
@@ -48,10 +52,22 @@ def load(name: str | PathLike[str]) -> Scene[float]:
     if parts["stability"]:
         parts["stability"] = parts["stability"].without_map()
     try:
-        return Scene(**parts)
+        _check_gravity(parts)
+        parts["effects"] = with_records(parts["effects"], float(np.asarray(parts["arc"].gravity)))
+        stability = parts.pop("stability")
+        scene: Scene[float] = SlopeScene(**parts, stability=stability) if stability else Scene(**parts)
+        return replace(scene, uncertain=uncertain_numbers(scene)) if scene.uncertain else scene
     except ValueError as error:
         said = str(error).removeprefix(f"Scene {parts['name']}: ")
         raise ValueError(f"{file}: {_by_key(said.replace('arc.level', 'water.level_m'), tables)}") from error
+
+
+def _check_gravity(parts: Mapping[str, Any]) -> None:
+    """A record is read over gravity, which cannot be uncertain then."""
+    recorded = "record" in parts["effects"].get("shaking", {})
+    for key in ("arc.gravity_m_s2", "ground.gravity_m_s2"):
+        if recorded and key in parts["uncertain"]:
+            raise ValueError(f"{key}: must be one number with a record, which is read over gravity")
 
 
 def find(name: str | PathLike[str]) -> Any:

@@ -9,10 +9,11 @@ import numpy as np
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.series import Pulse, Series
+from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.core.scene.friction import RATE_LAWS, law_parts
 from slipcircle.core.scene.scene import Scene
 from slipcircle.workbench.files.keys import SLOPING, Key, tables_of
-from slipcircle.workbench.files.numbers import by_name, numbers_in
+from slipcircle.workbench.files.numbers import by_name, uncertain_numbers
 
 
 class Input(NamedTuple):
@@ -31,7 +32,7 @@ def inputs(scene: Scene, file: str | None = None) -> list[Input]:
     What is uncertain says so.
     """
     found = [*(_of_scene(scene) if file is None else _of_file(file))]
-    drawn = {path: u for u in scene.uncertain.values() for path in (u.key, u.number.name)}
+    drawn = {path: u for u in uncertain_numbers(scene).values() for path in (u.key, u.number.name)}
     for k, known_by in enumerate(found):
         if known_by.path in drawn:
             said = _shown({n: v for n, v in drawn[known_by.path].record.items() if n != "key"})
@@ -87,7 +88,7 @@ def comments(file: str) -> dict[str, str]:
 
 def _of_scene(scene: Scene) -> Iterator[Input]:
     """Numbers of the section, then what laws and effects were given, by their declarations, and where it ends."""
-    known, of_arc = by_name(scene), numbers_in(scene.arc)
+    known, of_arc = by_name(scene), arc_numbers(scene.arc)
     for name in ("initial_velocity", *of_arc):
         yield Input(name, _shown(scene.numbers[name]), known[name].si)
     for name, coefficient in (scene.arc.given or {}).items():

@@ -20,6 +20,8 @@ from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.friction import law_names
 from slipcircle.workbench.common.markup import Raw, escaped, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, RESULTS, Quantity, plain, prefixed, record, results, words
+from slipcircle.workbench.files.loaded import warnings_of
+from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
@@ -156,7 +158,7 @@ def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), comman
         ]
         parts.append(table(rows, ["", *links]))
     for k, (m, file) in enumerate(zip(motions, files, strict=True)):
-        told = _chapter(m.plan, m.warnings, _of_motion(m, file), record(m), " in SI units and radians", file)
+        told = _chapter(m.plan, warnings_of(m), _of_motion(m, file), record(m), " in SI units and radians", file)
         parts += [Raw(f'<section id="scene-{k + 1}">'), tag("h2", names[k]), *told, Raw("</section>")]
     return _page(f"Rotational slide: {', '.join(names)}", parts, zip(names, files, strict=True), command)
 
@@ -164,7 +166,7 @@ def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), comman
 def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     plan = motion.plan
     if plan.scene.uncertain:
-        keys = ", ".join(u.key for u in plan.scene.uncertain.values())
+        keys = ", ".join(u.key for u in uncertain_numbers(plan.scene).values())
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
     known, told = {q.label: q for q in results(motion)}, motion_column(motion, verbose=True)
     ends = end_words(motion)
@@ -200,7 +202,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
             ["program of", ", ".join(plan.fragments)],
             ["relative error asked for", _number(plan.accuracy)],
             ["relative error estimated, of peak, run-out and duration", _data(error, _number(error))],
-            ["warnings", "; ".join(motion.warnings) or "none"],
+            ["warnings", "; ".join(warnings_of(motion)) or "none"],
         ],
         "Method and accuracy",
     )

@@ -8,6 +8,7 @@ import numpy as np
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.states import State
 from slipcircle.core.scene.arc import Arc
+from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.plotstyle import AREAS, FORCES, HALO, LINES, axis, ending, finish, mark, number
 from slipcircle.workbench.outputs.trace import Floats, toe_words
 from slipcircle.workbench.stability.search import Critical
@@ -90,7 +91,7 @@ def section(motion: Motion, ax: Any = None) -> Any:
         hangs = toe_words(motion)
         words = "the circle continued beyond the toe,\n" + (f"which ends {hangs}" if hangs else "as the method assumes")
         ax.plot(*mass.on_circle(beyond).T, zorder=4, label=words, **LINES["help"])
-    factors = _factors(motion.plan.scene.stability)
+    factors = _factors(stability_of(motion.plan.scene))
     _scenery(
         ax, mass, soil, f"centre; $R$ = {number(mass.radius)} m{factors}", low - _MARGIN * size, high + _MARGIN * size
     )

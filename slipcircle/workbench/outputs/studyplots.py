@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.files.numbers import number_in
+from slipcircle.workbench.files.numbers import by_name, number_in
 from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, axis, empty, known, legend, lines, mark, number
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.statistics import BEYOND
@@ -124,11 +124,12 @@ def tornado(
     0.1 m, all else by 1 %. ``named`` tells whether the axis has a legend.
     """
     known("tornado: output", output, table.outputs)
+    known_keys = by_name(table.scene)
     for changed in changes or ():
-        known("tornado: changes", changed, [key.key for key in table.keys.values()])
+        known("tornado: changes", changed, [known_keys[name].key for name in table.parameters])
     bars = []
     for name, by_si in zip(table.parameters, table.values[list(table.outputs).index(output)], strict=True):
-        key = table.keys[name]
+        key = known_keys[name]
         value, whole = float(key.from_si(table.at[name])), _STEPS.get(re.split(r"[_.]", key.key)[-1])
         step = (whole or _SHARE * abs(value)) if changes is None else changes.get(key.key, 0.0)
         slope = float(by_si * key.slope(value))

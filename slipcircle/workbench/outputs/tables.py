@@ -15,6 +15,8 @@ from slipcircle.core.flow.program import join
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.plan import Plan, counted
 from slipcircle.workbench.common.quantities import JOURNEY, OUTCOMES, results, time_text, to_error, words
+from slipcircle.workbench.files.loaded import stability_of
+from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
@@ -62,7 +64,7 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     found = {q.label: q.text(motion) for q in chosen} | end_words(motion)
     if words_of_toe := toe_words(motion):
         found["toe at the end"] = f"{words_of_toe}: the method continues the circle there"
-    if (circle := motion.plan.scene.stability) is not None:
+    if (circle := stability_of(motion.plan.scene)) is not None:
         if not circle.slope.k_h and circle.factor_of_safety["paper"] is not None:
             del found["factor of safety"]  # the paper's, which stands among these
         told = ("entry", "exit")  # as ends of the slip surface
@@ -184,7 +186,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
 
 def sensitivity_part(found: "Sensitivity", name: str) -> Part:
     """Derivatives as a table, per unit of the key that a scene file has for each parameter."""
-    rows, keys = [["", "", *(shown(found.at[n]) for n in found.distinct)]], found.keys
+    rows, keys = [["", "", *(shown(found.at[n]) for n in found.distinct)]], by_name(found.scene)
     for parameter in found.parameters:
         of = keys[parameter]
         value = of.from_si(found.at[parameter])

@@ -9,35 +9,27 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
+from slipcircle.core.scene.parameters import with_parameters
 from slipcircle.core.scene.scene import Scene, checked
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.files.variation import scene_with
-from slipcircle.workbench.studies.inversion import (
-    Bounds,
-    Observed,
-    Space,
-    extreme,
-    fits,
-    observations,
-    roots,
-    search_space,
-)
+from slipcircle.workbench.studies.fits import fits
 from slipcircle.workbench.studies.motions import derivatives
+from slipcircle.workbench.studies.problem import Bounds, Floats, Observed, SearchProblem, observations, search_problem
+from slipcircle.workbench.studies.roots import extreme, solve_exact
 from slipcircle.workbench.studies.sampling import sobol
 
-Floats = NDArray[np.float64]
 ROOT = "all roots in the range"
 FITTED = "least squares"
 _STARTS = 512  # points a field, of which the best are followed
 _MET = 1e-12  # sum of squares below which all is met exactly
 _NOISE = 1e-7  # relative, of derivatives
 _FAR = 6.0  # standard errors that the nearest fit may miss by: as many could be met exactly
-_WORST = 1e-3  # probability of so large a misfit, below which it is told
+_UNLIKELY = 1e-3  # probability of so large a misfit, below which there is a warning
+_AT_END = 1e-6  # of a range
 
 
 class Unattainable(ValueError):
@@ -46,8 +38,8 @@ class Unattainable(ValueError):
     Attributes
     ----------
     attainable : dict
-        For each observed output, its lowest and its highest value found, each with the value of the field there; empty
-        where several fields were searched.
+        Of the observed output its lowest and its highest value, each with the value of the field there; empty where
+        several fields were searched.
     """
 
     def __init__(self, message: str, attainable: dict[str, tuple[tuple[float, float], tuple[float, float]]]) -> None:
@@ -111,7 +103,7 @@ class Solution:
 
 @dataclass(frozen=True)
 class BackAnalysis:
-    """What explains an observation.
+    """Which numbers of a scene explain observations.
 
     Attributes
     ----------
@@ -120,7 +112,7 @@ class BackAnalysis:
     observed : dict
         Value and standard error (None if not given) of each observation.
     solutions : tuple of Solution
-        All that were found: the fewest swings first, or, for a fit, the best one first.
+        The fewest swings first, or, for a fit, the best one first.
     method : str
     warnings : tuple of str
         What to know before the values are used.
@@ -160,7 +152,7 @@ def backanalyse(
     run_out: Observed | None = None,
     peak_velocity: Observed | None = None,
     duration: Observed | None = None,
-    field: str | Sequence[str] = "friction.angle_deg",
+    field: str | Sequence[str] | None = None,
     bounds: Bounds | Mapping[str, Bounds] | None = None,
 ) -> BackAnalysis:
     """Find the values of one field, or of several, with which the scene moves as observed.
@@ -173,11 +165,11 @@ def backanalyse(
         Observed value, or value and standard error; m, m, m/s, s; signed as `Motion` gives them. One at least. One
         alone is met exactly by one field, several in the sense of least squares.
     field : str or sequence of str, optional
-        Numbers by their keys in a scene file, ``friction.angle_deg``, ``cohesion.cohesion_kPa``, whether the scene has
-        a value of them or not; or in SI units by their names, ``friction``; an effect's name where it has one number.
-        ``arc.dip_deg`` or ``dip`` turns both ends of the arc; a section's coordinates are ``circle.centre_m.x``,
-        ``ground.points_m.3.y`` or ``water.level_m.0.y``, points by their number from 0. Several need
-        as many observations at least.
+        Numbers by their keys in a scene file, ``friction.angle_deg`` (by default, where the law has one angle),
+        ``cohesion.cohesion_kPa``, whether the scene has a value of them or not; or in SI units by their names,
+        ``friction``; an effect's name where it has one number. ``arc.dip_deg`` or ``dip`` turns both ends of the arc; a
+        section's coordinates are ``circle.centre_m.x``, ``ground.points_m.3.y`` or ``water.level_m.0.y``, points by
+        their number from 0. Several need as many observations at least.
     bounds : tuple of float, or mapping of such by field, optional
         Where to search, in the field's unit; by default a range wide enough for it.
 
@@ -202,137 +194,159 @@ def backanalyse(
     Examples
     --------
     >>> from slipcircle import backanalyse, load
-    >>> found = backanalyse(load("vaiont"), run_out=400.0)
-    >>> round(found.value, 4)
+    >>> analysis = backanalyse(load("vaiont"), run_out=400.0)
+    >>> round(analysis.value, 4)
     15.2147
     """
     checked(scene, "backanalyse")
     observed = observations({"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration})
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
-    space = search_space(scene, field, bounds, observed)
-    alone = len(space.fields) == len(observed) == 1
-    solutions, doubts = (_met(space), []) if alone else _fitted(space)
-    units = {f.key: f.unit for f in space.fields}
-    return BackAnalysis(units, observed, tuple(solutions), ROOT if alone else FITTED, tuple(doubts))
+    problem = search_problem(scene, field, bounds, observed)
+    units = {f.key: f.unit for f in problem.fields}
+    if len(problem.fields) == len(observed) == 1:
+        exact = _exact(problem)
+        return BackAnalysis(units, observed, tuple(exact), ROOT, tuple(_range_warnings(problem, exact[0])))
+    solutions, warnings = _fitted(problem)
+    return BackAnalysis(units, observed, tuple(solutions), FITTED, tuple(warnings))
 
 
-def _met(space: Space) -> list[Solution]:
-    """All values of the one field with the one observation."""
-    (field,), (name,), (wanted,) = space.fields, space.observed, space.seen
-    if solutions := [_solution(space, [v]) for v in roots(space)]:
+def _exact(problem: SearchProblem) -> list[Solution]:
+    """All values of the one field with the one observation, the fewest swings first."""
+    if solutions := [_solution(problem, [value]) for value in solve_exact(problem)]:
         return sorted(solutions, key=lambda s: (len(s.motion.phases), -s.value))
-    places = [extreme(space, sign) for sign in (-1.0, 1.0)]
+    (field,), (name,), target = problem.fields, problem.observed, float(problem.targets[0])
+    places = [extreme(problem, sign) for sign in (-1.0, 1.0)]
     if math.isnan(places[0]):
         raise Unattainable(f"{field.key}: with no value of it between the bounds does this scene move and rest", {})
-    there = [solve(scene_with(space.scene, {field.name: field.to_si(at)})) for at in places]
-    least, most = ((float(motion.outcomes[name]), at) for motion, at in zip(there, places, strict=True))
+    scenes = (with_parameters(problem.scene, {field.name: field.to_si(value)}) for value in places)
+    least, greatest = ((float(solve(scene).outcomes[name]), at) for scene, at in zip(scenes, places, strict=True))
     unit = OUTCOMES[name].unit
-    words = " to ".join(f"{v:.6g} {unit} (at {field.key} = {at:.6g})" for v, at in (least, most))
-    if most[0] - least[0] <= 1e-9 * abs(most[0]):
-        words = f"only {least[0]:.6g} {unit}, whatever it is"
-    said = f"{name} = {wanted:.10g} {unit}: no {field.key} gives it; attainable: {words}"
-    raise Unattainable(said, {name: (least, most)})
-
-
-def _fitted(space: Space) -> tuple[list[Solution], list[str]]:
-    """All values of the fields that meet the observations about as well as the best ones, and what to know of them."""
-    names, count = ", ".join(f.key for f in space.fields), len(space.fields)
-    found = fits(space, sobol(0, (5,), 0, _STARTS * count, count))
-    if not found:
-        raise Unattainable(f"{names}: with no values of them between the bounds does this scene move and rest", {})
-    solutions, untold = [], list[ValueError]()
-    for fit in found:
-        try:
-            solutions.append(_solution(space, space.at(fit.shares[:, None])[:, 0].tolist()))
-        except ValueError as error:  # here the fields cannot be told apart, though they may elsewhere
-            untold.append(error)
-    if not solutions:
-        raise untold[0]
-    # The best one first; the fewest swings, where all is met exactly.
-    solutions.sort(key=lambda s: (max(s.chi_square, _MET), len(s.motion.phases)))
-    first, best = solutions[0], solutions[0].chi_square
-    far = space.weighed and not space.free and best > _FAR**2
-    if far or (first.covariance is None and best > _MET):
-        near = ", ".join(f"{n} = {float(first.motion.outcomes[n]):.6g} {OUTCOMES[n].unit}" for n in space.observed)
-        at = ", ".join(f"{n} = {v:.6g}" for n, v in first.values.items())
-        off = f"that is {math.sqrt(best):.3g} standard errors off"
-        how = off if far else "with standard errors that is fitted"
-        raise Unattainable(
-            f"no values of {names} give {' and '.join(space.observed)} as observed; the nearest is "
-            f"{near} at {at}; {how}",
-            {},
-        )
-    limit = best + 9.0 if space.weighed else 4 * best + _MET  # three standard errors, or twice the misfit
-    doubts = _doubts(space, first)
-    if not found[0].settled:
-        doubts.append("the best values lie where the motion changes its kind: their covariance means little")
-    return [s for s in solutions if s.chi_square <= limit], doubts
-
-
-def _solution(space: Space, values: Sequence[float]) -> Solution:
-    """What is known of values that explain the observations, which have to tell the fields apart."""
-    pairs = [*zip(space.fields, values, strict=True)]
-    si = {f.name: float(f.to_si(v)) for f, v in pairs}
-    there = scene_with(space.scene, si)
-    motion, (_, slopes) = solve(there), derivatives(there, si)
-    outcomes = np.array([float(motion.outcomes[n]) for n in space.observed])
-    missed = outcomes - space.seen
-    chi_square = float(np.sum((missed / space.sizes) ** 2))
-    unit = np.array([abs(v) or 1.0 for v in values])
-    relative = np.array([[slopes[n][f.name] * f.slope(v) for f, v in pairs] for n in space.observed])
-    relative = relative / space.sizes[:, None] * unit
-    covariance, error = None, math.inf
-    if np.all(np.isfinite(relative)):
-        _tell_apart(space, relative)
-        inverse = np.linalg.pinv(relative)
-        error = float(max(np.max(np.abs(inverse) @ (motion.error_estimate * np.abs(outcomes) / space.sizes)), EPS))
-        if space.weighed or space.free:
-            scaled = inverse * unit[:, None]
-            covariance = np.asarray(scaled @ scaled.T * (1.0 if space.weighed else chi_square / space.free))
-    return Solution(
-        {f.key: float(v) for f, v in pairs},
-        motion,
-        dict(zip(space.observed, missed.tolist(), strict=True)),
-        covariance,
-        error,
-        chi_square,
+    attainable = " to ".join(f"{v:.6g} {unit} (at {field.key} = {at:.6g})" for v, at in (least, greatest))
+    if greatest[0] - least[0] <= 1e-9 * abs(greatest[0]):
+        attainable = f"only {least[0]:.6g} {unit}, whatever it is"
+    raise Unattainable(
+        f"{name} = {target:.10g} {unit}: no {field.key} gives it; attainable: {attainable}", {name: (least, greatest)}
     )
 
 
-def _tell_apart(space: Space, relative: Floats) -> None:
+def _fitted(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
+    """All values of the fields that fit about as well as the best ones, and what to know of them."""
+    names, count = ", ".join(f.key for f in problem.fields), len(problem.fields)
+    minima = fits(problem, sobol(0, (5,), 0, _STARTS * count, count))
+    if not minima:
+        raise Unattainable(f"{names}: with no values of them between the bounds does this scene move and rest", {})
+    solutions, refusals = [], list[ValueError]()
+    for fit in minima:
+        try:
+            solutions.append(_solution(problem, problem.values_at(fit.shares[:, None])[:, 0].tolist()))
+        except ValueError as error:  # here the fields cannot be told apart, though they may elsewhere
+            refusals.append(error)
+    if not solutions:
+        raise refusals[0]
+    # The best one first; the fewest swings, where all is met exactly.
+    solutions.sort(key=lambda s: (max(s.chi_square, _MET), len(s.motion.phases)))
+    best = solutions[0].chi_square
+    _refuse_misfit(problem, solutions[0])
+    limit = best + 9.0 if problem.is_weighted else 4 * best + _MET  # three standard errors, or twice the misfit
+    warnings = fit_warnings(problem, solutions[0])
+    if not minima[0].is_settled:
+        warnings.append("the best values lie where the motion changes its kind: their covariance means little")
+    return [s for s in solutions if s.chi_square <= limit], warnings
+
+
+def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
+    """Refuse a best fit that misses observations that could all be met, or that is without a covariance."""
+    best, is_exact = first.chi_square, problem.degrees_of_freedom == 0
+    is_far = problem.is_weighted and is_exact and best > _FAR**2
+    if not is_far and (first.covariance is not None or best <= _MET):
+        return
+    outcomes = first.motion.outcomes
+    nearest = ", ".join(f"{n} = {float(outcomes[n]):.6g} {OUTCOMES[n].unit}" for n in problem.observed)
+    at = ", ".join(f"{n} = {v:.6g}" for n, v in first.values.items())
+    how = f"that is {math.sqrt(best):.3g} standard errors off" if is_far else "with standard errors that is fitted"
+    raise Unattainable(
+        f"no values of {', '.join(first.values)} give {' and '.join(problem.observed)} as observed; the nearest is "
+        f"{nearest} at {at}; {how}",
+        {},
+    )
+
+
+def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
+    """A solution with these values: the observations have to tell the fields apart."""
+    pairs = [*zip(problem.fields, values, strict=True)]
+    si = {f.name: float(f.to_si(v)) for f, v in pairs}
+    scene = with_parameters(problem.scene, si)
+    motion, (_, slopes) = solve(scene), derivatives(scene, si)
+    outcomes = np.array([float(motion.outcomes[n]) for n in problem.observed])
+    residuals = outcomes - problem.targets
+    chi_square = float(np.sum((residuals / problem.scales) ** 2))
+    sizes = np.array([abs(v) or 1.0 for v in values])
+    jacobian = np.array([[slopes[n][f.name] * f.slope(v) for f, v in pairs] for n in problem.observed])
+    jacobian = jacobian / problem.scales[:, None] * sizes  # of scaled residuals by relative changes
+    covariance, error = None, math.inf
+    if np.all(np.isfinite(jacobian)):
+        _refuse_indistinct(problem, jacobian)
+        inverse = np.linalg.pinv(jacobian)
+        numerical = motion.error_estimate * np.abs(outcomes) / problem.scales
+        error = float(max(np.max(np.abs(inverse) @ numerical), EPS))
+        covariance = _covariance(problem, inverse * sizes[:, None], chi_square)
+    by_key = {f.key: float(v) for f, v in pairs}
+    missed = dict(zip(problem.observed, residuals.tolist(), strict=True))
+    return Solution(by_key, motion, missed, covariance, error, chi_square)
+
+
+def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> Floats | None:
+    """Of the fields: from the standard errors, or from the misfit where there are more observations than fields."""
+    if problem.is_weighted:
+        return np.asarray(inverse @ inverse.T)
+    if problem.degrees_of_freedom:
+        return np.asarray(inverse @ inverse.T * (chi_square / problem.degrees_of_freedom))
+    return None
+
+
+def _refuse_indistinct(problem: SearchProblem, jacobian: Floats) -> None:
     """Refuse residuals that do not change with one of the fields, or with several of them together."""
-    size, names = np.linalg.norm(relative, axis=0), ", ".join(space.observed)
-    if idle := [f.key for f, s in zip(space.fields, size, strict=True) if not s > _NOISE * np.max(size)]:
+    sizes, names = np.linalg.norm(jacobian, axis=0), ", ".join(problem.observed)
+    if idle := [f.key for f, s in zip(problem.fields, sizes, strict=True) if not s > _NOISE * np.max(sizes)]:
         raise ValueError(f"backanalyse: {', '.join(idle)}: changes nothing of {names}, and cannot be found from it")
-    _, singular, rows = np.linalg.svd(relative / size)
+    _, singular, directions = np.linalg.svd(jacobian / sizes)
     if singular[-1] <= _NOISE * singular[0]:
-        way = rows[-1] / size
-        way = way / np.max(np.abs(way))
-        steps = " and ".join(f"{f.key} by {100 * w:+.3g} %" for f, w in zip(space.fields, way, strict=True))
-        raise ValueError(f"backanalyse: changing {steps} changes nothing of {names}: they cannot be told apart by it")
+        change = directions[-1] / sizes
+        per_cent = 100 * change / np.max(np.abs(change))
+        changes = " and ".join(f"{f.key} by {c:+.3g} %" for f, c in zip(problem.fields, per_cent, strict=True))
+        raise ValueError(f"backanalyse: changing {changes} changes nothing of {names}: they cannot be told apart by it")
 
 
-def _doubts(space: Space, first: Solution) -> list[str]:
-    """What to know of a fit."""
-    said = []
-    for (name, value), (low, *_, high) in zip(first.values.items(), space.ranges, strict=True):
+def _range_warnings(problem: SearchProblem, solution: Solution) -> list[str]:
+    """Which values lie at the ends of the ranges that were searched."""
+    rows = zip(solution.values.items(), problem.ranges, strict=True)
+    return [
+        f"{name} = {value:.6g} lies at the end of the range that was searched, {low:.6g} to {high:.6g}: a better or "
+        "another one may lie beyond, and its standard error means little"
+        for (name, value), (low, *_, high) in rows
+        if min(value - low, high - value) <= _AT_END * (high - low)
+    ]
+
+
+def fit_warnings(problem: SearchProblem, first: Solution) -> list[str]:
+    """What to know of a fit: values that the observations hardly determine, and misfits too large for their errors."""
+    warnings = _range_warnings(problem, first)
+    for (name, value), (low, *_, high) in zip(first.values.items(), problem.ranges, strict=True):
         error = (first.standard_errors or {}).get(name, 0.0)
         if error > high - low:
-            said.append(f"{name} is not told by what is observed: {value:.6g} is one of many values that fit as well")
-        elif min(value - low, high - value) <= 1e-6 * (high - low):
-            said.append(f"{name} = {value:.6g} lies at the end of its range: its standard error means little")
+            warnings.append(f"{name} is not determined: {value:.6g} is one of many values that fit as well")
         elif error > abs(value):
-            said.append(f"{name} = {value:.6g} is hardly told by what is observed: its standard error is larger")
-    if space.weighed:
+            warnings.append(f"{name} = {value:.6g} is hardly determined: its standard error is larger")
+    if problem.is_weighted:
         from scipy.special import chdtrc
 
-        free = space.free
+        free = problem.degrees_of_freedom
         chance = float(chdtrc(free, first.chi_square)) if free else float(first.chi_square < 1.0)
-        if chance < _WORST:
-            of = "no observation is left over, so that all could be met" if not free else f"chance {chance:.1g}"
-            said.append(
+        reason = f"chance {chance:.1g}" if free else "no observation is left over, so that all could be met"
+        if chance < _UNLIKELY:
+            warnings.append(
                 f"the misfit is larger than the standard errors explain: chi-square {first.chi_square:.4g} with "
-                f"{free} degrees of freedom ({of})"
+                f"{free} degrees of freedom ({reason})"
             )
-    return said
+    return warnings

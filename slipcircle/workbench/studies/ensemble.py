@@ -15,11 +15,13 @@ from slipcircle.base import VERSION
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
 from slipcircle.base.series import Series
 from slipcircle.core.motion.plan import plan
+from slipcircle.core.scene.coordinates import arc_numbers
+from slipcircle.core.scene.parameters import parameter_value
 from slipcircle.core.scene.scene import Scene, checked
 from slipcircle.core.scene.section import Section
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, numbers_in
-from slipcircle.workbench.files.variation import along_means, value_in
+from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, uncertain_numbers
+from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.studies.design import METHODS, REPLICATES, Design
 from slipcircle.workbench.studies.engines import Folder, Progress, as_executor, engine, run_blocks, stored
 from slipcircle.workbench.studies.sampling import MOST_LATIN
@@ -175,7 +177,7 @@ def ensemble(
             if not right
         ],
     )
-    seed, n, drawn = _seed(rng, folder), int(n), dict(scene.uncertain)
+    seed, n, drawn = _seed(rng, folder), int(n), uncertain_numbers(scene)
     raise_all("ensemble", _truncated(drawn))
     scene = along_means(scene)
     matrix = _correlation(drawn, correlation or {})
@@ -268,7 +270,7 @@ def grid(
         except ValueError as error:
             said.append(str(error))
             continue
-        if value_in(scene, number.name) is None:
+        if parameter_value(scene, number.name) is None:
             has = listed([by_name(scene)[n].key for n in scene.numbers])
             said.append(f"{path}: the scene has no value of it to vary; it has {has}")
         elif number.name in inputs:
@@ -320,7 +322,7 @@ def _described(design: Design) -> dict[str, Any]:
         "outcomes": [*OUTCOMES],
         "accuracy": design.accuracy,
         "section": section,
-        "numbers": {n: v for n, v in scene.numbers.items() if not section or n not in numbers_in(arc)},
+        "numbers": {n: v for n, v in scene.numbers.items() if not section or n not in arc_numbers(arc)},
         "given": arc.given or {},
         "friction": scene.friction,
         "effects": scene.called,

@@ -58,7 +58,7 @@ def _solved(scene: Scene, effects: tuple[str, ...], full: Motion) -> Motion:
     if isinstance(arc, Section) and "pore_pressure" not in effects:
         arc = replace(arc, level=None)  # the water level is what calls for it
     given = {e: scene.called[e] for e in effects if e in scene.effects}
-    part = replace(scene, arc=arc, effects=given, uncertain={}, stability=None)
+    part = replace(scene, arc=arc, effects=given, uncertain={})
     try:
         return solve(part)
     except ValueError:

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.plan import plan
 from slipcircle.core.motion.solver import motion_of
+from slipcircle.core.scene.parameters import with_parameter_arrays
 from slipcircle.core.scene.scene import Scene
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import lengths
-from slipcircle.workbench.files.variation import scenes_with
 
 Floats = NDArray[np.float64]
 _STEPS, _FINE = (1e-5, 1e-7), 1e-14  # of derivatives, relative, until one is small enough; their motions
@@ -21,7 +21,7 @@ _STEPS, _FINE = (1e-5, 1e-7), 1e-14  # of derivatives, relative, until one is sm
 def motions(scene: Scene, values: Mapping[str, Any], accuracy: float | None = None) -> Motion:
     """The motions of a scene with arrays of values, SI, by name; what is no scene is `Status.INVALID`."""
     with np.errstate(all="ignore"):  # what is no scene has a status, and nothing to complain about
-        many, invalid = scenes_with(scene, {n: np.asarray(v, dtype=np.float64) for n, v in values.items()})
+        many, invalid = with_parameter_arrays(scene, {n: np.asarray(v, dtype=np.float64) for n, v in values.items()})
         return motion_of(plan(many, accuracy), invalid)
 
 

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from slipcircle.core.scene.parameters import with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES, words
-from slipcircle.workbench.files.variation import scene_with
 from slipcircle.workbench.studies.design import Design
 from slipcircle.workbench.studies.motions import derivatives
 from slipcircle.workbench.studies.statistics import Spread
@@ -42,7 +42,7 @@ def propagated(design: Design) -> dict[str, Linear]:
     if wrong := [design.inputs[n].key for n, (mean, std) in known.items() if not math.isfinite(mean + std)]:
         raise ValueError(f"{', '.join(wrong)}: has no finite mean and standard deviation")
     means = {n: float(design.inputs[n].to_si(mean)) for n, (mean, _) in known.items()}
-    at, slopes = derivatives(scene_with(design.scene, means), means, design.accuracy)
+    at, slopes = derivatives(with_parameters(design.scene, means), means, design.accuracy)
     if wrong := [design.inputs[n].key for n in means if not all(math.isfinite(s[n]) for s in slopes.values())]:
         raise ValueError(f"{', '.join(wrong)}: the motion at the means has no derivative by it")
     steps = {n: design.inputs[n].slope(mean) * std for n, (mean, std) in known.items()}  # of a standard deviation, SI

@@ -18,6 +18,7 @@ from slipcircle.core.scene.scene import Scene
 from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
+from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import NO_RESULT, Design, Result
 from slipcircle.workbench.studies.motions import motions
@@ -389,7 +390,7 @@ class Study:
         return found
 
     def _circle_warnings(self) -> list[str]:
-        stability = self.scene.stability
+        stability = stability_of(self.scene)
         if stability is None or not stability.method:
             return []
         whose = "scene as it is given" if self.design.method == "grid" else "means"

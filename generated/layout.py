@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 206bddfe17bd5077cf552613345fae626ee057c8681f890252be2519ce6c7d25
-"""Numbers that both walks know by name."""
+# sha256 of the text below: df40c758d0200f64265c32670a774517aa613756dc93eee165199ebce48ecb35
+"""Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
 
 # Cells of a lane, first in every program and in this order.
 TIME = 0  # t* at the start of the next step
@@ -51,25 +51,32 @@ START = 0  # not begun
 MOVING = 1  # on its way
 RESTING = 2  # at rest, and may start again
 ARRESTED = 3  # at rest for good
-ENDED = 4  # at its end time
-STOPPED = 5  # at its first standstill, which ends what nothing brings to rest
-UPRIGHT = 6  # the chord stands upright
-TOO_LONG = 7  # more steps or turns than are made
-FAILED = 8  # its numbers overflow
-NEED = 9  # a table has to go on
+PAUSED = 4  # at rest at its end time, beyond which something still changes
+ENDED = 5  # at its end time
+STOPPED = 6  # at its first standstill, which ends what nothing brings to rest
+UPRIGHT = 7  # the chord stands upright
+TOO_LONG = 8  # more steps or turns than are made
+FAILED = 9  # its numbers overflow
+NEED = 10  # a table has to go on
 
 # What its phase began by passing.
 NOTHING = 0  # its events have no root at the start
 LIFT = 1  # lifted or landed
 FASTER = 2  # into the next piece of a function of speed
 SLOWER = 3  # into the one before
-STOOD = 4  # a standstill
+
+# Events that end a step.
+EVENT_NONE = -1  # the step has its full length
+EVENT_STANDSTILL = 0  # the speed falls to zero
+EVENT_LIFT_OFF = 1  # what presses on the slip surface changes its sign: lift-off or landing
+EVENT_CHORD_UPRIGHT = 2  # the chord stands upright
+EVENT_BREAKPOINT = 3  # the upper edge of the first table's piece; then its lower edge, and those of the next tables
 
 # What is noted of the first lane.
-BEGINS = 1  # a phase
-STANDS = 2  # still
-LIFTS = 3  # off
-LANDS = 4  # again
+NOTE_BEGINS = 1  # a phase
+NOTE_STANDS = 2  # still
+NOTE_LIFTS = 3  # off
+NOTE_LANDS = 4  # again
 
 CELLS = ('TIME', 'ROTATION', 'SLIP', 'DIRECTION', 'LIFTED', 'STATUS', 'STEPS', 'PHASES', 'ORDER', 'FACTOR', 'END_TIME',
     'ONE_WAY', 'FIRST_ONLY', 'LIMIT', 'PEAK_TIME', 'PEAK_ROTATION', 'PEAK_OMEGA', 'PEAK_RATE', 'REACH_TIME',
@@ -84,3 +91,4 @@ STIFF_STEP = 20
 MOST_TURNS = 2000
 STIFF_CHANGE = 0.001
 CARRIED = 0.001
+SETTLED = 1.4210854715202004e-14

@@ -51,6 +51,7 @@ STATUS = {
     "MOVING": "on its way",
     "RESTING": "at rest, and may start again",
     "ARRESTED": "at rest for good",
+    "PAUSED": "at rest at its end time, beyond which something still changes",
     "ENDED": "at its end time",
     "STOPPED": "at its first standstill, which ends what nothing brings to rest",
     "UPRIGHT": "the chord stands upright",
@@ -63,7 +64,13 @@ PASSED = {
     "LIFT": "lifted or landed",
     "FASTER": "into the next piece of a function of speed",
     "SLOWER": "into the one before",
-    "STOOD": "a standstill",
+}
+EVENTS = {
+    "NONE": "the step has its full length",
+    "STANDSTILL": "the speed falls to zero",
+    "LIFT_OFF": "what presses on the slip surface changes its sign: lift-off or landing",
+    "CHORD_UPRIGHT": "the chord stands upright",
+    "BREAKPOINT": "the upper edge of the first table's piece; then its lower edge, and those of the next tables",
 }
 NOTES = {"BEGINS": "a phase", "STANDS": "still", "LIFTS": "off", "LANDS": "again"}
 KINDS = ("slip", "speed", "time", "rotation")  # what a table is a function of
@@ -88,8 +95,9 @@ ROLES = (
 # by what decays at once (the motion is stiff): it counts for many.
 LIMITS = {"MOST_STEPS": 200_000, "STIFF_STEP": 20, "MOST_TURNS": 2000}
 # A mass that is carried but for a share of its weight swings on for ever: friction takes 2 mu of that share from the
-# width of each swing, so that it takes about as many swings as are followed at most.
-SHARES = {"STIFF_CHANGE": 1e-3, "CARRIED": 1e-3}
+# width of each swing, so that it takes about as many swings as are followed at most. A speed that
+# changes by less than the last share in a step has settled.
+SHARES = {"STIFF_CHANGE": 1e-3, "CARRIED": 1e-3, "SETTLED": 2.0**-46}
 
 # What is numbered: in words, the prefix of its names in C, the first number, names and meanings.
 NUMBERED = (
@@ -97,15 +105,16 @@ NUMBERED = (
     ("Cells of a table", "", 0, TABLE),
     ("What a lane is doing", "", 0, STATUS),
     ("What its phase began by passing", "", 0, PASSED),
+    ("Events that end a step", "EVENT_", -1, EVENTS),
     ("What is noted of the first lane", "NOTE_", 1, NOTES),
 )
 
 
 def python() -> str:
-    """The module `generated.cells`."""
-    parts = ['"""Numbers that both walks know by name."""\n\n']
-    for words, _, start, names in NUMBERED:
-        rows = "".join(f"{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
+    """The module `generated.layout`."""
+    parts = ['"""Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""\n\n']
+    for words, prefix, start, names in NUMBERED:
+        rows = "".join(f"{prefix}{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
         parts.append(f"# {words}.\n{rows}\n")
     given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | LIMITS | SHARES
     return "".join((*parts, *(f"{x} = {y!r}\n" for x, y in given.items())))
@@ -114,7 +123,7 @@ def python() -> str:
 def c() -> dict[str, str]:
     """The same for the compiled walk, and the members of the struct of a program's roles, by their mark there."""
     rows = [
-        [f"{prefix}{x}{f' = {start}' * (start > 0 and not k)}" for k, x in enumerate(names)]
+        [f"{prefix}{x}{f' = {start}' * (start != 0 and not k)}" for k, x in enumerate(names)]
         for _, prefix, start, names in NUMBERED
     ]
     rows += [[f"OF_{x.upper()}" for x in KINDS], [f"{x} = {y}" for x, y in LIMITS.items()]]

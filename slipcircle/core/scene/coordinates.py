@@ -1,0 +1,81 @@
+"""The numbers of an arc or a section by name: its fields, and the coordinates of its points, ``ground.3.y``.
+
+A section's ground, water level and centre are arrays of points. Each coordinate is a number of its own, named after
+the field, the point from 0, and x or y; a centre is one point: ``centre.x``.
+"""
+
+from collections.abc import Mapping
+from dataclasses import fields
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+Index = tuple[int, ...]
+
+
+@lru_cache(maxsize=256)
+def _names(field: str, shape: tuple[int, ...]) -> dict[str, Index]:
+    """Name of every number in a field of this shape, with its index there."""
+    if not shape:
+        return {field: ()}
+    indices = [tuple(map(int, index)) for index in np.ndindex(shape)]
+    return {".".join((field, *map(str, index[:-1]), "xy"[index[-1]])): index for index in indices}
+
+
+def indices_of(arc: Any, field: str) -> dict[str, Index]:
+    """The numbers of one field of an arc or a section: each by its name, with its index in the axes of one section."""
+    value, axes = getattr(arc, field), arc.quantities[field]
+    if value is None:
+        return {}
+    return _names(field, np.shape(value)[-axes:] if axes else ())
+
+
+def arc_numbers(arc: Any) -> dict[str, Any]:
+    """All numbers of an arc or a section by name: each one number, or an array of one a lane."""
+    numbers: dict[str, Any] = {}
+    for field in arc.quantities:
+        value = getattr(arc, field)
+        lanes: Any = np.asarray(value)
+        for name, index in indices_of(arc, field).items():
+            numbers[name] = lanes[(..., *index)] if index else value
+    return numbers
+
+
+def changed_fields(arc: Any, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The fields of an arc or a section that differ once some of its numbers have other values."""
+    changed: dict[str, Any] = {}
+    for field, axes in arc.quantities.items():
+        indices = indices_of(arc, field)
+        replaced = {name: index for name, index in indices.items() if name in values}
+        if replaced and not axes:
+            changed[field] = values[field]
+        elif replaced:
+            changed[field] = _with_coordinates(
+                np.asarray(getattr(arc, field), dtype=np.float64), axes, replaced, values
+            )
+    return changed
+
+
+def _with_coordinates(points: Any, axes: int, replaced: Mapping[str, Index], values: Mapping[str, Any]) -> Any:
+    """An array of points in which the coordinates at some indices are replaced by numbers, or by one a lane."""
+    shape = points.shape[-axes:]
+    some_stay = len(replaced) < np.prod(shape)
+    lanes_of_the_rest = points.shape[:-axes] if some_stay else ()
+    lanes = np.broadcast_shapes(lanes_of_the_rest, *(np.shape(values[name]) for name in replaced))
+    changed: Any = np.empty((*lanes, *shape))
+    if some_stay:
+        changed[...] = points
+    for name, index in replaced.items():
+        changed[(..., *index)] = values[name]
+    return changed
+
+
+def replace_unchecked(instance: Any, values: Mapping[str, Any]) -> Any:
+    """A frozen dataclass with other field values that its constructor does not see: they were checked, or will be."""
+    if all(value is getattr(instance, name) for name, value in values.items()):
+        return instance
+    other = object.__new__(type(instance))
+    for f in fields(instance):
+        object.__setattr__(other, f.name, values.get(f.name, getattr(instance, f.name)))
+    return other

@@ -1,0 +1,38 @@
+"""A scene of a real slope with what its file says beyond the motion: the factors of safety of its circle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from slipcircle.base.kinds import Numbers
+from slipcircle.core.motion.motion import Motion
+from slipcircle.core.scene.scene import Scene
+
+if TYPE_CHECKING:
+    from slipcircle.workbench.stability.search import Critical
+
+
+@dataclass(frozen=True)
+class SlopeScene(Scene[Numbers]):
+    """A scene along a circle whose factors of safety are known; `load` gives it, and the motion does not depend on it.
+
+    Attributes
+    ----------
+    stability : Critical, optional
+        Factors of safety of the section's circle, and how it was found.
+    """
+
+    stability: Critical | None = None
+
+
+def stability_of(scene: Scene) -> Critical | None:
+    """The factors of safety of a scene's circle, where they are known."""
+    return scene.stability if isinstance(scene, SlopeScene) else None
+
+
+def warnings_of(motion: Motion) -> tuple[str, ...]:
+    """What a user should know of a single motion, and of the circle along which it goes."""
+    stability = stability_of(motion.plan.scene)
+    of_circle = [stability.warning] if stability and stability.warning else []
+    return (*of_circle, *motion.warnings)

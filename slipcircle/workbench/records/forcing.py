@@ -1,0 +1,57 @@
+"""Effects of a scene file in which records are named by their files, with the functions of time that these hold."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from slipcircle.workbench.records.records import read_pore_pressure, read_record
+
+_OF_WATER = ("units", "column", "step", "start", "gaps")
+_OF_RECORDS = ("holds", "units", "step", "start", "gaps")
+_BESIDE_RECORDS = ("two_way", "scale", "peak")
+
+
+def with_records(effects: Mapping[str, Mapping[str, Any]], gravity: float) -> dict[str, Mapping[str, Any]]:
+    """Effects, of which those that name a record's file have its series instead; gravity in m/s^2.
+
+    Raises
+    ------
+    ValueError
+        If a file cannot be read as it is described; names the effect.
+    """
+    readers = {"shaking": lambda given: _shaking(given, gravity), "pore_pressure": _pore_pressure}
+    read = dict(effects)
+    for name in readers:
+        if "record" in effects.get(name, {}):
+            try:
+                read[name] = readers[name](effects[name])
+            except (ValueError, OSError) as error:
+                raise ValueError(f"effects.{name}: {error}") from error
+    return read
+
+
+def _pore_pressure(given: Mapping[str, Any]) -> dict[str, Any]:
+    """A ratio or a pressure from a record."""
+    series = read_pore_pressure(given["record"], **{k: given[k] for k in _OF_WATER if k in given})
+    other = next((k for k in ("time", *series) if k in given), None)
+    if other is not None:
+        raise ValueError(f"{other} and record exclude each other; leave one out")
+    return {k: v for k, v in given.items() if k not in ("record", *_OF_WATER)} | series
+
+
+def _shaking(given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
+    """k_h(t) and k_v(t) from a record, over gravity."""
+    for way in ("horizontal", "pulse"):
+        if way in given:
+            raise ValueError(f"{way} and record exclude each other; leave one out")
+    known = {"record", "column", "vertical_record", "vertical_column", *_OF_RECORDS, *_BESIDE_RECORDS}
+    if strange := [k for k in given if k not in known]:
+        raise ValueError(f"{strange[0]} does not belong to a record; leave it out")
+    if "holds" not in given:
+        raise ValueError('holds is missing: a record must say whether it holds "ground" or "driving" acceleration')
+    common = {k: given[k] for k in _OF_RECORDS if k in given} | {"gravity": gravity}
+    series: dict[str, Any] = {"horizontal": read_record(given["record"], column=given.get("column"), **common)}
+    if "vertical_record" in given or "vertical_column" in given:
+        path = given.get("vertical_record", given["record"])
+        series["vertical"] = read_record(path, column=given.get("vertical_column"), **common)
+    factor = {} if "peak" in given else {"scale": 1.0}
+    return series | factor | {k: given[k] for k in _BESIDE_RECORDS if k in given}

@@ -1,0 +1,250 @@
+"""What a back-analysis is asked: which numbers of a scene, over which ranges, and what was observed."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated.effects import EFFECTS
+from slipcircle.base.checks import raise_all
+from slipcircle.core.motion.states import ANSWERED, Status
+from slipcircle.core.scene.friction import law_depends
+from slipcircle.core.scene.parameters import DIP, parameter_value
+from slipcircle.core.scene.scene import Scene
+from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
+from slipcircle.workbench.studies.motions import motions
+
+Floats = NDArray[np.float64]
+Kinds = NDArray[Any]  # of what kind each motion is
+Observed = float | tuple[float, float]
+Observations = Mapping[str, tuple[float, float | None]]
+Bounds = tuple[float, float]
+MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
+_PATIENCE = 100.0  # times sqrt(R/g), until which a motion without an end is followed: what creeps on takes too long
+_FINE = 1e-13  # accuracy of motions in a search
+_STEP = 1e-6  # of differences, of a range
+
+
+class SearchProblem:
+    """Fields of a scene over their ranges, and what was observed.
+
+    Points are shares from 0 to 1 of the ranges, whose values lie closer where motions change faster.
+    """
+
+    def __init__(
+        self, scene: Scene, fields: Sequence[Number], ranges: Sequence[Floats], observed: Observations
+    ) -> None:
+        self.scene, self.fields, self.ranges, self.observed = scene, fields, ranges, observed
+        self.is_weighted = all(sigma is not None for _, sigma in observed.values())  # all standard errors, or none
+        self.targets = np.array([value for value, _ in observed.values()])
+        self.scales = np.array([sigma or abs(value) for value, sigma in observed.values()])
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Observations less fields."""
+        return len(self.observed) - len(self.fields)
+
+    def outcomes(self, values: Floats) -> tuple[Floats, Kinds]:
+        """What would be observed at values (fields, count) in the fields' units, and of what kind the motions are.
+
+        NaN where they do not count: those do that move, and rest or end before long.
+        """
+        scene = self.scene
+        if scene.end_time is None:
+            scene = replace(scene, end_time=_PATIENCE * float(scene.arc.time_scale), uncertain={})
+        si = {field.name: field.to_si(v) for field, v in zip(self.fields, values, strict=True)}
+        motion = motions(scene, si, _FINE)
+        counts = np.isin(motion.status, ANSWERED) & motion.moves & (motion.turnings <= MOST_SWINGS)
+        if self.scene.end_time is None:
+            counts &= motion.status != Status.MOVING
+        kind = np.where(counts, 10 * motion.turnings + motion.status, -1)
+        return np.where(counts, np.stack([motion.outcomes[n] for n in self.observed]), np.nan), kind
+
+    def values_at(self, shares: Floats) -> Floats:
+        """Values of the fields, (fields, count)."""
+        evenly = (np.linspace(0.0, 1.0, len(values)) for values in self.ranges)
+        rows = zip(shares, evenly, self.ranges, strict=True)
+        return np.stack([np.interp(share, places, values) for share, places, values in rows])
+
+    def residuals(self, shares: Floats) -> Floats:
+        """Computed less observed, in standard errors or as shares of what was observed, (observations, count)."""
+        outcomes, _ = self.outcomes(self.values_at(shares))
+        return (outcomes - self.targets[:, None]) / self.scales[:, None]
+
+    def linearised(self, shares: Floats) -> tuple[Floats, Floats]:
+        """Residuals, and their derivatives by the shares, (observations, fields, count): to the side that is known."""
+        count = shares.shape[1]
+        fields = len(self.fields)
+        steps = _STEP * np.eye(fields)[:, :, None]  # of each field in turn
+        here = shares[:, None]
+        places = np.concatenate([here, np.minimum(here + steps, 1.0), np.maximum(here - steps, 0.0)], axis=1)
+        r = self.residuals(places.reshape(fields, -1)).reshape(-1, 1 + 2 * fields, count)
+        is_known = ~np.isnan(r).any(axis=0)
+        r, places = np.where(is_known, r, r[:, :1]), np.where(is_known, places, here)
+        ahead, behind = slice(1, 1 + fields), slice(1 + fields, None)
+        width = np.einsum("ffn->fn", places[:, ahead] - places[:, behind])
+        return r[:, 0], (r[:, ahead] - r[:, behind]) / np.maximum(width, 1e-300)
+
+
+# --- observations and fields -----------------------------------------------------------------------------------------
+
+
+def observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float, float | None]]:
+    """Values and standard errors of what is observed."""
+    found, mistakes = dict[str, tuple[float, float | None]](), []
+    for name, value in given.items():
+        if value is None:
+            continue
+        try:
+            seen, sigma = map(float, value) if isinstance(value, (tuple, list)) else (float(value), None)
+        except (TypeError, ValueError):
+            seen, sigma = math.nan, None
+        has_error = sigma is None or 0.0 < sigma < math.inf
+        is_duration = name == "duration"
+        if has_error and math.isfinite(seen) and seen != 0.0 and not (is_duration and seen < 0.0):
+            found[name] = (seen, sigma)
+        else:
+            allowed = "a positive number" if is_duration else "a number other than 0"
+            mistakes.append(f"{name} = {value!r}: must be {allowed}, or it and its positive standard error")
+    if not found and not mistakes:
+        mistakes.append(f"nothing observed: give one of {', '.join(given)}")
+    if len({sigma is None for _, sigma in found.values()}) > 1:
+        mistakes.append("standard errors: give them for all observations, or for none")
+    raise_all("backanalyse", mistakes)
+    return found
+
+
+def search_problem(scene: Scene, field: Any, bounds: Any, observed: Observations) -> SearchProblem:
+    """The fields over their ranges, in their units."""
+    paths = [field or _default_field(scene)] if isinstance(field, str | None) else field
+    if not isinstance(paths, Sequence) or not paths or not isinstance(bounds, tuple | Mapping | None):
+        raise ValueError(
+            f"backanalyse: field = {field!r}, bounds = {bounds!r}: must be a key or a list of keys, and a "
+            "pair of numbers or a mapping from keys to such"
+        )
+    by_path = dict.fromkeys(paths[:1], bounds) if isinstance(bounds, tuple) else dict(bounds or {})
+    try:
+        fields = [number_in(scene, path) for path in paths]
+        limits = {number_in(scene, path).key: pair for path, pair in by_path.items()}
+    except ValueError as error:
+        raise ValueError(f"backanalyse: field: {error}") from error
+    mistakes = _field_mistakes(scene, fields, observed)
+    first = fields[0].key
+    if isinstance(bounds, tuple) and len(fields) > 1:
+        mistakes.append(f"bounds = {bounds!r}: of several fields give a mapping, such as {{{first!r}: {bounds!r}}}")
+    if other := [key for key in limits if key not in [f.key for f in fields]]:
+        mistakes.append(f"bounds: {', '.join(other)} is none of the fields")
+    raise_all("backanalyse", mistakes)
+    is_alone = len(fields) == 1
+    ranges = [_between(f.key, *limits[f.key]) if f.key in limits else _range(scene, f, is_alone) for f in fields]
+    return SearchProblem(scene, fields, ranges, observed)
+
+
+def _default_field(scene: Scene) -> str:
+    """The friction angle, where the law has one alone."""
+    keys = by_key(scene)
+    if "friction.angle_deg" in keys:
+        return "friction.angle_deg"
+    laws = {key: number.name for key, number in keys.items() if number.name.startswith("friction.")}
+    of_law = [key for key, name in laws.items() if parameter_value(scene, name) is not None]
+    raise ValueError(
+        f"backanalyse: field (--field): this law of friction has no single angle; give one of {listed(of_law or keys)}"
+    )
+
+
+def _field_mistakes(scene: Scene, fields: Sequence[Number], observed: Observations) -> list[str]:
+    """A sentence for each mistake in which numbers are to be fitted."""
+    mistakes, names = [], [f.name for f in fields]
+    ends = {"theta_1", "theta_2"}.intersection(names)
+    if twice := sorted({f.key for f in fields if names.count(f.name) > 1}):
+        mistakes.append(f"field: {', '.join(twice)} is named twice")
+    if DIP.name in names and ends:
+        mistakes.append("field: arc.dip_deg turns theta_1 and theta_2 together; leave it or them out")
+    if scene.arc.given is not None and (DIP.name in names or ends):
+        mistakes.append("field: the arc's coefficients are given, and do not follow its angles")
+    if len(fields) > len(observed):
+        mistakes.append(
+            f"{len(fields)} fields from {len(observed)} of what is observed ({', '.join(observed)}): they "
+            "cannot be told apart; give as many observations as fields, or fewer fields"
+        )
+    return mistakes
+
+
+# --- ranges ----------------------------------------------------------------------------------------------------------
+
+
+def _between(name: str, low: float, high: float) -> Floats:
+    """The range between bounds, in equal ratios where they are far apart."""
+    if not (math.isfinite(low) and math.isfinite(high) and low < high):
+        raise ValueError(
+            f"backanalyse: bounds of {name} = ({low!r}, {high!r}): must be two numbers, the lower one first"
+        )
+    return np.geomspace(low, high, 401) if 0.0 < 100 * low < high else np.linspace(low, high, 401)
+
+
+def _range(scene: Scene, field: Number, is_alone: bool) -> Floats:
+    """From the least to the greatest value where no bounds are given; farther where other fields change as well."""
+    values = _usual_range(scene, field.name)
+    before = parameter_value(scene, field.name)
+    is_coefficient = field.name.startswith("friction") and ".rate." not in field.name
+    if values is None and is_coefficient and (field.tangent or not field.unit):
+        values = _friction_range(scene, field, is_alone)
+    if values is None and before is None:
+        raise ValueError(f"backanalyse: field = {field.key!r}: give bounds, as the scene has no value of it")
+    if values is None and before is not None:
+        is_place = field.name in lengths(scene.arc)
+        radius = float(np.asarray(scene.arc.radius))
+        around = before + radius * np.linspace(-1.0, 1.0, 401)
+        values = around if is_place else (abs(before) or 1.0) * np.geomspace(1e-3, 1e3, 121)
+    assert values is not None
+    return np.unique(field.from_si(values))
+
+
+def _usual_range(scene: Scene, name: str) -> Floats | None:
+    """Of a number whose scale the arc gives, SI; None of all others."""
+    arc = scene.arc
+    stress, radius, gravity = (float(np.asarray(v)) for v in (arc.static_normal_stress, arc.radius, arc.gravity))
+    shares = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
+    match name:
+        case "initial_velocity":
+            speed = 2 * math.sqrt(gravity * radius)
+            return np.linspace(-speed, speed, 241)
+        case "dip":
+            return np.pi / 2 * np.concatenate([-shares[:0:-1], shares])
+        case "theta_1":
+            return float(np.asarray(scene.numbers["theta_2"])) - np.pi * shares[1:]
+        case "theta_2":
+            return float(np.asarray(scene.numbers["theta_1"])) + np.pi * shares[1:]
+        case "cohesion.cohesion":
+            return stress * np.concatenate([[0.0], np.geomspace(1e-6, 100.0, 161)])
+        case "pore_pressure.ratio":
+            return shares
+        case "pore_pressure.pressure":
+            return stress * shares
+        case "drag.xi":
+            return gravity * np.geomspace(1e-3, 1e9, 193)
+        case "friction.length":
+            return radius * np.geomspace(1e-9, 10.0, 161)
+    return None
+
+
+def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
+    """From so little that the mass swings to the limit, beyond which nothing moves from rest."""
+    at_once = replace(scene, end_time=1e-9 * float(scene.arc.time_scale), uncertain={})
+    limit = float(motions(at_once, {field.name: np.zeros(1)}).limit_friction[0])
+    limit = limit if 1e-6 < limit < math.inf else 1.0
+    least = 0.5 / MOST_SWINGS
+    shares = [np.geomspace(least, 1.0, 129), np.linspace(least, 1.0, 129), 1.0 - 10.0 ** -np.arange(3.0, 13.0)]
+    turns = any(EFFECTS[effect].turns for effect in scene.called)
+    if field.name == "friction" and scene.end_time is None and not turns:
+        shares = [np.ones(1)]  # with less it never rests
+    creeps = "speed" in law_depends(scene.friction)  # with more it creeps, which takes long to follow
+    has_speed = float(np.asarray(scene.initial_velocity)) != 0.0
+    if is_alone and not creeps and (has_speed or field.name != "friction"):
+        shares.append(np.geomspace(1.0, 1e3, 61))
+    if "shaking" in scene.called or not is_alone:  # it moves what would stand
+        shares.append(np.linspace(1.0, max(3.0 / limit, 2.0), 81))
+    return limit * np.concatenate(shares)
