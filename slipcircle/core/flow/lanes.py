@@ -15,7 +15,7 @@ from slipcircle.core.flow.columns import Columns
 from slipcircle.core.flow.compiled import engine
 from slipcircle.core.flow.program import Log, Samples
 from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.coordinates import replace_unchecked
+from slipcircle.core.scene.coordinates import by_lanes
 from slipcircle.core.scene.section import Section
 
 Floats = NDArray[np.float64]
@@ -95,9 +95,8 @@ class Lanes:
             return value[which] if by_lane else value
 
         given = {f.name: cut(getattr(self, f.name)) for f in fields(Lanes)}
-        arc = replace_unchecked(
-            self.arc, {n: cut(getattr(self.arc, n), axes) for n, axes in self.arc.quantities.items()}
-        )
+        arc = by_lanes(self.arc, cut)
+        given["called"] = arc.section_effects(given["called"])
         return Lanes(**given | {"arc": arc, "count": np.arange(self.count)[which].size})
 
     def parts(self) -> Iterator[tuple[slice, "Lanes"]]:

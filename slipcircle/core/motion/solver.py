@@ -13,7 +13,8 @@ from slipcircle.core.flow.lanes import BLOCK, Lanes
 from slipcircle.core.motion.motion import FINAL_ENTRIES, Motion, final_entries
 from slipcircle.core.motion.plan import Plan, plan
 from slipcircle.core.motion.states import Status
-from slipcircle.core.scene.coordinates import replace_unchecked
+from slipcircle.core.scene.coordinates import by_lanes
+from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.scene import Scene
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
@@ -82,14 +83,16 @@ def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
         return value if value.shape == (count, *own) else np.broadcast_to(value, (*scene.shape, *own)).reshape(-1, *own)
 
     numbers = scene.numbers
-    arc = replace_unchecked(
-        scene.arc, {n: flat(getattr(scene.arc, n), axes) for n, axes in scene.arc.quantities.items()}
-    )
-    called = {
-        e: {n: flat(v) if f"{e}.{n}" in numbers else v for n, v in given.items()} for e, given in scene.called.items()
+    arc = by_lanes(scene.arc, flat)
+    assert isinstance(scene.effects, dict)
+    effects = {
+        e: {n: flat(v) if f"{e}.{n}" in numbers else v for n, v in given.items()} for e, given in scene.effects.items()
     }
+    called = arc.section_effects(effects)
     law = scene.friction
-    if isinstance(law, Mapping):
+    if isinstance(arc, LayeredSection):
+        law = arc.friction
+    elif isinstance(law, Mapping):
         law = {n: flat(v) if f"friction.{n}" in numbers else v for n, v in law.items()}
         if isinstance(rate := law.get("rate"), Mapping):
             law["rate"] = {n: flat(v) if f"friction.rate.{n}" in numbers else v for n, v in rate.items()}

@@ -18,13 +18,15 @@ gamma the mean unit weight, lengths over R.
 from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from slipcircle.base.checks import mistakes, raise_all
+from slipcircle.core.scene.friction import law_mistakes
 from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.strips import Floats, Strips, cut_into_strips
 
@@ -66,6 +68,9 @@ class Soil:
     pore_ratio: ArrayLike = 0.0
     name: str = ""
 
+    def __post_init__(self) -> None:
+        raise_all(f"Soil {self.name}".rstrip(), soil_mistakes(self))
+
     @property
     def peak(self) -> Any:
         """Friction coefficient at the start."""
@@ -75,6 +80,10 @@ class Soil:
     def residual(self) -> Any:
         """Friction coefficient after much slip."""
         return self.friction["residual"] if isinstance(self.friction, Mapping) else self.friction
+
+
+class MeanFriction(dict[str, Any]):
+    """The law of friction of an arc as a whole that the soils along it make up."""
 
 
 class OfRotation(NamedTuple):
@@ -89,6 +98,25 @@ class OfRotation(NamedTuple):
     def __call__(self, rotation: Floats) -> Floats:
         """Its values after rotations (M, circles), (M, lanes)."""
         return np.asarray((self.parts(rotation) * self.coefficients[:, None]).sum(axis=0))
+
+
+def soil_mistakes(soil: Soil) -> list[str]:
+    """A sentence for each number of a soil that no soil has."""
+    positive, stress = (0.0, 1e6, "a positive unit weight in N/m^3"), (-5e-324, 1e12, "a stress of at least 0 in Pa")
+    bounds = {
+        "unit_weight": positive,
+        "saturated_unit_weight": positive,
+        "cohesion": stress,
+        "cohesion_gradient": (-5e-324, 1e12, "a growth of at least 0 in Pa/m"),
+        "pore_ratio": (-5e-324, 1.0, "at least 0 and below 1"),
+    }
+    numbers = {name: getattr(soil, name) for name in bounds if getattr(soil, name) is not None}
+    found = mistakes(numbers, {name: bounds[name] for name in numbers}) + law_mistakes(soil.friction)
+    if isinstance(soil.friction, Mapping) and not {"peak", "residual", "length"} <= {*soil.friction}:
+        found.append("friction.law: must have a peak, a residual and a length, to be shared along an arc")
+    if soil.datum is None and not found and np.any(np.asarray(soil.cohesion_gradient)):
+        found.append("datum: is missing: y below which the cohesion grows, in m")
+    return found
 
 
 class Stretches(NamedTuple):
@@ -480,11 +508,60 @@ class LayeredSection(Section):
         return changing, remaining
 
     @cached_property
-    def friction(self) -> Any:
+    def friction(self) -> MeanFriction:
         """The friction of the arc as a whole, as a `Scene` takes it: its mean, by the normal forces at the start."""
         laws = [s.friction for s in self.soils if isinstance(s.friction, Mapping)]
         peak, residual = self._shaped(self.mean_peak), self._shaped(self.mean_residual)
-        return {**laws[0], "peak": peak, "residual": residual} if laws else peak
+        if not laws:
+            return MeanFriction(law="constant", coefficient=peak)
+        return MeanFriction(laws[0], peak=peak, residual=residual)
+
+    def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:
+        """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
+        terms = {
+            name: term for name, term in self.strength_terms.items()
+            if not name.endswith("inertia") or "centripetal" in effects
+        }
+        return {**effects, "layered_strength": terms}
+
+    # --- numbers that vary -------------------------------------------------------------------------------------------
+
+    def other_numbers(self) -> dict[str, Any]:
+        """``soils.NAME.cohesion``, ``soils.NAME.friction.peak``, ...; ``layers.2.top``, of a line that of its first point."""
+        numbers: dict[str, Any] = {}
+        for soil in self.soils:
+            for field in _VARYING:
+                if (value := getattr(soil, field)) is not None:
+                    numbers[f"soils.{soil.name}.{field}"] = value
+            if isinstance(soil.friction, Mapping):
+                numbers |= {f"soils.{soil.name}.friction.{n}": v for n, v in soil.friction.items() if n != "law"}
+            else:
+                numbers[f"soils.{soil.name}.friction"] = soil.friction
+        for k, (_, top) in enumerate(self.layers):
+            if top is not None:
+                numbers[f"layers.{k + 1}.top"] = np.asarray(top)[..., 0, 1][()] if np.ndim(top) > 1 else top
+        return numbers
+
+    def fields_with(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """The layers and the foreland with other values of these."""
+
+        def changed(soil: Soil) -> Soil:
+            mine = {n.split(".", 2)[2]: v for n, v in values.items() if n.startswith(f"soils.{soil.name}.")}
+            law = {n.partition(".")[2]: mine.pop(n) for n in [*mine] if n.startswith("friction.")}
+            return replace(soil, **mine, **({"friction": {**soil.friction, **law}} if law else {}))
+
+        soils = {id(soil): changed(soil) for soil in self.soils}
+        layers = []
+        for k, (soil, top) in enumerate(self.layers):
+            value = values.get(f"layers.{k + 1}.top")
+            if value is not None and np.ndim(top) > 1:  # the line moves as a whole
+                line = np.asarray(top, dtype=np.float64)
+                shift = np.asarray(value) - line[..., 0, 1]
+                top = line + np.stack(np.broadcast_arrays(0.0, shift[..., None]), axis=-1)
+            elif value is not None:
+                top = value
+            layers.append((soils[id(soil)], top))
+        return {"layers": tuple(layers), "foreland": self.foreland and soils[id(self.foreland)]}
 
     @cached_property
     def strength_terms(self) -> dict[str, Any]:
@@ -537,4 +614,5 @@ def _sum(functions: Sequence[OfRotation]) -> OfRotation:
     return OfRotation(parts, np.concatenate([f.coefficients for f in functions]))
 
 
+_VARYING = ("unit_weight", "cohesion", "saturated_unit_weight", "cohesion_gradient", "pore_ratio")
 _NUMBERS = ("unit_weight", "cohesion", "peak", "residual", "saturated_unit_weight", "cohesion_gradient", "pore_ratio")

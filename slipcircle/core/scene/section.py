@@ -266,6 +266,12 @@ class Section(Mass):
         levels = () if self.level is None else line_faults("level", self._level)
         return chain(line_faults("ground", self._circle[0]), levels, faults(self), unmoved(self))
 
+    def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:
+        """With the mean pressure below the water level, which stays while the mass turns through it."""
+        if self.level is None:
+            return effects
+        return {**effects, "pore_pressure": {**effects.get("pore_pressure", {}), "level": self.mean_pressure}}
+
     @cached_property
     def no_motion(self) -> str | None:
         """Why the method gives no motion, if it does not."""

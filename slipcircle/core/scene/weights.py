@@ -1,5 +1,6 @@
 """What the balance of momentum takes from a failed section, whatever its shape."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -59,6 +60,18 @@ class Mass:
     gravity: Any
     half_angle: Any
     dimensionless: Any
+
+    def other_numbers(self) -> dict[str, Any]:
+        """Numbers beside those of its fields, by name: of the soils of a layered section."""
+        return {}
+
+    def fields_with(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """The fields that differ once some of these have other values."""
+        raise KeyError(*values)
+
+    def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:
+        """Effects with what the section itself adds to them: its water level, the strengths of its soils."""
+        return effects
 
     @property
     def mean_unit_weight(self) -> Any:
