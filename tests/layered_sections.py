@@ -18,8 +18,11 @@ DIGITS = 30
 NAMES = ("weight", "weight rho", "weight rho^2", "weight x/rho", "weight y/rho", "weight x", "weight y")
 
 
-def random_section(rng: np.random.Generator, **given: Any) -> LayeredSection:
-    """A section with up to four layers: wavy, crossing and level boundaries, one soil twice, thin seams."""
+def random_section(rng: np.random.Generator, everything: bool = False, **given: Any) -> LayeredSection:
+    """A section with up to four layers: wavy, crossing and level boundaries, one soil twice, thin seams.
+
+    With everything also a water level, saturated weights, cohesion with depth, pore pressure ratios and surcharges.
+    """
     while True:
         facing = rng.choice([-1, 1])
         x = np.concatenate([[-120.0], np.sort(rng.uniform(-60, 80, 4)), [160.0]])
@@ -34,10 +37,17 @@ def random_section(rng: np.random.Generator, **given: Any) -> LayeredSection:
             else:
                 count = rng.integers(2, 7)
                 tops.append(np.column_stack([np.sort(rng.uniform(-100, 100, count)), rng.uniform(-12, 24, count)]))
-        soils = [
-            Soil(rng.uniform(15e3, 22e3), rng.uniform(0, 2e4), rng.uniform(0.0, 0.8), name=f"soil {k}")
-            for k in range(len(tops) + 1)
-        ]
+        soils = []
+        for k in range(len(tops) + 1):
+            more: dict[str, Any] = {}
+            if everything:
+                more = {"cohesion_gradient": rng.choice([0.0, 800.0]), "datum": float(rng.uniform(-5, 20))}
+                more |= {"pore_ratio": rng.choice([0.0, 0.0, 0.2]), "saturated_unit_weight": rng.choice([None, 23e3])}
+            strength = rng.uniform(0, 2e4), rng.uniform(0.0, 0.8)
+            soils.append(Soil(rng.uniform(15e3, 22e3), *strength, name=f"soil {k}", **more))
+        if everything:
+            loads = [(float(x), float(x + rng.uniform(2, 20)), *(5e4 * rng.random(2))) for x in rng.uniform(-30, 30, 2)]
+            given = {**given, "level": ground - [0.0, rng.uniform(0, 4)], "surcharge": loads}
         if len(tops) > 1:
             soils[2] = soils[0]
         centre = (rng.uniform(-10, 40) * facing, rng.uniform(28, 70))
@@ -176,6 +186,109 @@ def computed(section: LayeredSection) -> tuple[list[float], list[list[float]]]:
     return moments.tolist(), parts
 
 
+def strength_by_quadrature(section: LayeredSection, rotation: float, omega_2: float) -> tuple[Any, Any]:
+    """Friction, water's part of it, and cohesion after a rotation, and by Gauss' rule along 40,000 pieces of the arc.
+
+    Over the weights towards the arc at rest; ``omega_2`` is omega*^2.
+    """
+    radius, (cx, cy) = float(section.radius), map(float, section.centre)  # type: ignore[arg-type, union-attr]
+    facing = float(section.facing)
+    span = [float(end[0]) for end in section._span]
+    lines = [np.asarray(section.ground), *(np.asarray(top) for _, top in section.layers[1:])]
+    soils = [soil for soil, _ in section.layers]
+
+    def height(line: Any, x: Any) -> Any:
+        return np.interp(x, *line.T) if line.ndim else np.full_like(x, line)
+
+    def arc(b: Any) -> tuple[Any, Any]:
+        return cx + facing * radius * np.sin(b), cy - radius * np.cos(b)
+
+    def soil_at(b: Any) -> Any:
+        """The soil below the arc; at its ends the ground has no thickness, and that just inside counts."""
+        x, y = arc(np.clip(b, span[0] + 1e-6, span[1] - 1e-6))
+        tops = np.minimum.accumulate([height(line, x) for line in lines], axis=0)
+        return np.maximum(np.count_nonzero(tops > y, axis=0) - 1, 0)
+
+    joints = section._stretches.joint[0]
+    kinks = [*span, *joints, *(joints - rotation), *(facing * section._strips.beta[0])]
+    edges = np.unique(np.clip(np.concatenate([np.linspace(*span, 40_001), kinks]), *span))
+    nodes, weights = np.polynomial.legendre.leggauss(4)
+    half = np.diff(edges) / 2
+    b = edges[:-1] + half * (1.0 + nodes[:, None])
+    x, y = arc(b)
+    along = facing * (x - cx)
+    level = height(np.asarray(section.level), x) if section.level is not None else None
+    radial, tangential, inertia, vertical = (np.zeros_like(b) for _ in range(4))
+
+    def add(step: float, top: Any) -> None:
+        """A surface: integrals over y of -y/rho, x/rho and rho, and the height, times the step of the unit weight."""
+        nonlocal radial, tangential, inertia, vertical
+        low, high = y - cy, np.maximum(top, y) - cy
+        rho_1, rho_2 = np.hypot(along, low), np.hypot(along, high)
+        log = np.arcsinh(high / np.abs(along)) - np.arcsinh(low / np.abs(along))
+        radial = radial + step * (rho_1 - rho_2)
+        tangential = tangential + step * along * log
+        inertia = inertia + step * (high * rho_2 - low * rho_1 + along**2 * log) / 2
+        vertical = vertical + step * (high - low)
+
+    above, wet_above, top = 0.0, 0.0, np.full_like(x, np.inf)
+    for soil, line in zip(soils, lines, strict=True):
+        top = np.minimum(top, height(line, x))
+        add(soil.unit_weight - above, top)  # type: ignore[operator]
+        above = soil.unit_weight  # type: ignore[assignment]
+        wet = 0.0 if soil.saturated_unit_weight is None else soil.saturated_unit_weight - above  # type: ignore[operator]
+        if level is not None:
+            add(wet - wet_above, np.minimum(top, level))
+        wet_above = wet
+    overburden = vertical.copy()
+    on_ground = height(lines[0], x) - cy
+    for x1, x2, q1, q2 in section.surcharge:
+        q = np.where((x >= x1) & (x <= x2), q1 + (q2 - q1) * (x - x1) / (x2 - x1), 0.0)
+        rho = np.hypot(along, on_ground)
+        radial, tangential, inertia = radial - q * on_ground / rho, tangential + q * along / rho, inertia + q * rho
+    base = b + rotation if section.strength == "base" else b
+
+    def of_base(name: str) -> Any:
+        return np.array([getattr(soil, name) for soil in soils], dtype=np.float64)[soil_at(base)]
+
+    there_x, there_y = arc(b + rotation)
+    head = np.maximum(height(np.asarray(section.level), there_x) - there_y, 0.0) if section.level is not None else 0.0
+    ratio, mu = of_base("pore_ratio"), of_base("peak")
+    pressure = np.where(ratio > 0.0, ratio * overburden, section.water_unit_weight * head)
+    cohesion = of_base("cohesion")
+    if any(soil.datum is not None for soil in soils):
+        _, depth = arc(np.clip(base, *span))
+        cohesion = cohesion + of_base("cohesion_gradient") * np.maximum(of_base("datum") - depth, 0.0)
+
+    def integral(values: Any) -> float:
+        return float((half * weights[:, None] * values).sum())
+
+    turned = radial * np.cos(rotation) - tangential * np.sin(rotation) + omega_2 * inertia / radius
+    scale = radius * integral(radial * np.cos(b))
+    expected = [
+        radius * integral(mu * turned * np.cos(b)),
+        radius * integral(mu * pressure),
+        radius * integral(cohesion),
+    ]
+
+    moments, terms = section._per_mean_weight[:, 0], section.strength_terms
+    at = np.array([[rotation]])
+
+    def term(name: str) -> float:
+        return float(terms[name](at)[0, 0]) if name in terms else 0.0
+
+    theta = float(moments[2])
+    whole = -moments[4] * np.cos(rotation) - facing * moments[3] * np.sin(rotation) + omega_2 * moments[1]
+    beyond = theta * (term("normal") + omega_2 * term("inertia"))
+    if section.strength == "mass":
+        turning = terms.get("turning", 0.0) * np.cos(rotation) - terms.get("turning_slope", 0.0) * np.sin(rotation)
+        beyond += theta * float(turning)
+    unit = float(np.ravel(section.mean_unit_weight)[0]) * radius**2
+    mean = float(section.mean_peak[0])
+    computed = [mean * (whole + beyond) * unit, mean * theta * term("lift") * unit, theta * term("strength") * unit]
+    return np.array(computed) / scale, np.array(expected) / scale
+
+
 def differences(section: LayeredSection) -> tuple[float, float]:
     """The largest difference of the moments and of the parts, relative: of vectors to their length."""
     (moments, parts), (exact, exact_parts) = computed(section), reference(section)
@@ -185,7 +298,9 @@ def differences(section: LayeredSection) -> tuple[float, float]:
     of_moments = max(abs(a - float(b)) / s for a, b, s in zip(moments, exact, sizes, strict=True))
     whole = [sizes[4], sizes[4], sizes[1]]
     of_parts = max(
-        abs(a - float(b)) / s for p, q in zip(parts, exact_parts, strict=True) for a, b, s in zip(p, q, whole, strict=True)
+        abs(a - float(b)) / s
+        for p, q in zip(parts, exact_parts, strict=True)
+        for a, b, s in zip(p, q, whole, strict=True)
     )
     return of_moments, of_parts
 
@@ -197,4 +312,6 @@ if __name__ == "__main__":
     asked = parser.parse_args()
     rng = np.random.default_rng(asked.seed)
     found = np.array([differences(random_section(rng)) for _ in range(asked.count)])
-    print(f"{asked.count} layered sections: moments within {found[:, 0].max():.1e}, stretches within {found[:, 1].max():.1e}")
+    print(
+        f"{asked.count} layered sections: moments within {found[:, 0].max():.1e}, stretches within {found[:, 1].max():.1e}"
+    )

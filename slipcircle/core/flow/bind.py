@@ -125,7 +125,10 @@ def bind(
     if functions_of_rotation:
         assert isinstance(arc, LayeredSection)
         layered = of_rotation(
-            arc, functions_of_rotation, turns(effects), "shaking" in effects or bool(np.any(velocity < 0.0)),
+            arc,
+            functions_of_rotation,
+            turns(effects),
+            "shaking" in effects or bool(np.any(velocity < 0.0)),
             min(accuracy, 1e-9) if lanes > 1 else 1e-11,
         )
     for effect in effects:
@@ -246,10 +249,12 @@ def of_rotation(
     found = {}
     for k, (name, f) in enumerate(terms.items()):
         if circles == 1:
-            mine = (parts[k][..., 0].reshape(-1, len(f.coefficients)) @ f.coefficients).reshape(*coefficients.shape[:2], -1)
+            mine = (parts[k][..., 0].reshape(-1, len(f.coefficients)) @ f.coefficients).reshape(
+                *coefficients.shape[:2], -1
+            )
             starts = breaks[:, 0]
         else:
-            mine, starts = coefficients[:, :, k], breaks
+            mine, starts = np.ascontiguousarray(coefficients[:, :, k]), np.ascontiguousarray(breaks)
         if lanes == 1:
             mine, starts = mine[..., 0], starts if starts.ndim == 1 else starts[:, 0]
         found[name] = tables.Data(starts, mine, np.zeros(len(breaks)))

@@ -158,7 +158,9 @@ _TO_CHEBYSHEV = np.linalg.inv(np.cos(np.outer(np.arccos(_NODES), np.arange(TERMS
 _SHORTEST = 1e-3  # half the width of a piece, rad
 
 
-def between_kinks(function: Callable[[Any], Any], kinks: Floats, least: Floats, most: Floats, tolerance: float) -> tuple[Floats, Floats]:
+def between_kinks(
+    function: Callable[[Any], Any], kinks: Floats, least: Floats, most: Floats, tolerance: float
+) -> tuple[Floats, Floats]:
     """Functions of the rotation in pieces that are halved until they are polynomials of degree 7.
 
     Parameters
@@ -197,8 +199,12 @@ def between_kinks(function: Callable[[Any], Any], kinks: Floats, least: Floats, 
         powers = np.einsum("tk,pkfn->ptfn", _POWERS, chebyshev)
         lengths = np.where(half > 0.0, half, np.inf)[:, None, None] ** np.arange(TERMS)[:, None, None]
         done += [(first[k], second[k], powers[k] / lengths[k]) for k in np.flatnonzero(~rough)]
-        waiting = [ends for k in np.flatnonzero(rough) for middle in [(first[k] + second[k]) / 2]
-                   for ends in [(first[k], middle), (middle, second[k])]]
+        waiting = [
+            ends
+            for k in np.flatnonzero(rough)
+            for middle in [(first[k] + second[k]) / 2]
+            for ends in [(first[k], middle), (middle, second[k])]
+        ]
     done.sort(key=lambda piece: float(piece[0].sum()))
     last = np.zeros_like(done[-1][2])
     last[0] = function(done[-1][1][None])[:, 0]

@@ -27,6 +27,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from slipcircle.base.checks import mistakes, raise_all
 from slipcircle.core.scene.friction import law_mistakes
+from slipcircle.core.scene.ground import FAR, line_mistakes
 from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.strips import Floats, Strips, cut_into_strips
 
@@ -119,6 +120,45 @@ def soil_mistakes(soil: Soil) -> list[str]:
     return found
 
 
+def layer_mistakes(section: LayeredSection) -> list[str]:
+    """A sentence for each mistake in the layers of a section, its foreland and its surcharges."""
+    pairs = list(section.layers)
+    if not pairs or not all(isinstance(p, tuple | list) and len(p) == 2 and isinstance(p[0], Soil) for p in pairs):
+        return ["layers: must be pairs of a Soil and its top, from the ground down; the top of the first is None"]
+    found = []
+    if pairs[0][1] is not None:
+        found.append(f"layers[0]: top = {pairs[0][1]!r}: must be None, as its top is the ground")
+    for k, (_, top) in enumerate(pairs[1:], 1):
+        if top is None:
+            found.append(f"layers[{k}]: top is missing: a height in m, or points from left to right")
+        elif np.ndim(top) > 1:
+            found += line_mistakes(f"layers[{k}]: top", top, True)
+        else:
+            found += mistakes({"top": top}, {"top": (-FAR, FAR, "a height in m, or points from left to right")})
+    if section.strength not in ("base", "mass"):
+        found.append(f"strength = {section.strength!r}: must be 'base' or 'mass'")
+    if section.foreland is not None and not isinstance(section.foreland, Soil):
+        found.append(f"foreland = {section.foreland!r}: must be a Soil")
+    elif section.foreland is not None and section.strength == "mass":
+        found.append("foreland: cannot be combined with strength = 'mass', by which the sole of the mass keeps its own")
+    soils = {id(s): s for s in section.soils if isinstance(s, Soil)}.values()
+    names = [s.name for s in soils]
+    found += [
+        f"layers: {name!r} is the name of two soils; give each its own" for name in {*names} if names.count(name) > 1
+    ]
+    laws = {
+        tuple(v for n, v in s.friction.items() if n not in ("peak", "residual"))
+        for s in soils
+        if isinstance(s.friction, Mapping) and all(np.ndim(v) == 0 for v in s.friction.values())
+    }
+    if len(laws) > 1:
+        found.append("layers: the soils along an arc share one law of slip and one length")
+    for k, load in enumerate(section.surcharge):
+        if np.shape(load) != (4,) or not np.all(np.isfinite(load)) or not load[0] < load[1] or min(load[2:]) < 0.0:
+            found.append(f"surcharge[{k}] = {load!r}: must be x1 < x2 in m and pressures there of at least 0 in Pa")
+    return found
+
+
 class Stretches(NamedTuple):
     """Where the soil at the base changes along the arc: (circles, J) directions, and the soils above and below.
 
@@ -170,6 +210,14 @@ class LayeredSection(Section):
     foreland: Soil | None = None
     surcharge: Sequence[tuple[float, float, float, float]] = ()
     quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
+
+    def __post_init__(self) -> None:
+        raise_all("LayeredSection", layer_mistakes(self))
+        super().__post_init__()
+        first, last = self._angles
+        overhangs = max(-float(np.min(first)), float(np.max(last))) > np.pi / 2
+        steep = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
+        raise_all("LayeredSection", [steep] if overhangs else [])
 
     # --- soils -------------------------------------------------------------------------------------------------------
 
@@ -519,7 +567,8 @@ class LayeredSection(Section):
     def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:
         """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
         terms = {
-            name: term for name, term in self.strength_terms.items()
+            name: term
+            for name, term in self.strength_terms.items()
             if not name.endswith("inertia") or "centripetal" in effects
         }
         return {**effects, "layered_strength": terms}

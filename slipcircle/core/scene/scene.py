@@ -200,7 +200,9 @@ def layered_mistakes(friction: Any, effects: Mapping[str, Any]) -> list[str]:
     """What a scene of layered ground says that its soils say."""
     soil = "is given by the soils of a layered section; leave it out"
     found = [f"effects.{name}: {soil}" for name in ("cohesion", "pore_pressure") if name in effects]
-    return found + ([] if friction is None or isinstance(friction, MeanFriction) else [f"friction = {friction!r}: {soil}"])
+    return found + (
+        [] if friction is None or isinstance(friction, MeanFriction) else [f"friction = {friction!r}: {soil}"]
+    )
 
 
 def accuracy_mistakes(accuracy: Any) -> list[str]:
@@ -234,6 +236,8 @@ def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
     if name not in EFFECTS:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     effect = EFFECTS[name]
+    if effect.parameters and not any(p.key for p in effect.parameters):
+        return [f"effects.{name}: is given by the soils of a layered section; leave it out"]
     lacks = effect.any_of and not {*effect.any_of} & {*parameters}
     found = [f"effects.{name}: one of {', '.join(effect.any_of)} is missing"] if lacks else []
     return found + parameter_mistakes(f"effects.{name}", parameters, effect.parameters)

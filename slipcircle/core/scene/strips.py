@@ -68,7 +68,9 @@ class Strips:
         start, end = self.x[:, :-1], self.x[:, 1:]
         each = strip_integrals(start, end, self.left, self.right, self.above)
         if self.loads:
-            each = np.concatenate([each, self._load_integrals(start, end, start, end, self.left[0], self.right[0])], axis=1)
+            each = np.concatenate(
+                [each, self._load_integrals(start, end, start, end, self.left[0], self.right[0])], axis=1
+            )
         total = np.cumsum(each, axis=-1)
         return np.concatenate([np.zeros_like(total[..., :1]), total], axis=-1)
 
@@ -91,7 +93,9 @@ class Strips:
             part = np.concatenate([part, self._load_integrals(start, end, start, x, low[0], high[0])], axis=1)
         return cumulative[:, :, circle, k] + part
 
-    def _load_integrals(self, start: Floats, end: Floats, x1: Floats, x2: Floats, left: Floats, right: Floats) -> Floats:
+    def _load_integrals(
+        self, start: Floats, end: Floats, x1: Floats, x2: Floats, left: Floats, right: Floats
+    ) -> Floats:
         """The same of the loads between x1 and x2 in strips from start to end, with heights of the ground at both."""
         y1, y2 = (height - np.sqrt((1.0 - x) * (1.0 + x)) for x, height in ((start, left), (end, right)))
         slope = np.where(end - start > _THIN, (y2 - y1) / np.where(end - start > _THIN, end - start, 1.0), 0.0)
@@ -159,8 +163,14 @@ def ring_integrals(x: Any, y: Any, e_x: Any, e_y: Any) -> Floats:
 # --- cutting -----------------------------------------------------------------------------------------------------------
 
 
-def cut_into_strips(lines: Sequence[Floats], surfaces: Sequence[Sequence[int]], layers: int,
-                    ends: tuple[Floats, Floats], extra: Floats | None = None, loads: Sequence[Sequence[Floats]] = ()) -> Strips:
+def cut_into_strips(
+    lines: Sequence[Floats],
+    surfaces: Sequence[Sequence[int]],
+    layers: int,
+    ends: tuple[Floats, Floats],
+    extra: Floats | None = None,
+    loads: Sequence[Sequence[Floats]] = (),
+) -> Strips:
     """Cut masses into strips.
 
     Parameters

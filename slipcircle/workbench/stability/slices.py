@@ -291,7 +291,9 @@ def _slices(
         level = above_centre(slope.level)
         head = np.maximum(level + cosine, 0.0)
         if any(soil.saturated_unit_weight is not None for soil in slope.soils):
-            saturated = [s.unit_weight if s.saturated_unit_weight is None else s.saturated_unit_weight for s in slope.soils]
+            saturated = [
+                s.unit_weight if s.saturated_unit_weight is None else s.saturated_unit_weight for s in slope.soils
+            ]
             excess = np.stack([of_interval(value) for value in saturated]) - unit_weight
             steps.append(np.diff(excess / unit_weight[0], axis=0, prepend=0.0))
             surfaces.append(np.maximum(np.minimum(tops, level), -cosine))
