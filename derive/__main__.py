@@ -4,27 +4,21 @@ import argparse
 import sys
 import time
 from collections.abc import Callable
-from importlib import import_module
 from importlib.util import find_spec
-from threading import Thread
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from derive.check.proof import ProofError
+from derive.progress import say
 
 T = TypeVar("T")
 
 
-def say(line: str) -> None:
-    """Progress, on stderr."""
-    print(line, file=sys.stderr, flush=True)
-
-
-def timed(what: str, stage: str, told: str, work: Callable[..., T], *args: object) -> T:
-    """Do one stage, and say how long it took and what came of it; ``{0}`` in ``told`` is the result."""
+def timed(what: str, stage: str, outcome: str, work: Callable[..., T], *args: object) -> T:
+    """Do one stage, and print how long it took and its outcome; ``{0}`` in it is the result."""
     start = time.perf_counter()
     result = work(*args)
     shown = len(result) if isinstance(result, list) else result
-    say(f"{what:<32} {stage:<11} {time.perf_counter() - start:6.2f} s  {told.format(shown)}")
+    say(f"{what:<32} {stage:<11} {time.perf_counter() - start:6.2f} s  {outcome.format(shown)}")
     return result
 
 
@@ -34,7 +28,6 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     Shapes of kernels are searched for where there is no record of them, or ``anew`` for all, with so many ``trials``.
     """
     from derive.algebra import dynamics, integrate, rules, slopes
-    from derive.algebra.appendices import APPENDICES, simplify
     from derive.approximate import certificates, search, shapes
     from derive.approximate.programs import variants
     from derive.check.records import read
@@ -43,12 +36,29 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     from derive.generate import functions, write
 
     for moment in MOMENTS:
-        told = "operations {0.operations[0]} -> {0.operations[1]}"
-        derivation = timed(moment.name, "integrate", told, integrate.derive, moment)
+        outcome = "operations {0.operations[0]} -> {0.operations[1]}"
+        derivation = timed(moment.name, "integrate", outcome, integrate.derive, moment)
         timed(moment.name, "quadrature", "worst relative difference {0}", integrate.compare, derivation, 30)
     for kernel in shapes.kernels():
         timed(kernel.name, "definition", "{0} comparisons with the checker's", shapes.agree, kernel)
-    timed("kernels", "search", "shapes found anew: {0}", search.complete, anew, trials or search.TRIALS)
+    timed("kernels", "search", "new shapes: {0}", search.complete, anew, trials or search.TRIALS)
+    _stable_forms()
+    timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
+    timed("equation of motion", "solve", "{0} claims proved", dynamics.prove_forms)
+    timed("flow", "series", "{0} operations proved", operations.prove)
+    timed("slopes", "balance", "{0} claims proved", slopes.prove)
+    timed("arc", "slopes", "{0} claims proved", rules.prove_arc_growth, integrate.closed_forms())
+    timed("rounded angles", "carried", "{0} claims proved", functions.prove_carried)
+    # A recorded certificate holds as long as its operations do (`prove` proves it again).
+    proved = timed("kernels", "certify", "", certificates.records, variants(), read())
+    return timed("generated", "emit", "", write.files, proved)
+
+
+def _stable_forms() -> None:
+    """The forms without cancellation, and the appendices in one line, step by step."""
+    from derive.algebra import integrate, rules
+    from derive.algebra.appendices import APPENDICES, simplify
+
     for name, closed in integrate.closed_forms().items():
         form = timed(name, "stable form", "proved equal to the closed form, alpha^{0.power} at 0", rules.stable, closed)
         for step in form.steps:
@@ -57,30 +67,27 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     for appendix in APPENDICES:
         for reduced in timed(f"appendix {appendix.name}", "reduce", "", simplify, appendix).steps:
             say(f"{'':<52}{reduced.operations:4d} operations: {reduced.text} ({reduced.proof})")
-    timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
-    timed("equation of motion", "solve", "{0} claims proved", dynamics.prove_forms)
-    timed("flow", "series", "{0} operations proved", operations.prove)
-    timed("slopes", "balance", "{0} claims proved", slopes.prove)
-    timed("arc", "slopes", "{0} claims proved", rules.prove_arc_growth, integrate.closed_forms())
-    timed("rounded angles", "carried", "{0} claims proved", functions.prove_carried)
-    # A record that is there holds as long as its operations do (`prove` proves it again).
-    proved = timed("kernels", "certify", "", certificates.records, variants(), read())
-    return timed("generated", "emit", "", write.files, proved)
+
+
+class Command(NamedTuple):
+    """A command: its help, and the forms in which it can print its report, with theirs."""
+
+    help: str
+    forms: dict[str, str]
 
 
 _JSON = {"json": "a list of objects on stdout"}
 COMMANDS = {
-    "verify": (
+    "verify": Command(
         "judge every numbered equation, table entry and appendix of the paper",
         _JSON | {"markdown": "a page for a colleague"},
     ),
-    "hard": ("the hard cases: error of the printed form beside ours", _JSON),
-    "prove": ("prove the error bounds of the kernels again, from their certificates alone", {}),
+    "hard": Command("the hard cases: error of the printed form beside ours", _JSON),
+    "prove": Command("prove the error bounds of the kernels again, from their certificates alone", {}),
 }
 
 
-def main(argv: list[str] | None = None) -> int:
-    """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call or a missing package."""
+def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         "python -m derive",
         description="Derive and prove everything, and write generated/; or judge the paper.",
@@ -90,13 +97,19 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--search", action="store_true", help="search for all shapes of approximants anew (minutes)")
     parser.add_argument("--trials", type=int, metavar="N", help="let a search judge N shapes for one quantity (40)")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
-
     for name, (words, forms) in COMMANDS.items():
-        added = commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")
-        form = added.add_mutually_exclusive_group()
-        for x, shown in forms.items():
-            form.add_argument(f"--{x}", dest="form", action="store_const", const=x, default="text", help=shown)
-    options = parser.parse_args(argv)
+        command = commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")
+        choice = command.add_mutually_exclusive_group()
+        for form, shown in forms.items():
+            choice.add_argument(f"--{form}", dest="form", action="store_const", const=form, default="text", help=shown)
+        if name == "verify":
+            command.add_argument("--verbose", action="store_true", help="causes and rules below the table too")
+    return parser
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call or a missing package."""
+    options = _parser().parse_args(argv)
     needed = ("flint",) if options.command == "prove" else ("sympy", "mpmath", "flint")
     if missing := [name for name in needed if find_spec(name) is None]:
         say(f"python -m derive needs {' and '.join(missing)}: pip install 'slipcircle[derive]'")
@@ -105,22 +118,33 @@ def main(argv: list[str] | None = None) -> int:
         from derive.check.certify import prove_all
 
         return 0 if prove_all() else 1
-    if options.command in ("verify", "hard"):
-        report = import_module(f"derive.judge.{options.command}").report
+    if options.command == "verify":
+        from derive.judge.report import show
+
+        show(options.form, options.verbose)
+        return 0
+    if options.command == "hard":
+        from derive.judge.hard import report
+
         print(report(options.form))
         return 0
+    return generate(options.check, options.search, options.trials)
+
+
+def generate(check: bool, search: bool, trials: int | None) -> int:
+    """Derive everything, and write `generated` and the records of shapes, or compare them with the files there."""
     from derive.approximate import shapes
     from derive.build import build_all
     from derive.generate import write
 
     start = time.perf_counter()
     try:
-        texts = derive_all(options.search, options.trials)
+        texts = derive_all(search, trials)
     except ProofError as fault:
         say(f"{fault}; nothing is written")
         return 1
     records = {shapes.RECORDS.name: shapes.text()}
-    if options.check:
+    if check:
         diff = write.difference(texts) + write.difference(records, shapes.RECORDS.parent)
         print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
         return 1 if diff else 0
@@ -131,17 +155,7 @@ def main(argv: list[str] | None = None) -> int:
     return 0
 
 
-def heartbeat(seconds: float = 5.0) -> None:
-    """Tell that the work goes on, ever more rarely, for as long as it does."""
-    began = time.monotonic()
-    while True:
-        time.sleep(seconds)
-        say(f"at work for {time.monotonic() - began:.0f} s; Ctrl-C ends it")
-        seconds *= 2
-
-
 if __name__ == "__main__":
-    Thread(target=heartbeat, daemon=True).start()
     try:
         sys.exit(main())
     except KeyboardInterrupt:

@@ -49,7 +49,8 @@ class NoBinaryError(Exception):
 
 def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_kernels") -> Path:
     """Compile a module's C beside itself, unless the binary there was made of it."""
-    source, binary = folder / f"{name}.c", folder / f"{name}{sysconfig.get_config_var('EXT_SUFFIX')}"
+    source = folder / f"{name}.c"
+    binary = folder / f"{name}{sysconfig.get_config_var('EXT_SUFFIX')}"
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         raise NoBinaryError("SLIPCIRCLE_COMPILED is 0")
     digest = source.read_text("utf-8").split('"', 2)[1]  # of the header's #define
@@ -58,23 +59,29 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_k
     compiler = shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "")
     if not compiler or not shutil.which(compiler[0]):
         raise NoBinaryError(f"no C compiler ({' '.join(compiler) or 'CC is not set'})")
-    try:
-        import numpy as np
-    except ImportError as error:
-        raise NoBinaryError(f"no NumPy to compile with ({error})") from None
-    includes = (f"-I{sysconfig.get_path('include')}", f"-I{np.get_include()}")
     with tempfile.TemporaryDirectory(dir=folder, prefix=".") as made:
-        target, objects, commands = Path(made) / binary.name, [], []
-        for k, own in enumerate(PARTS[name]):
-            objects.append(str(Path(made) / f"{k}.o"))
-            commands.append([*own, *includes, "-c", str(source), "-o", objects[k]])
-        commands.append([*SHARED, *objects, "-o", str(target), "-lm"])
-        for command in commands:
+        target = Path(made) / binary.name
+        for command in _commands(name, source, target):
             done = subprocess.run([*compiler, *flags, *command], capture_output=True, text=True, check=False)
             if done.returncode:
                 raise NoBinaryError(f"{compiler[0]} fails: {done.stderr.strip().splitlines()[:1]}")
         os.replace(target, binary)
     return binary
+
+
+def _commands(name: str, source: Path, target: Path) -> list[list[str]]:
+    """Arguments of the compiler: once for each part of the module, and once to link them."""
+    try:
+        import numpy as np
+    except ImportError as error:
+        raise NoBinaryError(f"no NumPy to compile with ({error})") from None
+    includes = (f"-I{sysconfig.get_path('include')}", f"-I{np.get_include()}")
+    commands = []
+    objects = []
+    for k, flags in enumerate(PARTS[name]):
+        objects.append(str(target.parent / f"{k}.o"))
+        commands.append([*flags, *includes, "-c", str(source), "-o", objects[k]])
+    return [*commands, [*SHARED, *objects, "-o", str(target), "-lm"]]
 
 
 def build_all() -> str:

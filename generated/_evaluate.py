@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 75d20dbdd0e807ea9eb48e868b51e9a8a9771463ef842b0efe1a7c3fb69b2512
+# sha256 of the text below: 48a52461cfb550ffb276c09fdbfc643f82dd5dcb37d47e80844d3fdb23fd2906
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
 from collections.abc import Callable, Sequence
@@ -74,7 +74,8 @@ def _block(
     result: NDArray[Any],
 ) -> bool:
     """Fill one part of the result; whether a lane that was asked for is invalid."""
-    values, wanted = [np.asarray(x, dtype=np.float64) for x in given[:-1]], given[-1]
+    values = [np.asarray(x, dtype=np.float64) for x in given[:-1]]
+    wanted = given[-1]
     with np.errstate(all="ignore"):  # a lane outside, or not asked for, may do what it likes here
         valid = inside(eps, *values)
     use = valid & wanted

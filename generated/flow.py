@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ec510e5f3268012018d87691682a60f2fc65931eaa159a6c122473cb2ebda869
+# sha256 of the text below: 9708d3a347c2c9a44689d16e5219a824542483883491f5614939179bf0cc66c5
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
@@ -15,8 +15,7 @@ class Fragment(NamedTuple):
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
     of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be left
-    out. ``states`` are series with those of their rates. Each of ``tables`` has its name, is of slip, speed,
-        rotation or
+    out. ``states`` are series with those of their rates. Each of ``tables`` has its name, is of slip, speed, rotation,
     time, with the series of its argument (of time, its own) and the degree of its pieces.
     """
 

@@ -24,14 +24,7 @@ from slipcircle.base import VERSION
 from slipcircle.core.motion.forms import use_forms
 
 if TYPE_CHECKING:
-    from slipcircle.core.motion.motion import Motion
-    from slipcircle.core.motion.plan import Plan, plan
-    from slipcircle.core.motion.solver import solve
-    from slipcircle.core.motion.states import Energy, State, Status
-    from slipcircle.core.scene.arc import Arc
-    from slipcircle.core.scene.scene import Scene
-    from slipcircle.core.scene.section import Section
-    from slipcircle.core.scene.weights import Dimensionless
+    from slipcircle.core import Arc, Dimensionless, Energy, Motion, Plan, Scene, Section, State, Status, plan, solve
     from slipcircle.workbench.files.scenefile import load
     from slipcircle.workbench.stability.search import Critical, critical
     from slipcircle.workbench.stability.stability import Slope
@@ -43,18 +36,18 @@ __version__ = VERSION
 use_forms("slipcircle.workbench.common.forms")  # by `Motion.to_dict`, `to_pandas`, `to_xarray` and in notebooks
 # Each is loaded when it is asked for: where it is.
 _PLACES = {
-    "Arc": "core.scene.arc",
+    "Arc": "core",
     "BackAnalysis": "workbench.studies.backanalysis",
     "Critical": "workbench.stability.search",
-    "Dimensionless": "core.scene.weights",
-    "Energy": "core.motion.states",
-    "Motion": "core.motion.motion",
-    "Plan": "core.motion.plan",
-    "Scene": "core.scene.scene",
-    "Section": "core.scene.section",
+    "Dimensionless": "core",
+    "Energy": "core",
+    "Motion": "core",
+    "Plan": "core",
+    "Scene": "core",
+    "Section": "core",
     "Slope": "workbench.stability.stability",
-    "State": "core.motion.states",
-    "Status": "core.motion.states",
+    "State": "core",
+    "Status": "core",
     "Study": "workbench.studies.study",
     "Unattainable": "workbench.studies.backanalysis",
     "backanalyse": "workbench.studies.backanalysis",
@@ -62,8 +55,8 @@ _PLACES = {
     "ensemble": "workbench.studies.ensemble",
     "grid": "workbench.studies.ensemble",
     "load": "workbench.files.scenefile",
-    "plan": "core.motion.plan",
-    "solve": "core.motion.solver",
+    "plan": "core",
+    "solve": "core",
 }
 __all__ = [
     "Arc",

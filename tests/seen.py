@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from derive.approximate.programs import variants
 from derive.approximate.shapes import kernels as kernels_of_alpha
 from derive.check import truth
-from derive.check.certify import QUARTER, SMALL, UNDERFLOW
+from derive.check.patches import QUARTER, SMALL, UNDERFLOW
 from derive.check.records import TIERS, Record, read
 from derive.check.truth import SEGMENTS, TOP
 from generated import _compiled, kernels

@@ -19,7 +19,7 @@ from flint import arb, ctx
 
 from derive.approximate import certificates
 from derive.approximate.programs import Variant, variants
-from derive.check import certify, proof, records, rounding, truth
+from derive.check import certify, patches, proof, records, rounding, truth
 from derive.check.proof import ProofError
 from derive.check.records import Record, digest, read
 from derive.check.truth import SEGMENTS, TOP
@@ -144,7 +144,7 @@ def test_rounding_of_random_programs_stays_within_its_bound(window: bool) -> Non
         if window:
             lower = rng.uniform(0.5, 1.0)
             upper = rng.uniform(lower, min(1.0, 1.1 * lower))
-            tape = rounding.scaled(rounding.specialise(record, 0.0, certify.SMALL), 3, certify.SMALL, certify.UNDERFLOW)
+            tape = rounding.scaled(rounding.specialise(record, 0.0, patches.SMALL), 3, patches.SMALL, patches.UNDERFLOW)
         else:
             lower = rng.choice([rng.uniform(0.01, 1.5), 2.0 ** rng.uniform(-300, -5)])
             upper = lower * rng.choice([1.0, 1.0 + 2.0**-20, 1.03, 1.9])
@@ -166,7 +166,7 @@ def test_rounding_of_random_programs_stays_within_its_bound(window: bool) -> Non
 @pytest.mark.parametrize("kernel", BASES)
 def test_windows_hold_where_products_underflow(kernel: str, lower: float) -> None:
     record = find(kernel)
-    claim = "bound_to_quarter_pi" if lower >= certify.UNDERFLOW else "bound_underflow"
+    claim = "bound_to_quarter_pi" if lower >= patches.UNDERFLOW else "bound_underflow"
     points = [lower * (1 + k / 64) for k in range(64)] if lower > 2.0**-1074 else [lower, 7 * lower, 2.0**-1000]
     values = variant(record).program.run(np.array(points)).tolist()
     for alpha, value in zip(points, values, strict=True):
@@ -180,9 +180,9 @@ def test_windows_hold_where_products_underflow(kernel: str, lower: float) -> Non
 @pytest.mark.parametrize("form", ["fused", "plain"])
 def test_no_input_is_worse_than_the_bound_at_that_input(name: str, form: str) -> None:
     record = find(name, "best", form)
-    parts = list(certify.patches(record))
+    parts = list(patches.patches(record))
     rng = random.Random(7)
-    alpha = [rng.uniform(certify.SMALL, TOP) for _ in range(150)]
+    alpha = [rng.uniform(patches.SMALL, TOP) for _ in range(150)]
     alpha += [TOP - 2.0 ** -rng.uniform(0, 52) for _ in range(50)] + [TOP]
     seen = certificates.errors(variant(record), np.array(alpha))
     for x, error in zip(alpha, seen, strict=True):

@@ -429,14 +429,14 @@ def test_sweep(file: Path, tmp_path: Path, asked: Any, said: Any, records: Any) 
 
 def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) -> None:
     table, line = tmp_path / "a.csv", "sweep vaiont --grid friction.angle_deg=8:12:41 --grid arc.radius_m=1000,1500"
-    assert "82 scenes: 82 rests" in said(line, "--csv", table)
+    assert "82 scenes; comes to rest: 82" in said(line, "--csv", table)
     head, *rows = table.read_text("utf-8").splitlines()
     assert (
         head == "friction.angle_deg,arc.radius_m,reach (m),run_out (m),peak_velocity (m/s),duration (s),status,reason"
     )
     assert len(rows) == len(records(line)[0]["rows"]) == 82
     _, out, err = asked("sweep vaiont --grid friction.angle_deg=1e-9,10")
-    assert "endless" in out
+    assert "never rests" in out
     assert "1 of 2 scenes slide without a result: it never rests" in err
 
 

@@ -14,6 +14,7 @@ import pytest
 
 import generated
 from derive import build
+from slipcircle import core
 
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("derive", "generated", "slipcircle")
@@ -93,7 +94,7 @@ def test_imports_go_one_way(package: str) -> None:
 # Folders and modules of each package, from what needs nothing of it to what nothing in it needs.
 LAYERS = {
     "derive": (
-        *("__init__", "check", "declare", "algebra", "code", "approximate", "flow", "generate", "judge"),
+        *("__init__", "progress", "check", "declare", "algebra", "code", "approximate", "flow", "generate", "judge"),
         *("build", "build_hook", "__main__"),
     ),
     "generated": (
@@ -130,6 +131,30 @@ def test_imports_go_down_the_layers_without_a_circle(package: str) -> None:
     found = graph(package)
     assert not {(name, x) for name, of in found.items() for x in of if layer(x) > layer(name)}
     TopologicalSorter(found).prepare()  # CycleError names a circle
+
+
+def test_the_workbench_uses_public_names_of_the_core_alone() -> None:
+    public = {*vars(core)["_MODULES"]}
+    for path in (*(ROOT / "slipcircle/workbench").rglob("*.py"), ROOT / "slipcircle/__main__.py"):
+        for module, names in imported(path.read_text("utf-8")):
+            assert not module.startswith("slipcircle.core."), f"{path}: {module} is internal to the core"
+            assert module != "slipcircle.core" or names <= public, path
+
+
+def test_the_core_loads_nothing_of_the_workbench() -> None:
+    """Nor does listing it load anything of itself; every public name exists."""
+    code = """
+import sys
+import slipcircle.core as core
+print(*sorted(name for name in sys.modules if name.startswith("slipcircle.core.")))
+public = [getattr(core, name) for name in core._MODULES]
+arc = core.Arc(100.0, 3.7, 4.8, 20e3)
+core.solve(core.Scene(arc, 0.1, ["rotation"])).sensitivity()
+print(*(name for name in sys.modules if name.startswith("slipcircle.workbench")))
+"""
+    at_import, of_workbench = python(code).split("\n")[:2]
+    assert at_import == "slipcircle.core.motion slipcircle.core.motion.forms"  # where the package on top sets its forms
+    assert of_workbench == ""
 
 
 @pytest.mark.parametrize("package", ["generated", "slipcircle"])

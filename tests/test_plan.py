@@ -89,10 +89,10 @@ def test_a_water_level_goes_with_its_section_whatever_else_changes() -> None:
 
 
 LADDERS = {  # the effects as they are added, and whether each rung rests
-    "vaiont": ("rotation centripetal", "no yes yes"),
-    "newmark-pulse": ("shaking", "stays yes"),
-    "vaiont-rate": ("rotation centripetal", "no yes yes"),
-    "vaiont-heated": ("rotation thermal_pressurisation centripetal", "no yes no no"),
+    "vaiont": ("rotation centripetal", "moving yes yes"),
+    "newmark-pulse": ("shaking", "move yes"),
+    "vaiont-rate": ("rotation centripetal", "moving yes yes"),
+    "vaiont-heated": ("rotation thermal_pressurisation centripetal", "moving yes moving moving"),
 }
 
 

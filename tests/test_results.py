@@ -55,7 +55,7 @@ def test_repr_has_the_key_results(study: Study) -> None:
     moving = solve(replace(VAIONT, end_time=10.0))
     assert repr(moving).endswith("still moving at 10 s>")
     said = repr(many(initial_velocity=0.0))
-    assert said.startswith("<3 motions vaiont: 2 rests, 1 stays; ")
+    assert said.startswith("<3 motions vaiont: comes to rest: 2, does not move: 1; ")
     assert "run-out 0 to 786 m" in said
     said = repr(study)
     assert "200 scenes" in said

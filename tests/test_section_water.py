@@ -8,6 +8,7 @@ import flint
 import numpy as np
 import pytest
 import references
+import section_heights
 import section_references
 import taylor
 import test_accuracy
@@ -15,6 +16,8 @@ import test_accuracy
 from generated import layout as ix
 from slipcircle import Motion, Scene, Section, solve
 from slipcircle.core.flow import compiled, walk
+from slipcircle.core.scene import transport
+from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
 
 GAMMA, SEED = 20e3, section_references.SEED
 GROUND = [[0.0, 25.0], [30.0, 25.0], [38.0, 30.0], [50.0, 35.0], [90.0, 35.0]]
@@ -71,6 +74,37 @@ def test_mean_pressure_and_cover_of_random_sections(seed: int) -> None:
             pressure = under[0] * exact.measured(arc)["reference_stress"]
             assert section.mean_pressure(turn) == pytest.approx(float(pressure), rel=2e-14, abs=1e-9)
         assert section.weights.cover == pytest.approx(float(exact.cover), rel=2e-14)
+
+
+def test_heights_of_any_arc_against_thirty_digits() -> None:
+    """A sample of ``python tests/section_heights.py``."""
+    every = [section_heights.compared(24, k) for k in range(60)]
+    assert sum(c.overhangs for c in every) >= 5
+    for c in every:
+        bound = 4e-15 * (1.0 + 1.0 / float(c.section.half_angle))
+        assert max(c.pressure[1], c.cover[1]) < bound, c
+
+
+def test_water_and_ground_above_an_overhanging_arc_count() -> None:
+    # By a sum over 400,000 points of the arc of what lies above each.
+    ground, level = [[-100, 20], [0, 20], [20, 0], [100, 0]], [[-100, 19], [0, 19], [19, 0], [100, 0]]
+    section = Section(ground, [12.0, 15.0], 13.0, GAMMA, level=level)
+    assert section.mean_pressure([0.0, 0.1, 0.3, 0.5]) == pytest.approx(
+        [60940.42, 60932.10, 59695.33, 56314.25], rel=1e-7
+    )
+    assert section.mean_pressure(0.5 + 2 * np.pi) == pytest.approx(section.mean_pressure(0.5), rel=1e-14)
+    assert section.mean_cover == pytest.approx(7.18204154, rel=1e-8)
+    steps = {f"ground.{k}.{axis}" for k in (0, 1, 2) for axis in "xy"}
+    assert steps <= {*transport.active_parameters(section)}
+    names = ["ground.1.y", "ground.2.x", "centre.y", "radius"]
+    found = transport.section_derivatives(section, names).heights
+    for name, derivative in zip(names, found, strict=True):
+        other = [
+            dataclasses.replace(section, **changed_fields(section, {name: arc_numbers(section)[name] + h}))
+            for h in (1e-5, -1e-5)
+        ]
+        slope = np.diff([2 * s.half_angle * s.mean_cover / s.radius for s in other])[0] / -2e-5
+        assert derivative == pytest.approx(slope, rel=1e-6)
 
 
 def body(level: Any = LEVEL, **more: Any) -> Section:

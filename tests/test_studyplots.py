@@ -146,14 +146,30 @@ def test_tornado_is_what_a_small_change_does() -> None:
         (other,) = grid(m.plan.scene, {key: [value]}, accuracy=1e-14).samples["run_out"]
         assert bars[key] == pytest.approx(other - m.run_out, rel=1e-3)
     assert [*map(abs, bars.values())] == sorted(map(abs, bars.values()), reverse=True)
-    assert "cohesion.cohesion_kPa = 3 ± 1 %" in ticks(studyplots.tornado(found, ax=drawn()))
+    assert "cohesion.cohesion_kPa = 3 ± 0.03" in ticks(studyplots.tornado(found, ax=drawn()))
     with pytest.raises(ValueError, match=r"changes = 'friction': must be one of friction\.angle_deg"):
         studyplots.tornado(found, "run_out", {"friction": 0.1})
     with pytest.raises(ValueError, match="output = 'speed': must be one of peak_velocity, run_out, duration, reach"):
         studyplots.tornado(found, "speed")
     assert "does not move" in studyplots.tornado(motion("still").sensitivity(), ax=drawn()).texts[0].get_text()
     words = ticks(studyplots.tornado(solve(load("real-slope")).sensitivity(), ax=drawn()))
-    assert {"ground.points_m.2.y = 35 ± 0.1", "circle.radius_m = 28.64 ± 1 %"} <= {*words}
+    assert {"ground.points_m.2.y = 35 ± 0.286", "circle.radius_m = 28.64 ± 0.286"} <= {*words}
+
+
+def test_tornado_compares_equals() -> None:
+    """Standard deviations of what the scene says is uncertain, and nothing else; without them 1 % of each number."""
+    scene = replace(load("wet-slope"), uncertain=ANGLE | RADIUS)
+    ax = studyplots.tornado(solve(scene).sensitivity(), ax=drawn())
+    assert {*ticks(ax)} == {"friction.angle_deg = 24 ± 2", "arc.radius_m = 40 ± 5.77"}
+    assert "by a standard deviation of each" in ax.get_xlabel()
+    table = motion("vaiont").sensitivity()
+    ax = studyplots.tornado(table, ax=drawn())
+    bars = dict(zip([x.partition(" = ")[0] for x in ticks(ax)], [abs(p.get_width()) for p in ax.patches], strict=False))
+    mu = table.at["friction"]
+    angle = 0.01 * np.arctan(mu) * (1 + mu**2)
+    assert bars["friction.angle_deg"] == pytest.approx(abs(table.derivative("run_out", "friction")) * angle)
+    assert bars["arc.radius_m"] == pytest.approx(0.01 * abs(table.derivative("run_out", "radius")) * table.at["radius"])
+    assert "arc.theta_1_deg = 215.2 ± 0.573" in ticks(ax)
 
 
 def test_shaking_is_drawn_as_given() -> None:

@@ -19,7 +19,8 @@ from derive.check.proof import ProofError
 from derive.judge import postulates, verify
 from derive.judge import section as s
 from derive.judge.paper import CLAIMS, VERDICTS, Claim
-from derive.judge.verify import KEYS, SIMPLY, Row, judge, report, rows
+from derive.judge.report import SIMPLY, counts, report
+from derive.judge.verify import KEYS, Row, judge, rows
 
 ROOT = Path(__file__).parents[1]
 BY_ID = {claim.id: claim for claim in CLAIMS}
@@ -296,7 +297,7 @@ def test_what_is_taken_for_granted_is_data(judged: dict[str, Row]) -> None:
 
 def test_json_is_valid() -> None:
     """And the same from an interpreter that orders its sets otherwise."""
-    code = "from derive.judge.verify import report; print(report('json'))"
+    code = "from derive.judge.report import report; print(report('json'))"
     seed = "1" if os.environ.get("PYTHONHASHSEED") == "2" else "2"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, env=os.environ | {"PYTHONHASHSEED": seed},
                           capture_output=True, check=True, text=True)  # fmt: skip
@@ -340,7 +341,7 @@ def test_markdown_is_a_page(judged: dict[str, Row]) -> None:
 
 def test_readme_says_what_is_found(judged: dict[str, Row]) -> None:
     told = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
-    assert f"{verify.counts(judged.values())}." in told
+    assert f"{counts(judged.values())}." in told
     count = [re.findall(r"(\d+) brackets missing at (\d+)", judged[f"Appendix {x}"].cause)[0] for x in ("I", "II")]
     assert (
         "{} and {} brackets missing at {} and {} places".format(*(x for y in zip(*count, strict=True) for x in y))

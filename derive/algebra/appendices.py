@@ -15,6 +15,7 @@ from functools import cache
 from typing import NamedTuple
 
 import sympy as sp
+from sympy import Expr, Le, Rel, atanh, cos, count_ops, default_sort_key, parse_expr, sin, symbols
 
 from derive.algebra.prove import trig_normal
 from derive.check.proof import ProofError
@@ -97,7 +98,7 @@ def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
     return text
 
 
-def parse(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> sp.Expr:
+def parse(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> Expr:
     """Read the mended print as an expression in theta_1, theta_2 and alpha; ValueError where it cannot be read."""
     text = mended_text(appendix, leave)
     if unknown := set(re.sub(r"arctanh|[a-zA-Z][12a]|[MN]", "", text)) - set("0123456789 +-/^(){}"):
@@ -110,8 +111,8 @@ def parse(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> sp.Expr:
     if brackets:
         raise ValueError(f"Appendix {appendix.name}: brackets without partner: {brackets}")
     text = re.sub(r"(?<=[\w)}]) (?=[\w({])", "*", text)  # two neighbours that are both operands are a product
-    names = {"theta_1": theta_1, "theta_2": theta_2, "alpha": alpha, "arctanh": sp.atanh}
-    return sp.parse_expr(text.translate(str.maketrans("{}", "()")).replace("^", "**"), local_dict=names)
+    names = {"theta_1": theta_1, "theta_2": theta_2, "alpha": alpha, "arctanh": atanh}
+    return parse_expr(text.translate(str.maketrans("{}", "()")).replace("^", "**"), local_dict=names)
 
 
 def unreadable(appendix: Appendix, repair: Repair) -> bool:
@@ -123,7 +124,7 @@ def unreadable(appendix: Appendix, repair: Repair) -> bool:
     return False
 
 
-_A1, _A2 = sp.symbols("A_1 A_2", real=True)  # the two arctanh of the print
+_A1, _A2 = symbols("A_1 A_2", real=True)  # the two arctanh of the print
 _ENDS = {theta_1: theta_m - alpha, theta_2: theta_m + alpha}
 
 
@@ -137,18 +138,18 @@ class Step(NamedTuple):
 
     text: str
     proof: str
-    expression: sp.Expr
+    expression: Expr
 
     @property
     def operations(self) -> int:
-        return int(sp.count_ops(self.expression))
+        return int(count_ops(self.expression))
 
 
 class Proof(NamedTuple):
     """What an appendix truly is: `expression` in (alpha, theta_m), the double integral of `integrand`."""
 
-    expression: sp.Expr
-    integrand: sp.Expr
+    expression: Expr
+    integrand: Expr
     steps: tuple[Step, ...]
 
     @property
@@ -157,7 +158,7 @@ class Proof(NamedTuple):
         return self.steps[0].operations, self.steps[-1].operations
 
 
-def integrand(expression: sp.Expr) -> sp.Expr:
+def integrand(expression: Expr) -> Expr:
     """Find the r^n w(theta) whose double integral over the segment an expression in alpha and theta_m is.
 
     With g(u, alpha) the integral of r^n w(theta_m + u) over r from cos(alpha)/cos(u) to 1 (2.18), and J that of g over
@@ -166,8 +167,8 @@ def integrand(expression: sp.Expr) -> sp.Expr:
     / cos(alpha), which is 2 w(theta_m) for a w = p sin + q cos. So n = -K''/(K tan(alpha))', and half the left side is
     w. Together with J = K = 0 at alpha = 0 this determines J.
     """
-    k = trig_normal(expression.diff(alpha) / sp.sin(alpha))
-    leaning = k * sp.sin(alpha) / sp.cos(alpha)
+    k = trig_normal(expression.diff(alpha) / sin(alpha))
+    leaning = k * sin(alpha) / cos(alpha)
     n = trig_normal(-k.diff(alpha, 2) / leaning.diff(alpha))
     _require(n.is_Integer, f"it integrates a power of r: n = {n}")
     w = trig_normal((k.diff(alpha) + n * leaning) / 2)
@@ -185,11 +186,11 @@ def simplify(appendix: Appendix) -> Proof:
     their arguments gives, plus k i pi with an integer k. k = 0 is the real integral.
     """
     printed = parse(appendix)
-    found = sorted(printed.atoms(sp.atanh), key=sp.default_sort_key)
+    found = sorted(printed.atoms(atanh), key=default_sort_key)
     _require(len(found) == 2, f"two different arctanh occur, not {len(found)}")
     form = printed.xreplace(dict(zip(found, (_A1, _A2), strict=True))).subs(_ENDS)
     first, second = (x.args[0].subs(_ENDS) for x in found)
-    total = sp.atanh(trig_normal((first + second) / (1 + first * second)))
+    total = atanh(trig_normal((first + second) / (1 + first * second)))
     factor, other = (trig_normal(form.diff(x)) for x in (_A1, _A2))
     _require(factor == other and not factor.has(_A1, _A2), "both arctanh have the same factor")
     rest = sp.factor(trig_normal(form.xreplace({_A1: 0, _A2: 0})))
@@ -211,14 +212,14 @@ def simplify(appendix: Appendix) -> Proof:
     )
 
 
-def real_arithmetic_fails(appendix: Appendix) -> sp.Rel:
+def real_arithmetic_fails(appendix: Appendix) -> Rel:
     """Prove for which arcs the arctanh arguments leave (-1, 1), so that real arithmetic gives NaN.
 
     1 - X^2 is 2 cos(alpha) cos(theta_m)/(1 + cos(theta_1)) for one of the arguments X, and with theta_2 for the other:
     with 0 < alpha < pi/2 both fail together, and exactly where cos(theta_m) <= 0, that is for every dip
     psi = 3 pi/2 - theta_m from 0 to pi. (At equality the arguments are -1 and 1, and the sum is inf - inf.)
     """
-    arguments = [x.args[0].subs(_ENDS) for x in parse(appendix).atoms(sp.atanh)]
-    found = {trig_normal(2 * sp.cos(alpha) * sp.cos(theta_m) / (1 - x**2)) for x in arguments}
-    _require(found == {trig_normal(1 + sp.cos(end)) for end in _ENDS.values()}, "1 - X^2 has the sign of cos(theta_m)")
-    return sp.Le(sp.cos(theta_m), 0)
+    arguments = [x.args[0].subs(_ENDS) for x in parse(appendix).atoms(atanh)]
+    found = {trig_normal(2 * cos(alpha) * cos(theta_m) / (1 - x**2)) for x in arguments}
+    _require(found == {trig_normal(1 + cos(end)) for end in _ENDS.values()}, "1 - X^2 has the sign of cos(theta_m)")
+    return Le(cos(theta_m), 0)

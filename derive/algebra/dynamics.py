@@ -8,7 +8,35 @@ S0(z) = sinh(sqrt z)/sqrt z, an entire function, at z = a b t**2, and decaying e
 from dataclasses import dataclass, replace
 from functools import cache
 
-import sympy as sp
+from sympy import (
+    Abs,
+    Add,
+    Expr,
+    Float,
+    Integer,
+    Max,
+    Min,
+    Rational,
+    Symbol,
+    atan,
+    cancel,
+    cos,
+    cosh,
+    diff,
+    exp,
+    expand,
+    factor,
+    log,
+    nan,
+    pi,
+    sign,
+    simplify,
+    sin,
+    sinh,
+    solve,
+    sqrt,
+    symbols,
+)
 
 from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import Remainder, Select, log1p, unfold
@@ -16,60 +44,61 @@ from derive.algebra.rules import heads
 from derive.declare.symbols import a, alpha, b, omega_0, t
 
 # Symbols of the balance laws. Integrals over the mass enter by their dimensionless values (2.17)-(3.13).
-R, g, rho, ell = sp.symbols("R g rho ell", positive=True)
-mu, theta_star, j_r, j_theta, polar = sp.symbols("mu Theta J_r J_theta I_p", real=True)
-omega_star, rate_star, sigma_mean = sp.symbols("omega_star rate_star sigma_mean", real=True)
+R, g, rho, ell = symbols("R g rho ell", positive=True)
+mu, theta_star, j_r, j_theta, polar = symbols("mu Theta J_r J_theta I_p", real=True)
+omega_star, rate_star, sigma_mean = symbols("omega_star rate_star sigma_mean", real=True)
 
 
 @cache
-def balance() -> dict[str, sp.Expr]:
+def balance() -> dict[str, Expr]:
     """Right-hand sides of (2.20) and (3.11)-(3.21), and both sides of (3.8), from the balance laws, by their numbers.
 
     Nothing is assumed beyond what the paper assumes: the radial balance as a scalar sum (2.1), the uniform normal
     stress (2.9), (3.5), and Coulomb friction (1.14).
     """
-    omega = omega_star * sp.sqrt(g / R)  # (2.21)
+    omega = omega_star * sqrt(g / R)  # (2.21)
     # Radial balance (2.5) with the mean stress (2.9); r = R r* scales the integrals by R**2 and R**3 (2.16).
     mean = rho * (g * R**2 * j_r + omega**2 * R**3 * polar) / (2 * alpha * R)
     # Angular momentum (3.2) with the moments (3.3)-(3.5), (3.7); Theta from (3.1), and (3.10) from t = t* sqrt(R/g).
     momentum = ell * rho * R**4 * theta_star * rate_star * g / R
     moment = ell * rho * g * R**3 * j_theta - R * mu * sigma_mean * ell * R * 2 * alpha
-    right = sp.expand(sp.solve(momentum - moment.subs(sigma_mean, mean), rate_star)[0])
-    drive, brake = right.coeff(omega_star, 0), -right.coeff(omega_star, 2)
+    right = expand(solve(momentum - moment.subs(sigma_mean, mean), rate_star)[0])
+    drive = right.coeff(omega_star, 0)
+    brake = -right.coeff(omega_star, 2)
     prove_zero(right - (drive - brake * omega_star**2), "(3.16)")
     return {
         "2.10": mean,
-        "2.20": sp.Add(*(x / (1 - sp.cos(alpha)) for x in sp.expand(mean / (rho * g * R)).args)),  # (2.12), (2.13)
+        "2.20": Add(*(x / (1 - cos(alpha)) for x in expand(mean / (rho * g * R)).args)),  # (2.12), (2.13)
         "3.8 left": momentum,
         "3.8": moment,
-        "3.11": sp.simplify(moment.subs(sigma_mean, mean) / (ell * rho * g * R**3)),
+        "3.11": simplify(moment.subs(sigma_mean, mean) / (ell * rho * g * R**3)),
         "3.16": a - b * omega_star**2,
-        "3.17": sp.factor(drive),
-        "3.18": sp.factor(brake),
-        "3.21": sp.solve(drive, mu)[0],  # a = 0
+        "3.17": factor(drive),
+        "3.18": factor(brake),
+        "3.21": solve(drive, mu)[0],  # a = 0
     }
 
 
 @cache
-def solution() -> dict[str, sp.Expr]:
+def solution() -> dict[str, Expr]:
     """The solution of (3.16), for a b > 0 and continued to any sign, with y of omega = y'/(b y)."""
     k = _ROOT  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0
     ways = {
         "y": Y,
-        "angular_velocity": (omega_0 * sp.cosh(k * t) + a * sp.sinh(k * t) / k) / Y,
-        "rotation": sp.log(Y) / b,
+        "angular_velocity": (omega_0 * cosh(k * t) + a * sinh(k * t) / k) / Y,
+        "rotation": log(Y) / b,
         "angular_acceleration": (a - b * omega_0**2) / Y**2,
     }
     omega = ways["angular_velocity"]
     for claim, zero in {
-        "(3.16) holds": sp.diff(omega, t) - (a - b * omega**2),
-        "the rotation's rate is the angular velocity": sp.diff(ways["rotation"], t) - omega,
-        "the acceleration is the angular velocity's rate": ways["angular_acceleration"] - sp.diff(omega, t),
-        "y is linear": sp.diff(Y, t, 2) - k**2 * Y,
+        "(3.16) holds": diff(omega, t) - (a - b * omega**2),
+        "the rotation's rate is the angular velocity": diff(ways["rotation"], t) - omega,
+        "the acceleration is the angular velocity's rate": ways["angular_acceleration"] - diff(omega, t),
+        "y is linear": diff(Y, t, 2) - k**2 * Y,
         "omega(0) = omega_0": omega.subs(t, 0) - omega_0,
         "phi(0) = 0": ways["rotation"].subs(t, 0),
     }.items():
-        prove_zero(zero.subs(a, k**2 / b).rewrite(sp.exp), claim)
+        prove_zero(zero.subs(a, k**2 / b).rewrite(exp), claim)
     return ways
 
 
@@ -90,33 +119,33 @@ class MotionForm:
     """
 
     name: str
-    inputs: tuple[sp.Symbol, ...]
-    let: dict[sp.Symbol, sp.Expr]
-    result: sp.Expr
+    inputs: tuple[Symbol, ...]
+    let: dict[Symbol, Expr]
+    result: Expr
     formula: str
     equation: str
     summary: str
 
 
-_X, _K, _Z, _NEAR, _FAR, _E, _Q, _D = sp.symbols("x k z near far e q decay", real=True)
-_P, _M, _Y = sp.symbols("P M y", real=True)
-_G, _PHI_Y = sp.symbols("G y_near", real=True)
+_X, _K, _Z, _NEAR, _FAR, _E, _Q, _D = symbols("x k z near far e q decay", real=True)
+_P, _M, _Y = symbols("P M y", real=True)
+_G, _PHI_Y = symbols("G y_near", real=True)
 
 
 # (3.16) made linear: omega = y'/(b y) with y'' = a b y, y(0) = 1; `solution` proves it. k = sqrt(a b).
-_ROOT = sp.Symbol("k", positive=True)
-Y = sp.cosh(_ROOT * t) + b * omega_0 * sp.sinh(_ROOT * t) / _ROOT
-Y_RATE = sp.diff(Y, t)
+_ROOT = Symbol("k", positive=True)
+Y = cosh(_ROOT * t) + b * omega_0 * sinh(_ROOT * t) / _ROOT
+Y_RATE = diff(Y, t)
 
 
-def _near(expression: sp.Expr) -> sp.Expr:
+def _near(expression: Expr) -> Expr:
     """Where z <= 1: cosh and sinh by their heads and remainders, which are series in z = k**2 t**2 = a b t**2."""
-    split = heads(expression, {sp.cosh(_ROOT * t): 2, sp.sinh(_ROOT * t): 1})
-    series = {r: r.func(r.args[0], r.args[1], sp.sqrt(_NEAR)) for r in split.atoms(Remainder)}
+    split = heads(expression, {cosh(_ROOT * t): 2, sinh(_ROOT * t): 1})
+    series = {r: r.func(r.args[0], r.args[1], sqrt(_NEAR)) for r in split.atoms(Remainder)}
     return split.subs(series).subs(_ROOT**2 / b, a).subs(_ROOT**2 * t**2, _NEAR).subs(t, _FAR)
 
 
-def _piece(large: sp.Expr, small: sp.Expr) -> sp.Expr:
+def _piece(large: Expr, small: Expr) -> Expr:
     return Select(1, _Z, large, small)
 
 
@@ -126,36 +155,36 @@ def _piece(large: sp.Expr, small: sp.Expr) -> sp.Expr:
 # solution ends), and proved by `prove_forms`.
 # exp(-2kt) is 0 long before kt = 800, and no solution is left beyond kt = pi where a b < 0.
 _COMMON = {
-    _K: sp.sqrt(sp.Abs(a)) * sp.sqrt(sp.Abs(b)),
-    _X: _K * sp.Min(t, 800 / sp.Max(_K, sp.Float("1e-300"))),
-    _Z: sp.sign(a) * sp.sign(b) * _X**2,
-    _NEAR: sp.Max(sp.Min(_Z, 1), -(sp.pi**2)),
-    _FAR: _piece(sp.Integer(0), t),  # the time where z <= 1
-    _E: sp.exp(-_X),
+    _K: sqrt(Abs(a)) * sqrt(Abs(b)),
+    _X: _K * Min(t, 800 / Max(_K, Float("1e-300"))),
+    _Z: sign(a) * sign(b) * _X**2,
+    _NEAR: Max(Min(_Z, 1), -(pi**2)),
+    _FAR: _piece(Integer(0), t),  # the time where z <= 1
+    _E: exp(-_X),
     _Q: _E**2,
     _P: _K + b * omega_0,
     _M: _K - b * omega_0,
-    _Y: _piece((_P + _M * _Q) / (2 * _piece(_K, sp.Integer(1))), _near(Y)),
+    _Y: _piece((_P + _M * _Q) / (2 * _piece(_K, Integer(1))), _near(Y)),
 }
 
 
-def _alive(y: sp.Symbol, result: sp.Expr) -> sp.Expr:
+def _alive(y: Symbol, result: Expr) -> Expr:
     """The result while y > 0 and kt < pi; NaN once the solution has run to infinity."""
-    return Select(0, sp.Min(y, _Z + sp.pi**2), result.subs(y, _guarded(y)), sp.nan)
+    return Select(0, Min(y, _Z + pi**2), result.subs(y, _guarded(y)), nan)
 
 
-def _guarded(y: sp.Symbol) -> sp.Expr:
-    return Select(0, sp.Min(y, _Z + sp.pi**2), y, 1)
+def _guarded(y: Symbol) -> Expr:
+    return Select(0, Min(y, _Z + pi**2), y, 1)
 
 
 # y = 1 + b G where z <= 1, so that phi = log1p(b G)/b loses nothing as t -> 0 or b -> 0.
 _ROTATION = {_G: _near((Y - 1) / b), _PHI_Y: _piece(_Y, 1 + b * _G)}
 _ROTATION_RESULT = _piece(
-    (_K * _piece(t, sp.Integer(0)) + sp.log(_PHI_Y)) / _piece(b, sp.Integer(1)),
-    _G * Remainder(log1p, 1, _piece(sp.Integer(0), sp.Max(b * _G, -1 + sp.Rational(1, 2**53)))),
+    (_K * _piece(t, Integer(0)) + log(_PHI_Y)) / _piece(b, Integer(1)),
+    _G * Remainder(log1p, 1, _piece(Integer(0), Max(b * _G, -1 + Rational(1, 2**53)))),
 )
 # 1/y, multiplied by twice: its square leaves the range of numbers long before the acceleration does.
-_DECAY = {_D: _piece(_E, sp.Integer(1)) / _guarded(_Y)}
+_DECAY = {_D: _piece(_E, Integer(1)) / _guarded(_Y)}
 _BRAKE = -a  # positive in the domain of the arrest
 _ARREST = (a, b, omega_0)
 _RIDE = (*_ARREST, t)
@@ -165,7 +194,7 @@ FORMS = (
         "frozen_angular_velocity",
         _RIDE,
         _COMMON,
-        _alive(_Y, _piece((_P - _M * _Q) / (2 * _piece(b, sp.Integer(1))), _near(Y_RATE / b)) / _Y),
+        _alive(_Y, _piece((_P - _M * _Q) / (2 * _piece(b, Integer(1))), _near(Y_RATE / b)) / _Y),
         "omega = (omega_0 + a T)/(1 + b omega_0 T), T = tanh(k t)/k, k = sqrt(a b)",
         "3.20",
         "Angular velocity of the paper's motion, for any sign of a and b and any initial velocity.",
@@ -183,7 +212,7 @@ FORMS = (
         "frozen_angular_acceleration",
         _RIDE,
         _COMMON | _DECAY,
-        _alive(_Y, _piece(_P * _M / _piece(b, sp.Integer(1)), a - b * omega_0**2) * _D**2),
+        _alive(_Y, _piece(_P * _M / _piece(b, Integer(1)), a - b * omega_0**2) * _D**2),
         "(a - b omega_0**2)/y**2 with y = exp(b phi)",
         "3.16",
         "Angular acceleration of the paper's motion, for any sign of a and b and any initial velocity.",
@@ -192,7 +221,7 @@ FORMS = (
         "frozen_arrest_time",
         _ARREST,
         {},
-        omega_0 / _BRAKE * Remainder(sp.atan, 1, omega_0 * (sp.sqrt(b) / sp.sqrt(_BRAKE))),
+        omega_0 / _BRAKE * Remainder(atan, 1, omega_0 * (sqrt(b) / sqrt(_BRAKE))),
         "t = arctan(omega_0 sqrt(b/(-a)))/sqrt(-a b)",
         "3.20",
         "Time at which a braked motion stands still.",
@@ -211,44 +240,58 @@ FORMS = (
 
 def prove_forms() -> list[str]:
     """Prove each stable formula equal to the solution, in each of its pieces; the claims."""
-    ways = solution()
-    claims: dict[str, sp.Expr] = {}
-    forms = {f.name.removeprefix("frozen_"): f for f in FORMS}
-    for large, regime in ((True, "a b t**2 > 1"), (False, "a b t**2 <= 1")):
-        for name in ("angular_velocity", "angular_acceleration"):
-            claims[f"{name}, {regime}"] = exact(forms[name], large) - ways[name]
-        # Compared as exp(b phi) = y; with G kept as one symbol, log(1 + b G)/(b G) cancels.
-        rotation = exact(forms["rotation"], large, keep=_G)
-        g = exact(replace(forms["rotation"], result=_G), large=False)
-        claims[f"rotation, {regime}"] = sp.exp(sp.expand(sp.cancel(b * rotation))).subs(_G, g) - ways["y"]
-    # Arrest: with a < 0 < b, k = i kappa. y at arrest is sqrt(1 + b omega_0**2/(-a)).
-    brake, b_, w = sp.symbols("brake b_ omega", positive=True)
-    kappa = sp.sqrt(brake * b_)
-    positive = {a: -brake, b: b_, omega_0: w}
-    time, turn = (unfold(forms[f"arrest_{x}"].result).subs(positive) for x in ("time", "rotation"))
-    y = sp.cos(kappa * t) + b_ * w * sp.sin(kappa * t) / kappa
-    stopping = w * sp.cos(kappa * t) - brake * sp.sin(kappa * t) / kappa
-    claims["omega = 0 at the arrest"] = sp.simplify(stopping.subs(t, time))
-    claims["rotation at the arrest"] = sp.simplify(sp.exp(2 * b_ * turn) - sp.simplify(y.subs(t, time)) ** 2)
-    k, later = sp.symbols("k t", positive=True)
+    claims = _of_the_ride() | _of_the_arrest()
+    k, later = symbols("k t", positive=True)
     for claim, zero in claims.items():
-        prove_zero(zero.subs({a: k**2 / b, t: later}).rewrite(sp.exp), claim)
+        prove_zero(zero.subs({a: k**2 / b, t: later}).rewrite(exp), claim)
     return [*claims]
 
 
-def exact(form: MotionForm, large: bool, keep: sp.Symbol | None = None) -> sp.Expr:
+def _form(name: str) -> MotionForm:
+    return next(form for form in FORMS if form.name == f"frozen_{name}")
+
+
+def _of_the_ride() -> dict[str, Expr]:
+    """What vanishes if the formulas with time hold; the rotation is compared as exp(b phi) = y."""
+    ways = solution()
+    rotation = _form("rotation")
+    claims = {}
+    for large, regime in ((True, "a b t**2 > 1"), (False, "a b t**2 <= 1")):
+        for name in ("angular_velocity", "angular_acceleration"):
+            claims[f"{name}, {regime}"] = exact(_form(name), large) - ways[name]
+        phi = exact(rotation, large, keep=_G)  # with G kept as one symbol, log(1 + b G)/(b G) cancels
+        g = exact(replace(rotation, result=_G), large=False)
+        y = exp(expand(cancel(b * phi))).subs(_G, g)
+        claims[f"rotation, {regime}"] = y - ways["y"]
+    return claims
+
+
+def _of_the_arrest() -> dict[str, Expr]:
+    """The same of the arrest: with a < 0 < b, k = i kappa. y at arrest is sqrt(1 + b omega_0**2/(-a))."""
+    brake, b_, start = symbols("brake b_ omega", positive=True)
+    kappa = sqrt(brake * b_)
+    positive = {a: -brake, b: b_, omega_0: start}
+    time, rotation = (unfold(_form(f"arrest_{x}").result).subs(positive) for x in ("time", "rotation"))
+    y = cos(kappa * t) + b_ * start * sin(kappa * t) / kappa
+    omega = start * cos(kappa * t) - brake * sin(kappa * t) / kappa
+    y_at_arrest = simplify(y.subs(t, time))
+    return {
+        "omega = 0 at the arrest": simplify(omega.subs(t, time)),
+        "rotation at the arrest": simplify(exp(2 * b_ * rotation) - y_at_arrest**2),
+    }
+
+
+def exact(form: MotionForm, large: bool, keep: Symbol | None = None) -> Expr:
     """A stable formula in exact arithmetic, in one of its two pieces: guards and clips undone, k = sqrt(a b) > 0."""
-    k, later = sp.symbols("k t", positive=True)
+    k, later = symbols("k t", positive=True)
     values = {_K: k, _X: k * later, _Z: (k * later) ** 2, _NEAR: (k * later) ** 2, _FAR: later}
 
-    def piece(smaller: sp.Expr, larger: sp.Expr, if_less: sp.Expr, otherwise: sp.Expr) -> sp.Expr:
+    def piece(smaller: Expr, larger: Expr, if_less: Expr, otherwise: Expr) -> Expr:
         return if_less if large or larger != _Z else otherwise
 
-    def plain(e: sp.Expr) -> sp.Expr:
+    def plain(e: Expr) -> Expr:
         e = e.replace(Select, piece)
-        e = e.replace(
-            lambda x: isinstance(x, (sp.Min, sp.Max)), lambda x: x.func(*(y for y in x.args if not y.is_number))
-        )
+        e = e.replace(lambda x: isinstance(x, (Min, Max)), lambda x: x.func(*(y for y in x.args if not y.is_number)))
         return unfold(e).subs(values)
 
     for symbol, value in form.let.items():

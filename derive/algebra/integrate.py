@@ -9,32 +9,52 @@ from functools import cache
 
 import mpmath
 import sympy as sp
+from sympy import (
+    Add,
+    Expr,
+    Integer,
+    Symbol,
+    atanh,
+    cos,
+    count_ops,
+    default_sort_key,
+    diff,
+    expand,
+    expand_trig,
+    factor_terms,
+    integrate,
+    lambdify,
+    pi,
+    simplify,
+    sin,
+)
 
 from derive.algebra.prove import prove_zero, trig_normal
 from derive.check.proof import ProofError
 from derive.declare.quantities import CHORD, MOMENTS, RESISTANCE, Moment
 from derive.declare.symbols import alpha, r, theta, theta_1, theta_m, u
 
-PSI = sp.Symbol("psi", real=True)
+PSI = Symbol("psi", real=True)
 
 
-def logs_to_artanh(expression: sp.Expr) -> sp.Expr:
-    """Write log(s - 1) as log(s + 1) - 2 artanh(s), an imaginary constant apart: next to log(s + 1) it cancels this."""
-    for log in sorted(expression.atoms(sp.log), key=sp.default_sort_key):
+def logs_to_artanh(expression: Expr) -> Expr:
+    """Write log(s - 1) as log(s + 1) - 2 artanh(s), which omits an imaginary constant; log(s + 1) then cancels."""
+    for log in sorted(expression.atoms(sp.log), key=default_sort_key):
         s = log.args[0] + 1
-        if s.has(sp.Symbol) and expression.has(sp.log(s + 1)):
-            expression = sp.expand(expression.subs(log, sp.log(s + 1) - 2 * sp.atanh(s)))
+        log_above = sp.log(s + 1)
+        if s.has(Symbol) and expression.has(log_above):
+            expression = expand(expression.subs(log, log_above - 2 * atanh(s)))
     return expression
 
 
-def antiderivative(integrand: sp.Expr, x: sp.Symbol) -> sp.Expr:
+def antiderivative(integrand: Expr, x: Symbol) -> Expr:
     """SymPy's antiderivative, real, zero at x = 0, and proved by differentiating it back."""
-    result = sp.Integer(0)
-    for term in sp.Add.make_args(sp.expand(integrand)):
+    result = Integer(0)
+    for term in Add.make_args(expand(integrand)):
         factor, rest = term.as_independent(x)
-        primitive = logs_to_artanh(sp.integrate(rest, x))
+        primitive = logs_to_artanh(integrate(rest, x))
         result += factor * (primitive - primitive.subs(x, 0))
-    prove_zero(sp.diff(result, x) - integrand, f"derivative of the antiderivative of {integrand}")
+    prove_zero(diff(result, x) - integrand, f"derivative of the antiderivative of {integrand}")
     return result
 
 
@@ -43,12 +63,12 @@ class Derivation:
     """A moment's way from its definition to its closed form."""
 
     moment: Moment
-    amplitude: sp.Expr  # closed form in alpha, positive
-    direction: sp.Expr  # 1, or cos(psi) or sin(psi) with a sign
+    amplitude: Expr  # closed form in alpha, positive
+    direction: Expr  # 1, or cos(psi) or sin(psi) with a sign
     operations: tuple[int, int]  # of the definition's integrand between its limits, and of the closed form
 
     @property
-    def closed(self) -> sp.Expr:
+    def closed(self) -> Expr:
         """The whole integral, in alpha and psi."""
         return self.amplitude * self.direction
 
@@ -56,42 +76,50 @@ class Derivation:
 @cache
 def derive(moment: Moment) -> Derivation:
     """Integrate one definition, proving each step."""
+    name = moment.name
     inner = antiderivative(moment.weight, r)
     inner = inner.subs(r, 1) - inner.subs(r, CHORD)
     # Centre the angle: theta = theta_1 + alpha + u, theta_1 + alpha = theta_m, so the limits become -alpha and alpha.
-    centred = sp.expand(sp.expand_trig(inner.subs(theta, theta_1 + alpha + u).subs(theta_1, theta_m - alpha)))
-    even = sp.expand((centred + centred.subs(u, -u)) / 2)
-    odd = sp.expand(centred - even)
-    prove_zero(odd + odd.subs(u, -u), f"{moment.name}: the dropped part is odd in u")
+    in_u = inner.subs(theta, theta_1 + alpha + u).subs(theta_1, theta_m - alpha)
+    centred = expand(expand_trig(in_u))
+    even = expand((centred + centred.subs(u, -u)) / 2)
+    odd = expand(centred - even)
+    prove_zero(odd + odd.subs(u, -u), f"{name}: the dropped part is odd in u")
     outer = 2 * antiderivative(even, u).subs(u, alpha)
-    closed = sp.expand(sp.expand_trig(outer.subs(theta_m, 3 * sp.pi / 2 - PSI)))
-    direction = next((f for f in (sp.cos(PSI), sp.sin(PSI)) if closed.has(f)), sp.Integer(1))
-    amplitude = shortest(sp.expand(closed / direction))
+    closed = expand(expand_trig(outer.subs(theta_m, 3 * pi / 2 - PSI)))
+    directions = [f for f in (cos(PSI), sin(PSI)) if closed.has(f)]
+    direction = directions[0] if directions else Integer(1)
+    amplitude = shortest(expand(closed / direction))
     if amplitude.has(PSI):
-        raise ProofError(f"{moment.name}: amplitude", amplitude, "a function of alpha alone")
+        raise ProofError(f"{name}: amplitude", amplitude, "a function of alpha alone")
     if moment.amplitude and amplitude.subs(alpha, 1).evalf() < 0:  # as in the integral of +r**n cos(u)
-        amplitude, direction = -amplitude, -direction
-    prove_zero(amplitude * direction - closed, f"{moment.name}: simplification")
-    return Derivation(moment, amplitude, direction, (int(sp.count_ops(outer)), int(sp.count_ops(amplitude))))
+        amplitude = -amplitude
+        direction = -direction
+    prove_zero(amplitude * direction - closed, f"{name}: simplification")
+    operations = (int(count_ops(outer)), int(count_ops(amplitude)))
+    return Derivation(moment, amplitude, direction, operations)
 
 
-def shortest(expression: sp.Expr) -> sp.Expr:
+def shortest(expression: Expr) -> Expr:
     """The equal form with the fewest operations among those that SymPy's rules reach."""
     normal = trig_normal(expression)
-    candidates = [normal, sp.simplify(normal), sp.factor_terms(normal)]
-    return min(candidates, key=lambda e: (sp.count_ops(e), sp.default_sort_key(e)))
+    candidates = [normal, simplify(normal), factor_terms(normal)]
+    return min(candidates, key=lambda e: (count_ops(e), default_sort_key(e)))
 
 
-def closed_forms() -> dict[str, sp.Expr]:
+def closed_forms() -> dict[str, Expr]:
     """Closed forms of the base quantities in alpha, by the names of their functions."""
-    return {m.kernel[0]: derive(m).amplitude for m in MOMENTS} | {RESISTANCE.name: RESISTANCE.form}
+    forms = {moment.kernel[0]: derive(moment).amplitude for moment in MOMENTS}
+    forms[RESISTANCE.name] = RESISTANCE.form
+    return forms
 
 
-def quadrature(weight: sp.Expr, theta_1_value: object, alpha_value: object, digits: int) -> mpmath.mpf:
+def quadrature(weight: Expr, theta_1_value: object, alpha_value: object, digits: int) -> mpmath.mpf:
     """The raw double integral to so many digits by nested Gauss-Legendre quadrature, over the uncentred chord."""
-    function = sp.lambdify((r, theta), weight, "mpmath")
+    function = lambdify((r, theta), weight, "mpmath")
     with mpmath.workdps(digits + 15):
-        first, half = mpmath.mpf(theta_1_value), mpmath.mpf(alpha_value)
+        first = mpmath.mpf(theta_1_value)
+        half = mpmath.mpf(alpha_value)
 
         def ring(angle: mpmath.mpf) -> mpmath.mpf:
             chord = mpmath.cos(half) / mpmath.cos(angle - first - half)  # 6 nodes are exact for r**11
@@ -104,13 +132,15 @@ def quadrature(weight: sp.Expr, theta_1_value: object, alpha_value: object, digi
 
 def compare(derivation: Derivation, digits: int) -> str:
     """Compare a closed form with quadrature of its raw definition at two arcs; the worst relative difference."""
-    closed = derivation.closed.subs(PSI, 3 * sp.pi / 2 - theta_1 - alpha)
-    function = sp.lambdify((theta_1, alpha), closed, "mpmath")
+    moment = derivation.moment
+    closed = derivation.closed.subs(PSI, 3 * pi / 2 - theta_1 - alpha)
+    function = lambdify((theta_1, alpha), closed, "mpmath")
     worst = mpmath.mpf(0)
     with mpmath.workdps(digits + 15):
-        for arc in ((mpmath.mpf("3.75"), mpmath.mpf("0.55")), (mpmath.mpf("4.5"), mpmath.mpf("1.3"))):
-            value, raw = function(*arc), quadrature(derivation.moment.weight, *arc, digits)
+        for first, half in (("3.75", "0.55"), ("4.5", "1.3")):
+            value = function(mpmath.mpf(first), mpmath.mpf(half))
+            raw = quadrature(moment.weight, first, half, digits)
             worst = max(worst, abs(raw - value) / abs(value))
             if worst > mpmath.mpf(10) ** -(digits - 1):
-                raise ProofError(f"{derivation.moment.name}: closed form against quadrature", value, raw)
+                raise ProofError(f"{moment.name}: closed form against quadrature", value, raw)
         return f"{mpmath.nstr(worst, 2)} at {digits} digits"

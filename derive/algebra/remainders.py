@@ -8,56 +8,85 @@ form, and how it is computed (`lower`), so that a `Program` can be made of it.
 
 from functools import cache
 
-import sympy as sp
+from sympy import (
+    Abs,
+    Add,
+    Expr,
+    Function,
+    FunctionClass,
+    Integer,
+    Lambda,
+    Max,
+    Min,
+    Rational,
+    Symbol,
+    atan,
+    atanh,
+    cos,
+    cosh,
+    diff,
+    exp,
+    log,
+    pi,
+    sin,
+    sinh,
+    tan,
+)
 from sympy.codegen.cfunctions import expm1 as expm1
 from sympy.codegen.cfunctions import log1p as log1p
 from sympy.polys.ring_series import rs_series
 
-EPS = sp.Rational(1, 2**53)
-X = sp.Symbol("x_", real=True)
+EPS = Rational(1, 2**53)
+X = Symbol("x_", real=True)
 
 
-class Select(sp.Function):
+class Select(Function):
     """``Select(x, y, p, q)`` is p where x < y, else q. Unlike a Piecewise, SymPy never folds it or its guards away."""
 
     nargs = 4
 
 
-class Horner(sp.Function):
+class Horner(Function):
     """A polynomial: its argument, then its coefficients, lowest first. SymPy never expands it."""
 
-    def _eval_derivative(self, s: sp.Symbol) -> sp.Expr:
+    def _eval_derivative(self, s: Symbol) -> Expr:
         x, *coefficients = self.args
-        return Horner(x, *[k * c for k, c in enumerate(coefficients)][1:]) * sp.diff(x, s)
+        slope = [k * c for k, c in enumerate(coefficients)][1:]
+        return Horner(x, *slope) * diff(x, s)
 
 
-class Exp(sp.Function):
+class Exp(Function):
     """exp, which SymPy does not turn into a power."""
 
 
-class RoundingError(sp.Function):
+class RoundingError(Function):
     """What the rounded sum x + y lost (TwoSum): exactly x + y - fl(x + y), and zero in exact arithmetic."""
 
     nargs = 2
 
 
-class Primitive(sp.Function):
+class Primitive(Function):
     """A function with a definition, and another way to compute it."""
 
-    def definition(self) -> sp.Expr:
+    def definition(self) -> Expr:
         """What it means."""
         raise NotImplementedError
 
-    def lower(self) -> sp.Expr:
+    def lower(self) -> Expr:
         """How it is computed."""
         raise NotImplementedError
 
 
-def unfold(expression: sp.Expr) -> sp.Expr:
+def unfold(expression: Expr) -> Expr:
     """Replace every primitive by its definition, Horner's schemes by polynomials, and rounding errors by zero."""
-    expression = expression.replace(Horner, lambda x, *c: sum((k * x**n for n, k in enumerate(c)), sp.Integer(0)))
-    expression = expression.replace(RoundingError, lambda x, y: sp.Integer(0))
-    expression = expression.replace(log1p, lambda x: sp.log(1 + x)).replace(expm1, lambda x: sp.exp(x) - 1)
+
+    def polynomial(x: Expr, *coefficients: Expr) -> Expr:
+        return Add(*(c * x**n for n, c in enumerate(coefficients)))
+
+    expression = expression.replace(Horner, polynomial)
+    expression = expression.replace(RoundingError, lambda x, y: Integer(0))
+    expression = expression.replace(log1p, lambda x: log(1 + x))
+    expression = expression.replace(expm1, lambda x: exp(x) - 1)
     return expression.replace(lambda e: isinstance(e, Primitive), lambda e: unfold(e.definition()))
 
 
@@ -66,23 +95,24 @@ class HalfTan(Primitive):
 
     nargs = 1
 
-    def definition(self) -> sp.Expr:
-        return sp.tan(self.args[0] / 2)
+    def definition(self) -> Expr:
+        return tan(self.args[0] / 2)
 
-    def lower(self) -> sp.Expr:
+    def lower(self) -> Expr:
         x = self.args[0]
-        return x * Remainder(sp.sin, 1, x) / (1 + sp.cos(x))
+        return x * Remainder(sin, 1, x) / (1 + cos(x))
 
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
+    def fdiff(self, argindex: int = 1) -> Expr:
         return (1 + self**2) / 2
 
 
 # The Taylor series of a remainder is summed for an entire function as far as anybody asks, to pi, and for artanh up to
 # a seam; its definition is computed beyond, with the end at 1 moved into the numbers.
-ENTIRE = {f(X) for f in (sp.sin, sp.cos, sp.sinh, sp.cosh)}
-SEAM, LAST = sp.Rational(2, 5), 1 - EPS
+ENTIRE = {f(X) for f in (sin, cos, sinh, cosh)}
+SEAM = Rational(2, 5)
+LAST = 1 - EPS
 # A library has f under this name, accurate near 0: f(x)/x needs no series.
-FROM_ZERO = {sp.log(1 + X): log1p, sp.atan(X): sp.atan}
+FROM_ZERO = {log(1 + X): log1p, atan(X): atan}
 
 
 class Remainder(Primitive):
@@ -94,11 +124,13 @@ class Remainder(Primitive):
 
     nargs = 4
 
-    def __new__(cls, f: sp.FunctionClass | sp.Lambda, n: int, x: sp.Expr, slopes: int = 0) -> "Remainder":
-        return super().__new__(cls, f if isinstance(f, sp.Lambda) else sp.Lambda(X, unfold(f(X))), n, x, slopes)
+    def __new__(cls, f: FunctionClass | Lambda, n: int, x: Expr, slopes: int = 0) -> "Remainder":
+        if not isinstance(f, Lambda):
+            f = Lambda(X, unfold(f(X)))
+        return super().__new__(cls, f, n, x, slopes)
 
     @property
-    def parts(self) -> tuple[sp.Expr, int, sp.Expr, int]:
+    def parts(self) -> tuple[Expr, int, Expr, int]:
         """f as an expression in `X`, n, x and the number of derivatives."""
         f, n, x, slopes = self.args
         return f.expr, int(n), x, int(slopes)
@@ -109,18 +141,20 @@ class Remainder(Primitive):
         f, n, _, _ = self.parts
         return not any(taylor(f)[n + 1 :: 2])
 
-    def definition(self) -> sp.Expr:
+    def definition(self) -> Expr:
         f, n, x, slopes = self.parts
-        result = (f - sum(c * X**k for k, c in enumerate(taylor(f)[:n]))) / X**n
+        head = sum(c * X**k for k, c in enumerate(taylor(f)[:n]))
+        result = (f - head) / X**n
         for _ in range(slopes):
-            result = sp.diff(result, X) / (X if self.even else 1)
+            result = diff(result, X) / (X if self.even else 1)
         return result.subs(X, x)
 
-    def _eval_derivative(self, s: sp.Symbol) -> sp.Expr:
+    def _eval_derivative(self, s: Symbol) -> Expr:
         f, n, x, slopes = self.args
-        return (x if self.even else 1) * Remainder(f, n, x, slopes + 1) * sp.diff(x, s)
+        slope = Remainder(f, n, x, slopes + 1)
+        return (x if self.even else 1) * slope * diff(x, s)
 
-    def series(self) -> list[sp.Rational]:
+    def series(self) -> list[Rational]:
         """Its Taylor coefficients, in x**2 where it is even.
 
         As many as it takes for the first neglected term to stay below an eighth of 2**-53 of the leading one.
@@ -130,29 +164,33 @@ class Remainder(Primitive):
         terms = list(taylor(f)[n::step])
         for _ in range(slopes):
             terms = [step * k * c for k, c in enumerate(terms)][1:]
-        reach = (sp.pi if f in ENTIRE else SEAM) ** step
+        farthest = (pi if f in ENTIRE else SEAM) ** step
         for count in range(1, len(terms)):
-            if abs(terms[count]) * reach**count < abs(terms[0]) * EPS / 8:
+            neglected = abs(terms[count]) * farthest**count
+            if neglected < abs(terms[0]) * EPS / 8:
                 return terms[:count]
-        raise ValueError(f"the series of {self} is too slow")
+        raise ValueError(f"the series of {self} converges too slowly")
 
-    def lower(self) -> sp.Expr:
+    def lower(self) -> Expr:
         f, n, x, slopes = self.parts
         power = 2 if self.even else 1
+        size = Abs(x)
         if f in ENTIRE:
             return Horner(x**power, *self.series())
         if n == 1 and not slopes and f in FROM_ZERO:  # its limit 1 is exact to the last bit for |x| < 2**-60
-            size, tiny, one = sp.Abs(x), sp.Rational(1, 2**60), sp.Integer(1)
+            tiny = Rational(1, 2**60)
+            one = Integer(1)
             away = Select(size, tiny, one, x)
             return Select(size, tiny, one, FROM_ZERO[f](away) / away)
-        near, far = sp.Max(sp.Min(x, SEAM), -SEAM), sp.Min(Select(sp.Abs(x), SEAM, SEAM, x), LAST)
+        near = Max(Min(x, SEAM), -SEAM)
+        far = Min(Select(size, SEAM, SEAM, x), LAST)
         beyond = self.func(self.args[0], n, far, slopes).definition()
-        return Select(sp.Abs(x), SEAM, Horner(near**power, *self.series()), beyond)
+        return Select(size, SEAM, Horner(near**power, *self.series()), beyond)
 
 
 @cache
-def taylor(f: sp.Expr) -> tuple[sp.Rational, ...]:
+def taylor(f: Expr) -> tuple[Rational, ...]:
     """Taylor coefficients at 0, as SymPy's ring of power series finds them, which has no artanh."""
-    f = f.replace(sp.atanh, lambda x: (sp.log(1 + x) - sp.log(1 - x)) / 2)
+    f = f.replace(atanh, lambda x: (log(1 + x) - log(1 - x)) / 2)
     terms = rs_series(f, X, 60).as_expr().as_poly(X)
     return tuple(terms.coeff_monomial(X**k) for k in range(60))

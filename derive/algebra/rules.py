@@ -6,22 +6,48 @@ tau = tan(alpha/2), plus a remainder; the heads cancel by algebra, and what is l
 """
 
 import time
+from collections import defaultdict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 
 import sympy as sp
+from sympy import (
+    Add,
+    Dummy,
+    Expr,
+    Function,
+    Integer,
+    Mul,
+    Poly,
+    atanh,
+    cancel,
+    cos,
+    count_ops,
+    default_sort_key,
+    diff,
+    expand,
+    expand_trig,
+    factor_list,
+    fraction,
+    sin,
+    sqrt,
+    symbols,
+    tan,
+    together,
+)
 
 from derive.algebra.prove import prove_zero, refute
 from derive.algebra.remainders import HalfTan, Horner, Remainder, X, taylor, unfold
 from derive.check.proof import ProofError
 from derive.declare.symbols import alpha
 
-TAU, _Y, _H = sp.symbols("tau y_ artanh_", real=True)
-_SINE, _COSINE = 2 * TAU / (1 + TAU**2), (1 - TAU**2) / (1 + TAU**2)
+TAU, _Y, _H = symbols("tau y_ artanh_", real=True)
+_SINE = 2 * TAU / (1 + TAU**2)
+_COSINE = (1 - TAU**2) / (1 + TAU**2)
 # What the rules leave of the angle and of artanh: alpha**3 and tau**3 times a remainder.
-ANGLE_REST = -4 * alpha**3 * Remainder(sp.sin, 3, 2 * alpha)
-ARTANH_REST = 2 * TAU**3 * Remainder(sp.atanh, 3, TAU)
+ANGLE_REST = -4 * alpha**3 * Remainder(sin, 3, 2 * alpha)
+ARTANH_REST = 2 * TAU**3 * Remainder(atanh, 3, TAU)
 
 
 @dataclass(frozen=True)
@@ -38,52 +64,58 @@ class StableForm:
     """A closed form as alpha**power ``reduced``, which does not cancel and is finite and not zero at 0."""
 
     power: int
-    reduced: sp.Expr
+    reduced: Expr
     steps: tuple[Step, ...]
 
     @property
-    def form(self) -> sp.Expr:
+    def form(self) -> Expr:
         return alpha**self.power * self.reduced
 
 
-def _bare_angle(expression: sp.Expr) -> sp.Expr:
+def _bare_angle(expression: Expr) -> Expr:
     """R1, on alpha where it stands alone: sin(alpha) cos(alpha) + 4 alpha^3 D(2 alpha), D(x) = (x - sin x)/x^3."""
-    kept = {f: sp.Dummy() for f in sorted(expression.atoms(sp.Function), key=sp.default_sort_key)}
-    free = expression.subs(kept).subs(alpha, sp.sin(alpha) * sp.cos(alpha) + ANGLE_REST)
-    return sp.expand(free.subs({v: k for k, v in kept.items()}))
+    functions = sorted(expression.atoms(Function), key=default_sort_key)
+    unknowns = {f: Dummy() for f in functions}
+    back = {unknown: f for f, unknown in unknowns.items()}
+    split = expression.subs(unknowns).subs(alpha, sin(alpha) * cos(alpha) + ANGLE_REST)
+    return expand(split.subs(back))
 
 
-def _artanh(expression: sp.Expr) -> sp.Expr:
+def _artanh(expression: Expr) -> Expr:
     """R2: artanh(sin(alpha)) = 2 tau + 2 tau^3 E(tau), E(x) = (artanh x - x)/x^3."""
-    return sp.expand(expression.subs(sp.atanh(sp.sin(alpha)), 2 * TAU + ARTANH_REST))
+    return expand(expression.subs(atanh(sin(alpha)), 2 * TAU + ARTANH_REST))
 
 
-def _half_angle(expression: sp.Expr) -> sp.Expr:
+def _half_angle(expression: Expr) -> Expr:
     """R3: sin(alpha) = 2 tau/(1 + tau^2), cos(alpha) = (1 - tau^2)/(1 + tau^2); what cancels, cancels here."""
-    expression = expression.subs({sp.sin(alpha): _SINE, sp.cos(alpha): _COSINE})
-    return sp.Add(*(sp.factor(sp.cancel(c)) * r for r, c in _by_remainder(expression).items()))
+    expression = expression.subs({sin(alpha): _SINE, cos(alpha): _COSINE})
+    factors = _by_remainder(expression)
+    return Add(*(sp.factor(cancel(factor)) * rest for rest, factor in factors.items()))
 
 
-RULES: dict[str, Callable[[sp.Expr], sp.Expr]] = {"angle": _bare_angle, "artanh": _artanh, "half angle": _half_angle}
+RULES: dict[str, Callable[[Expr], Expr]] = {"angle": _bare_angle, "artanh": _artanh, "half angle": _half_angle}
 
 
 @cache
-def stable(closed: sp.Expr) -> StableForm:
+def stable(closed: Expr) -> StableForm:
     """The form without cancellation of a polynomial in alpha, sin, cos and artanh(sin alpha), each step proved.
 
     The heads of angle and artanh are split off where they cancel, that is where the terms vanish more slowly at 0 than
     their sum.
     """
-    expression = sp.expand(sp.expand_trig(closed))
+    expression = expand(expand_trig(closed))
     power = int(closed.leadterm(alpha)[1])
     steps = []
     heads_cancel = min(_orders(expression)) < power
     for name, rule in RULES.items():
-        start, before = time.perf_counter(), expression
-        expression = rule(before) if heads_cancel or name != "angle" else before
+        if name == "angle" and not heads_cancel:
+            continue
+        start = time.perf_counter()
+        before = expression
+        expression = rule(before)
         if expression != before:
             prove_equal(expression, before, f"rule {name}")
-            operations = int(sp.count_ops(before)), int(sp.count_ops(expression))
+            operations = int(count_ops(before)), int(count_ops(expression))
             steps.append(Step(name, operations, time.perf_counter() - start))
     if min(_orders(expression)) < power:
         raise ProofError(f"stable form of {closed}: heads", expression, "none, they cancel")
@@ -92,88 +124,114 @@ def stable(closed: sp.Expr) -> StableForm:
     return StableForm(power, reduced, tuple(steps))
 
 
-def _in_tau(expression: sp.Expr) -> sp.Expr:
-    """Over the angle, its artanh and tau: what is left of functions are remainders."""
-    return expression.subs(sp.atanh(sp.sin(alpha)), _H).subs({sp.sin(alpha): _SINE, sp.cos(alpha): _COSINE})
+def _in_tau(expression: Expr) -> Expr:
+    """In the angle, its artanh and tau: the only functions that remain are remainders."""
+    expression = expression.subs(atanh(sin(alpha)), _H)
+    return expression.subs({sin(alpha): _SINE, cos(alpha): _COSINE})
 
 
-def _by_remainder(expression: sp.Expr) -> dict[sp.Expr, sp.Expr]:
-    """The factors of each product of angle, artanh and remainders; they are rational in tau."""
-    found: dict[sp.Expr, sp.Expr] = {}
-    for term in sp.Add.make_args(sp.expand(expression)):
+def _by_remainder(expression: Expr) -> dict[Expr, Expr]:
+    """The factor of each product of angle, artanh and remainders; factors are rational in tau."""
+    factors: dict[Expr, Expr] = defaultdict(lambda: Integer(0))
+    for term in Add.make_args(expand(expression)):
         factor, rest = term.as_independent(alpha, _H, Remainder)
-        found[rest] = found.get(rest, sp.Integer(0)) + factor
-    return found
+        factors[rest] += factor
+    return factors
 
 
-def _orders(expression: sp.Expr) -> list[int]:
+def _orders(expression: Expr) -> list[int]:
     """With which power of alpha each term vanishes at 0."""
-    found = []
+    orders = []
     for rest, factor in _by_remainder(_in_tau(expression)).items():
-        top, bottom = sp.fraction(sp.cancel(factor))
-        if top != 0:
-            own = sum(int(p.as_base_exp()[1]) for p in sp.Mul.make_args(rest) if p.as_base_exp()[0] in (alpha, _H))
-            found.append(own + _lowest(top) - _lowest(bottom))
-    return found
+        top, bottom = fraction(cancel(factor))
+        if top == 0:
+            continue
+        order = _lowest(top) - _lowest(bottom)
+        for part in Mul.make_args(rest):
+            base, exponent = part.as_base_exp()
+            if base in (alpha, _H):
+                order += int(exponent)
+        orders.append(order)
+    return orders
 
 
-def _lowest(polynomial: sp.Expr) -> int:
+def _lowest(polynomial: Expr) -> int:
     """Its lowest power of tau."""
-    return min(m[0] for m in sp.Poly(polynomial, TAU).monoms())
+    return min(powers[0] for powers in Poly(polynomial, TAU).monoms())
 
 
-def _reduced(expression: sp.Expr, power: int) -> sp.Expr:
-    """The expression over alpha**power, for computing.
+def _reduced(expression: Expr, power: int) -> Expr:
+    """The expression over alpha**power, for computing: tau**shift is (tau/alpha)**shift alpha**shift.
 
-    With c = cos(alpha): tau/alpha = (sin(alpha)/alpha)/(1 + c), 1/(1 + tau**2) = (1 + c)/2, and where 1 - tau**2 is a
-    factor, as of what vanishes at pi/2, (1 - tau**2)/(1 + tau**2) = c. Other polynomials in tau**2 by Horner's scheme.
+    With c = cos(alpha): tau/alpha = (sin(alpha)/alpha)/(1 + c).
     """
-    c = sp.cos(alpha)
-    found = []
+    terms = []
     for rest, factor in _by_remainder(expression).items():
-        over, under = sp.fraction(sp.cancel(factor))
-        shift = _lowest(over) - _lowest(under)
-        product, ends = rest * alpha ** (shift - power) * Remainder(sp.sin, 1, alpha) ** shift, -shift
-        for part, sign in ((over, 1), (under, -1)):
-            constant, factors = sp.factor_list((part / TAU ** _lowest(part)).expand().subs(TAU, sp.sqrt(_Y)), _Y)
-            product *= constant**sign
-            for polynomial, n in factors:
-                if polynomial == _Y - 1:
-                    product, ends = product * (-2 * c) ** (sign * n), ends - sign * n
-                elif polynomial == _Y + 1:
-                    product, ends = product * sp.Integer(2) ** (sign * n), ends - sign * n
-                else:
-                    coefficients = sp.Poly(polynomial, _Y).all_coeffs()[::-1]
-                    product *= Horner(TAU**2, *coefficients) ** (sign * n)
-        found.append((product * (1 + c) ** ends).subs(TAU, HalfTan(alpha)))
-    return sp.Add(*found)
+        top, bottom = fraction(cancel(factor))
+        shift = _lowest(top) - _lowest(bottom)
+        product = rest * alpha ** (shift - power) * Remainder(sin, 1, alpha) ** shift
+        one_plus_c = -shift  # its exponent
+        for polynomial, sign in ((top, 1), (bottom, -1)):
+            factors, exponent = _of_tau_squared(polynomial, sign)
+            product *= factors
+            one_plus_c += exponent
+        terms.append((product * (1 + cos(alpha)) ** one_plus_c).subs(TAU, HalfTan(alpha)))
+    return Add(*terms)
 
 
-def heads(expression: sp.Expr, orders: Mapping[sp.Expr, int]) -> sp.Expr:
+def _of_tau_squared(polynomial: Expr, sign: int) -> tuple[Expr, int]:
+    """A polynomial over its lowest power of tau, to the power ``sign``, and an exponent of 1 + cos(alpha) to be added.
+
+    1/(1 + tau**2) = (1 + c)/2, and where 1 - tau**2 is a factor, as of what vanishes at pi/2,
+    (1 - tau**2)/(1 + tau**2) = c. Other polynomials in tau**2 by Horner's scheme.
+    """
+    over_lowest = (polynomial / TAU ** _lowest(polynomial)).expand()
+    product, factors = factor_list(over_lowest.subs(TAU, sqrt(_Y)), _Y)
+    product = product**sign
+    exponent = 0
+    for factor, n in factors:
+        n *= sign
+        if factor == _Y - 1:
+            product *= (-2 * cos(alpha)) ** n
+            exponent -= n
+        elif factor == _Y + 1:
+            product *= Integer(2) ** n
+            exponent -= n
+        else:
+            coefficients = Poly(factor, _Y).all_coeffs()[::-1]
+            product *= Horner(TAU**2, *coefficients) ** n
+    return product, exponent
+
+
+def heads(expression: Expr, orders: Mapping[Expr, int]) -> Expr:
     """R4: each function f(x) that is named is its Taylor terms below x**n plus x**n times a remainder; heads cancel."""
-    parts = {f: sum(c * f.args[0] ** k for k, c in enumerate(taylor(type(f)(X))[:n])) for f, n in orders.items()}
-    rests = {f: f.args[0] ** n * Remainder(type(f), n, f.args[0]) for f, n in orders.items()}
-    result = sp.expand(expression.subs({f: parts[f] + rests[f] for f in orders}))
-    prove_zero(sp.expand(unfold(result) - expression), f"rule heads: {expression}")
+    split = {}
+    for f, n in orders.items():
+        x = f.args[0]
+        head = sum(c * x**k for k, c in enumerate(taylor(type(f)(X))[:n]))
+        split[f] = head + x**n * Remainder(type(f), n, x)
+    result = expand(expression.subs(split))
+    prove_zero(expand(unfold(result) - expression), f"rule heads: {expression}")
     return result
 
 
-def prove_equal(one: sp.Expr, other: sp.Expr, claim: str) -> None:
+def prove_equal(one: Expr, other: Expr, claim: str) -> None:
     """Prove two forms equal on (0, pi/2).
 
     Half angles are written in tau = tan(alpha/2), a bijection of (0, pi/2) onto (0, 1); artanh(sin alpha) is
     2 artanh(tau), proved by their derivatives and their common value at 0.
     """
-    prove_zero(sp.diff(sp.atanh(_SINE) - 2 * sp.atanh(TAU), TAU), "artanh(sin alpha) = 2 artanh(tan(alpha/2))")
+    prove_zero(diff(atanh(_SINE) - 2 * atanh(TAU), TAU), "artanh(sin alpha) = 2 artanh(tan(alpha/2))")
     prove_zero(_in_tau(unfold(HalfTan(alpha).lower())) - TAU, "tan(alpha/2) as it is computed")
 
-    def plain(e: sp.Expr) -> sp.Expr:
-        e = sp.expand_trig(unfold(e)).subs(sp.tan(alpha / 2), TAU)
-        return _in_tau(e.subs(sp.atanh(TAU), _H / 2))
+    def in_tau(form: Expr) -> Expr:
+        form = expand_trig(unfold(form)).subs(tan(alpha / 2), TAU)
+        return _in_tau(form.subs(atanh(TAU), _H / 2))
 
-    difference = plain(one) - plain(other)
+    difference = in_tau(one) - in_tau(other)
     refute(difference, claim)
-    prove_zero(sp.expand(sp.fraction(sp.together(difference))[0]), claim)
+    numerator, _ = fraction(together(difference))
+    prove_zero(expand(numerator), claim)
 
 
 # --- how the moments of an arc grow with its half angle ---------------------------------------------------------------
@@ -181,22 +239,26 @@ def prove_equal(one: sp.Expr, other: sp.Expr, claim: str) -> None:
 GROWTHS = ("weight_moment_amplitude", "radial_weight_amplitude", "polar_moment", "resistance_factor")
 
 
-def arc_growth(closed: Mapping[str, sp.Expr]) -> tuple[sp.Expr, ...]:
+def arc_growth(closed: Mapping[str, Expr]) -> tuple[Expr, ...]:
     """Relative derivatives by alpha of C_theta, C_r, I_p*, lambda, all over Theta*, then of Theta* times alpha.
 
     From the reduced functions F/alpha**3, whose slopes are O(alpha) each: nothing cancels in thin arcs.
     """
-    inertia = stable(closed["moment_of_inertia"]).reduced
-    log_slope = sp.diff(inertia, alpha) / inertia
-    found = [sp.diff(x, alpha) / x - log_slope for x in (stable(closed[n]).reduced for n in GROWTHS)]
-    return (*found, 3 + alpha * log_slope)
+
+    def log_slope(name: str) -> Expr:
+        reduced = stable(closed[name]).reduced
+        return diff(reduced, alpha) / reduced
+
+    of_inertia = log_slope("moment_of_inertia")
+    return (*(log_slope(name) - of_inertia for name in GROWTHS), 3 + alpha * of_inertia)
 
 
-def prove_arc_growth(closed: Mapping[str, sp.Expr]) -> list[str]:
+def prove_arc_growth(closed: Mapping[str, Expr]) -> list[str]:
     """Prove the slopes of the reduced functions equal to those of the closed forms over alpha**3, by name."""
     claims = []
     for name, form in closed.items():
         claim = f"{name}: slope of the reduced function"
-        prove_equal(alpha**3 * sp.diff(stable(form).reduced, alpha), sp.diff(form, alpha) - 3 * form / alpha, claim)
+        reduced = alpha**3 * diff(stable(form).reduced, alpha)
+        prove_equal(reduced, diff(form, alpha) - 3 * form / alpha, claim)
         claims.append(claim)
     return claims

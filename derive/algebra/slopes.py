@@ -17,6 +17,29 @@ rings
 """
 
 import sympy as sp
+from sympy import (
+    Add,
+    Expr,
+    Matrix,
+    Min,
+    Rational,
+    Symbol,
+    atan2,
+    atanh,
+    cos,
+    degree,
+    diff,
+    expand,
+    expand_trig,
+    limit,
+    log,
+    logcombine,
+    simplify,
+    sin,
+    solve,
+    sqrt,
+    symbols,
+)
 
 from derive.algebra.integrate import antiderivative
 from derive.algebra.prove import prove_zero
@@ -24,16 +47,17 @@ from derive.algebra.remainders import Remainder, unfold
 from derive.declare.quantities import MOMENTS
 from derive.declare.symbols import alpha, r, theta
 
-REACH, NODES = sp.Rational(1, 4), 10
+REACH = Rational(1, 4)
+NODES = 10
 # What is integrated over r and theta: of the area, of the two inertias, and of the weights as vectors.
 WEIGHTS = {
     "area": r,
     "polar": r**2,
     "inertia": r**3,
-    "radial_x": r * sp.cos(theta),
-    "radial_y": r * sp.sin(theta),
-    "moment_x": r**2 * sp.cos(theta),
-    "moment_y": r**2 * sp.sin(theta),
+    "radial_x": r * cos(theta),
+    "radial_y": r * sin(theta),
+    "moment_x": r**2 * cos(theta),
+    "moment_y": r**2 * sin(theta),
 }
 # The paper's moments among them, and what they become as the mass turns by phi: J cos(phi) - slope sin(phi).
 MEANS = {
@@ -44,48 +68,56 @@ MEANS = {
 }
 SLOPES = {"radial_weight": ("radial_x", 1), "weight_moment": ("moment_y", -1)}
 
-X, Y, E_X, E_Y, ANGLE, G = sp.symbols("x y e_x e_y angle g", real=True)
-_P, _T, _T1, _T2, _PHI = sp.symbols("p t t1 t2 phi", real=True)
-_LOG = sp.Symbol("L", real=True)  # artanh(t2/r2) - artanh(t1/r1)
-_TAU = sp.symbols("tau_x tau_y", real=True)
+X, Y, E_X, E_Y, ANGLE, G = symbols("x y e_x e_y angle g", real=True)
+_P, _T, _T1, _T2, _PHI = symbols("p t t1 t2 phi", real=True)
+_LOG = Symbol("L", real=True)  # artanh(t2/r2) - artanh(t1/r1)
+_TAU = symbols("tau_x tau_y", real=True)
 
 
-def _rho(t: sp.Expr) -> sp.Expr:
-    return sp.sqrt(_P**2 + t**2)
+def _rho(t: Expr) -> Expr:
+    return sqrt(_P**2 + t**2)
 
 
-def _split(weight: sp.Expr) -> tuple[int, sp.Expr]:
+def _split(weight: Expr) -> tuple[int, Expr]:
     """n and the direction of a weight r**(n - 1) direction(theta), whose integral over r from 0 is r**n/n direction."""
-    n = int(sp.degree(weight, r)) + 1
+    n = int(degree(weight, r)) + 1
     return n, weight / r ** (n - 1)
 
 
-def triangles() -> dict[str, sp.Expr]:
+def triangles() -> dict[str, Expr]:
     """Integrals over the triangle between the centre and an edge, in p, t1, t2, tau and L, by the weight's name.
 
     Inner integral, parameter t, term by term over t from t1 to t2; each whole is differentiated back.
     """
     # A point of the edge's line: (tau_y, -tau_x) points from the centre to the line, where p > 0.
-    x, y = _P * _TAU[1] + _T * _TAU[0], -_P * _TAU[0] + _T * _TAU[1]
-    found = {}
+    rho = _rho(_T)
+    x = _P * _TAU[1] + _T * _TAU[0]
+    y = -_P * _TAU[0] + _T * _TAU[1]
+    integrals = {}
     for name, weight in WEIGHTS.items():
         n, direction = _split(weight)
-        direction = direction.subs({sp.cos(theta): x / _rho(_T), sp.sin(theta): y / _rho(_T)})
-        integrand = sp.expand(sp.simplify(_rho(_T) ** n / n * direction * _P / _rho(_T) ** 2))
-        form = sp.Integer(0)
-        for term in sp.Add.make_args(integrand):
-            factor, rest = term.as_independent(_T)
-            form += factor * _PRIMITIVES[sp.simplify(rest)] if rest != 1 else factor * (_T2 - _T1)
-        at_2 = sp.diff(form, _T2) + sp.diff(form, _LOG) / _rho(_T2)  # dL/dt2 = 1/r2, proved in `prove`
+        direction = direction.subs({cos(theta): x / rho, sin(theta): y / rho})
+        integrand = expand(simplify(rho**n / n * direction * _P / rho**2))
+        form = Add(*(_along_edge(term) for term in Add.make_args(integrand)))
+        at_2 = diff(form, _T2) + diff(form, _LOG) / _rho(_T2)  # dL/dt2 = 1/r2, proved in `prove`
         prove_zero(at_2 - integrand.subs(_T, _T2), f"{name}: the triangle's integral grows with t2 as it must")
         prove_zero(form.subs({_T2: _T1, _LOG: 0}), f"{name}: an edge without length has none")
-        found[name] = form
-    return found
+        integrals[name] = form
+    return integrals
+
+
+def _along_edge(term: Expr) -> Expr:
+    """The integral of one term over t from t1 to t2."""
+    factor, rest = term.as_independent(_T)
+    if rest == 1:
+        return factor * (_T2 - _T1)
+    return factor * _PRIMITIVES[simplify(rest)]
 
 
 # Integrals over t from t1 to t2 with their differences of near equals divided out: r2 - r1 and t2 r2 - t1 r1 are small
 # for short edges. They are proved where they are used.
-_D, _SUM = _T2 - _T1, _rho(_T1) + _rho(_T2)
+_D = _T2 - _T1
+_SUM = _rho(_T1) + _rho(_T2)
 _PRIMITIVES = {
     _rho(_T): _D / 4 * ((_T1 + _T2) ** 2 / _SUM + _SUM) + _P**2 * _LOG / 2,
     1 / _rho(_T): _LOG,
@@ -95,13 +127,16 @@ _PRIMITIVES = {
 }
 
 
-def closed() -> tuple[sp.Expr, ...]:
+def closed() -> tuple[Expr, ...]:
     """Sector minus triangle for each of ``WEIGHTS``, in x, y, e_x, e_y and the angle from P1 to P2."""
-    x2, y2, d = X + E_X, Y + E_Y, sp.sqrt(E_X**2 + E_Y**2)
-    r1, r2 = sp.sqrt(X**2 + Y**2), sp.sqrt(x2**2 + y2**2)
-    below_1 = 1 - sp.Rational(1, 2**53)  # a centre on the edge: p L = 0 for every finite L
-    at = {
-        _LOG: 2 * sp.atanh(sp.Min(d / (r1 + r2), below_1)),
+    x2 = X + E_X
+    y2 = Y + E_Y
+    d = sqrt(E_X**2 + E_Y**2)
+    r1 = sqrt(X**2 + Y**2)
+    r2 = sqrt(x2**2 + y2**2)
+    below_1 = 1 - Rational(1, 2**53)  # a centre on the edge: p L = 0 for every finite L
+    of_edge = {
+        _LOG: 2 * atanh(Min(d / (r1 + r2), below_1)),
         _rho(_T1): r1,
         _rho(_T2): r2,
         _P: (X * E_Y - Y * E_X) / d,
@@ -110,147 +145,183 @@ def closed() -> tuple[sp.Expr, ...]:
         _TAU[0]: E_X / d,
         _TAU[1]: E_Y / d,
     }
-    found = []
+    at_1 = {cos(theta): X / r1, sin(theta): Y / r1}
+    at_2 = {cos(theta): x2 / r2, sin(theta): y2 / r2}
+    rings = []
     for name, triangle in triangles().items():
         n, direction = _split(WEIGHTS[name])
-        sector = antiderivative(direction, theta) / n
+        primitive = antiderivative(direction, theta) / n
         if direction == 1:
-            ring = sector.subs(theta, ANGLE)
-        else:  # cosines and sines of the ends
-            ends = [sector.subs({sp.cos(theta): a / b, sp.sin(theta): c / b}) for a, c, b in ((X, Y, r1), (x2, y2, r2))]
-            ring = ends[1] - ends[0]
-        found.append(ring - triangle.subs(_T2 - _T1, d).subs(at, simultaneous=True))
-    return tuple(found)
+            sector = primitive.subs(theta, ANGLE)
+        else:
+            sector = primitive.subs(at_2) - primitive.subs(at_1)
+        rings.append(sector - triangle.subs(_T2 - _T1, d).subs(of_edge, simultaneous=True))
+    return tuple(rings)
 
 
-def rings() -> tuple[sp.Expr, ...]:
+def rings() -> tuple[Expr, ...]:
     """(1 - rho^n)/n over rho^2, for n of area, polar, inertia; then over rho^3, for those of radial and moment; in g.
 
     Times P1 x e they are what a ring grows by along the edge, ds; the last two times the point itself.
     """
-    rho = sp.sqrt(1 - G)
+    rho = sqrt(1 - G)
     area = G / 2
     polar = G * (1 + rho + rho**2) / (3 * (1 + rho))
     inertia = G * (1 + rho**2) / 4
-    forms = (area / rho**2, polar / rho**2, inertia / rho**2, area / rho**3, polar / rho**3)
-    for form, name in zip(forms, ("area", "polar", "inertia", "radial_x", "moment_x"), strict=True):
+    forms = {
+        "area": area / rho**2,
+        "polar": polar / rho**2,
+        "inertia": inertia / rho**2,
+        "radial_x": area / rho**3,
+        "moment_x": polar / rho**3,
+    }
+    for name, form in forms.items():
         n, direction = _split(WEIGHTS[name])
-        wanted = (1 - r**n) / n / r ** (2 if direction == 1 else 3)
-        prove_zero(form.subs(G, 1 - r**2).subs(sp.sqrt(r**2), r) - wanted, f"{name}: the ring over dtheta")
-    return forms
+        integral = (1 - r**n) / n / r ** (2 if direction == 1 else 3)
+        prove_zero(form.subs(G, 1 - r**2).subs(sqrt(r**2), r) - integral, f"{name}: the ring over dtheta")
+    return tuple(forms.values())
 
 
 # --- the slices ------------------------------------------------------------------------------------------------------
 # At beta from straight below the centre, positive down-slope (right): the arc is at (sin, -cos), and the slice above it
 # has the height h and the width cos dbeta. Stresses are over gamma R, so its weight is h cos dbeta.
 
-SINE, COSINE, HEIGHT, PRESSURE, COHESION, MU, K_H, FACTOR = sp.symbols(
+SINE, COSINE, HEIGHT, PRESSURE, COHESION, MU, K_H, FACTOR = symbols(
     "sine cosine height pressure cohesion mu k_h factor", real=True
 )
-DISTANCE, BETA, SLOPE = sp.symbols("distance beta slope", real=True)
-_N, _S, _RHO, _Y = sp.symbols("N S rho y", real=True)
+DISTANCE, BETA, SLOPE = symbols("distance beta slope", real=True)
+_N, _S, _RHO, _Y = symbols("N S rho y", real=True)
 _CIRCLE = {SINE**2: 1 - COSINE**2}
 
 
-def slices() -> dict[str, sp.Expr]:
+def slices() -> dict[str, Expr]:
     """Integrands over beta, from the balance of one slice, by name: `generated.slopes` says what each is.
 
-    Of the ordinary method the forces between slices have no component along the radius, of Bishop's none along the
-    vertical: (c + N' mu) = strength/lever. ``distance`` is that of the ground's point above the arc's from the centre.
+    N and S are the normal and shear force over dbeta: force = N outward + S along. Of the ordinary method the forces
+    between slices have no component along the radius, of Bishop's none along the vertical.
     """
     weight = HEIGHT * COSINE
-    force = sp.Matrix([K_H * weight, -weight])
-    outward, along = sp.Matrix([SINE, -COSINE]), sp.Matrix([COSINE, SINE])
+    force = Matrix([K_H * weight, -weight])
+    outward = Matrix([SINE, -COSINE])
+    along = Matrix([COSINE, SINE])
     balance = force - _N * outward - _S * along
-    middle = sp.Matrix([SINE, -COSINE + HEIGHT / 2])
-    moment = sp.expand(middle[0] * force[1] - middle[1] * force[0])
-    radial = sp.solve(balance.dot(outward).expand().subs(_CIRCLE).expand(), _N)[0]
+    middle = Matrix([SINE, -COSINE + HEIGHT / 2])
+    moment = expand(middle[0] * force[1] - middle[1] * force[0])
+    radial = expand(expand(balance.dot(outward)).subs(_CIRCLE))
+    normal = solve(radial, _N)[0]
     strength = COHESION + (_N - PRESSURE) * MU
-    vertical = sp.solve(balance[1].subs(_S, strength / FACTOR), _N)[0]
-    lever = COSINE - SINE * MU / FACTOR
-    bishop = (COHESION + MU * (HEIGHT - PRESSURE)) * COSINE
-    prove_zero(strength.subs(_N, vertical) - bishop / lever, "Bishop's strength")
-    normal = ((HEIGHT - PRESSURE) * COSINE + SINE * COHESION / FACTOR) / lever
-    prove_zero(normal - (vertical - PRESSURE), "Bishop's effective normal stress")
-    for name, found in (("Bishop", bishop / lever), ("ordinary", strength)):
-        prove_zero(found.subs(MU, 0) - COHESION, f"without friction the strength is the cohesion: {name}")
+    # Of the weight along the radius, -y/rho and x/rho over a strip: their integrals over y, where drho = y/rho dy.
+    strip = _strip(-_Y / _RHO, -_RHO)
+    tilted_strip = _strip(1 / _RHO, -log(_RHO - _Y))
+    prove_zero(strength.subs({_N: normal, MU: 0}) - COHESION, "without friction the strength is the cohesion: ordinary")
     return {
         "drive": sp.factor(moment),
-        "ordinary_normal": sp.factor(radial) - PRESSURE,
-        "bishop_strength": bishop,
-        "bishop_lever": lever,
-        "bishop_normal": normal,
-        # Of the weight along the radius, -y/rho and x/rho over a strip: their integrals over y, where drho = y/rho dy.
-        "radial_weight": COSINE * _strip(-_Y / _RHO, -_RHO),
-        "radial_tilt": COSINE * SINE * _strip(1 / _RHO, -sp.log(_RHO - _Y)),
+        "ordinary_normal": sp.factor(normal) - PRESSURE,
+        **_bishop(balance, strength),
+        "radial_weight": COSINE * strip,
+        "radial_tilt": COSINE * SINE * tilted_strip,
     }
 
 
-def _strip(integrand: sp.Expr, primitive: sp.Expr) -> sp.Expr:
-    """The integral over y from the arc up to the ground, by a primitive in rho and y, which is proved."""
-    prove_zero(sp.diff(primitive, _Y) + sp.diff(primitive, _RHO) * _Y / _RHO - integrand, f"{primitive} over a strip")
-    ground = primitive.subs({_RHO: DISTANCE, _Y: HEIGHT - COSINE}, simultaneous=True)
-    return sp.logcombine(ground - primitive.subs({_RHO: 1, _Y: -COSINE}, simultaneous=True), force=True)
+def _bishop(balance: Matrix, strength: Expr) -> dict[str, Expr]:
+    """Bishop's strength, c + N' mu = strength/lever, and effective normal stress, from the vertical balance."""
+    vertical = solve(balance[1].subs(_S, strength / FACTOR), _N)[0]
+    lever = COSINE - SINE * MU / FACTOR
+    mobilised = (COHESION + MU * (HEIGHT - PRESSURE)) * COSINE
+    normal = ((HEIGHT - PRESSURE) * COSINE + SINE * COHESION / FACTOR) / lever
+    prove_zero(strength.subs(_N, vertical) - mobilised / lever, "Bishop's strength")
+    prove_zero(normal - (vertical - PRESSURE), "Bishop's effective normal stress")
+    prove_zero((mobilised / lever).subs(MU, 0) - COHESION, "without friction the strength is the cohesion: Bishop")
+    return {"bishop_strength": mobilised, "bishop_lever": lever, "bishop_normal": normal}
 
 
-def head() -> sp.Expr:
+def _strip(integrand: Expr, primitive: Expr) -> Expr:
+    """The integral over y from the arc up to the ground, ``distance`` from the centre; its primitive is proved."""
+    slope = diff(primitive, _Y) + diff(primitive, _RHO) * _Y / _RHO
+    prove_zero(slope - integrand, f"{primitive} over a strip")
+    at_ground = primitive.subs({_RHO: DISTANCE, _Y: HEIGHT - COSINE}, simultaneous=True)
+    at_arc = primitive.subs({_RHO: 1, _Y: -COSINE}, simultaneous=True)
+    return logcombine(at_ground - at_arc, force=True)
+
+
+def head() -> Expr:
     """Integral of a line's height above the arc, from where it is a height, at a sine and a cosine, over an angle more.
 
     Each term is small where the angle or the height is, so that neither thin masses nor steep lines cancel.
     """
-    bent, defect = 2 * sp.sin(ANGLE / 2) ** 2, -(ANGLE**3) * Remainder(sp.sin, 3, ANGLE)
+    bent = 2 * sin(ANGLE / 2) ** 2
+    defect = -(ANGLE**3) * Remainder(sin, 3, ANGLE)
     return HEIGHT * ANGLE + (SLOPE * COSINE - SINE) * bent - (SLOPE * SINE + COSINE) * defect
 
 
 def prove() -> list[str]:
     """Prove what the forms above rest on; the claims."""
-    ratio = (_T2 - _T1) / (_rho(_T1) + _rho(_T2))  # L is computed from it
-    # The ring along the edge: 1 - rho^2 is a sum of positive terms inside the circle.
-    s, g1, g2 = sp.symbols("s g1 g2", real=True)
-    x, y = X + s * E_X, Y + s * E_Y
-    parts = (1 - s) * g1 + s * g2 + s * (1 - s) * (E_X**2 + E_Y**2)
-    ends = {g1: 1 - X**2 - Y**2, g2: 1 - (X + E_X) ** 2 - (Y + E_Y) ** 2}
-    claims = {
-        "L grows by dt/rho": sp.diff(2 * sp.atanh(ratio), _T2) - 1 / _rho(_T2),
-        "dtheta = P1 x e ds/rho^2": sp.diff(sp.atan2(y, x), s) - (X * E_Y - Y * E_X) / (x**2 + y**2),
-        "1 - rho^2 along an edge": parts.subs(ends) - (1 - x**2 - y**2),
-    }
-    for moment in MOMENTS:
-        if moment.name in MEANS:
-            name, sign = MEANS[moment.name]
-            claims[f"{moment.symbol} is {'-' if sign < 0 else ''}{name}"] = moment.weight - sign * WEIGHTS[name]
-        if moment.name in SLOPES:
-            name, sign = SLOPES[moment.name]
-            turned = sp.expand_trig(moment.weight.subs(theta, theta + _PHI))
-            two = moment.weight * sp.cos(_PHI) - sign * WEIGHTS[name] * sp.sin(_PHI)
-            claims[f"{moment.symbol} of the turned mass"] = turned - two
-    claims |= _of_one_chord()
-    for words, zero in claims.items():
-        prove_zero(zero, words)
+    claims = _of_edges() | _of_moments() | _of_one_chord() | _of_heads()
+    for claim, zero in claims.items():
+        prove_zero(zero, claim)
     return [*claims]
 
 
-def _of_one_chord() -> dict[str, sp.Expr]:
-    """That the slices of the mass under one straight chord give the paper's closed forms."""
-    forms, middle = slices(), sp.Symbol("beta_m", real=True)
-    height = (sp.cos(BETA - middle) - sp.cos(alpha)) / sp.cos(middle)
-    chord = {SINE: sp.sin(BETA), COSINE: sp.cos(BETA), HEIGHT: height, K_H: 0, PRESSURE: 0}
+def _of_edges() -> dict[str, Expr]:
+    """L and dtheta along an edge; 1 - rho^2 is a sum of positive terms inside the circle."""
+    ratio = (_T2 - _T1) / (_rho(_T1) + _rho(_T2))  # L is computed from it
+    s, g1, g2 = symbols("s g1 g2", real=True)
+    x = X + s * E_X
+    y = Y + s * E_Y
+    depth = (1 - s) * g1 + s * g2 + s * (1 - s) * (E_X**2 + E_Y**2)
+    ends = {g1: 1 - X**2 - Y**2, g2: 1 - (X + E_X) ** 2 - (Y + E_Y) ** 2}
+    return {
+        "L grows by dt/rho": diff(2 * atanh(ratio), _T2) - 1 / _rho(_T2),
+        "dtheta = P1 x e ds/rho^2": diff(atan2(y, x), s) - (X * E_Y - Y * E_X) / (x**2 + y**2),
+        "1 - rho^2 along an edge": depth.subs(ends) - (1 - x**2 - y**2),
+    }
 
-    def whole(name: str) -> sp.Expr:
-        u = sp.Symbol("u", real=True)
-        primitive = antiderivative(sp.expand_trig(forms[name].subs(chord).subs(BETA, middle + u)), u)
+
+def _of_moments() -> dict[str, Expr]:
+    """The declared moments are among the weights, and turn as J cos(phi) - slope sin(phi)."""
+    claims = {}
+    for moment in MOMENTS:
+        weight = moment.weight
+        if moment.name in MEANS:
+            name, sign = MEANS[moment.name]
+            claims[f"{moment.symbol} is {'-' if sign < 0 else ''}{name}"] = weight - sign * WEIGHTS[name]
+        if moment.name in SLOPES:
+            name, sign = SLOPES[moment.name]
+            turned = expand_trig(weight.subs(theta, theta + _PHI))
+            two_terms = weight * cos(_PHI) - sign * WEIGHTS[name] * sin(_PHI)
+            claims[f"{moment.symbol} of the turned mass"] = turned - two_terms
+    return claims
+
+
+def _of_one_chord() -> dict[str, Expr]:
+    """That the slices of the mass under one straight chord give the paper's closed forms."""
+    forms = slices()
+    middle, u = symbols("beta_m u", real=True)
+    height = (cos(BETA - middle) - cos(alpha)) / cos(middle)
+    chord = {SINE: sin(BETA), COSINE: cos(BETA), HEIGHT: height, K_H: 0, PRESSURE: 0}
+
+    def over_arc(name: str) -> Expr:
+        integrand = forms[name].subs(chord).subs(BETA, middle + u)
+        primitive = antiderivative(expand_trig(integrand), u)
         return primitive.subs(u, alpha) - primitive.subs(u, -alpha)
 
     # Fellenius' normal force of one chord, closed: the mean of h cos^2 over the arc.
-    even = (sp.sin(alpha) - alpha * sp.cos(alpha)) + (
-        (sp.sin(alpha) + sp.sin(3 * alpha) / 3) / 2 - sp.cos(alpha) * sp.sin(2 * alpha) / 2
-    ) * sp.cos(2 * middle)
-    low, unfolded = sp.Symbol("low", real=True), unfold(head())
-    above = HEIGHT + SLOPE * (sp.sin(low + ANGLE) - sp.sin(low)) + sp.cos(low + ANGLE) - sp.cos(low)
-    grown = sp.diff(unfolded.subs({SINE: sp.sin(low), COSINE: sp.cos(low)}), ANGLE)
+    level = sin(alpha) - alpha * cos(alpha)
+    tilted = (sin(alpha) + sin(3 * alpha) / 3) / 2 - cos(alpha) * sin(2 * alpha) / 2
+    normal = level + tilted * cos(2 * middle)
     return {
-        "the drive of slices is J_theta": whole("drive") + sp.Rational(2, 3) * sp.sin(alpha) ** 3 * sp.sin(middle),
-        "the ordinary method's normal force in closed form": whole("ordinary_normal") * sp.cos(middle) - even,
-        "height of a line above the arc": sp.expand_trig(grown - above),
-        "no height over no angle": sp.limit(unfolded, ANGLE, 0),
+        "the drive of slices is J_theta": over_arc("drive") + Rational(2, 3) * sin(alpha) ** 3 * sin(middle),
+        "the ordinary method's normal force in closed form": over_arc("ordinary_normal") * cos(middle) - normal,
+    }
+
+
+def _of_heads() -> dict[str, Expr]:
+    """That `head` is the integral of a line's height above the arc."""
+    low = Symbol("low", real=True)
+    integral = unfold(head())
+    above = HEIGHT + SLOPE * (sin(low + ANGLE) - sin(low)) + cos(low + ANGLE) - cos(low)
+    slope = diff(integral.subs({SINE: sin(low), COSINE: cos(low)}), ANGLE)
+    return {
+        "height of a line above the arc": expand_trig(slope - above),
+        "no height over no angle": limit(integral, ANGLE, 0),
     }

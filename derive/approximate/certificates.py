@@ -16,16 +16,18 @@ from derive.approximate.programs import Variant
 from derive.check import certify, truth
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest
 from derive.code.operations import Floats
+from derive.progress import track
 
 
 def plain(variant: Variant) -> Record:
     """What is certified of a variant, as plain data: floats in hexadecimal, no bounds yet."""
-    operations = [
-        ["call", list(op.args), op.kind]
-        if op.kind in ("log", "exponent", "significand")
-        else [op.kind, list(op.args), op.value.hex() if isinstance(op.value, float) else op.value]
-        for op in variant.program.ops
-    ]
+    operations: list[list[object]] = []
+    for op in variant.program.ops:
+        if op.kind in ("log", "exponent", "significand"):
+            operations.append(["call", list(op.args), op.kind])
+        else:
+            value = op.value.hex() if isinstance(op.value, float) else op.value
+            operations.append([op.kind, list(op.args), value])
     record: Record = {
         "kernel": variant.kernel,
         "definition": list(variant.definition),
@@ -44,16 +46,17 @@ def round_up(x: float) -> float:
 
 def certified(variant: Variant) -> Record:
     """A variant's record with bounds that are proved and within its goals, and, if rounded exactly, the witness."""
-    record, places = plain(variant), []
-    for claim, parts in certify.by_claim(record).items():
-        bound, worst_of_claim = certify.halve(record, parts, halvings=750)
+    record = plain(variant)
+    boxes: list[tuple[float, float]] = []
+    for claim, patches in certify.by_claim(record).items():
+        bound, worst_boxes = certify.halve(record, patches, halvings=750)
         record[claim] = round_up(bound)
-        places += worst_of_claim
+        boxes += worst_boxes
     record["bound"] = max(record["bound"], record["bound_to_quarter_pi"])
     record["bound_underflow"] = round_up(certify.below_underflow(record, record["bound"]))
     check_goals(record)
     if variant.form != "numpy":  # whose logarithm is not the same everywhere
-        alpha, error = worst(variant, places)
+        alpha, error = worst(variant, boxes)
         record["witness"] = {"alpha": alpha.hex(), "error": round_up(error)}
     return record
 
@@ -72,59 +75,76 @@ README = [
 
 def errors(variant: Variant, alpha: Floats) -> list[float]:
     """Errors at these inputs, in the variant's unit, against the unrounded reference in ball arithmetic."""
-    results, bits, found = variant.program.run(alpha), TIERS[variant.tier].bits, []
-    results = results.astype(np.float32).astype(np.float64) if bits == 24 else results
+    bits = TIERS[variant.tier].bits
+    computed = variant.program.run(alpha)
+    if bits == 24:
+        computed = computed.astype(np.float32).astype(np.float64)
+    measured = []
     with ctx.workprec(200):  # of which the closed forms lose less than 40 above 2**-12
-        for x, y in zip(alpha.tolist(), results.tolist(), strict=True):
+        for x, y in zip(alpha.tolist(), computed.tolist(), strict=True):
             reference = truth.value(variant.definition, arb(x))
             unit = arb(certify.ulp(float(reference), bits)) if bits else reference
-            found.append(float((abs(arb(y) - reference) / unit).mid()))
-    return found
+            error = abs(arb(y) - reference) / unit
+            measured.append(float(error.mid()))
+    return measured
 
 
-def worst(variant: Variant, places: Iterable[tuple[float, float]]) -> tuple[float, float]:
+def worst(variant: Variant, boxes: Iterable[tuple[float, float]]) -> tuple[float, float]:
     """The worst input that a search from the worst boxes of the proof finds, and its error.
 
     Evenly spaced points in each box, then steps of ever fewer ulp around the worst one. Nothing in it is random.
     """
     bits = TIERS[variant.tier].bits
-    top = float(np.nextafter(np.float32(truth.TOP), np.float32(0))) if bits == 24 else truth.TOP
+    single = bits == 24
+    top = truth.TOP
+    if single:
+        top = float(np.nextafter(np.float32(top), np.float32(0)))
 
-    def best(points: Iterable[float]) -> tuple[float, float]:
+    def worst_of(points: Iterable[float]) -> tuple[float, float]:
         alpha = np.clip(np.array(list(points)), 2.0**-12, top)
-        alpha = np.unique(alpha.astype(np.float32).astype(np.float64) if bits == 24 else alpha)
+        if single:
+            alpha = alpha.astype(np.float32).astype(np.float64)
+        alpha = np.unique(alpha)
         return max(zip(errors(variant, alpha), alpha.tolist(), strict=True), key=itemgetter(0))
 
     count = 400 if variant.tier == "best" else 64  # rounding errors are irregular, errors of approximation are not
-    error, alpha = best(a + (b - a) * k / count for a, b in places for k in range(count + 1))
-    for step in (2.0**k for k in range(30, -1, -2)):
-        ulp = certify.ulp(alpha, bits or 53)
-        found = best(alpha + step * ulp * k for k in range(-20, 21))
-        error, alpha = max((error, alpha), found, key=itemgetter(0))
+    error, alpha = worst_of(a + (b - a) * k / count for a, b in boxes for k in range(count + 1))
+    for exponent in range(30, -1, -2):
+        step = 2.0**exponent * certify.ulp(alpha, bits or 53)
+        nearby = worst_of(alpha + step * k for k in range(-20, 21))
+        error, alpha = max((error, alpha), nearby, key=itemgetter(0))
     return alpha, error
 
 
 def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record]:
     """The record of every variant: the known one where its operations are the same, else proved anew."""
     proved = {record["sha256"]: record for record in known}
-    wanted = {plain(variant)["sha256"]: variant for variant in variants}
-    if new := {key: variant for key, variant in wanted.items() if key not in proved}:
+    by_digest = {plain(variant)["sha256"]: variant for variant in variants}
+    new = {digest: variant for digest, variant in by_digest.items() if digest not in proved}
+    if new:
         with ProcessPoolExecutor(2) as pool:
-            proved |= zip(new, pool.map(certified, new.values()), strict=True)
-    return [proved[key] for key in wanted]
+            certificates = pool.map(certified, new.values())
+            for record in track(certificates, "kernels certified", len(new)):
+                proved[record["sha256"]] = record
+    return [proved[digest] for digest in by_digest]
 
 
 def files(records: Iterable[Record]) -> dict[str, str]:
     """Text of every certificate file, by its name under `generated`: fields one a line, an operation a line."""
     blocks: dict[str, list[str]] = {}
     for record in records:
-        fields = {k: json.dumps(v) for k, v in record.items() if k != "operations"}
-        lines = [f"      {json.dumps(op)}" for op in record["operations"]]
-        fields["operations"] = "[\n" + ",\n".join(lines) + "\n    ]"
-        block = "  {\n" + ",\n".join(f'    "{k}": {v}' for k, v in fields.items()) + "\n  }"
-        blocks.setdefault(record["kernel"], []).append(block)
-    return {
-        f"certificates/{kernel}.json": f'{{\n "kernel": {json.dumps(kernel)},\n "read me": {json.dumps(README)},\n'
-        ' "certificates": [\n' + ",\n".join(found) + "\n ]\n}\n"
-        for kernel, found in blocks.items()
-    }
+        rows = []
+        for key, value in record.items():
+            if key != "operations":
+                rows.append(f'    "{key}": {json.dumps(value)}')
+        operations = ",\n".join(f"      {json.dumps(op)}" for op in record["operations"])
+        rows.append(f'    "operations": [\n{operations}\n    ]')
+        block = ",\n".join(rows)
+        blocks.setdefault(record["kernel"], []).append(f"  {{\n{block}\n  }}")
+    return {f"certificates/{kernel}.json": _file(kernel, of_kernel) for kernel, of_kernel in blocks.items()}
+
+
+def _file(kernel: str, blocks: Iterable[str]) -> str:
+    certificates = ",\n".join(blocks)
+    head = f' "kernel": {json.dumps(kernel)},\n "read me": {json.dumps(README)},\n'
+    return f'{{\n{head} "certificates": [\n{certificates}\n ]\n}}\n'

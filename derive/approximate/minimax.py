@@ -6,22 +6,19 @@ program's, of the rounded coefficients.
 """
 
 import math
-import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import reduce
-from itertools import accumulate
 from typing import Any
 
-import sympy as sp
 from flint import arb, arb_mat, ctx, fmpq
+from sympy import Expr, pi
 
 from derive.check.truth import fraction, number
 
 BITS = 240  # of the fit; the functions themselves are evaluated with more
 GUARD = 400
 _POINTS = 16  # of the grid for each unknown coefficient
-_ROUNDS = 12
+_ROUNDS = 12  # exchanges of reference points at most
 
 Function = Callable[[arb], arb]
 
@@ -31,30 +28,36 @@ def nearest(x: arb) -> float:
     return float(fraction(x.mid()))
 
 
-def evaluate(expression: sp.Expr, x: Any) -> Any:
+def evaluate(expression: Expr, x: Any) -> Any:
     """An expression in one symbol at x, which is a ball or a power series: whatever adds, multiplies and has a sine."""
-    if isinstance(expression, sp.Symbol):
+    if expression.is_Symbol:
         return x
-    if isinstance(expression, sp.Rational):
+    if expression.is_Rational:
         return fmpq(int(expression.p), int(expression.q))
-    if expression is sp.pi:
+    if expression is pi:
         return arb.pi()
-    parts = [evaluate(part, x) for part in expression.args]
-    if isinstance(expression, (sp.Add, sp.Mul)):
-        return reduce(operator.add if expression.is_Add else operator.mul, parts)
-    if isinstance(expression, sp.Pow):
-        return parts[0] ** int(expression.exp)
-    return getattr(parts[0], type(expression).__name__)()  # sin, cos, atanh
+    first, *others = (evaluate(part, x) for part in expression.args)
+    if expression.is_Add:
+        return sum(others, first)
+    if expression.is_Mul:
+        return math.prod(others, start=first)
+    if expression.is_Pow:
+        return first ** int(expression.exp)
+    return getattr(first, type(expression).__name__)()  # sin, cos, atanh
 
 
-def value(closed: sp.Expr, a: arb) -> arb:
+def value(closed: Expr, a: arb) -> arb:
     """A closed form at alpha, with bits to spare for what cancels."""
     with ctx.workprec(GUARD):
         return arb(evaluate(closed, a)).mid()
 
 
 def horner(coefficients: Sequence[arb], x: arb) -> arb:
-    return reduce(lambda total, c: total * x + c, reversed(coefficients), arb(0))
+    """The polynomial with these coefficients, lowest first, at x."""
+    result = arb(0)
+    for c in reversed(coefficients):
+        result = result * x + c
+    return result
 
 
 @dataclass
@@ -66,10 +69,13 @@ class Samples:
     weights: list[arb]
 
     def without(self, coefficient: arb) -> "Samples":
-        """(function - coefficient)/point: what is left to fit once the lowest coefficient stands."""
-        pairs = zip(self.points, self.values, strict=True)
-        values = [((f - coefficient) / x).mid() for x, f in pairs]
-        return Samples(self.points, values, [(w * x).mid() for x, w in zip(self.points, self.weights, strict=True)])
+        """(function - coefficient)/point: what is left to fit once the lowest coefficient is fixed."""
+        values = []
+        weights = []
+        for x, value, weight in zip(self.points, self.values, self.weights, strict=True):
+            values.append(((value - coefficient) / x).mid())
+            weights.append((weight * x).mid())
+        return Samples(self.points, values, weights)
 
 
 def sample(
@@ -77,15 +83,23 @@ def sample(
 ) -> Samples:
     """A function on Chebyshev points of [0, upper], and the weight of its error at a point and a value.
 
-    At `cluster` > 1 they are crowded further towards 0, where a logarithm ends.
+    With ``cluster`` > 1 the points are crowded further towards 0, where a logarithm is singular.
     """
     count = _POINTS * (unknowns + 1)
+    points = []
     with ctx.workprec(BITS):
-        middle = [(1 - (arb(2 * k + 1) / (2 * count)).cos_pi()) / 2 for k in range(count)]
-        points = [(upper * x**cluster).mid() for x in middle]
+        for k in range(count):
+            angle = arb(2 * k + 1) / (2 * count)
+            chebyshev = (1 - angle.cos_pi()) / 2
+            points.append((upper * chebyshev**cluster).mid())
+    values = []
+    weights = []
     with ctx.workprec(GUARD):
-        values = [function(x).mid() for x in points]
-        return Samples(points, values, [weight(x, f).mid() for x, f in zip(points, values, strict=True)])
+        for x in points:
+            value = function(x).mid()
+            values.append(value)
+            weights.append(weight(x, value).mid())
+    return Samples(points, values, weights)
 
 
 def minimax(
@@ -94,53 +108,93 @@ def minimax(
     """The numerator of degree `above`, the denominator 1 + ... of degree `below`, and their least largest error.
 
     With ``logs = (l, degree)`` a polynomial of that degree times l, a number for each point, is added, and returned
-    in the denominator's place. Exchange of reference points after Remez. For a rational the levelled system is solved
-    with the last denominator in the error's place, which makes it linear.
+    in the denominator's place. Exchange of reference points after Remez: at the references the errors of the levelled
+    approximant are equal in size and alternate in sign.
     """
     with ctx.workprec(BITS):
-        start, last, times = (0, logs[1], logs[0]) if logs else (1, below, [-f for f in samples.values])
-        powers = [[*accumulate([x] * max(above, last), operator.mul, initial=arb(1))] for x in samples.points]
-        basis = [
-            [*row[: above + 1], *(t * p for p in row[start : last + 1])] for row, t in zip(powers, times, strict=True)
-        ]
-        count, unknowns, matrix = len(samples.points), len(basis[0]) + 1, arb_mat(basis)
-        chosen = [min(count - 1, (2 * k + 1) * count // (2 * unknowns)) for k in range(unknowns)]
-        under = [arb(1)] * count
-        best: tuple[float, list[arb]] = math.inf, []
+        basis = _basis(samples, above, below, logs)
+        matrix = arb_mat(basis)
+        count = len(basis)
+        unknowns = len(basis[0]) + 1  # the coefficients and the level
+        references = [min(count - 1, (2 * k + 1) * count // (2 * unknowns)) for k in range(unknowns)]
+        denominators = [arb(1)] * count
+        least = math.inf
+        best: list[arb] = []
         for _ in range(_ROUNDS):
-            for _ in range(6 if below else 1):
-                # The approximant whose errors at the chosen points are equal and alternate.
-                rows = [[*basis[i], (-1) ** k * (under[i] / samples.weights[i]).mid()] for k, i in enumerate(chosen)]
-                right = arb_mat([[samples.values[i]] for i in chosen])
-                *found, level = (x.mid() for x in arb_mat(rows).solve(right, algorithm="approx").entries())
-                if below:
-                    under = [horner([arb(1), *found[above + 1 :]], x).mid() for x in samples.points]
-            fitted = (matrix * arb_mat([[c] for c in found])).entries()
-            errors = [
-                (w * (p - f) / u).mid()
-                for p, f, w, u in zip(fitted, samples.values, samples.weights, under, strict=True)
-            ]
+            coefficients, level, denominators = _levelled(samples, basis, references, denominators, above, below)
+            numerators = (matrix * arb_mat([[c] for c in coefficients])).entries()
+            errors = _errors(samples, numerators, denominators)
             worst = max(abs(float(e)) for e in errors)
-            best = min(best, (worst, found), key=operator.itemgetter(0))
+            if worst < least:
+                least = worst
+                best = coefficients
             if worst <= 1.02 * abs(float(level)):
                 break
-            chosen = _exchange(errors, chosen)
-        worst, found = best
-        second = found[above + 1 :]
-        return found[: above + 1], second if logs else [arb(1), *second], worst
+            references = _exchange(errors, references)
+        second = best[above + 1 :]
+        return best[: above + 1], second if logs else [arb(1), *second], least
 
 
-def _exchange(errors: list[arb], chosen: list[int]) -> list[int]:
+def _basis(samples: Samples, above: int, below: int, logs: tuple[Sequence[arb], int] | None) -> list[list[arb]]:
+    """What the coefficients multiply at each point: 1, x, x**2, ..., then -f x, -f x**2, ... or l, l x, ..."""
+    if logs:
+        factors, last = logs
+        first = 0
+    else:
+        factors = [-f for f in samples.values]
+        first = 1
+        last = below
+    rows = []
+    for x, factor in zip(samples.points, factors, strict=True):
+        powers = [arb(1)]
+        for _ in range(max(above, last)):
+            powers.append(powers[-1] * x)
+        products = [factor * power for power in powers[first : last + 1]]
+        rows.append(powers[: above + 1] + products)
+    return rows
+
+
+def _levelled(
+    samples: Samples, basis: list[list[arb]], references: list[int], denominators: list[arb], above: int, below: int
+) -> tuple[list[arb], arb, list[arb]]:
+    """Coefficients whose weighted errors at the references are equal and alternate, this error, and the denominators.
+
+    A rational is levelled with the last denominator in the error's place, which makes the system linear, and again.
+    """
+    values = arb_mat([[samples.values[i]] for i in references])
+    for _ in range(6 if below else 1):
+        rows = []
+        sign = 1
+        for i in references:
+            level = (denominators[i] / samples.weights[i]).mid()
+            rows.append([*basis[i], sign * level])
+            sign = -sign
+        solution = arb_mat(rows).solve(values, algorithm="approx")
+        *coefficients, level = (x.mid() for x in solution.entries())
+        if below:
+            denominator = [arb(1), *coefficients[above + 1 :]]
+            denominators = [horner(denominator, x).mid() for x in samples.points]
+    return coefficients, level, denominators
+
+
+def _errors(samples: Samples, numerators: list[arb], denominators: list[arb]) -> list[arb]:
+    """Weighted errors at all points; of a rational, of the linear system divided by its denominator."""
+    terms = zip(numerators, samples.values, samples.weights, denominators, strict=True)
+    return [(weight * (p - f) / q).mid() for p, f, weight, q in terms]
+
+
+def _exchange(errors: list[arb], references: list[int]) -> list[int]:
     """The largest error of every run of one sign; of too many, those at the ends go, smaller first."""
-    runs: list[int] = []
-    for i, e in enumerate(errors):
-        if not runs or (e > 0) != (errors[runs[-1]] > 0):
-            runs.append(i)
-        elif abs(e) > abs(errors[runs[-1]]):
-            runs[-1] = i
-    while len(runs) > len(chosen):
-        runs.pop(0 if abs(errors[runs[0]]) < abs(errors[runs[-1]]) else -1)
-    return runs if len(runs) == len(chosen) else chosen
+    largest: list[int] = []
+    for i, error in enumerate(errors):
+        if not largest or (error > 0) != (errors[largest[-1]] > 0):
+            largest.append(i)
+        elif abs(error) > abs(errors[largest[-1]]):
+            largest[-1] = i
+    while len(largest) > len(references):
+        first_is_smaller = abs(errors[largest[0]]) < abs(errors[largest[-1]])
+        largest.pop(0 if first_is_smaller else -1)
+    return largest if len(largest) == len(references) else references
 
 
 def rounded(samples: Samples, degree: int, careful: int) -> tuple[tuple[float, ...], float]:
@@ -149,10 +203,10 @@ def rounded(samples: Samples, degree: int, careful: int) -> tuple[tuple[float, .
     Each of the first `careful` ones is rounded and the others fitted again; the rest are rounded together.
     """
     fitted, _, error = minimax(samples, degree)
-    found: list[float] = []
+    fixed: list[float] = []
     for k in range(careful):
-        found.append(nearest(fitted[0]))
+        fixed.append(nearest(fitted[0]))
         with ctx.workprec(BITS):
-            samples = samples.without(number(found[-1]))
+            samples = samples.without(number(fixed[-1]))
         fitted, _, _ = minimax(samples, degree - k - 1)
-    return (*found, *map(nearest, fitted)), error
+    return (*fixed, *map(nearest, fitted)), error

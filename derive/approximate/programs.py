@@ -9,10 +9,10 @@ every x, and one chosen.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, reduce
+from functools import cache
 from typing import Any, NamedTuple
 
-import sympy as sp
+from sympy import Expr
 
 from derive.approximate import shapes
 from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, limit
@@ -46,7 +46,9 @@ class Code(Builder):
 
     def __init__(self, form: str, argument: str = "alpha") -> None:
         super().__init__()
-        self.form, self.fused, self.argument = form, form == "fused", argument
+        self.form = form
+        self.fused = form == "fused"
+        self.argument = argument
         self.x = self.put("input", value=argument)
 
     @property
@@ -58,12 +60,19 @@ class Code(Builder):
         if self.fused:
             return self.put("fma", a, b, c)
         a, b, c = map(self.value, (a, b, c))
-        product, last = a * b, self.ops[c.place]
-        return product - Value(self, last.args[0]) if last.kind == "neg" else product + c
+        product = a * b
+        last = self.ops[c.place]
+        if last.kind == "neg":
+            return product - Value(self, last.args[0])
+        return product + c
 
     def horner(self, x: Value, coefficients: Sequence[float]) -> Value:
         """The polynomial with these coefficients, lowest first."""
-        return reduce(lambda result, c: self.fma(result, x, c), coefficients[-2::-1], self.value(coefficients[-1]))
+        *others, last = coefficients
+        result = self.value(last)
+        for c in reversed(others):
+            result = self.fma(result, x, c)
+        return result
 
     def below(self, seam: float, near: Value, far: Value) -> Value:
         """`near` where alpha < seam, else `far`."""
@@ -74,55 +83,82 @@ class Code(Builder):
         return without_dead(Program(name, (self.argument,), tuple(self.ops), (output.place,)))
 
 
-def excess(code: Code, closed: sp.Expr, piece: Pieces) -> Value:
+def excess(code: Code, closed: Expr, piece: Pieces) -> Value:
     """Plain: q of W = 1 + q, F = x (u + u q) times the limit. A rounded 2/3 inside W would lean to one side."""
     u = code.u
-    return code.horner(u, shapes.near_fit(closed, piece.seam, piece.count, Fraction(1))) * u
+    coefficients = shapes.near_fit(closed, piece.seam, piece.count, Fraction(1))
+    return code.horner(u, coefficients) * u
 
 
-def to_limit(closed: sp.Expr, w: Value) -> Value:
+def to_limit(closed: Expr, w: Value) -> Value:
     """w times 1 or 2/3, rounded once."""
-    return w if limit(closed) == 1 else w / float(1 / limit(closed))
+    if limit(closed) == 1:
+        return w
+    return w / float(1 / limit(closed))
 
 
-def near_sum(code: Code, closed: sp.Expr, piece: Pieces) -> tuple[Pair, Value, Value]:
-    """Fused: W and what its roundings lost; d(u W)/du; and P1 = (W - c0)/u, which is nearly W'."""
-    u, exact, kept = code.u, limit(closed), piece.kept
+def near_sum(code: Code, closed: Expr, piece: Pieces) -> tuple[Pair, Value, Value]:
+    """Fused: W and what its roundings lost; d(u W)/du; and P1 = (W - c0)/u, which is nearly W'.
+
+    The leading sums are S_k = c_k + u S_(k+1), and fma(S_(k+1), u, c_k - S_k) is what S_k lost.
+    """
+    fma = code.fma
+    u = code.u
+    exact = limit(closed)
+    kept = piece.kept
     c = (float(exact), *shapes.near_fit(closed, piece.seam, piece.count, exact))
-    # Even and odd part of the rest: for one product more half as many operations wait for each other.
-    rest, v = c[kept + 1 :], u * u
-    odd, even = code.horner(v, rest[1::2]), code.horner(v, rest[::2])
-    sums = [code.fma(u, code.fma(u, odd, even), c[kept])]
+    sums = [_even_and_odd(code, u, c[kept:])]
     for coefficient in reversed(c[:kept]):
-        sums.insert(0, code.fma(sums[0], u, coefficient))
-    turns, lost = [], []
+        sums.insert(0, fma(sums[0], u, coefficient))
+    w, p1, *_ = sums
+    turns = []
+    lost = []
     for k in range(kept):
         turns.append(c[k] - sums[k])
-        lost.append(code.fma(sums[k + 1], u, turns[k]))
+        lost.append(fma(sums[k + 1], u, turns[k]))
+    slope = w
     c0_low = float(exact - Fraction(c[0]))
-    lost[0] = lost[0] + c0_low if c0_low else lost[0]
-    low = reduce(lambda low, error: code.fma(u, low, error), reversed(lost))
-    slope = sums[0]
-    if c0_low:  # u W' is nearly W - c0 + u (P1 - c1); left out where W stays close to 1
-        slope = code.fma(-u, turns[1], code.fma(2.0, sums[0], -c[0]))
-    return Pair(sums[0], low), slope, sums[1]
+    if c0_low:
+        lost[0] = lost[0] + c0_low
+    low = lost.pop()
+    for error in reversed(lost):
+        low = fma(u, low, error)
+    if c0_low:  # u W' is nearly W - c0 + u (P1 - c1); omitted where W stays close to 1
+        slope = fma(-u, turns[1], fma(2.0, w, -c[0]))
+    return Pair(w, low), slope, p1
 
 
-def near(code: Code, closed: sp.Expr, piece: Pieces) -> Pair:
-    """F = x h + x h_low, h = u W."""
+def _even_and_odd(code: Code, u: Value, c: Sequence[float]) -> Value:
+    """The polynomial in u by the even and odd parts of what follows its constant term.
+
+    For one product more, half as many operations wait for each other.
+    """
+    u_2 = u * u
+    odd = code.horner(u_2, c[2::2])
+    even = code.horner(u_2, c[1::2])
+    return code.fma(u, code.fma(u, odd, even), c[0])
+
+
+def near(code: Code, closed: Expr, piece: Pieces) -> Pair:
+    """F = x h + x h_low, h = u W; d(u W)/du takes what u = fl(x^2) lost."""
+    fma = code.fma
     u = code.u
-    du = code.fma(code.x, code.x, -u)
+    u_lost = fma(code.x, code.x, -u)
     w, slope, _ = near_sum(code, closed, piece)
     h = u * w.high
-    return Pair(h, code.fma(u, w.low, code.fma(du, slope, code.fma(u, w.high, -h))))
+    h_lost = fma(u, w.high, -h)
+    return Pair(h, fma(u, w.low, fma(u_lost, slope, h_lost)))
 
 
-def near_value(code: Code, closed: sp.Expr, piece: Pieces) -> Value:
+def near_value(code: Code, closed: Expr, piece: Pieces) -> Value:
     """F; rounded, or underflowing, once at the end: a product with a power of x comes last."""
+    x = code.x
     if code.fused:
         h = near(code, closed, piece)
-        return code.fma(code.x, h.high, code.x * h.low)
-    return to_limit(closed, code.fma(code.u, excess(code, closed, piece), code.u)) * code.x
+        return code.fma(x, h.high, x * h.low)
+    u = code.u
+    w = code.fma(u, excess(code, closed, piece), u)
+    return to_limit(closed, w) * x
 
 
 def logarithm(code: Code, b: Value) -> Value:
@@ -139,78 +175,98 @@ def logarithm(code: Code, b: Value) -> Value:
     q = s / (s + 2.0)
     z = q * q
     bent = code.fma(z, code.horner(z, coefficients), -s)
-    return code.fma(q, bent, code.fma(code.put("exponent", b), ln2, s))
+    power = code.fma(code.put("exponent", b), ln2, s)
+    return code.fma(q, bent, power)
 
 
-def far(code: Code, closed: sp.Expr, shape: Far, seam: float) -> Pair:
+def far(code: Code, closed: Expr, shape: Far, seam: float) -> Pair:
     """The piece near pi/2 as `FarFit` has it: the line, and what is added to it."""
-    fit, about = shapes.far_fit(closed, shape, seam), shapes.end(closed)
+    fma = code.fma
+    fit = shapes.far_fit(closed, shape, seam)
     b = HALF_PI - code.x
-    w = b * b
-    core = code.horner(w, fit.r)
+    b_2 = b * b
+    core = code.horner(b_2, fit.r)
     if fit.q:
-        q = reduce(lambda q, _: q * w, range(fit.shift), code.horner(w, fit.q))
-        core = code.fma(q, logarithm(code, b if shape.scale == 1 else shape.scale * b), core)
-    front = {1: b, 2: w}.get(fit.power) or (b * w if fit.power == 3 else w * w)
-    ahead = code.value(fit.constant) if fit.constant else None
+        q = code.horner(b_2, fit.q)
+        for _ in range(fit.shift):
+            q = q * b_2
+        scaled = b if shape.scale == 1 else shape.scale * b
+        core = fma(q, logarithm(code, scaled), core)
+    front = b if fit.power % 2 else b_2
+    if fit.power > 2:
+        front = front * b_2
+    ahead = code.value(fit.constant) if fit.constant else None  # constant + tilt b
     if fit.tilt:
         tilt = code.value(fit.tilt)
-        ahead = b * tilt if ahead is None else code.fma(b, tilt, ahead)
-    rest = front * core if ahead is None else code.fma(front, core, ahead)
-    if not about.odd and (shape.bend or shape.slope):
-        rest = code.fma(b, code.fma(b, -shape.bend, shape.slope), rest)
+        ahead = b * tilt if ahead is None else fma(b, tilt, ahead)
+    rest = front * core if ahead is None else fma(front, core, ahead)
+    if not shapes.end(closed).odd and (shape.bend or shape.slope):
+        bent = fma(b, -shape.bend, shape.slope)
+        rest = fma(b, bent, rest)
     if not shape.slope:
         return Pair(code.value(shape.line), rest)
-    return Pair((code.x if shape.slope == 1 else shape.slope * code.x) + shape.line, rest)
+    rise = code.x if shape.slope == 1 else shape.slope * code.x
+    return Pair(rise + shape.line, rest)
 
 
-def fused_quotient(code: Code, forms: Sequence[sp.Expr], parts: Sequence[Pieces]) -> Value:
-    """F1/F2, near from W1/W2: one division, its rounding and its parts' taken back."""
+def fused_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -> Value:
+    """F1/F2, near 0 from W1/W2: one division, corrected for its rounding error and those of its parts."""
+    fma = code.fma
     seam = min(part.seam for part in parts)
     over, under = (fused_part(code, closed, part, seam) for closed, part in zip(forms, parts, strict=True))
     inverse = 1.0 / under.high
     q = over.high * inverse
-    missed = code.fma(-q, under.high, over.high) + over.low
-    return code.fma(code.fma(-q, under.low, missed), inverse, q)
+    residual = fma(-q, under.high, over.high) + over.low
+    residual = fma(-q, under.low, residual)
+    return fma(residual, inverse, q)
 
 
-def plain_quotient(code: Code, forms: Sequence[sp.Expr], parts: Sequence[Pieces]) -> Value:
-    """F1/F2, near from W1/W2 over their limits."""
-    seam, found = min(part.seam for part in parts), []
+def plain_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -> Value:
+    """F1/F2, near 0 from W1/W2 over their limits."""
+    seam = min(part.seam for part in parts)
+    same_limit = limit(forms[0]) == limit(forms[1])
+    values = []
     for closed, part in zip(forms, parts, strict=True):
         # W below the seam, but for its limit, F above it.
         w = code.value(1.0) + excess(code, closed, part)
         beyond = far(code, closed, part.far, seam).total if part.far else near_value(code, closed, part)
         value = code.below(seam, w, beyond)
-        same = limit(forms[0]) == limit(forms[1])
-        found.append(value if same else code.below(seam, to_limit(closed, value), value))
-    return found[0] / found[1]
+        if not same_limit:
+            value = code.below(seam, to_limit(closed, value), value)
+        values.append(value)
+    return values[0] / values[1]
 
 
-def fused_part(code: Code, closed: sp.Expr, part: Pieces, seam: float) -> Pair:
+def fused_part(code: Code, closed: Expr, part: Pieces, seam: float) -> Pair:
     """W below the seam, F above it; what is lost in `low`."""
+    fma = code.fma
+    x = code.x
     u = code.u
     w, _, p1 = near_sum(code, closed, part)
-    w = Pair(w.high, code.fma(code.fma(code.x, code.x, -u), p1, w.low))
+    u_lost = fma(x, x, -u)
+    w_low = fma(u_lost, p1, w.low)
     if part.far:
         beyond = far(code, closed, part.far, seam)
         total = beyond.total
         lost = beyond.low - (total - beyond.high)
     else:
         h = near(code, closed, part)
-        total = code.x * h.high
-        lost = code.fma(code.x, h.low, code.fma(code.x, h.high, -total))
-    return Pair(code.below(seam, w.high, total), code.below(seam, w.low, lost))
+        total = x * h.high
+        lost = fma(x, h.low, fma(x, h.high, -total))
+    high = code.below(seam, w.high, total)
+    low = code.below(seam, w_low, lost)
+    return Pair(high, low)
 
 
-def cheap(code: Code, closed: sp.Expr, above: int, below: int) -> Value:
+def cheap(code: Code, closed: Expr, above: int, below: int) -> Value:
     """x u (numerator/denominator): one polynomial or one quotient of two over the whole domain."""
     over, under, _ = shapes.cheap_fit(closed, above, below)
     u = code.u
     if not below:
         return code.horner(u, over) * u * code.x
     w = HALF_PI * HALF_PI - u
-    return code.horner(w, over) * u / code.horner(w, under) * code.x
+    numerator = code.horner(w, over) * u
+    return numerator / code.horner(w, under) * code.x
 
 
 def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Any]) -> Variant:
@@ -219,13 +275,15 @@ def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Any]) -> Varia
     closed, *others = kernel.closed
     if tier != "best":
         value = cheap(code, closed, *shape)
-    elif not others:
+    elif others:  # of parts that have one seam, to the last place or nearly so
+        quotient = fused_quotient if code.fused else plain_quotient
+        value = quotient(code, kernel.closed, shape)
+    else:
         (piece,) = shape
         value = near_value(code, closed, piece)
         if piece.far:
-            value = code.below(piece.seam, value, far(code, closed, piece.far, piece.seam).total)
-    else:  # of parts that have one seam, to the last place or nearly so
-        value = (fused_quotient if code.fused else plain_quotient)(code, kernel.closed, shape)
+            beyond = far(code, closed, piece.far, piece.seam).total
+            value = code.below(piece.seam, value, beyond)
     return Variant(kernel.name, kernel.definition, tier, form, code.program(kernel.name, value))
 
 
@@ -233,12 +291,15 @@ def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Any]) -> Varia
 def of(kernel: Kernel, shape: Shape) -> tuple[Variant, ...]:
     """A kernel in every tier and form; a form `numpy` only where it differs from `plain`."""
     fused, plain, numpy = (variant(kernel, "best", form, shape.best) for form in ("fused", "plain", "numpy"))
-    found = [fused, plain, *([numpy] if numpy.program != plain.program else [])]
+    every = [fused, plain]
+    if numpy.program != plain.program:
+        every.append(numpy)
     for tier, *degrees in shape.cheap:
-        found += [variant(kernel, tier, form, degrees) for form in ("fused", "plain")]
-    return tuple(found)
+        every += [variant(kernel, tier, form, degrees) for form in ("fused", "plain")]
+    return tuple(every)
 
 
 def variants() -> tuple[Variant, ...]:
     """Every kernel in every tier and form, from the recorded shapes."""
-    return tuple(v for kernel in shapes.kernels() for v in of(kernel, shapes.records()[kernel.definition]))
+    recorded = shapes.records()
+    return tuple(v for kernel in shapes.kernels() for v in of(kernel, recorded[kernel.definition]))

@@ -9,13 +9,14 @@ Seams, baselines and degrees are found by `derive.approximate.search` and record
 """
 
 import json
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
 
-import sympy as sp
 from flint import arb, ctx, fmpq, fmpq_series
+from sympy import Dummy, Expr, atanh, cos, diff, expand, expand_trig, pi
 
 from derive.algebra.integrate import closed_forms
 from derive.approximate.minimax import GUARD, Function, Samples, evaluate, horner, minimax, nearest, rounded, sample
@@ -35,31 +36,34 @@ class Kernel:
     """A function of alpha: the closed form that SymPy derived, or two for a quotient, and what certificates call it."""
 
     name: str
-    closed: tuple[sp.Expr, ...]
+    closed: tuple[Expr, ...]
     definition: tuple[str, ...]
 
 
 def kernels() -> list[Kernel]:
     """All that are certified: the base quantities and their quotients."""
     closed = closed_forms()
-    definitions = {m.kernel[0]: m.definition for m in MOMENTS if m.certified} | {RESISTANCE.name: RESISTANCE.definition}
-    found = [Kernel(name, (closed[name],), definition) for name, definition in definitions.items()]
+    definitions = {m.kernel[0]: m.definition for m in MOMENTS if m.certified}
+    definitions[RESISTANCE.name] = RESISTANCE.definition
+    certified = [Kernel(name, (closed[name],), definition) for name, definition in definitions.items()]
     for q in QUOTIENTS:
         parts = (q.numerator, q.denominator)
         if all(part in definitions for part in parts):
-            found.append(Kernel(q.name, tuple(closed[p] for p in parts), tuple(definitions[p][0] for p in parts)))
-    return found
+            forms = tuple(closed[part] for part in parts)
+            statements = tuple(definitions[part][0] for part in parts)
+            certified.append(Kernel(q.name, forms, statements))
+    return certified
 
 
 @cache
-def at_zero(closed: sp.Expr) -> list[fmpq]:
+def at_zero(closed: Expr) -> list[fmpq]:
     """Taylor coefficients at 0, exactly."""
     with truth.working(GUARD):
         series = evaluate(closed, fmpq_series([0, 1]))
         return [series[k] for k in range(truth.TERMS + 1)]
 
 
-def limit(closed: sp.Expr) -> Fraction:
+def limit(closed: Expr) -> Fraction:
     """Of F/alpha**3 at 0."""
     first = at_zero(closed)[truth.CUBE]
     return Fraction(int(first.p), int(first.q))
@@ -71,20 +75,18 @@ def agree(kernel: Kernel) -> int:
     Taylor coefficients at 0 are compared exactly, values in balls.
     """
     for closed, statement in zip(kernel.closed, kernel.definition, strict=True):
-        for k, (found, right) in enumerate(zip(at_zero(closed), truth.at_zero(statement), strict=True)):
-            if found != right:
-                raise ProofError(
-                    f"{kernel.name}: coefficient of alpha^{k} in the checker's definition {statement}", found, right
-                )
+        definition = f"the checker's definition {statement}"
+        coefficients = zip(at_zero(closed), truth.at_zero(statement), strict=True)
+        for k, (derived, defined) in enumerate(coefficients):
+            if derived != defined:
+                raise ProofError(f"{kernel.name}: coefficient of alpha^{k} in {definition}", derived, defined)
         for x in (0.25, 0.75, 1.25, HALF_PI):
             with truth.working(GUARD):
-                here, there = arb(evaluate(closed, arb(x))), truth.value([statement], arb(x))
-                if not abs(here / there - 1) < arb(2) ** -200:
-                    raise ProofError(
-                        f"{kernel.name}: value at {x} by the checker's definition {statement}",
-                        here.str(20, radius=False),
-                        there.str(20, radius=False),
-                    )
+                value = arb(evaluate(closed, arb(x)))
+                exact = truth.value([statement], arb(x))
+                if not abs(value / exact - 1) < arb(2) ** -200:
+                    digits = (number.str(20, radius=False) for number in (value, exact))
+                    raise ProofError(f"{kernel.name}: value at {x} by {definition}", *digits)
     return len(kernel.closed) * (truth.TERMS + 5)
 
 
@@ -102,20 +104,33 @@ class End:
 
 
 @cache
-def end(closed: sp.Expr) -> End:
-    """Expand about pi/2."""
-    b, h = sp.Dummy("b", real=True), sp.Dummy("h", real=True)
-    form = sp.expand(sp.expand_trig(closed.subs(alpha, sp.pi / 2 - b).subs(sp.atanh(sp.cos(b)), h)))
-    smooth, logs = form.coeff(h, 0), form.coeff(h, 1)
+def end(closed: Expr) -> End:
+    """Expand about pi/2: b = pi/2 - alpha and h = artanh(cos(b)), in which the form is linear."""
+    b = Dummy("b", real=True)
+    h = Dummy("h", real=True)
+    in_b = closed.subs(alpha, pi / 2 - b).subs(atanh(cos(b)), h)
+    form = expand(expand_trig(in_b))
+    logs = form.coeff(h, 1)
+    smooth = form.coeff(h, 0)
     smooth -= smooth.subs(b, 0)
-    for odd, sign in ((True, 1), (False, -1)):
-        if all(sp.expand(part + sign * part.subs(b, -b)) == 0 for part in (smooth, logs)):
-            with truth.working(GUARD):
-                x = fmpq_series([0, 1])
-                first, series = evaluate(smooth, x)[1 if odd else 2], evaluate(logs, x) if logs != 0 else x
-                log = next(k for k in range(truth.TERMS) if series[k] != 0) if logs != 0 else 0
-                return End(odd, float(first), log)
+    for odd in (True, False):
+        sign = 1 if odd else -1
+        if all(expand(part + sign * part.subs(b, -b)) == 0 for part in (smooth, logs)):
+            return _expanded(smooth, logs, odd)
     return End(False, 0.0, 0, serves=False)
+
+
+def _expanded(smooth: Expr, logs: Expr, odd: bool) -> End:
+    """From the Taylor series of both parts in b, over the rational numbers."""
+    log = 0
+    with truth.working(GUARD):
+        b = fmpq_series([0, 1])
+        first = evaluate(smooth, b)[1 if odd else 2]
+        if logs != 0:
+            series = evaluate(logs, b)
+            while series[log] == 0:
+                log += 1
+    return End(odd, float(first), log)
 
 
 @dataclass(frozen=True)
@@ -156,68 +171,97 @@ class Shape:
 
 @cache
 def records() -> dict[tuple[str, ...], Shape]:
-    """The shapes that were found before, by definition; what is found in this run joins them."""
-    found = {}
-    for key, known in json.loads(RECORDS.read_text(encoding="utf-8")).items():
-        best = [Pieces(**p | {"far": p["far"] and Far(**p["far"])}) for p in known["best"]]
-        found[tuple(key.split(" / "))] = Shape(tuple(best), tuple(map(tuple, known["cheap"])))
-    return found
+    """The recorded shapes by definition; the shapes that this run's search finds are added."""
+    shapes = {}
+    for definition, known in json.loads(RECORDS.read_text(encoding="utf-8")).items():
+        best = []
+        for piece in known["best"]:
+            far = piece["far"]
+            if far is not None:
+                piece["far"] = Far(**far)
+            best.append(Pieces(**piece))
+        cheap = tuple(map(tuple, known["cheap"]))
+        shapes[tuple(definition.split(" / "))] = Shape(tuple(best), cheap)
+    return shapes
 
 
 def text() -> str:
-    """The file of records: one definition a line, none that nothing declares."""
-    wanted = sorted({kernel.definition for kernel in kernels()})
-    lines = [f"{json.dumps(' / '.join(d))}: {json.dumps(asdict(records()[d]))}" for d in wanted]
+    """The file of records: one definition a line, none that is not declared."""
+    lines = []
+    for definition in sorted({kernel.definition for kernel in kernels()}):
+        name = json.dumps(" / ".join(definition))
+        shape = json.dumps(asdict(records()[definition]))
+        lines.append(f"{name}: {shape}")
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
-def scaled(closed: sp.Expr, wanted: Fraction) -> Function:
+def scaled(closed: Expr, wanted: Fraction) -> Function:
     """F/alpha**3 as a function of alpha**2, times what makes `wanted` its limit at 0."""
     factor = number(wanted / limit(closed))
-    return lambda u: factor * at(closed, u.sqrt()) / (u * u.sqrt())
+
+    def function(u: arb) -> arb:
+        x = u.sqrt()
+        return factor * at(closed, x) / (u * x)
+
+    return function
 
 
-def near_samples(closed: sp.Expr, seam: float, count: int, wanted: Fraction) -> Samples:
+def near_samples(closed: Expr, seam: float, count: int, wanted: Fraction) -> Samples:
     """(W - limit)/u on [0, seam], for the least relative error."""
     with ctx.workprec(GUARD):
-        return sample(scaled(closed, wanted), lambda u, f: 1 / f, number(seam) ** 2, count).without(number(wanted))
+        samples = sample(scaled(closed, wanted), lambda u, f: 1 / f, number(seam) ** 2, count)
+        return samples.without(number(wanted))
 
 
 @cache
-def near_fit(closed: sp.Expr, seam: float, count: int, wanted: Fraction) -> tuple[float, ...]:
+def near_fit(closed: Expr, seam: float, count: int, wanted: Fraction) -> tuple[float, ...]:
     """c1, c2, ... of W = limit + u (c1 + u (c2 + ...)): F/alpha**3, or its multiple with that limit at 0."""
-    return rounded(near_samples(closed, seam, count, wanted), count - 1, careful=min(3, count - 1))[0]
+    samples = near_samples(closed, seam, count, wanted)
+    coefficients, _ = rounded(samples, count - 1, careful=min(3, count - 1))
+    return coefficients
 
 
 @cache
 def logarithm_fit() -> tuple[float, tuple[float, ...]]:
     """ln 2, and P(z) = (2 artanh(q)/q - 2)/z in z = q**2, for q <= 1/5."""
+
+    def rest(z: arb) -> arb:
+        q = z.sqrt()
+        return (2 * q.atanh() / q - 2) / z
+
     degree = 6
     with ctx.workprec(GUARD):
-        upper = number(Fraction(1, 25))
-        samples = sample(lambda z: (2 * z.sqrt().atanh() / z.sqrt() - 2) / z, lambda z, _: z * z.sqrt(), upper, degree)
-        return nearest(arb(2).log()), rounded(samples, degree, careful=1)[0]
+        largest = number(Fraction(1, 25))
+        samples = sample(rest, lambda z, _: z * z.sqrt(), largest, degree)
+        coefficients, _ = rounded(samples, degree, careful=1)
+        return nearest(arb(2).log()), coefficients
 
 
 @cache
-def cheap_fit(closed: sp.Expr, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...], float]:
+def cheap_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...], float]:
     """Numerator and denominator of F/alpha**3, and their relative error before rounding.
 
-    In alpha**2, a rational in pi**2/4 - alpha**2.
+    A polynomial in alpha**2, or a rational in pi**2/4 - alpha**2.
     """
     function = scaled(closed, limit(closed))
     with ctx.workprec(GUARD):
         largest = (arb.pi() / 2) ** 2
-        samples = sample(lambda z: function(largest - z if below else z), lambda z, f: 1 / f, largest, above + below, 2)
+        reflected = (lambda z: function(largest - z)) if below else function
+        samples = sample(reflected, lambda z, f: 1 / f, largest, above + below, 2)
     over, under, error = minimax(samples, above, below)
     return tuple(map(nearest, over)), tuple(map(nearest, under)), error
 
 
-def powers(closed: sp.Expr, far: Far) -> tuple[int, int]:
-    """The power of b in front of what the baseline leaves, and half the power of b in front of Q."""
+def powers(closed: Expr, far: Far) -> tuple[int, int]:
+    """The power of b in front of what the baseline leaves, and half the power of b in front of Q.
+
+    The power rises by 2 where the baseline takes the first coefficient off and the logarithm starts no earlier.
+    """
     about = end(closed)
-    taken = about.first == -(far.slope if about.odd else far.bend)
-    power = (1 if about.odd else 2) + 2 * (taken and (not about.log or about.log >= (3 if about.odd else 4)))
+    power = 1 if about.odd else 2
+    taken = -(far.slope if about.odd else far.bend)
+    if about.first == taken and (not about.log or about.log >= power + 2):
+        power += 2
     return power, (about.log - power) // 2 if about.log else 0
 
 
@@ -239,37 +283,69 @@ class FarFit:
 
 
 @cache
-def far_fit(closed: sp.Expr, far: Far, seam: float) -> FarFit:
+def far_fit(closed: Expr, far: Far, seam: float) -> FarFit:
     """The piece beyond the seam: R and Q together; with Q rounded, R again."""
-    about, (power, shift), degree = end(closed), powers(closed, far), far.degree
+    about = end(closed)
+    degree = far.degree
+    power, shift = powers(closed, far)
+    constant, tilt = _constant_and_tilt(closed, far)
+    samples = _far_samples(closed, far, constant, tilt, seam)
+    q: tuple[float, ...] = ()
+    if about.log:
+        with ctx.workprec(GUARD):
+            scale = number(far.scale)
+            logs = [w**shift * (scale * w.sqrt()).log() for w in samples.points]
+        _, coefficients, error = minimax(samples, degree, logs=(logs, max(degree - shift, 0)))
+        q = tuple(map(nearest, coefficients))
+        r, _ = rounded(_without_logs(samples, q, logs), degree, careful=1)
+    else:
+        r, error = rounded(samples, degree, careful=min(3, degree))
+    return FarFit(constant, tilt, power, shift, r, q, error)
+
+
+def _without_logs(samples: Samples, q: Sequence[float], logs: Sequence[arb]) -> Samples:
+    """What is left to fit once Q is fixed."""
+    values = []
     with ctx.workprec(GUARD):
-        there = at(closed, number(HALF_PI))
-        constant = nearest(there - number(far.slope) * number(HALF_PI) - number(far.line))
-        constant = constant if abs(constant) > 2.0**-80 else 0.0
+        coefficients = [number(c) for c in q]
+        for w, value, log in zip(samples.points, samples.values, logs, strict=True):
+            values.append((value - horner(coefficients, w) * log).mid())
+    return Samples(samples.points, values, samples.weights)
+
+
+def _constant_and_tilt(closed: Expr, far: Far) -> tuple[float, float]:
+    """What F exceeds the baseline by at fl(pi/2), and its slope there by b where F is even in b."""
+    about = end(closed)
+    with ctx.workprec(GUARD):
+        at_end = number(HALF_PI)
+        constant = nearest(at(closed, at_end) - number(far.slope) * at_end - number(far.line))
+        if abs(constant) <= 2.0**-80:
+            constant = 0.0
         tilt = 0.0
         if not about.odd and about.log != 2:  # where ln(b) starts at b**2 there is no second derivative
-            tilt = -nearest(at(sp.diff(closed, alpha), number(HALF_PI)))
-        straight = number(far.slope) * number(HALF_PI) + number(far.line) + number(constant)
-        slope, bend = (far.slope, 0.0) if about.odd else (0.0, -far.bend)
-        known = [straight, number(tilt) - number(slope), number(bend)]
+            tilt = -nearest(at(diff(closed, alpha), at_end))
+    return constant, tilt
+
+
+def _far_samples(closed: Expr, far: Far, constant: float, tilt: float, seam: float) -> Samples:
+    """What R and Q have to fit, (F - the rest of `FarFit`)/b**power at w = b**2, for the least relative error of F."""
+    about = end(closed)
+    power, _ = powers(closed, far)
+    unknowns = (2 if about.log else 1) * far.degree + 2
+    with ctx.workprec(GUARD):
+        at_end = number(HALF_PI)
+        straight = number(far.slope) * at_end + number(far.line) + number(constant)
+        if about.odd:
+            known = [straight, number(tilt) - number(far.slope), number(0.0)]  # by powers of b
+        else:
+            known = [straight, number(tilt), -number(far.bend)]
 
         def rest(w: arb) -> arb:
             b = w.sqrt()
-            return (at(closed, number(HALF_PI) - b) - horner(known, b)) / b**power
+            return (at(closed, at_end - b) - horner(known, b)) / b**power
 
         def weight(w: arb, left: arb) -> arb:
             b = w.sqrt()
             return b**power / (left * b**power + horner(known, b))
 
-        samples = sample(rest, weight, number(HALF_PI - seam) ** 2, (2 if about.log else 1) * degree + 2, 2)
-        logs = [w**shift * (number(far.scale) * w.sqrt()).log() for w in samples.points] if about.log else []
-    if not about.log:
-        r, error = rounded(samples, degree, careful=min(3, degree))
-        return FarFit(constant, tilt, power, shift, r, (), error)
-    _, found, error = minimax(samples, degree, logs=(logs, max(degree - shift, 0)))
-    q = tuple(map(nearest, found))
-    with ctx.workprec(GUARD):
-        terms = zip(samples.points, samples.values, logs, strict=True)
-        left = [(f - horner([number(c) for c in q], w) * l).mid() for w, f, l in terms]
-    r, _ = rounded(Samples(samples.points, left, samples.weights), degree, careful=1)
-    return FarFit(constant, tilt, power, shift, r, q, error)
+        return sample(rest, weight, number(HALF_PI - seam) ** 2, unknowns, 2)

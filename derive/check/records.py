@@ -28,7 +28,9 @@ class Tier:
         """The largest bound that a certificate may have."""
         if record["form"] != "fused":
             return self.other
-        return self.quotient if len(record["definition"]) > 1 else self.fused
+        if len(record["definition"]) > 1:
+            return self.quotient
+        return self.fused
 
 
 TIERS = {
@@ -66,4 +68,7 @@ def assumptions(record: Record) -> list[str]:
 
 def read(folder: Path = FOLDER) -> list[Record]:
     """The records of all certificate files."""
-    return [r for path in sorted(folder.glob("*.json")) for r in json.loads(path.read_text("utf-8"))["certificates"]]
+    records: list[Record] = []
+    for path in sorted(folder.glob("*.json")):
+        records += json.loads(path.read_text("utf-8"))["certificates"]
+    return records

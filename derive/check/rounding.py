@@ -17,7 +17,9 @@ from derive.check.records import LOG_ULPS, Record
 from derive.check.truth import ball, fraction, number, working
 
 ROUNDING_BITS = 80  # precision of the balls
-UP, DOWN = 1 + 2.0**-40, 1 - 2.0**-40  # more than all roundings of the float arithmetic done on bounds
+# more than all roundings of the float arithmetic done on bounds
+UP = 1 + 2.0**-40
+DOWN = 1 - 2.0**-40
 TINY = 2.0**-1074
 PRODUCTS = ("mul", "div", "fma", "error", "log")  # what may underflow; sums are exact there
 
@@ -72,10 +74,12 @@ def _operate(node: Node, values: Sequence[arb], noise: Sequence[float]) -> Any:
     if node.kind == "const":
         return arb(node.value)
     if node.kind == "error":
-        return arb(0, sum(noise[a] for a in node.args) * UP)
+        bound = sum(noise[a] for a in node.args)
+        return arb(0, bound * UP)
+    operands = [values[a] for a in node.args]
     if node.kind == "scale":
-        return values[node.args[0]] * ball(0.0, node.value)
-    return VALUE[node.kind](*[values[a] for a in node.args])
+        return operands[0] * ball(0.0, node.value)
+    return VALUE[node.kind](*operands)
 
 
 def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
@@ -93,7 +97,9 @@ def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
         if smaller > 0 and largest <= math.ldexp(1.0, math.frexp(smaller)[1]):
             return 0.0
     half = math.ldexp(1.0, math.frexp(largest)[1] - 54)
-    return ((half if node.kind != "log" else 2 * LOG_ULPS * half) + node.floor) * UP
+    if node.kind == "log":
+        half *= 2 * LOG_ULPS
+    return (half + node.floor) * UP
 
 
 def forward(tape: Tape, x: arb) -> tuple[list[arb], list[float]]:
@@ -114,23 +120,27 @@ def _append(node: Node, exact: arb, values: list[arb], noise: list[float]) -> No
 def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
     """For alpha in x: bounds on what all roundings but the last one do to the result, and on the last one."""
     values, noise = forward(tape, x)
-    last, total = len(tape) - 1, 0.0
+    last = len(tape) - 1
+    total = 0.0
     adjoint = [arb(0)] * last + [arb(1)]
     weight = [arb(0)] * len(tape)  # of the rounding error of a node, by the error terms that compute it
     for i in range(last, -1, -1):
-        w, (kind, args, value, _, _) = adjoint[i], tape[i]
+        kind, args, value, _, _ = tape[i]
+        slope = adjoint[i]
         if i != last and kind not in ("x", "const"):
-            total += (float((w + weight[i]).abs_upper()) * UP + TINY) * noise[i]
-        if w == 0:
+            total += (float((slope + weight[i]).abs_upper()) * UP + TINY) * noise[i]
+        if slope == 0:
             continue
         if kind == "error":
-            for a, term in zip(args, (-w, w * value)[-len(args) :], strict=True):
+            terms = (-slope, slope * value)[-len(args) :]
+            for a, term in zip(args, terms, strict=True):
                 weight[a] += term
         elif kind == "scale":
-            adjoint[args[0]] += w * ball(0.0, value)
+            adjoint[args[0]] += slope * ball(0.0, value)
         elif kind in SLOPES:
-            for a, slope in zip(args, SLOPES[kind](values[i], *[values[a] for a in args]), strict=True):
-                adjoint[a] += w if slope is None else w * slope
+            slopes = SLOPES[kind](values[i], *[values[a] for a in args])
+            for a, of_operand in zip(args, slopes, strict=True):
+                adjoint[a] += slope if of_operand is None else slope * of_operand
     return total * UP + 2.0**-1000, noise[last]  # 2**-1000: more than what underflowed in this sum
 
 
@@ -159,9 +169,10 @@ class _Specialise:
         alive = {last}
         for i in range(last, -1, -1):
             if i in alive:
-                alive |= set(self.tape[i].args)
+                alive.update(self.tape[i].args)
         place = {old: new for new, old in enumerate(sorted(alive))}
-        return tuple(n._replace(args=tuple(place[a] for a in n.args)) for i, n in enumerate(self.tape) if i in alive)
+        nodes = [self.tape[i] for i in place]
+        return tuple(node._replace(args=tuple(place[a] for a in node.args)) for node in nodes)
 
     def visit(self, i: int) -> int:
         if i not in self.done:
@@ -169,6 +180,7 @@ class _Specialise:
         return self.done[i]
 
     def _visit(self, kind: str, args: Sequence[int], value: Any) -> int:
+        """Append the operation; its place on the tape."""
         if kind == "input":
             return self.put(Node("x"))
         if kind == "const":
@@ -177,101 +189,138 @@ class _Specialise:
             comparison, compared, _ = self.operations[args[0]]
             if comparison != "less":
                 raise ValueError("select needs a comparison")
-            return self.visit(args[1 if self.less(*map(self.visit, compared)) else 2])
+            chosen = 1 if self.less(*map(self.visit, compared)) else 2
+            return self.visit(args[chosen])
         nodes = tuple(self.visit(a) for a in args)
         if kind == "max":
             return nodes[self.less(*nodes)]
-        if kind == "call" and value in ("exponent", "significand"):
-            k = self.exponent(nodes[0])
-            if value == "exponent":
-                return self.put(Node("const", (), float(k)))
-            return self.put(Node("mul", (nodes[0], self.put(Node("const", (), 2.0**-k)))))
-        node = Node(str(value) if kind == "call" else kind, nodes)
-        if node.kind not in VALUE:
-            raise ValueError(f"no rule for the operation {node.kind}")
+        if kind == "call":
+            kind = str(value)
+        if kind == "exponent":
+            return self.put(Node("const", (), float(self.exponent(nodes[0]))))
+        if kind == "significand":
+            scale = self.put(Node("const", (), 2.0 ** -self.exponent(nodes[0])))
+            return self.put(Node("mul", (nodes[0], scale)))
+        if kind not in VALUE:
+            raise ValueError(f"no rule for the operation {kind}")
+        node = Node(kind, nodes)
         return self.put(self.compensation(node) or node)
 
     def less(self, i: int, j: int) -> bool:
         """Whether one node is below another on the whole range, or nowhere."""
-        (low, high), (other_low, other_high) = self.range(i), self.range(j)
-        if low < other_high and not high < other_low:
+        low, high = self.range(i)
+        other_low, other_high = self.range(j)
+        if high < other_low:
+            return True
+        if low < other_high:
             raise Unbounded("a comparison is undecided")
-        return high < other_low
+        return False
 
     def range(self, i: int) -> tuple[Fraction, Fraction]:
         """All values of a node lie between these."""
-        if (line := self.affine[i]) is not None:
+        line = self.affine[i]
+        if line is not None:
             return min(line), max(line)
-        if not self.values[i].is_finite():
+        values = self.values[i]
+        if not values.is_finite():
             raise Unbounded("a comparison with an unbounded number")
-        return fraction(self.values[i].lower()), fraction(self.values[i].upper())
+        return fraction(values.lower()), fraction(values.upper())
 
     def exponent(self, i: int) -> int:
         """The k with 3/4 <= value 2**-k < 3/2 on the whole range."""
         low, high = self.range(i)
         k = math.frexp(float(low))[1] if low >= Fraction(1, 2**1022) else 0
         k -= low * Fraction(2) ** -k < Fraction(3, 4)
-        if not Fraction(3, 4) <= low * Fraction(2) ** -k <= high * Fraction(2) ** -k < Fraction(3, 2):
+        scale = Fraction(2) ** -k
+        if not Fraction(3, 4) <= low * scale <= high * scale < Fraction(3, 2):
             raise Unbounded("an exponent is undecided")
         return k
 
     def put(self, node: Node) -> int:
         """Append a node; exact ones are marked."""
         line, grid, exact = self._shape(node)
-        marked = node._replace(rounds=not exact and node.kind not in ("x", "const", "neg"))
-        if line is not None and not marked.rounds:
+        rounds = not exact and node.kind not in ("x", "const", "neg")
+        node = node._replace(rounds=rounds)
+        if line is not None and not rounds:
             self.values.append(ball(number(min(line)), number(max(line))))
             self.noise.append(0.0)
         else:
             line = None
-            _append(marked, _operate(marked, self.values, self.noise), self.values, self.noise)
-        self.tape.append(marked)
+            result = _operate(node, self.values, self.noise)
+            _append(node, result, self.values, self.noise)
+        self.tape.append(node)
         self.affine.append(line)
         self.grid.append(max(grid, -1074))
         return len(self.tape) - 1
 
     def _shape(self, node: Node) -> tuple[Line | None, int, bool]:
         """An affine form, a grid of the exact result, and whether that is always a double (exponents unbounded)."""
-        kind, args = node.kind, node.args
+        kind = node.kind
         if kind == "x":
-            return self.ends, math.frexp(float(self.ends[0]))[1] - 53 if self.ends[0] else -1074, True
+            lower = float(self.ends[0])
+            return self.ends, math.frexp(lower)[1] - 53 if lower else -1074, True
         if kind == "const":
             c = Fraction(node.value)
-            # The largest k with c a multiple of 2**k.
-            grid = (c.numerator & -c.numerator).bit_length() - c.denominator.bit_length() if c else 2000
-            return (c, c), grid, True
+            return (c, c), _grid(c), True
         if kind == "error":
-            return None, -1074, len(args) == 1  # the error of a product is a double, that of an fma is not
+            return None, -1074, len(node.args) == 1  # the error of a product is a double, that of an fma is not
         if kind not in ("neg", "add", "sub", "mul", "fma"):
             return None, -1074, False
-        grids, lines = [self.grid[a] for a in args], [self.affine[a] for a in args]
+        grids = [self.grid[a] for a in node.args]
         grid = min([sum(grids[:2]), *grids[2:]]) if kind in ("mul", "fma") else min(grids)
-        line, known = None, [x for x in lines if x]
-        if len(known) == len(lines) and (kind not in ("mul", "fma") or any(a == b for a, b in known[:2])):
-            first, second = (VALUE[kind](*ends) for ends in zip(*known, strict=True))
-            line = first, second
-        size = max(map(abs, line)) if line else float(_operate(node, self.values, self.noise).abs_upper()) * UP
+        line = self._line(node)
+        size: Fraction | float
+        if line:
+            size = max(map(abs, line))
+        else:
+            size = float(_operate(node, self.values, self.noise).abs_upper()) * UP
         exact = kind == "neg" or (grid >= -1074 and size <= Fraction(2) ** (grid + 53))
         return line if grid >= -1074 else None, grid, exact
 
+    def _line(self, node: Node) -> Line | None:
+        """The result at both ends if all operands are affine; of two factors, one has to be constant."""
+        lines = []
+        for a in node.args:
+            if (line := self.affine[a]) is None:
+                return None
+            lines.append(line)
+        if node.kind in ("mul", "fma") and all(a != b for a, b in lines[:2]):
+            return None
+        first, second = (VALUE[node.kind](*ends) for ends in zip(*lines, strict=True))
+        return first, second
+
     def compensation(self, node: Node) -> Node | None:
         """The node as the rounding error of another one, if that is what it computes."""
-        kind, args = node.kind, node.args
-        if kind == "fma":
-            a, b, c = args
-            if self.tape[c].kind == "neg":  # a b - p with p = a b rounded
-                (p,) = self.tape[c].args
-                if self.tape[p].kind == "mul" and sorted(self.tape[p].args) == sorted((a, b)):
+        if node.kind not in ("fma", "sub"):
+            return None
+        *factors, c = node.args
+        inner = self.tape[c]
+        if node.kind == "fma":
+            a, b = factors
+            if inner.kind == "neg":  # a b - p with p = a b rounded
+                (p,) = inner.args
+                product = self.tape[p]
+                if product.kind == "mul" and sorted(product.args) == sorted(factors):
                     return Node("error", (p,), -1.0)
-            if self.tape[c].kind == "sub":  # a b + (d - s) with s = d + a b: minus the error of s, rounded
-                d, s = self.tape[c].args
-                if self.tape[s].kind == "fma" and self.tape[s].args in ((a, b, d), (b, a, d)):
+            if inner.kind == "sub":  # a b + (d - s) with s = d + a b: minus the error of s, rounded
+                d, s = inner.args
+                total = self.tape[s]
+                if total.kind == "fma" and total.args in ((a, b, d), (b, a, d)):
                     return Node("error", (s, c), 1.0)
-        if kind == "sub" and self.tape[args[1]].kind == "sub":  # b - (s - a) with s = a + b, the same
-            b, (s, a) = args[0], self.tape[args[1]].args
-            if self.tape[s].kind == "add" and self.tape[s].args in ((a, b), (b, a)):
-                return Node("error", (s, args[1]), -1.0)
+        elif inner.kind == "sub":  # b - (s - a) with s = a + b, the same
+            (b,) = factors
+            s, a = inner.args
+            total = self.tape[s]
+            if total.kind == "add" and total.args in ((a, b), (b, a)):
+                return Node("error", (s, c), -1.0)
         return None
+
+
+def _grid(c: Fraction) -> int:
+    """The largest k with c a multiple of 2**k."""
+    if c == 0:
+        return 2000
+    return (c.numerator & -c.numerator).bit_length() - c.denominator.bit_length()
 
 
 def specialise(record: Record, lower: float, upper: float) -> Tape:
@@ -287,41 +336,59 @@ def scaled(tape: Tape, degree: int, top: float, bottom: float) -> Tape:
     most TINY/2 bottom**-k. Where degrees meet in a sum, or would exceed that of the result, factors s**j are taken as
     unknown between 0 and top**j.
     """
-    new: list[Node] = []
-    degrees: list[int] = []
-    place: list[int] = []
-
-    def put(node: Node, k: int) -> int:
-        floor = TINY
-        for _ in range(k):
-            floor /= bottom  # in steps: bottom**-k overflows
-        new.append(node._replace(floor=floor / 2 if k > 0 else TINY))
-        degrees.append(k)
-        return len(new) - 1
-
-    def lower(i: int, by: int) -> int:
-        return put(Node("scale", (i,), top**by), degrees[i] - by) if by else i
-
+    scaling = _Scaling(top, bottom)
     for node in tape:
-        args = [place[a] for a in node.args]
-        k = [degrees[a] for a in args]
-        match node.kind:
-            case "x":
-                result = 1
-            case "const":
-                result = 0 if node.value else degree
-            case "neg" | "error" if len(set(k)) == 1:
-                result = k[0]
-            case "add" | "sub":
-                result = min(k)
-                args = [lower(a, d - result) for a, d in zip(args, k, strict=True)]
-            case "mul" | "fma" | "div" as kind:
-                whole = k[0] - k[1] if kind == "div" else k[0] + k[1]
-                result = min(whole, degree, *k[2:])
-                args = [lower(args[0], whole - result), args[1], *(lower(a, degrees[a] - result) for a in args[2:])]
-            case kind:
-                raise Unbounded(f"{kind} near zero")
-        place.append(put(node._replace(args=tuple(args)), result))
-    if degrees[-1] != degree:
+        scaling.append(node, degree)
+    if scaling.degrees[-1] != degree:
         raise Unbounded("near zero the program is not of the order of the kernel")
-    return tuple(new)
+    return tuple(scaling.tape)
+
+
+class _Scaling:
+    """The tape that `scaled` makes, the degrees of its values, and where the old values are on it."""
+
+    def __init__(self, top: float, bottom: float) -> None:
+        self.top = top
+        self.bottom = bottom
+        self.tape: list[Node] = []
+        self.degrees: list[int] = []
+        self.place: list[int] = []
+
+    def append(self, node: Node, highest: int) -> None:
+        """Append an operation of the old tape; ``highest`` is the degree of the result."""
+        args = [self.place[a] for a in node.args]
+        degrees = [self.degrees[a] for a in args]
+        kind = node.kind
+        if kind == "x":
+            degree = 1
+        elif kind == "const":
+            degree = 0 if node.value else highest
+        elif kind in ("neg", "error") and len(set(degrees)) == 1:
+            degree = degrees[0]
+        elif kind in ("add", "sub"):
+            degree = min(degrees)
+            args = [self.lower(a, degree) for a in args]
+        elif kind in ("mul", "fma", "div"):
+            first, second, *others = degrees
+            product = first - second if kind == "div" else first + second
+            degree = min(product, highest, *others)
+            args = [self.lower(args[0], degree - product + first), args[1], *(self.lower(a, degree) for a in args[2:])]
+        else:
+            raise Unbounded(f"{kind} near zero")
+        self.place.append(self.put(node._replace(args=tuple(args)), degree))
+
+    def put(self, node: Node, degree: int) -> int:
+        """Append a value of a degree, with what may underflow of it."""
+        floor = TINY
+        for _ in range(degree):
+            floor /= self.bottom  # in steps: bottom**-degree overflows
+        self.tape.append(node._replace(floor=floor / 2 if degree > 0 else TINY))
+        self.degrees.append(degree)
+        return len(self.tape) - 1
+
+    def lower(self, i: int, degree: int) -> int:
+        """The value with its degree lowered, a power of s being taken as unknown."""
+        by = self.degrees[i] - degree
+        if not by:
+            return i
+        return self.put(Node("scale", (i,), self.top**by), degree)

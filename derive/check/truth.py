@@ -44,7 +44,8 @@ def exactly(statement: str, a: Any, s: Any, c: Any, h: Any) -> Any:
     match = WEIGHT.fullmatch(statement)
     if not match:
         raise ValueError(f"no definition reads {statement!r}")
-    power, turned = int(match[1]), bool(match[2])
+    power = int(match[1])
+    turned = bool(match[2])
     order = power if turned else power + 1
     depth, term = (1, c * h) if order % 2 else (0, a)
     while depth < order:
@@ -57,7 +58,8 @@ def exactly(statement: str, a: Any, s: Any, c: Any, h: Any) -> Any:
 def working(bits: int, terms: int = TERMS + 1) -> Iterator[None]:
     """Precision of balls and length of series; both are global in python-flint."""
     before = ctx.prec, ctx.cap
-    ctx.prec, ctx.cap = bits, terms
+    ctx.prec = bits
+    ctx.cap = terms
     try:
         yield
     finally:
@@ -77,7 +79,8 @@ def fraction(x: arb) -> Fraction:
 
 def ball(lower: float | arb, upper: float | arb) -> arb:
     """The ball over [lower, upper]."""
-    low, high = arb(lower), arb(upper)
+    low = arb(lower)
+    high = arb(upper)
     return arb((low + high) / 2, (high - low) / 2)
 
 
@@ -117,7 +120,8 @@ def at_zero(statement: str) -> list[fmpq]:
     """Exact Taylor coefficients at 0; that the first three vanish is checked in rational arithmetic."""
     with working(BITS):
         a = fmpq_series([0, 1])
-        s, c = a.sin(), a.cos()
+        s = a.sin()
+        c = a.cos()
         series = exactly(statement, a, s, c, s.atanh())
         found = [series[k] for k in range(TERMS + 1)]
     if any(x != 0 for x in found[:CUBE]) or found[CUBE] == 0:
@@ -161,7 +165,9 @@ def model(thin: list[arb], fat: list[arb], order: int = 0) -> Model:
 
 def _segments() -> tuple[Segment, ...]:
     """[0, 1/4], then ever shorter towards the logarithm at pi/2: a fixed share of the distance to it; TOP alone."""
-    found, at, last = [Segment(0.0, 0.25)], 0.25, math.nextafter(TOP, 0.0)
+    found = [Segment(0.0, 0.25)]
+    at = 0.25
+    last = math.nextafter(TOP, 0.0)
     while at < last:
         after = min(last, max(at + 0.27 * (TOP - at), math.nextafter(at, TOP)))
         found.append(Segment(at, after))

@@ -52,11 +52,16 @@ class PythonText:
         """
         name = f"_{name or program.name}"
         lines, results = statements(program, replace(PYTHON, space=space), self.parts)
-        signature = ", ".join([*(f"{x}: Array" for x in program.inputs), *[f"{space}: Any = np"] * (space != "np")])
-        returned, result = ", ".join(["Array"] * len(results)), ", ".join(results)
-        returned = returned if len(results) == 1 else f"tuple[{returned}]"
-        code = "\n".join([*lines, f"return ({result})" if len(result) > WIDTH - 8 else f"return {result}"])
-        text = f"def {name}({signature}) -> {returned}:\n{textwrap.indent(code, '    ')}\n"
+        parameters = [f"{x}: Array" for x in program.inputs]
+        if space != "np":
+            parameters.append(f"{space}: Any = np")
+        returned = ", ".join(["Array"] * len(results))
+        if len(results) > 1:
+            returned = f"tuple[{returned}]"
+        result = ", ".join(results)
+        lines.append(f"return ({result})" if len(result) > WIDTH - 8 else f"return {result}")
+        code = textwrap.indent("\n".join(lines), "    ")
+        text = f"def {name}({', '.join(parameters)}) -> {returned}:\n{code}\n"
         self.reader.check(program, name, text)
         if len(program.inputs) == len(program.outputs) == 1 and len(program.ops) > 9:
             self.parts.append(Part(name, program))
@@ -111,36 +116,45 @@ def numpydoc(
 def function(f: Function, text: PythonText) -> str:
     """A public function: signature, numpydoc docstring, and the call of its body."""
     p = f.program
+    parameters = [(name, "array_like", words) for name, words in f.parameters]
+    parameters += [_OUT, _WHERE]
+    if f.tiers:
+        parameters.append(_ACCURACY)
+    returns = f"{f.returns} Broadcast shape of the arguments; scalars in, scalar out; float32 stays float32."
     doc = numpydoc(
         f.summary,
         f.formula,
-        [*((n, "array_like", words) for n, words in f.parameters), _OUT, _WHERE, *[_ACCURACY] * bool(f.tiers)],
-        (
-            "ndarray or scalar",
-            f"{f.returns} Broadcast shape of the arguments; scalars in, scalar out; float32 stays float32.",
-        ),
+        parameters,
+        ("ndarray or scalar", returns),
         f"Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag.",
         f"Accuracy: {f.accuracy}",
         f"Source: {f.equation}. Operations: {operations(p.operations())}.",
     )
-    if f.tiers:  # a kernel of alpha: the text of each tier, and a function that leaves the choice to `_compiled`
-        bodies = {tier: identifier(p.name, "" if tier == "best" else tier) for tier in f.tiers}
-        texts = "".join(f"{text.body(of, bodies[tier], 'xp')}\n\n" for tier, of in f.tiers.items())
-        listed = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())
-        return (
-            f'{texts}TEXTS["{p.name}"] = {{{listed}}}\n_call_{p.name} = kernel("{p.name}", TEXTS["{p.name}"])\n\n\n'
-            f"def {p.name}(\n    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, "
-            f"where: ArrayLike = True, accuracy: float | None = None\n) -> Any:\n{doc}"
-            f"    return _call_{p.name}(alpha, out, where, accuracy)\n"
-        )
+    if f.tiers:
+        return _tiered(f, text, doc)
     names = ", ".join(p.inputs)
-    typed, args = ", ".join(f"{x}: ArrayLike" for x in p.inputs), names + "," * (len(p.inputs) == 1)
+    typed = ", ".join(f"{x}: ArrayLike" for x in p.inputs)
+    args = f"{names}," if len(p.inputs) == 1 else names
     inside = f.inside.replace(") & ", ")\n            & ")
     return (
         f"{text.body(p)}\n\n"
         f"def {p.name}(\n    {typed}, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True\n) -> Any:\n{doc}"
         f"    return evaluate(\n        _{p.name},\n        lambda eps, {names}: (\n            {inside}\n        ),\n"
         f"        {f.safe!r},\n        ({args}),\n        out,\n        where,\n    )\n"
+    )
+
+
+def _tiered(f: Function, text: PythonText, doc: str) -> str:
+    """A kernel of alpha: the text of each tier, and a function that leaves the choice to `_compiled`."""
+    name = f.program.name
+    bodies = {tier: identifier(name, "" if tier == "best" else tier) for tier in f.tiers}
+    texts = "".join(f"{text.body(of, bodies[tier], 'xp')}\n\n" for tier, of in f.tiers.items())
+    rows = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())
+    return (
+        f'{texts}TEXTS["{name}"] = {{{rows}}}\n_call_{name} = kernel("{name}", TEXTS["{name}"])\n\n\n'
+        f"def {name}(\n    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, "
+        f"where: ArrayLike = True, accuracy: float | None = None\n) -> Any:\n{doc}"
+        f"    return _call_{name}(alpha, out, where, accuracy)\n"
     )
 
 
@@ -164,10 +178,12 @@ def module(docstring: str, functions: Sequence[Function]) -> str:
 
 
 def raw_module(docstring: str, programs: Sequence[tuple[Program, str]]) -> str:
-    """A module of bare formulas: no domain, no types, no care, and no warnings."""
-    text, code = PythonText(), ""
+    """A module of bare formulas: no domain, no types, no checks, and no warnings."""
+    text = PythonText()
+    code = ""
     for p, source in programs:
-        typed, names = ", ".join(f"{x}: Array" for x in p.inputs), ", ".join(p.inputs)
+        typed = ", ".join(f"{x}: Array" for x in p.inputs)
+        names = ", ".join(p.inputs)
         code += (
             f"\n\n{text.body(p)}\n\ndef {p.name}({typed}) -> Array:\n"
             f'    """{source}: float64 arrays, no domain check.\n\n'
@@ -190,8 +206,11 @@ def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: 
 
 def described(programs: Iterable[tuple[Program, str]]) -> list[tuple[Program, str]]:
     """Programs by name, each with a docstring of one sentence and what it costs."""
-    sentences = ((p, f"{sentence(words)} Operations: {operations(p.operations()) or 'none'}.") for p, words in programs)
-    return [(p, _fill(f'    """{words}"""') + "\n") for p, words in sorted(sentences, key=lambda x: x[0].name)]
+    documented = []
+    for p, words in sorted(programs, key=lambda x: x[0].name):
+        doc = f"{sentence(words)} Operations: {operations(p.operations()) or 'none'}."
+        documented.append((p, _fill(f'    """{doc}"""') + "\n"))
+    return documented
 
 
 # What a generated module may need, in this order.
@@ -208,20 +227,33 @@ _IMPORTS = (
 
 def _module(docstring: str, names: list[str], code: str) -> str:
     """The whole text, with imports of what it uses, and tables of the coefficients that it uses more than once."""
-    series, data = Counter(re.findall(r"horner\(\w+, (\([^()]+\))\)", code)), ""
+    series = Counter(re.findall(r"horner\(\w+, (\([^()]+\))\)", code))
+    data = ""
     for k, numbers in enumerate((x for x, n in series.items() if n > 1), 1):
         code = code.replace(numbers, f"SERIES_{k}")
         data += f"\nSERIES_{k} = {numbers}"
-    used = set(re.findall(r"\w+", re.sub(r'"(?:"".*?""|[^"\n]*)"', "", code, flags=re.DOTALL)))
+    listed = "".join(f'    "{n}",\n' for n in names)
+    head = f'"""{docstring}"""\n\n{_imports(code)}\n\n__all__ = [\n{listed}]\n{data}'
+    if data:
+        head += "\n"
+    if code.startswith("#"):
+        head += "\n"
+    return head + code
+
+
+def _imports(code: str) -> str:
+    """The imports of the names that occur in the code, strings left aside."""
+    without_strings = re.sub(r'"(?:"".*?""|[^"\n]*)"', "", code, flags=re.DOTALL)
+    used = set(re.findall(r"\w+", without_strings))
     imports = []
     for line in _IMPORTS:
-        start, _, wanted = line.rpartition("import ")
-        found = [x for x in wanted.split(", ") if x.split()[-1:] == ["np"] or x in used]
-        imports += [f"{start}import {', '.join(found)}"] if found else [] if line else [""]
-    lines = re.sub(r"\n{3,}", "\n\n", "\n".join(imports).strip())
-    listed = "".join(f'    "{n}",\n' for n in names)
-    head = f'"""{docstring}"""\n\n{lines}\n\n__all__ = [\n{listed}]\n{data}' + "\n" * bool(data)
-    return head + ("\n" if code[0] == "#" else "") + code
+        start, _, names = line.rpartition("import ")
+        needed = [x for x in names.split(", ") if x.endswith(" as np") or x in used]
+        if needed:
+            imports.append(f"{start}import {', '.join(needed)}")
+        elif not line:
+            imports.append("")
+    return re.sub(r"\n{3,}", "\n\n", "\n".join(imports).strip())
 
 
 def sentence(words: str) -> str:
@@ -235,14 +267,16 @@ _ITEM = re.compile(r"""(?:'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|[^'",]|,(?! ))+(?:
 
 def wrapped(text: str) -> str:
     """The text with lines of at most 120 columns: longer ones, calls and data, break after commas and in strings."""
-    return "\n".join(
-        "\n".join(_wrap(line)) if len(line) > 120 and '"""' not in line else line for line in text.split("\n")
-    )
+    lines: list[str] = []
+    for line in text.split("\n"):
+        lines += _wrap(line) if len(line) > 120 and '"""' not in line else [line]
+    return "\n".join(lines)
 
 
 def _wrap(line: str) -> list[str]:
     indent = " " * (len(line) - len(line.lstrip()) + (8 if line.startswith("def") else 4))
-    lines, last = [], ""
+    lines = []
+    last = ""
     for item in _ITEM.findall(line):
         if last.strip() and len(last + item.rstrip()) > 120:
             lines.append(last.rstrip())

@@ -41,20 +41,28 @@ def fma(a: Floats, b: Floats, c: Floats) -> Floats:
     would underflow.
     """
     a, b, c = np.broadcast_arrays(a, b, c)
-    product, (a_high, a_low), (b_high, b_low) = a * b, _halves(a), _halves(b)
+    product = a * b
+    a_high, a_low = _halves(a)
+    b_high, b_low = _halves(b)
     low = a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low)
     inner, inner_low = two_sum(c, low)
     total, total_low = two_sum(product, inner)
-    odd, lost = two_sum(inner_low, total_low)
-    bits = odd.view(np.int64)
-    step = np.where((lost > 0) == (odd > 0), 1, -1)
-    odd = np.where((lost != 0) & (bits & 1 == 0), bits + step, bits).view(np.float64)
     plain = (a == 0) | (b == 0)
-    result = np.where(plain, product + c, total + odd)
-    risky = ~plain & ((np.abs(product) < _SAFE) | ((c != 0) & (np.abs(c) < _SAFE)))
-    terms = zip(*(x[risky].tolist() for x in (a, b, c)), strict=True)
-    result[risky] = [float(Fraction(x) * Fraction(y) + Fraction(z)) for x, y, z in terms]
+    result = np.where(plain, product + c, total + _to_odd(inner_low, total_low))
+    small = (np.abs(product) < _SAFE) | ((c != 0) & (np.abs(c) < _SAFE))
+    inexact = ~plain & small
+    terms = zip(*(x[inexact].tolist() for x in (a, b, c)), strict=True)
+    result[inexact] = [float(Fraction(x) * Fraction(y) + Fraction(z)) for x, y, z in terms]
     return result
+
+
+def _to_odd(a: Floats, b: Floats) -> Floats:
+    """a + b rounded to odd: the exact sum, or of its two neighbours the one with an odd last bit."""
+    rounded, lost = two_sum(a, b)
+    bits = rounded.view(np.int64)
+    towards_sum = np.where((lost > 0) == (rounded > 0), 1, -1)
+    even = bits & 1 == 0
+    return np.asarray(np.where((lost != 0) & even, bits + towards_sum, bits).view(np.float64))
 
 
 def exponent(x: Floats) -> Floats:

@@ -13,25 +13,52 @@ from typing import Any, TypeVar
 
 import mpmath
 import numpy as np
-import sympy as sp
 from numpy.lib.mixins import NDArrayOperatorsMixin
+from sympy import (
+    Abs,
+    Add,
+    Basic,
+    Expr,
+    Function,
+    Integer,
+    Max,
+    Min,
+    Mul,
+    N,
+    Pow,
+    Rational,
+    Symbol,
+    atan,
+    atanh,
+    cos,
+    cosh,
+    default_sort_key,
+    exp,
+    log,
+    nan,
+    sign,
+    sin,
+    sinh,
+    tan,
+    tanh,
+)
 
 from derive.algebra.remainders import Exp, Horner, Primitive, RoundingError, Select, expm1, log1p
 from derive.code.operations import OPERATIONS, two_sum
 
 CALLS = {
-    sp.sin: "sin",
-    sp.cos: "cos",
-    sp.tan: "tan",
-    sp.exp: "exp",
-    sp.log: "log",
-    sp.atan: "arctan",
-    sp.atanh: "arctanh",
-    sp.tanh: "tanh",
-    sp.cosh: "cosh",
-    sp.sinh: "sinh",
-    sp.Abs: "abs",
-    sp.sign: "sign",
+    sin: "sin",
+    cos: "cos",
+    tan: "tan",
+    exp: "exp",
+    log: "log",
+    atan: "arctan",
+    atanh: "arctanh",
+    tanh: "tanh",
+    cosh: "cosh",
+    sinh: "sinh",
+    Abs: "abs",
+    sign: "sign",
     log1p: "log1p",
     expm1: "expm1",
     Exp: "exp",
@@ -68,7 +95,9 @@ class Program:
         """
 
         def make(op: Op, operands: list[Any]) -> Any:
-            return np.float64(op.value) if op.kind == "const" else OPERATIONS[op.kind].meaning(*operands)
+            if op.kind == "const":
+                return np.float64(op.value)
+            return OPERATIONS[op.kind].meaning(*operands)
 
         with np.errstate(under="ignore"):
             (result,) = walk(self, dict(zip(self.inputs, map(np.float64, args), strict=True)), make)
@@ -80,10 +109,13 @@ T = TypeVar("T")
 
 def walk(p: Program, inputs: Mapping[str, T], make: Callable[[Op, list[T]], T]) -> list[T]:
     """The outputs of a program, of what ``make`` gives for an operation and its operands."""
-    done: list[T] = []
+    values: list[T] = []
     for op in p.ops:
-        done.append(inputs[str(op.value)] if op.kind == "input" else make(op, [done[i] for i in op.args]))
-    return [done[i] for i in p.outputs]
+        if op.kind == "input":
+            values.append(inputs[str(op.value)])
+        else:
+            values.append(make(op, [values[i] for i in op.args]))
+    return [values[i] for i in p.outputs]
 
 
 class Builder:
@@ -104,7 +136,9 @@ class Builder:
 
     def value(self, x: Any) -> "Value":
         """A number becomes a constant."""
-        return x if isinstance(x, Value) else self.put("const", value=float(x))
+        if isinstance(x, Value):
+            return x
+        return self.put("const", value=float(x))
 
     def inline(self, p: Program, inputs: Mapping[str, "Value"]) -> list["Value"]:
         """Append the operations of a program; its outputs."""
@@ -123,7 +157,8 @@ class Value(NDArrayOperatorsMixin):
 
     def __array_ufunc__(self, function: Any, _: str, *operands: Any) -> "Value":
         if function is np.greater:  # Python turns 1.0 < x around
-            function, operands = np.less, operands[::-1]
+            function = np.less
+            operands = operands[::-1]
         return self.builder.put(_NAMES[function], *operands)
 
     def __array_function__(self, function: Any, _: Any, operands: Any, named: Any) -> "Value":
@@ -136,25 +171,25 @@ class _Lowering(Builder):
     def __init__(self, inputs: tuple[str, ...]) -> None:
         super().__init__()
         self.inputs = inputs
-        self.done: dict[sp.Basic, Value] = {sp.Symbol(x, real=True): self.put("input", value=x) for x in inputs}
+        self.done: dict[Basic, Value] = {Symbol(x, real=True): self.put("input", value=x) for x in inputs}
 
-    def const(self, value: sp.Expr) -> Value:
-        if value is sp.nan:
+    def const(self, value: Expr) -> Value:
+        if value is nan:
             return self.value(math.nan)
-        if isinstance(value, sp.Rational):
+        if isinstance(value, Rational):
             return self.value(int(value.p) / int(value.q))  # correctly rounded by Python
         with mpmath.workprec(300):
-            return self.value(mpmath.mpf(sp.N(value, 80)._mpf_))
+            return self.value(mpmath.mpf(N(value, 80)._mpf_))
 
-    def add(self, expression: sp.Basic) -> Value:
+    def add(self, expression: Basic) -> Value:
         if expression not in self.done:
             self.done[expression] = self._add(expression)
         return self.done[expression]
 
-    def _add(self, e: sp.Basic) -> Value:
-        if isinstance(e, sp.Symbol):
+    def _add(self, e: Basic) -> Value:
+        if isinstance(e, Symbol):
             raise ValueError(f"{e.name} is not an input of the program; its inputs are {', '.join(self.inputs)}")
-        if e is sp.nan or (e.is_number and not e.has(sp.Function)):
+        if e is nan or (e.is_number and not e.has(Function)):
             return self.const(e)
         if isinstance(e, RoundingError):
             return self.value(two_sum(*map(self.add, e.args))[1])
@@ -162,60 +197,76 @@ class _Lowering(Builder):
             return self.add(e.lower())
         if isinstance(e, Horner):
             return self._horner(e)
-        if isinstance(e, sp.Add):
+        if isinstance(e, Add):
             return self._sum(e)
-        if isinstance(e, sp.Mul):
+        if isinstance(e, Mul):
             return self._product(e)
-        if isinstance(e, sp.Pow):
+        if isinstance(e, Pow):
             return self._power(e.base, e.exp)
         if isinstance(e, Select):
             smaller, larger, *chosen = map(self.add, e.args)
             return self.put("select", smaller < larger, *chosen)
-        if isinstance(e, (sp.Min, sp.Max)):
-            return self._joined(type(e).__name__.lower(), sorted(e.args, key=sp.default_sort_key))
+        if isinstance(e, (Min, Max)):
+            return self._joined(type(e).__name__.lower(), sorted(e.args, key=default_sort_key))
         if type(e) in CALLS:
             return self.put(CALLS[type(e)], self.add(e.args[0]))
         raise ValueError(f"no operation for {type(e).__name__}: {e}")
 
-    def _sum(self, e: sp.Add) -> Value:
-        parts = sorted(e.args, key=sp.default_sort_key)
-        plus = [x for x in parts if not x.could_extract_minus_sign()]
-        minus = [-x for x in parts if x.could_extract_minus_sign()]
-        result = self.add(plus[0]) if plus else -self.add(minus.pop(0))
-        result = reduce(lambda total, x: total + self.add(x), plus[1:], result)
-        return reduce(lambda total, x: total - self.add(x), minus, result)
+    def _sum(self, e: Add) -> Value:
+        plus = []
+        minus = []
+        for x in sorted(e.args, key=default_sort_key):
+            if x.could_extract_minus_sign():
+                minus.append(-x)
+            else:
+                plus.append(x)
+        result = self.add(plus.pop(0)) if plus else -self.add(minus.pop(0))
+        for x in plus:
+            result = result + self.add(x)
+        for x in minus:
+            result = result - self.add(x)
+        return result
 
-    def _product(self, e: sp.Mul) -> Value:
+    def _product(self, e: Mul) -> Value:
         if e.could_extract_minus_sign():
             return -self.add(-e)
-        over, under, powers = [], [], []
-        for x in sorted(e.args, key=sp.default_sort_key):
-            if isinstance(x, sp.Rational) and x.p == 1 and x.q & (x.q - 1):
-                under.append(sp.Integer(x.q))  # a third is a division by 3: one rounding
-            elif isinstance(x, sp.Pow) and x.exp.could_extract_minus_sign():
+        over = []
+        under = []
+        powers = []
+        for x in sorted(e.args, key=default_sort_key):
+            base, exponent = x.as_base_exp()
+            if isinstance(x, Rational) and x.p == 1 and x.q & (x.q - 1):
+                under.append(Integer(x.q))  # a third is a division by 3: one rounding
+            elif isinstance(x, Pow) and x.exp.could_extract_minus_sign():
                 under.append(1 / x)
-            elif isinstance(x.as_base_exp()[0], sp.Symbol) and x.as_base_exp()[1].is_Integer:
-                powers += [x.as_base_exp()[0]] * int(x.as_base_exp()[1])
+            elif isinstance(base, Symbol) and exponent.is_Integer:
+                powers += [base] * int(exponent)
             else:
                 over.append(x)
         # Powers of an input come last, one factor at a time, so that a result underflows once or not at all.
-        factors = over + powers if over else powers or [sp.Integer(1)]
-        head = self._joined("mul", factors[: len(over)] or factors[:1])
-        result = head / self._joined("mul", under) if under else head
-        for x in factors[len(over) or 1 :]:
+        if not over:
+            over = [powers.pop(0) if powers else Integer(1)]
+        result = self._joined("mul", over)
+        if under:
+            result = result / self._joined("mul", under)
+        for x in powers:
             result = result * self.add(x)
         return result
 
-    def _joined(self, kind: str, parts: Sequence[sp.Expr]) -> Value:
+    def _joined(self, kind: str, parts: Sequence[Expr]) -> Value:
         """All of them by one operation, from the left."""
         return reduce(partial(self.put, kind), [self.add(x) for x in parts])
 
     def _horner(self, e: Horner) -> Value:
-        x, *coefficients, last = e.args
-        at = self.add(x)
-        return reduce(lambda total, c: total * at + self.const(c), reversed(coefficients), self.const(last))
+        argument, *coefficients, last = e.args
+        x = self.add(argument)
+        result = self.const(last)
+        for c in reversed(coefficients):
+            result = result * x + self.const(c)
+        return result
 
-    def _power(self, base: sp.Expr, exponent: sp.Expr) -> Value:
+    def _power(self, base: Expr, exponent: Expr) -> Value:
+        """A power of half an integer; by squaring, as `pow` is slow and a library call."""
         if exponent.could_extract_minus_sign():
             return self.value(1.0) / self.add(base**-exponent)
         if not (2 * exponent).is_Integer:
@@ -224,18 +275,20 @@ class _Lowering(Builder):
         if half:
             root = self.put("sqrt", self.add(base))
             return self.add(base**n) * root if n else root
-        result, square = None, self.add(base)
-        while n:  # binary powering; `pow` is slow and a library call
-            if n & 1:
-                result = square if result is None else result * square
+        square = self.add(base)
+        while not n & 1:
             n >>= 1
-            square = square * square if n else square
-        assert result is not None
+            square = square * square
+        result = square
+        while n := n >> 1:
+            square = square * square
+            if n & 1:
+                result = result * square
         return result
 
 
 def program(
-    name: str, inputs: tuple[str, ...], *outputs: sp.Expr, let: Mapping[sp.Symbol, sp.Expr | Program] | None = None
+    name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Symbol, Expr | Program] | None = None
 ) -> Program:
     """The program of SymPy expressions in the symbols that ``inputs`` names, in the order of its arguments.
 
@@ -246,10 +299,12 @@ def program(
     low = _Lowering(inputs)
     for symbol, value in (let or {}).items():
         if isinstance(value, Program):
-            (result,) = low.inline(value, {e.name: v for e, v in low.done.items() if isinstance(e, sp.Symbol)})
+            known = {e.name: v for e, v in low.done.items() if isinstance(e, Symbol)}
+            (result,) = low.inline(value, known)
         else:
             result = low.add(value)
-        low.done = {e: v for e, v in low.done.items() if not e.has(symbol)} | {symbol: result}
+        low.done = {e: v for e, v in low.done.items() if not e.has(symbol)}
+        low.done[symbol] = result
     results = tuple(low.add(e).place for e in outputs)
     names = {low.done[symbol].place: symbol.name for symbol in let or {} if symbol in low.done}
     # Of a `let`, a part may not be used.
@@ -258,13 +313,16 @@ def program(
 
 def without_dead(p: Program) -> Program:
     """The same program without the operations that no output needs."""
-    alive = set(p.outputs)
+    needed = set(p.outputs)
     for index in range(len(p.ops) - 1, -1, -1):
-        if index in alive:
-            alive |= set(p.ops[index].args)
-    place = {index: new for new, index in enumerate(sorted(alive))}
-    ops = [replace(op, args=tuple(place[i] for i in op.args)) for index, op in enumerate(p.ops) if index in alive]
-    names = {place[i]: name for i, name in p.names.items() if i in alive}
+        if index in needed:
+            needed.update(p.ops[index].args)
+    place = {index: new for new, index in enumerate(sorted(needed))}
+    ops = []
+    for index in place:
+        op = p.ops[index]
+        ops.append(replace(op, args=tuple(place[i] for i in op.args)))
+    names = {place[i]: name for i, name in p.names.items() if i in needed}
     return replace(p, ops=tuple(ops), outputs=tuple(place[i] for i in p.outputs), names=names)
 
 

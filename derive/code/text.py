@@ -12,7 +12,7 @@ from typing import Any
 
 from derive.check.proof import ProofError
 from derive.code.operations import OPERATIONS
-from derive.code.program import Builder, Program
+from derive.code.program import Builder, Op, Program
 
 WIDTH = 116  # of a statement, its indent included
 INLINE = 72  # a value that is used once is written where it is used, up to this length
@@ -41,67 +41,86 @@ class _Text:
     """The statements of a program: ``lines``, and of each value its text and how tightly that binds."""
 
     def __init__(self, program: Program, language: Language, parts: Sequence[Part]) -> None:
-        self.program, self.language = program, language
+        self.program = program
+        self.language = language
         self.text: dict[int, tuple[str, int]] = {}
         self.lines: list[str] = []
         self.counts: Counter[str] = Counter()
-        ops, self.names = program.ops, _known(program)
-        raw = Counter(i for op in ops for i in op.args)
-        self.calls = {i: x for part in reversed(parts) for i in range(len(ops)) if (x := _call(program, i, part))}
-        self.polynomials = {i: p for i in range(len(ops)) if (p := _polynomial(program, i, raw))}
-        needed, uses = set(program.outputs), Counter(program.outputs)
-        for i in range(len(ops) - 1, -1, -1):
-            if i in needed:
-                operands = ops[i].args
-                if i in self.calls or i in self.polynomials:
-                    operands = self.calls[i][1:] if i in self.calls else self.polynomials[i][:1]
-                needed.update(operands)
-                uses.update(operands)
-        for i in sorted(needed):
+        self.names = _known(program)
+        self.calls = _calls(program, parts)
+        self.polynomials = _polynomials(program)
+        uses = self._uses()
+        for i in sorted(uses):
             self.text[i] = self._expression(i)
+            if program.ops[i].kind in ("input", "const"):
+                continue
             named = i in self.names or i in self.polynomials or len(self.text[i][0]) > INLINE
-            if ops[i].kind not in ("input", "const") and (uses[i] > 1 or (named and i not in program.outputs)):
+            if uses[i] > 1 or (named and i not in program.outputs):
                 self._name(i)
 
+    def _uses(self) -> Counter[int]:
+        """How often each value that is needed is written, calls and polynomials being written as such."""
+        ops = self.program.ops
+        uses = Counter(self.program.outputs)
+        for i in range(len(ops) - 1, -1, -1):
+            if not uses[i]:
+                continue
+            if i in self.calls:
+                uses[self.calls[i][1]] += 1
+            elif i in self.polynomials:
+                uses[self.polynomials[i][0]] += 1
+            else:
+                uses.update(ops[i].args)
+        return uses
+
     def _expression(self, i: int) -> tuple[str, int]:
-        op, language = self.program.ops[i], self.language
+        """The text of a value, and how tightly it binds."""
+        op = self.program.ops[i]
         if op.kind == "input":
             return str(op.value), 9
         if op.kind == "const":
             value = float(op.value)  # type: ignore[arg-type]
-            return language.number(value), 3 if value < 0 else 9
+            return self.language.number(value), 3 if value < 0 else 9
         if i in self.calls:
             name, argument = self.calls[i]
             return f"{name}({self.text[argument][0]})", 9
         if i in self.polynomials:
-            x, coefficients = self.polynomials[i]
-            if not self.text[x][0].isidentifier():
-                self._name(x)
-            numbers = ", ".join(language.number(c) for c in coefficients)
-            return language.polynomial.format(x=self.text[x][0], degree=len(coefficients) - 1, coefficients=numbers), 9
-        operation = OPERATIONS[op.kind]
-        template = getattr(operation, language.templates)
-        if not template:
-            raise ValueError(f"{op.kind} has no place in {language.templates}")
-
-        def shown() -> str:
-            operands = (self.text[a] for a in op.args)
-            texts = [t if binds >= need else f"({t})" for (t, binds), need in zip(operands, operation.needs)]  # noqa: B905
-            return str(template.format(*texts, space=language.space))
-
-        while len(shown()) > WIDTH - 24:  # room for the name
+            return self._polynomial(*self.polynomials[i]), 9
+        while len(self._operation(op)) > WIDTH - 24:  # room for the name
             self._name(max(op.args, key=lambda a: len(self.text[a][0])))
-        return shown(), operation.binds
+        return self._operation(op), OPERATIONS[op.kind].binds
+
+    def _polynomial(self, x: int, coefficients: Sequence[float]) -> str:
+        """Horner's scheme by its coefficients; its argument has a name."""
+        if not self.text[x][0].isidentifier():
+            self._name(x)
+        numbers = ", ".join(self.language.number(c) for c in coefficients)
+        degree = len(coefficients) - 1
+        return self.language.polynomial.format(x=self.text[x][0], degree=degree, coefficients=numbers)
+
+    def _operation(self, op: Op) -> str:
+        """An operation on the texts of its operands, in brackets where they bind less tightly than it needs."""
+        operation = OPERATIONS[op.kind]
+        template = getattr(operation, self.language.templates)
+        if not template:
+            raise ValueError(f"{op.kind} has no place in {self.language.templates}")
+        operands = []
+        for place, need in zip(op.args, operation.needs):  # noqa: B905 (three needs, fewer operands)
+            text, binds = self.text[place]
+            operands.append(text if binds >= need else f"({text})")
+        return str(template.format(*operands, space=self.language.space))
 
     def _name(self, i: int) -> None:
         """Give a value a name, and a statement: polynomials are p1, p2, ..., and the rest t1, t2, ..."""
-        text, name = self.text[i][0], self.names.get(i)
+        text = self.text[i][0]
+        name = self.names.get(i)
         if not name:
             letter = "p" if i in self.polynomials else "t"
             self.counts[letter] += 1
             name = f"{letter}{self.counts[letter]}"
         taken = {*self.program.inputs, *(t for t, _ in self.text.values())}
-        name = next(n for n in (name, *(f"{name}_{k}" for k in range(2, 1000))) if n not in taken)
+        candidates = (name, *(f"{name}_{k}" for k in range(2, 1000)))
+        name = next(x for x in candidates if x not in taken)
         line = self.language.statement.format(name=name, text=text)
         if len(line) > WIDTH:
             line = "\n".join(textwrap.wrap(line, WIDTH - 8, subsequent_indent="    ", break_long_words=False))
@@ -111,18 +130,33 @@ class _Text:
 
 def _known(program: Program) -> dict[int, str]:
     """Names of values: those that the program comes with, and what a kernel of alpha is made of."""
+    ops = program.ops
     names = dict(program.names)
-    for i, op in enumerate(program.ops):
+    for i, op in enumerate(ops):
         if i in program.names:
             continue
-        kinds = [program.ops[a].kind for a in op.args]
+        kinds = [ops[a].kind for a in op.args]
         if kinds == ["const", "input"] and op.kind == "sub":
             names[i] = "b"  # pi/2 - alpha
         if op.kind == "mul" and op.args[0] == op.args[1] and (kinds[0] == "input" or op.args[0] in names):
-            base, _, power = (names.get(op.args[0]) or f"{program.ops[op.args[0]].value}").partition("_")
+            squared = names.get(op.args[0]) or str(ops[op.args[0]].value)
+            base, _, power = squared.partition("_")
             names[i] = f"{base}_{2 * int(power or 1)}" if power.isdigit() or not power else f"{base}_{power}_2"
-    pieces = seam(program)
-    return names | ({pieces[1]: "near", pieces[2]: "far"} if pieces else {})
+    if pieces := seam(program):
+        _, near, far = pieces
+        names |= {near: "near", far: "far"}
+    return names
+
+
+def _polynomials(program: Program) -> dict[int, tuple[int, list[float]]]:
+    """Horner's schemes with three coefficients or more, by value: argument and coefficients, lowest first."""
+    uses = Counter(i for op in program.ops for i in op.args)
+    schemes = {}
+    for i in range(len(program.ops)):
+        scheme = _polynomial(program, i, uses)
+        if scheme is not None and len(scheme[1]) > 2:
+            schemes[i] = scheme
+    return schemes
 
 
 def seam(program: Program) -> tuple[float, int, int] | None:
@@ -138,25 +172,40 @@ def seam(program: Program) -> tuple[float, int, int] | None:
 
 
 def _polynomial(program: Program, i: int, uses: Counter[int]) -> tuple[int, list[float]] | None:
-    """The argument and the coefficients, lowest first, where this is Horner's scheme with at least three."""
-    ops, found, x, at = program.ops, [], None, i
-    while ops[at].kind != "const":
-        op = ops[at]
-        if at != i and uses[at] > 1:
+    """The argument and the coefficients where this is Horner's scheme, each of whose steps is used only by the next."""
+    ops = program.ops
+    coefficients = []
+    x = None
+    step = i
+    while ops[step].kind != "const":
+        op = ops[step]
+        if step != i and uses[step] > 1:
             return None
         if op.kind == "fma":
             inner, by, last = op.args
         elif op.kind == "add" and ops[op.args[0]].kind == "mul" and uses[op.args[0]] == 1:
-            (inner, by), last = ops[op.args[0]].args, op.args[1]
+            inner, by = ops[op.args[0]].args
+            last = op.args[1]
         else:
             return None
         if ops[last].kind != "const" or ops[by].kind == "const" or x not in (None, by):
             return None
         x = by
-        found.append(float(ops[last].value))  # type: ignore[arg-type]
-        at = inner
-    found.append(float(ops[at].value))  # type: ignore[arg-type]
-    return (x, found) if x is not None and len(found) > 2 else None
+        coefficients.append(float(ops[last].value))  # type: ignore[arg-type]
+        step = inner
+    coefficients.append(float(ops[step].value))  # type: ignore[arg-type]
+    return None if x is None else (x, coefficients)
+
+
+def _calls(program: Program, parts: Sequence[Part]) -> dict[int, tuple[str, int]]:
+    """The values that are a part's output: the part's name and its argument; of several parts, the first."""
+    calls = {}
+    for i in range(len(program.ops)):
+        for part in parts:
+            if call := _call(program, i, part):
+                calls[i] = call
+                break
+    return calls
 
 
 def _call(program: Program, i: int, part: Part) -> tuple[str, int] | None:
@@ -164,7 +213,8 @@ def _call(program: Program, i: int, part: Part) -> tuple[str, int] | None:
     bound: dict[int, int] = {}  # which value of the program each value of the part is
 
     def same(i: int, k: int) -> bool:
-        one, other = program.ops[i], part.program.ops[k]
+        one = program.ops[i]
+        other = part.program.ops[k]
         if k not in bound and other.kind != "input":
             if (one.kind, one.value, len(one.args)) != (other.kind, other.value, len(other.args)):
                 return False
@@ -194,7 +244,10 @@ class Reader:
         """Raise `ProofError` unless the text, a function of Python, does the program's operations and no others."""
         exec(text, self.scope)
         inputs = {x: self.builder.put("input", value=x) for x in program.inputs}
-        given = self.scope[name](*inputs.values())
-        done = [self.builder.value(x).place for x in (given if isinstance(given, tuple) else (given,))]
-        if done != (wanted := [x.place for x in self.builder.inline(program, inputs)]):
-            raise ProofError(f"{name}: text that was written", f"operations {done}", f"{wanted}, those of its program")
+        results = self.scope[name](*inputs.values())
+        if not isinstance(results, tuple):
+            results = (results,)
+        read = [self.builder.value(x).place for x in results]
+        written = [x.place for x in self.builder.inline(program, inputs)]
+        if read != written:
+            raise ProofError(f"{name}: text that was written", f"operations {read}", f"{written}, those of its program")

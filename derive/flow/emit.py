@@ -3,7 +3,7 @@
 import inspect
 from collections.abc import Sequence
 
-import sympy as sp
+from sympy import Expr, Float, Integer, cos, diff, exp, expand, log, sin, sstr
 
 from derive.algebra.remainders import Select
 from derive.declare.effects import EFFECTS, LAWS, Effect, Law
@@ -60,7 +60,7 @@ def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> s
 def _pieces(law: Law) -> str:
     breaks, polynomials = pieces(law)
     names = ", ".join(sorted({str(x) for p in polynomials for c in p for x in c.free_symbols}))
-    rows = ", ".join(f"({', '.join(sp.sstr(sp.Float(c) if c.is_Number else c) for c in p)})" for p in polynomials)
+    rows = ", ".join(f"({', '.join(sstr(Float(c) if c.is_Number else c) for c in p)})" for p in polynomials)
     return f"({law.scale!r}, {(*map(float, breaks),)!r}, lambda {names}, **_: ({rows}))"
 
 
@@ -84,13 +84,13 @@ def _fragment(f: Fragment) -> str:
 Template = tuple[tuple[object, ...], ...]
 
 
-def of_cell(means: sp.Expr) -> Template:
+def of_cell(means: Expr) -> Template:
     """The operations that make the tangent of what an operation on cells means."""
 
-    def tangent(e: sp.Expr) -> sp.Expr:
+    def tangent(e: Expr) -> Expr:
         if isinstance(e, Select):  # of the branch that is taken
             return Select(*e.args[:2], tangent(e.args[2]), tangent(e.args[3]))
-        return sum(sp.diff(e, x) * cell(f"{x}'") for x in sorted(e.free_symbols, key=str))
+        return sum(diff(e, x) * cell(f"{x}'") for x in sorted(e.free_symbols, key=str))
 
     low = Lowering("*", {})
     low.cells["d'"] = tangent(means)
@@ -99,14 +99,7 @@ def of_cell(means: sp.Expr) -> Template:
 
 # What a derivative is made of, as registers, and the operation that makes one which is not there.
 _s, _v, _x, _e, _z, _p, _l, _h = (cell(x) for x in "svxezplh")
-_KNOWN = {
-    sp.cos(_x): 1 - _v,
-    sp.sin(_x): _s,
-    sp.exp(_z): _e,
-    (1 + _z) ** POWER: _p,
-    sp.log(1 + _z): _l,
-    1 / (1 + _z): _h,
-}
+_KNOWN = {cos(_x): 1 - _v, sin(_x): _s, exp(_z): _e, (1 + _z) ** POWER: _p, log(1 + _z): _l, 1 / (1 + _z): _h}
 _HELPERS = {_l: ("log", "l", "z"), _h: ("rec", "h", "*.h_less_1", "z")}
 
 
@@ -117,16 +110,16 @@ def of_series(o: Operation) -> Template:
     symbols = {x: cell(str(x)) for x in (*o.results, *o.arguments)}
     tangents = {x: cell(f"{x}'") for x in (*o.arguments, *o.numbers)}
     registers = (*symbols.values(), *_HELPERS, *(tangents[x] for x in o.arguments))
-    low = Lowering("*", {x: (sp.Integer(0), series(str(x))) for x in registers})
+    low = Lowering("*", {x: (Integer(0), series(str(x))) for x in registers})
     for result, means in zip(o.results, o.means, strict=True):
-        change = sp.Integer(0)
+        change = Integer(0)
         for x, tangent in tangents.items():
-            slope = sp.diff(means.xreplace(symbols), symbols.get(x, x))
+            slope = diff(means.xreplace(symbols), symbols.get(x, x))
             for function, register in _KNOWN.items():
                 slope = slope.subs(function, register)
             for helper, operation in _HELPERS.items():
                 if helper in slope.free_symbols - {*symbols.values()}:
                     low.put(*operation)
             change += slope * tangent
-        low.put("lin", f"{result}'", "", low.sum(low.split(sp.expand(change))[1]))
+        low.put("lin", f"{result}'", "", low.sum(low.split(expand(change))[1]))
     return tuple(low.series)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from itertools import chain, combinations
 
-import sympy as sp
+from sympy import Expr, Integer, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin, sstr, sympify
 
 from derive.algebra.remainders import Select
 from derive.declare import effects as declared
@@ -23,41 +23,53 @@ INPUTS = {
 QUANTITIES = ("driving", "resisting", "pressing", "lifting")
 
 DIRECTION, ROTATION, BEGAN, GRIP = (cell(x) for x in ("DIRECTION", "ROTATION", "SLIP", "grip"))
-ONE, ZERO = sp.Integer(1), sp.Integer(0)
-NORMAL, FRICTION = cell("normal"), cell("friction")
+ONE = Integer(1)
+ZERO = Integer(0)
+NORMAL = cell("normal")
+FRICTION = cell("friction")
 # In the rate of a state these count in full: there is no base to subtract.
 TOTALS = {x: (ZERO, series(str(x))) for x in (NORMAL, FRICTION, MU)}
 # A Python function of slip, which the runtime turns into pieces.
 CALLABLE = declared.Law("callable", "1.14", (), ("slip",), "a function of the slip, in pieces", degree=DEGREE)
 
 
-def seen(q: sp.Symbol) -> sp.Symbol:
+def seen(q: Symbol) -> Symbol:
     """A component of the weight where the phase begins, as it is seen in the direction of travel."""
     return cell(f"{q}_0")
 
 
-def sign(q: sp.Symbol) -> sp.Expr:
+def sign(q: Symbol) -> Expr:
     """What a component is multiplied by to be seen so: J_theta and the slope of J_r are odd in psi."""
-    return DIRECTION if q in (FALL, declared.PRESS_SLOPE, declared.TURNING_SLOPE, declared.REMAINING_SLOPE) else ONE
+    odd_in_psi = (FALL, declared.PRESS_SLOPE, declared.TURNING_SLOPE, declared.REMAINING_SLOPE)
+    return DIRECTION if q in odd_in_psi else ONE
 
 
-def position() -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
+def position() -> dict[Symbol, tuple[Expr, Increment]]:
     """The weight's components at the start of a phase and their increments; those of a frozen mass are nothing.
 
     q(psi - x) = q cos x - q' sin x, since q'' = -q by the declared derivatives: an increment of -q vers x - q' sin x.
     """
-    slopes = {q: slope.subs({y: seen(y) for y in BY_PSI}) for q, slope in BY_PSI.items()}
-    return {q: (seen(q), total((-slopes[q], series("sin(x)")), (-seen(q), series("vers(x)")))) for q in BY_PSI}
+    at_start = {q: seen(q) for q in BY_PSI}
+    components = {}
+    for q, slope in BY_PSI.items():
+        increment = total((-slope.subs(at_start), series("sin(x)")), (-at_start[q], series("vers(x)")))
+        components[q] = (at_start[q], increment)
+    return components
 
 
-def scaled(e: sp.Expr) -> sp.Expr:
+def scaled(e: Expr) -> Expr:
     """A moment over Theta*, in the functions of the position and the parameters alone."""
-    over = {declared.J_THETA: THETA * FALL, declared.J_R: THETA * PRESS, LAMBDA: THETA * LEVEL}
-    over |= {declared.A: declared.POLAR / LEVEL, declared.OMEGA_2: OMEGA**2}
-    return sp.expand(sp.expand(sp.expand(e).subs(over)) / THETA)
+    over_theta = {
+        declared.J_THETA: THETA * FALL,
+        declared.J_R: THETA * PRESS,
+        LAMBDA: THETA * LEVEL,
+        declared.A: declared.POLAR / LEVEL,
+        declared.OMEGA_2: OMEGA**2,
+    }
+    return expand(expand(expand(e).subs(over_theta)) / THETA)
 
 
-def quantities(effect: declared.Effect) -> dict[str, sp.Expr]:
+def quantities(effect: declared.Effect) -> dict[str, Expr]:
     """What an effect adds to the quantities of the balance."""
     return {
         "driving": scaled(effect.fall),
@@ -67,31 +79,45 @@ def quantities(effect: declared.Effect) -> dict[str, sp.Expr]:
     }
 
 
-def odd(effect: declared.Effect) -> set[sp.Symbol]:
+def odd(effect: declared.Effect) -> set[Symbol]:
     """The parameters that change sign in a mirror, in which the drive does and nothing else, or ValueError."""
-    adds = quantities(effect)
     symbols = sorted({p.symbol for p in effect.parameters if p.symbol is not None}, key=str)
     for chosen in chain.from_iterable(combinations(symbols, n) for n in range(len(symbols) + 1)):
-        mirror = {x: -x for x in (FALL, declared.PRESS_SLOPE, *chosen)}
-        if all(sp.expand(e.xreplace(mirror) - (-e if q == "driving" else e)) == 0 for q, e in adds.items()):
+        if _symmetric(effect, chosen):
             return set(chosen)
     raise ValueError(f"{effect.name}: no signs of its parameters make its terms the same in a mirror")
 
 
-def moving(effect: declared.Effect | None = None) -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
+def _symmetric(effect: declared.Effect, chosen: Sequence[Symbol]) -> bool:
+    """Whether a mirror in which these parameters change sign turns the drive round and leaves all else."""
+    mirror = {x: -x for x in (FALL, declared.PRESS_SLOPE, *chosen)}
+    for quantity, e in quantities(effect).items():
+        mirrored = -e if quantity == "driving" else e
+        if expand(e.xreplace(mirror) - mirrored) != 0:
+            return False
+    return True
+
+
+def moving(effect: declared.Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]:
     """What may change along a phase: base and increment by symbol."""
     speed = (ZERO, series("omega"))
-    found = position() | {OMEGA: speed, declared.SPEED: speed, SLIP: (BEGAN, series("x"))}
-    if effect is not None:
-        signs = dict.fromkeys(odd(effect), DIRECTION)
-        for p in effect.parameters:
-            if p.symbol is not None and p.symbol not in BY_PSI:
-                s = signs.get(p.symbol, ONE)
-                found[p.symbol] = (s * p.symbol, series(f"d{p.symbol}", s) if p.kind == "series" else {})
-            if p.kind == "rotation":
-                found[p.symbol] = (p.symbol, powers(str(p.symbol), "x", DEGREE))
-        found |= {x: (cell(f"{x}_0"), series(f"d{x}")) for x in effect.given}
-    return found
+    variables = position() | {OMEGA: speed, declared.SPEED: speed, SLIP: (BEGAN, series("x"))}
+    if effect is None:
+        return variables
+    odd_parameters = odd(effect)
+    for p in effect.parameters:
+        x = p.symbol
+        if x is None or x in BY_PSI:
+            continue
+        if p.kind == "rotation":
+            variables[x] = (x, powers(str(x), "x", DEGREE))
+        else:
+            direction = DIRECTION if x in odd_parameters else ONE
+            increment = series(f"d{x}", direction) if p.kind == "series" else {}
+            variables[x] = (direction * x, increment)
+    for x in effect.given:
+        variables[x] = (cell(f"{x}_0"), series(f"d{x}"))
+    return variables
 
 
 def powers(table: str, argument: str, degree: int) -> Increment:
@@ -105,67 +131,79 @@ def of_effect(effect: declared.Effect) -> Fragment:
         return rotation(effect)
     low = Lowering(effect.name, moving(effect))
     for x in effect.given:
-        low.cells |= {f"{x}_less": -x, f"{x}_0": -cell(f"{x}_less")}  # the state's own cell moves on along the phase
+        low.cells[f"{x}_less"] = -x
+        low.cells[f"{x}_0"] = -cell(f"{x}_less")  # the state's own cell moves on along the phase
         low.put("lin", f"d{x}", f"{x}_less", (("=1.0", str(x)),))
     low.moving = {**low.moving, **TOTALS}
-    rate = sp.expand(effect.growth * OMEGA).subs(declared.EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
+    rate = expand(effect.growth * OMEGA)
+    rate = rate.subs(declared.EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
     symbols = [p for p in effect.parameters if p.symbol is not None and p.kind != "rotation"]
-    turned = [str(p.symbol) for p in effect.parameters if p.kind == "rotation"]
+    of_rotation = [str(p.symbol) for p in effect.parameters if p.kind == "rotation"]
     return low.fragment(
         (f"({effect.equation}) {effect.help}", *declared.formulas(effect)),
         quantities(effect),
         inputs=[str(p.symbol) for p in symbols],
         optional=[str(p.symbol) for p in symbols if p.optional],
         states={str(x): rate for x in effect.given},
-        tables=tuple((name, "rotation", "x", DEGREE) for name in turned),
+        tables=tuple((name, "rotation", "x", DEGREE) for name in of_rotation),
     )
 
 
 def of_law(law: declared.Law) -> Fragment:
     """Friction of a law: its base and its increment, from its formula or as the polynomial of a table's piece."""
-    low, words = Lowering(law.name, moving()), [f"({law.equation}) {law.help}"]
+    low = Lowering(law.name, moving())
+    words = [f"({law.equation}) {law.help}"]
     coefficient = law.coefficient if law.depends_on else cell("coefficient")
     if coefficient is not None and not law.kinks:
-        own = {cell(p.name): cell(f"{law.name}.{p.name}") for p in law.parameters}
-        words.append(f"mu = {sp.sstr(coefficient)}")
-        return low.fragment(words, {"mu": coefficient.xreplace(own)}, [str(x) for x in own.values()])
-    value, argument = cell(f"{law.name}.VALUE"), "x"
-    if law.depends_on == ("time",):
-        low.moving, argument = {value: (value, series(f"d{law.name}"))}, f"d{law.name}"
-        return low.fragment(words, {"mu": value}, tables=((law.name, "time", argument, 0),))
-    if law.depends_on == ("speed",):
-        # The logarithm of the speed over that where the phase began. The first piece, below the table, is constant.
-        argument, beyond, start = "log_speed", cell("beyond"), cell("start_speed")
-        low.cells["beyond"] = Select(0, cell(f"{law.name}.PIECE"), 1, 0)
-        low.cells["start_speed"] = Select(0, beyond, cell("omega"), 1)
-        low.put("lin", "relative_speed", low.cell(-beyond), ((low.cell(beyond / start), "omega"),))
-        low.put("log", argument, "relative_speed")
+        inputs = {cell(p.name): cell(f"{law.name}.{p.name}") for p in law.parameters}
+        words.append(f"mu = {sstr(coefficient)}")
+        return low.fragment(words, {"mu": coefficient.xreplace(inputs)}, [str(x) for x in inputs.values()])
+    value = cell(f"{law.name}.VALUE")
+    (variable,) = law.depends_on
+    if variable == "time":
+        argument = f"d{law.name}"
+        low.moving = {value: (value, series(argument))}
+        return low.fragment(words, {"mu": value}, tables=((law.name, variable, argument, 0),))
+    argument, of = ("log_speed", "log(omega/omega_0)") if variable == "speed" else ("x", "x")
+    if variable == "speed":
+        _log_speed(law, low)
     low.moving = {value: (value, powers(law.name, argument, law.degree))}
-    of = "x" if argument == "x" else "log(omega/omega_0)"
     words.append(f"mu = VALUE + Q1 y + Q2 y^2 + ..., y = {of}")
-    return low.fragment(words, {"mu": value}, tables=((law.name, law.depends_on[0], argument, law.degree),))
+    return low.fragment(words, {"mu": value}, tables=((law.name, variable, argument, law.degree),))
 
 
-def pieces(law: declared.Law) -> tuple[list[sp.Expr], list[list[sp.Expr]]]:
+def _log_speed(law: declared.Law, low: Lowering) -> None:
+    """The logarithm of the speed over that where the phase began; the first piece, below the table, is constant."""
+    beyond = cell("beyond")
+    start = cell("start_speed")
+    low.cells["beyond"] = Select(0, cell(f"{law.name}.PIECE"), 1, 0)
+    low.cells["start_speed"] = Select(0, beyond, cell("omega"), 1)
+    low.put("lin", "relative_speed", low.cell(-beyond), ((low.cell(beyond / start), "omega"),))
+    low.put("log", "log_speed", "relative_speed")
+
+
+def pieces(law: declared.Law) -> tuple[list[Expr], list[list[Expr]]]:
     """Where the pieces of a law with kinks begin, over its scale, and their polynomials in what is beyond.
 
     A piece takes the branch of each minimum or maximum that holds there, so that a constant piece is the number given.
     """
-    s, y, scale = cell("s"), cell("y"), cell(law.scale)
+    s = cell("s")
+    y = cell("y")
+    scale = cell(law.scale)
+    coefficient = sympify(law.coefficient).subs(SLIP, s * scale)
     breaks = [ZERO, *(cell(kink) / scale for kink in law.kinks)]
-    found = []
+    polynomials = []
     for start, end in zip(breaks, [*breaks[1:], breaks[-1] + 1], strict=True):
-        inside = (
-            sp.sympify(law.coefficient)
-            .subs(SLIP, s * scale)
-            .replace(
-                lambda e: isinstance(e, (sp.Min, sp.Max)),
-                lambda e, at=(start + end) / 2: next(x for x in e.args if x.subs(s, at) == e.subs(s, at)),
-            )
-        )
-        beyond = sp.Poly(sp.expand(inside.subs(s, start + y)), y).all_coeffs()[::-1]
-        found.append([*beyond, *[ZERO] * (law.degree + 1 - len(beyond))])
-    return breaks, found
+        middle = (start + end) / 2
+
+        def branch(e: Expr, middle: Expr = middle) -> Expr:
+            there = e.subs(s, middle)
+            return next(x for x in e.args if x.subs(s, middle) == there)
+
+        piece = coefficient.replace(lambda e: isinstance(e, (Min, Max)), branch)
+        beyond = Poly(expand(piece.subs(s, start + y)), y).all_coeffs()[::-1]
+        polynomials.append([*beyond, *[ZERO] * (law.degree + 1 - len(beyond))])
+    return breaks, polynomials
 
 
 def gravity() -> Fragment:
@@ -181,7 +219,7 @@ def rotation(effect: declared.Effect) -> Fragment:
     """The turning of the weight: its components where the phase begins, and the series that they turn by."""
     low = Lowering(effect.name, {})
     for q, slope in BY_PSI.items():
-        low.cells[str(seen(q))] = sign(q) * (q * sp.cos(ROTATION) - slope * sp.sin(ROTATION))
+        low.cells[str(seen(q))] = sign(q) * (q * cos(ROTATION) - slope * sin(ROTATION))
     low.turn(series("x"), ONE, ONE)
     low.put("lin", "upright", str(seen(PRESS)), low.sum(position()[PRESS][1]))
     words = [
@@ -205,29 +243,38 @@ def balance() -> Fragment:
         low.moving = {**low.moving, cell(name): (cell(f"{name}_0"), series(f"d{name}"))}
     for name in (*QUANTITIES, "mu"):
         low.put("lin", name, f"{name}_0", (("=1.0", f"d{name}"),))
-    static, increment = low.split(driving - resisting - FRICTION)
+    net, increment = low.split(driving - resisting - FRICTION)
     low.register(increment, "dnet")
     low.put("lin", "net", "drive", (("=1.0", "dnet"),))
-    # As long as nothing that it depends on has departed from the start, what drives is made of what is left of the
-    # limit friction. That of weight alone is given, and is known better than a quotient of sums.
-    low.cells["limit_0"] = (cell("driving_0") - cell("resisting_0")) / cell("normal_0")
-    driven, pressed = cell("driving_0") - cell(str(seen(FALL))), cell("normal_0") - cell(str(seen(PRESS)))
-    low.cells["others"] = abs(driven) + abs(pressed) + cell("resisting_0")
-    low.cells["limit"] = Select(0, cell("others"), cell("limit_0"), cell("LIMIT"))
-    low.cells["gap"] = cell("limit") - cell("mu_0")
-    given = cell("normal_0") * cell("gap")
-    driven = Select(0, cell("driving_0") - cell("resisting_0"), 1, 0)
-    low.cells["first"] = Select(0, cell("departed"), 0, GRIP * driven)
-    low.cells["drive"] = Select(0, cell("first"), given, static)
-    drives, resists, presses, lifts = (cell(f"{x}_size") for x in QUANTITIES)
-    whole = drives + resists + GRIP * cell("mu_0") * (presses + lifts)
-    low.cells["drive_scale"] = sp.Rational(1, 2**52) * Select(0, cell("first"), abs(cell("drive")), whole)
+    _drive(low, net)
     words = [
         "(3.11) d omega*/dt* = net = driving - resisting - friction, friction = mu normal unless the mass is lifted",
         "normal = pressing - lifting; net = drive + dnet, where drive is net where the phase began, at no speed",
         "drive = normal (limit - mu) as at the start; drive_scale is the rounding of its terms",
     ]
     return low.fragment(words, {})
+
+
+def _drive(low: Lowering, net: Expr) -> None:
+    """The net moment where a phase begins, and the rounding of its terms.
+
+    As long as nothing that it depends on has departed from the start it is normal (limit - mu), made of what is left
+    of the limit friction. That of weight alone is an input, and is known better than a quotient of sums.
+    """
+    driving, resisting, normal, mu = (cell(f"{x}_0") for x in ("driving", "resisting", "normal", "mu"))
+    low.cells["limit_0"] = (driving - resisting) / normal
+    other_driving = driving - cell(str(seen(FALL)))
+    other_normal = normal - cell(str(seen(PRESS)))
+    low.cells["others"] = abs(other_driving) + abs(other_normal) + resisting
+    low.cells["limit"] = Select(0, cell("others"), cell("limit_0"), cell("LIMIT"))
+    low.cells["gap"] = cell("limit") - mu
+    driven = Select(0, driving - resisting, 1, 0)
+    low.cells["first"] = Select(0, cell("departed"), 0, GRIP * driven)
+    low.cells["drive"] = Select(0, cell("first"), normal * cell("gap"), net)
+    drives, resists, presses, lifts = (cell(f"{x}_size") for x in QUANTITIES)
+    terms = drives + resists + GRIP * mu * (presses + lifts)
+    size = Select(0, cell("first"), abs(cell("drive")), terms)
+    low.cells["drive_scale"] = Rational(1, 2**52) * size
 
 
 def energy() -> Fragment:
@@ -242,7 +289,10 @@ def energy() -> Fragment:
 
 def fragments(effects: Sequence[declared.Effect] = EFFECTS, laws: Sequence[declared.Law] = LAWS) -> dict[str, Fragment]:
     """All fragments by name, of these effects and laws."""
-    declared = {e.name: of_effect(e) for e in effects} | {law.name: of_law(law) for law in (*laws, CALLABLE)}
-    laws_of = {cell(f"{x}_mu"): (cell(f"{x}_mu_0"), series(f"d{x}_mu")) for x in ("slip", "rate")}
-    product = Lowering("product", laws_of).fragment(["mu = mu(slip) mu(speed)"], {"mu": sp.Mul(*laws_of)})
-    return {"gravity": gravity()} | declared | {"product": product, "balance": balance(), "energy": energy()}
+    every = {"gravity": gravity()}
+    every |= {effect.name: of_effect(effect) for effect in effects}
+    every |= {law.name: of_law(law) for law in (*laws, CALLABLE)}
+    factors = {cell(f"{x}_mu"): (cell(f"{x}_mu_0"), series(f"d{x}_mu")) for x in ("slip", "rate")}
+    product = Lowering("product", factors)
+    every["product"] = product.fragment(["mu = mu(slip) mu(speed)"], {"mu": Mul(*factors)})
+    return every | {"balance": balance(), "energy": energy()}

@@ -8,18 +8,37 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import sympy as sp
+from sympy import (
+    Add,
+    Derivative,
+    Expr,
+    Float,
+    Indexed,
+    IndexedBase,
+    Integer,
+    Sum,
+    Symbol,
+    cos,
+    diff,
+    exp,
+    expand,
+    log,
+    sin,
+    sqrt,
+    symbols,
+    tan,
+)
 
 from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import Select, expm1, log1p, unfold
 
-n, k = sp.symbols("n k", integer=True)
-A, B, Q, X, Z, E, H, P, S, V, L = (sp.IndexedBase(x) for x in "abqxzehpsvl")
-POWER = sp.Symbol("power", real=True)
+n, k = symbols("n k", integer=True)
+A, B, Q, X, Z, E, H, P, S, V, L = (IndexedBase(x) for x in "abqxzehpsvl")
+POWER = Symbol("power", real=True)
 
 
-def _sum(term: sp.Expr, first: int = 1, last: sp.Expr = n) -> sp.Expr:
-    return sp.Sum(term, (k, first, last))
+def _sum(term: Expr, first: int = 1, last: Expr = n) -> Expr:
+    return Sum(term, (k, first, last))
 
 
 @dataclass(frozen=True)
@@ -31,37 +50,33 @@ class Operation:
     """
 
     name: str
-    results: tuple[sp.IndexedBase, ...]
-    arguments: tuple[sp.IndexedBase, ...]
-    means: tuple[sp.Expr, ...]
-    start: tuple[sp.Expr, ...]
-    step: tuple[sp.Expr, ...]
-    numbers: tuple[sp.Symbol, ...] = ()
+    results: tuple[IndexedBase, ...]
+    arguments: tuple[IndexedBase, ...]
+    means: tuple[Expr, ...]
+    start: tuple[Expr, ...]
+    step: tuple[Expr, ...]
+    numbers: tuple[Symbol, ...] = ()
 
 
-D, M = sp.IndexedBase("d"), sp.IndexedBase("m")
-_t = sp.Symbol("t", real=True)  # the variable of the series: `tim` is t d/dt
+D = IndexedBase("d")
+M = IndexedBase("m")
+_t = Symbol("t", real=True)  # the variable of the series: `tim` is t d/dt
 OPERATIONS = {
     o.name: o
     for o in (
         Operation("mul", (D,), (A, B), (A * B,), (A[0] * B[0],), (_sum(A[k] * B[n - k], 0),)),
         Operation("sqr", (D,), (A,), (A**2,), (A[0] ** 2,), (_sum(A[k] * A[n - k], 0),)),
-        Operation("tim", (Q,), (A,), (_t * sp.Derivative(A, _t),), (sp.Integer(0),), (n * A[n],)),
+        Operation("tim", (Q,), (A,), (_t * Derivative(A, _t),), (Integer(0),), (n * A[n],)),
         Operation(
             "turn",
             (S, V),
             (Q, X),
-            (sp.sin(X), 1 - sp.cos(X)),
-            (sp.sin(X[0]), 2 * sp.sin(X[0] / 2) ** 2),
+            (sin(X), 1 - cos(X)),
+            (sin(X[0]), 2 * sin(X[0] / 2) ** 2),
             ((Q[n] - _sum(Q[k] * V[n - k])) / n, _sum(Q[k] * S[n - k]) / n),
         ),
         Operation(
-            "exp",
-            (E, M),
-            (Q, Z),
-            (sp.exp(Z), sp.exp(Z) - 1),
-            (sp.exp(Z[0]), expm1(Z[0])),
-            (_sum(Q[k] * E[n - k]) / n, E[n]),
+            "exp", (E, M), (Q, Z), (exp(Z), exp(Z) - 1), (exp(Z[0]), expm1(Z[0])), (_sum(Q[k] * E[n - k]) / n, E[n])
         ),
         Operation(
             "rec",
@@ -75,7 +90,7 @@ OPERATIONS = {
             "log",
             (L,),
             (Z,),
-            (sp.log(1 + Z),),
+            (log(1 + Z),),
             (log1p(Z[0]),),
             ((Z[n] - _sum(k * L[k] * Z[n - k], 1, n - 1) / n) / (1 + Z[0]),),
         ),
@@ -97,68 +112,78 @@ def prove(order: int = 6) -> list[str]:
     claims = []
     for o in OPERATIONS.values():
         highest = order - 2 * len(o.numbers)  # a power of a symbol takes long
-        coefficients = {x: sp.symbols(f"{x}_:{highest + 1}", real=True) for x in o.arguments}
-        # About a later moment a series has other coefficients, da_i/dt = (i + 1) a_(i+1), and so has its function.
-        rates = {c[i]: (i + 1) * c[i + 1] for c in coefficients.values() for i in range(highest)} | {_t: 1}
-        if Z in o.arguments:  # 1 + z begins with a positive number
-            y, (z, *others) = sp.Symbol("y", positive=True), coefficients[Z]
-            coefficients[Z], rates[y] = (y - 1, *others), rates[z]
-        if Q in o.arguments:  # the other argument's times its order
-            coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
-        known = {e: c for x, cs in coefficients.items() for e, c in zip((x, sp.Derivative(x, _t)), cs, strict=False)}
-        for x, means in zip(o.results, o.means, strict=True):
-            found = [means.xreplace(known)]
-            for i in range(highest):
-                found.append(sp.expand(sum(rate * sp.diff(found[-1], a) for a, rate in rates.items()) / (i + 1)))
-            coefficients[x] = tuple(c.subs(_t, 0) for c in found)
+        coefficients = _coefficients(o, highest)
         for i in range(highest + 1):
-            for x, start, step in zip(o.results, o.start, o.step, strict=True):
-                given = at(step.subs(n, i).doit() if i else start, coefficients)
-                prove_zero(sp.expand(unfold(given) - coefficients[x][i]), f"{o.name}: coefficient {i}")
+            for result, start, step in zip(o.results, o.start, o.step, strict=True):
+                stated = at(step.subs(n, i).doit() if i else start, coefficients)
+                prove_zero(expand(unfold(stated) - coefficients[result][i]), f"{o.name}: coefficient {i}")
         claims.append(f"{o.name}: {highest + 1} coefficients")
     return claims
 
 
-def at(e: sp.Expr, coefficients: Mapping[sp.IndexedBase, Sequence[Any]]) -> sp.Expr:
+def _coefficients(o: Operation, highest: int) -> dict[IndexedBase, tuple[Expr, ...]]:
+    """Taylor coefficients of an operation's arguments, symbols, and of its results, by differentiating its meaning.
+
+    About a later moment a series has other coefficients, da_i/dt = (i + 1) a_(i+1), and so has a function f of it,
+    whose coefficient i + 1 is df_i/dt/(i + 1).
+    """
+    coefficients = {x: symbols(f"{x}_:{highest + 1}", real=True) for x in o.arguments}
+    rates = {_t: 1}
+    for a in coefficients.values():
+        rates |= {a[i]: (i + 1) * a[i + 1] for i in range(highest)}
+    if Z in o.arguments:  # 1 + z begins with a positive number
+        y = Symbol("y", positive=True)
+        z, *others = coefficients[Z]
+        coefficients[Z] = (y - 1, *others)
+        rates[y] = rates[z]
+    if Q in o.arguments:  # the other argument's times its order
+        coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
+    first_two: dict[Expr, Expr] = {}
+    for x, a in coefficients.items():
+        first_two |= {x: a[0], Derivative(x, _t): a[1]}
+    for result, means in zip(o.results, o.means, strict=True):
+        f = [means.xreplace(first_two)]
+        for i in range(highest):
+            rate = sum(rate * diff(f[i], a) for a, rate in rates.items())
+            f.append(expand(rate / (i + 1)))
+        coefficients[result] = tuple(c.subs(_t, 0) for c in f)
+    return coefficients
+
+
+def at(e: Expr, coefficients: Mapping[IndexedBase, Sequence[Any]]) -> Expr:
     """An expression with the coefficients that it names."""
-    return e.xreplace({x: coefficients[x.base][int(x.indices[0])] for x in e.atoms(sp.Indexed)})
+    return e.xreplace({x: coefficients[x.base][int(x.indices[0])] for x in e.atoms(Indexed)})
 
 
-def first(
-    series: Iterable[Sequence[Any]], values: Mapping[str, sp.Expr], cells: Mapping[str, sp.Expr]
-) -> dict[str, sp.Expr]:
+def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Mapping[str, Expr]) -> dict[str, Expr]:
     """Order 0 of every register that operations on series make, from that of the registers they start with."""
-    found = dict(values)
+    registers = dict(values)
 
-    def number(name: str) -> sp.Expr:
-        return sp.Float(name[1:]) if name.startswith("=") else cells.get(name, sp.Symbol(name, real=True))
+    def number(name: str) -> Expr:
+        if name.startswith("="):
+            return Float(name[1:])
+        return cells.get(name, Symbol(name, real=True))
 
     for name, *names in series:
         if name == "lin":
             result, constant, terms = names
-            found[result] = sp.Add(number(constant) if constant else 0, *(number(c) * found[r] for c, r in terms))
+            base = number(constant) if constant else 0
+            registers[result] = Add(base, *(number(c) * registers[r] for c, r in terms))
             continue
         o = OPERATIONS[name]
-        results, arguments = names[: len(o.results)], names[len(o.results) :]
-        known = {a[0]: found[x] for a, x in zip(o.arguments, arguments, strict=False)}
+        results = names[: len(o.results)]
+        arguments = names[len(o.results) :]
+        known = {a[0]: registers[x] for a, x in zip(o.arguments, arguments, strict=False)}
         known |= {a: number(x) for a, x in zip(o.numbers, arguments[len(o.arguments) :], strict=True)}
-        found |= {x: start.subs(known) for x, start in zip(results, o.start, strict=True)}
-    return found
+        for result, start in zip(results, o.start, strict=True):
+            registers[result] = start.subs(known)
+    return registers
 
 
 # Operations on cells: what they make of a, b and e, in C over vectors of lanes, and in NumPy.
-_a, _b, _e = sp.symbols("a b e", real=True)
-_CALLS = {
-    "sin": sp.sin,
-    "cos": sp.cos,
-    "tan": sp.tan,
-    "exp": sp.exp,
-    "expm1": expm1,
-    "log": sp.log,
-    "log1p": log1p,
-    "sqrt": sp.sqrt,
-}
-SCALARS: dict[str, tuple[sp.Expr, str, str]] = {
+_a, _b, _e = symbols("a b e", real=True)
+_CALLS = {"sin": sin, "cos": cos, "tan": tan, "exp": exp, "expm1": expm1, "log": log, "log1p": log1p, "sqrt": sqrt}
+SCALARS: dict[str, tuple[Expr, str, str]] = {
     "add": (_a + _b, "a + b", "np.add"),
     "sub": (_a - _b, "a - b", "np.subtract"),
     "mul": (_a * _b, "a * b", "np.multiply"),

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-import sympy as sp
+from sympy import Add, Expr, Function, Indexed, IndexedBase, Mul, Pow, Rational, Sum, Symbol, cancel
 
 from derive.flow.operations import OPERATIONS, SCALARS, Operation, k, n
 
@@ -23,61 +23,72 @@ class _Sum(NamedTuple):
     symmetric: bool
 
 
-def _sums(o: Operation) -> dict[sp.Sum, _Sum]:
+def _sums(o: Operation) -> dict[Sum, _Sum]:
     """The sums of an operation's step."""
-    found = {}
-    for i, total in enumerate(sorted({x for e in o.step for x in e.atoms(sp.Sum)}, key=str)):
+    sums = {}
+    totals = {total for e in o.step for total in e.atoms(Sum)}
+    for i, total in enumerate(sorted(totals, key=str)):
         ((_, first, last),) = total.limits
-        parts = {x: x.base if isinstance(x, sp.Pow) else x for x in sp.Mul.make_args(total.function)}
-        series = {x: base for x, base in parts.items() if isinstance(base, sp.Indexed)}
-        a, b = (str(x.base) for x in sorted((*series.values(), *series.values())[:2], key=lambda x: x.indices != (k,)))
-        weight = sp.cancel(total.function / sp.Mul(*series))
+        at_k, at_rest = sorted(total.function.atoms(Indexed), key=lambda x: x.indices != (k,))
+        weight = cancel(total.function / (at_k * at_rest))
         factor = "" if weight == 1 else f"{_text(weight, {})} * "
-        found[total] = _Sum(str(i), factor, a, b, int(first), int(n - last), a == b and not factor)
-    return found
+        a = str(at_k.base)
+        b = str(at_rest.base)
+        sums[total] = _Sum(str(i), factor, a, b, int(first), int(n - last), a == b and not factor)
+    return sums
 
 
-def _text(e: sp.Expr, known: Mapping[sp.Expr, str]) -> str:
+def _text(e: Expr, known: Mapping[Expr, str]) -> str:
     """An expression as C and Python both write it."""
     if e in known:
         return known[e]
-    if isinstance(e, sp.Indexed):
+    if isinstance(e, Indexed):
         return f"{e.base}[{e.indices[0]}]"
-    if isinstance(e, sp.Symbol):
+    if isinstance(e, Symbol):
         return str(e)
-    if isinstance(e, sp.Add):
+    if isinstance(e, Rational):
+        return repr(float(e))
+    if isinstance(e, Add):
         terms = sorted(e.args, key=lambda x: (x.could_extract_minus_sign(), str(x)))
         return f"({' + '.join(_text(x, known) for x in terms).replace('+ -', '- ')})"
-    if isinstance(e, sp.Mul) and e.could_extract_minus_sign():
-        return f"-{_text(-e, known)}"
-    if isinstance(e, sp.Mul):
-        factors = sorted(e.args, key=str)
-        under = [x.base for x in factors if isinstance(x, sp.Pow) and x.exp == -1]
-        over = [x for x in factors if not (isinstance(x, sp.Pow) and x.exp == -1)] or [sp.Integer(1)]
-        divided = [" * by_n" if x == n else f" / {_text(x, known)}" for x in under]
-        return " * ".join(_text(x, known) for x in over) + "".join(divided)
-    if isinstance(e, sp.Pow):
-        return f"1.0 / {_text(e.base, known)}" if e.exp == -1 else " * ".join([_text(e.base, known)] * int(e.exp))
-    if isinstance(e, sp.Rational):
-        return repr(float(e))
+    if isinstance(e, Mul):
+        return f"-{_text(-e, known)}" if e.could_extract_minus_sign() else _product(e, known)
+    if isinstance(e, Pow):
+        base = _text(e.base, known)
+        return f"1.0 / {base}" if e.exp == -1 else " * ".join([base] * int(e.exp))
     raise ValueError(f"no text for {e}")
+
+
+def _product(e: Mul, known: Mapping[Expr, str]) -> str:
+    """Factors, then divisors; 1/n is the number `by_n`."""
+    over = []
+    under = ""
+    for x in sorted(e.args, key=str):
+        if not (isinstance(x, Pow) and x.exp == -1):
+            over.append(_text(x, known))
+        elif x.base == n:
+            under += " * by_n"
+        else:
+            under += f" / {_text(x.base, known)}"
+    return " * ".join(over or ["1.0"]) + under
 
 
 def _body(o: Operation, let: str, call: str, zero: str, end: str) -> tuple[list[str], list[str]]:
     """Statements for order 0, functions first, and for order n, whose sums have their names."""
-    known: dict[sp.Expr, str] = {total: f"sum{s.name}" for total, s in _sums(o).items()}
-    found = {f for e in o.start for f in e.atoms(sp.Function)}
+    known: dict[Expr, str] = {total: f"sum{s.name}" for total, s in _sums(o).items()}
+    functions = {f for e in o.start for f in e.atoms(Function)}
     start = []
-    for i, f in enumerate(sorted(found, key=lambda f: (len(f.atoms(sp.Function)), -len(f.func.__name__), str(f)))):
-        start.append(f"{let}f{i} = {call.format(type(f).__name__.lower(), _text(f.args[0], known))}{end}")
+    for i, f in enumerate(sorted(functions, key=lambda f: (len(f.atoms(Function)), -len(f.func.__name__), str(f)))):
+        argument = _text(f.args[0], known)
+        start.append(f"{let}f{i} = {call.format(type(f).__name__.lower(), argument)}{end}")
         known[f] = f"f{i}"
     start += [f"{x}[0] = {_text(e, known) if e else zero}{end}" for x, e in zip(o.results, o.start, strict=True)]
     return start, [f"{x}[n] = {_text(e, known)}{end}" for x, e in zip(o.results, o.step, strict=True)]
 
 
-def _read(o: Operation) -> list[sp.IndexedBase]:
+def _read(o: Operation) -> list[IndexedBase]:
     """The series that an operation's results are made of."""
-    used = {x.base for e in (*o.start, *o.step) for x in e.atoms(sp.Indexed)}
+    used = {x.base for e in (*o.start, *o.step) for x in e.atoms(Indexed)}
     return [x for x in o.arguments if x in used]
 
 
@@ -114,7 +125,8 @@ def _c_case(o: Operation) -> str:
 
 def c() -> dict[str, str]:
     """Codes and cases of the operations on series, of which each returns where the next stands, and on cells."""
-    codes, cases = (["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in SCALARS]), ""
+    codes = (["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in SCALARS])
+    cases = ""
     for name, (means, text, _) in SCALARS.items():
         arguments = len(means.free_symbols)
         loads = "".join(f"const V {x} = c[at[{i}]]; " for i, x in ((3, "b"), (4, "e"))[: arguments - 1])
@@ -186,7 +198,8 @@ _SCALARS: dict[str, Any] = {{
 
 
 def _numpy_sum(s: _Sum) -> list[str]:
-    name, last = f"sum{s.name}", f"n - {s.short}" if s.short else "n"
+    name = f"sum{s.name}"
+    last = f"n - {s.short}" if s.short else "n"
     if s.symmetric:
         return [
             f"{name} = 2.0 * _over({s.a}, {s.a}, n, {s.first}, (n - 1) // 2)",
@@ -194,7 +207,9 @@ def _numpy_sum(s: _Sum) -> list[str]:
         ]
     first = f"{s.weight}{s.a}[: n + 1]" if s.weight else s.a
     total = f"{name} = _over({first}, {s.b}, n, {s.first}, {last})"
-    return ["k = np.arange(n + 1.0)[:, None]", total] if s.weight else [total]
+    if s.weight:
+        return ["k = np.arange(n + 1.0)[:, None]", total]
+    return [total]
 
 
 def _numpy_function(o: Operation) -> str:

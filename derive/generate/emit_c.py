@@ -27,7 +27,9 @@ SHORT = 16  # operations of a program for which it costs more to look at a block
 
 def _number(value: float) -> str:
     """Small multiples of 1/16 as everybody writes them, others to the last bit."""
-    return repr(value) if abs(value) < 16 and (16 * value).is_integer() else value.hex()
+    if abs(value) < 16 and (16 * value).is_integer():
+        return repr(value)
+    return value.hex()
 
 
 C = Language("c", "const double {name} = {text};", _number, "POLY{degree}({x}, {coefficients})")
@@ -39,16 +41,19 @@ class CText:
 
     def __init__(self, form: str) -> None:
         self.reader = Reader({"hexadecimal": float.fromhex})
-        calls = {name: x.c.partition("(")[0] for name, x in OPERATIONS.items()}
-        self.reader.scope |= {c: partial(self.reader.builder.put, x) for x, c in calls.items() if c.isidentifier()}
-        self.reader.scope |= {f"POLY{degree}": self._polynomial for degree in range(1, MOST)}
+        scope = self.reader.scope
+        for kind, operation in OPERATIONS.items():
+            name = operation.c.partition("(")[0]
+            if name.isidentifier():
+                scope[name] = partial(self.reader.builder.put, kind)
+        scope |= {f"POLY{degree}": self._polynomial for degree in range(1, MOST)}
         if form == "plain":
-            self.reader.scope["FMA"] = lambda a, b, c: a * b + c
+            scope["FMA"] = lambda a, b, c: a * b + c
+        self.parts: list[Part] = []
         code = Code(form, "b")
         part = Part(f"logarithm_{form}", code.program("logarithm", logarithm(code, code.x)))
-        self.text = "/* ln b of a b >= 0; at 0 something finite, which a factor 0 waits for. */\n"
-        self.parts: list[Part] = []
-        self.text += self.body(part.name, part.program)
+        comment = "/* ln b of a b >= 0; at 0 something finite, which a factor 0 waits for. */"
+        self.text = f"{comment}\n{self.body(part.name, part.program)}"
         self.parts.append(part)
 
     def _polynomial(self, x: Any, *coefficients: float) -> Any:
@@ -72,7 +77,10 @@ class CText:
         pieces = seam(program)
         if not pieces:
             counts = program.operations()
-            kind = "short" if sum(counts.values()) + DIVISION * counts["div"] <= SHORT else "whole"
+            if sum(counts.values()) + DIVISION * counts["div"] <= SHORT:
+                kind = "short"
+            else:
+                kind = "whole"
             return f"{self.body(name, program)}#define {name}_KIND {kind}\n"
         at, *outputs = pieces
         parts = [
@@ -97,46 +105,68 @@ def pattern(limit: float, number: str, included: bool = True) -> str:
 def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str] | None = None) -> str:
     """The extension module of these variants: their fused and plain programs, each under its comment."""
     programs = {(v.kernel, v.tier, v.form): v.program for v in variants if v.form != "numpy"}
-    tiers = list(dict.fromkeys((kernel, tier) for kernel, tier, _ in programs))
-    single = {k: identifier(k, "float32" if (k, "float32") in tiers else "best") for k, t in tiers if t == "best"}
-    bodies = {}
-    for form, multiply_add in FORMS.items():
-        c = CText(form)
-        bodies[form] = f"#undef FMA\n#define FMA(a, b, c) {multiply_add}\n\n{c.text}" + "".join(
-            f"\n{_comment((words or {}).get((k, t, form), ''))}"
-            f"{c.functions(f'{identifier(k, t)}_{form}', programs[k, t, form])}"
-            for k, t in tiers
-        )
-    loops = [f"LOOP(double, {identifier(k, t)}, FORM, LEVEL)" for k, t in tiers if t != "float32"]
-    loops += [f"LOOP(float, {name}, FORM, LEVEL)" for name in single.values()]
-    floats = {(k, "best"): f"(void *){name}_##LEVEL##_float" for k, name in single.items()}
-    ufuncs = [
-        f'{{"{k}", "{t}", {{{floats.get((k, t), "NULL")}, (void *){identifier(k, t)}_##LEVEL##_double}}}},'
-        for k, t in tiers
-        if t != "float32"
-    ]
-    table = ["static Ufunc ufuncs_##LEVEL[] = {", *ufuncs, "{NULL, NULL, {NULL, NULL}}};"]
-    filled = {
+    bodies = {form: _bodies(form, programs, words or {}) for form in FORMS}
+    loops, table = _loops_and_table(_tiers(programs))
+    polynomials = (f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n" for n in range(2, MOST))
+    marks = {
         "HALF_PI": HALF_PI.hex(),
         "END_double": END["double"].hex(),
         "END_float": END["float"].hex(),
         "LAST_double": pattern(HALF_PI, "double"),
         "LAST_float": pattern(HALF_PI, "float"),
-        "POLYNOMIALS": "".join(
-            f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n" for n in range(2, MOST)
-        ),
+        "POLYNOMIALS": "".join(polynomials),
         "BODIES": f"#ifndef NO_FMA\n{bodies['fused']}#endif\n\n{bodies['plain']}",
         "LOOPS": _macro("LOOPS", loops),
         "UFUNCS": _macro("UFUNCS", table),
     }
     text = TEMPLATE.read_text(encoding="utf-8")
-    for name, value in filled.items():
-        text = text.replace(f"@{name}@", value)
+    for mark, value in marks.items():
+        text = text.replace(f"@{mark}@", value)
+    return text
+
+
+def _loops_and_table(tiers: Sequence[tuple[str, str]]) -> tuple[list[str], list[str]]:
+    """A loop for each tier in double and one in float for each kernel, and the table of ufuncs that names them."""
+    double_loops = []
+    float_loops = []
+    rows = []
+    for kernel, tier in tiers:
+        if tier == "float32":
+            continue
+        name = identifier(kernel, tier)
+        double_loops.append(f"LOOP(double, {name}, FORM, LEVEL)")
+        of_float = "NULL"
+        if tier == "best":
+            single = identifier(kernel, "float32") if (kernel, "float32") in tiers else name
+            float_loops.append(f"LOOP(float, {single}, FORM, LEVEL)")
+            of_float = f"(void *){single}_##LEVEL##_float"
+        rows.append(f'{{"{kernel}", "{tier}", {{{of_float}, (void *){name}_##LEVEL##_double}}}},')
+    table = ["static Ufunc ufuncs_##LEVEL[] = {", *rows, "{NULL, NULL, {NULL, NULL}}};"]
+    return double_loops + float_loops, table
+
+
+Programs = Mapping[tuple[str, str, str], Program]  # by kernel, tier and form
+
+
+def _tiers(programs: Programs) -> list[tuple[str, str]]:
+    """The kernels and tiers, in their order."""
+    return list(dict.fromkeys((kernel, tier) for kernel, tier, _ in programs))
+
+
+def _bodies(form: str, programs: Programs, words: Mapping[tuple[str, str, str], str]) -> str:
+    """The inline functions of one form, each under its comment."""
+    c = CText(form)
+    text = f"#undef FMA\n#define FMA(a, b, c) {FORMS[form]}\n\n{c.text}"
+    for kernel, tier in _tiers(programs):
+        key = (kernel, tier, form)
+        text += f"\n{_comment(words.get(key, ''))}{c.functions(f'{identifier(kernel, tier)}_{form}', programs[key])}"
     return text
 
 
 def _comment(words: str) -> str:
-    return "/* " + "\n * ".join(textwrap.wrap(words.replace("*/", "* /"), 112)) + " */\n" if words else ""
+    if words:
+        return "/* " + "\n * ".join(textwrap.wrap(words.replace("*/", "* /"), 112)) + " */\n"
+    return ""
 
 
 def _macro(name: str, lines: Sequence[str]) -> str:

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
+from sympy import Abs, Expr, Integer, Min, N, Rational, atanh, cos, cosh, diff, pi, sin, sqrt, tan, tanh
 
 from derive.algebra import dynamics
 from derive.algebra.appendices import APPENDICES, parse
@@ -19,7 +20,7 @@ from derive.declare.effects import EFFECTS, LAWS, LIMITS, VALUE, Effect, Law, Pa
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
 from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 
-HALF_PI = repr(float(sp.N(sp.pi / 2, 40)))
+HALF_PI = repr(float(N(pi / 2, 40)))
 PAPER = "the paper"
 ACCURACY = "at most 16 ulp (sampled only: no certificate)."
 
@@ -27,7 +28,7 @@ ACCURACY = "at most 16 ulp (sampled only: no certificate)."
 _ALPHA_DOMAIN = "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends"
 _ALPHA_INSIDE = f"(alpha >= 0.0) & (alpha <= {HALF_PI} * (1.0 + 4.0 * eps))"
 _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
-_CLIP = {alpha: sp.Min(alpha, sp.pi / 2)}
+_CLIP = {alpha: Min(alpha, pi / 2)}
 
 
 def kernels(proved: Sequence[Record] = ()) -> list[Function]:
@@ -40,7 +41,8 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
     found = []
     for x, (name, form) in zip(quantities, stable_forms(closed).items(), strict=True):
         # In its fitted tiers, or in its stable form where nothing is fitted (yet).
-        symbol, tiers = x.kernel[1] if isinstance(x, Moment) else x.symbol, _tiers(name)
+        symbol = x.kernel[1] if isinstance(x, Moment) else x.symbol
+        tiers = _tiers(name)
         found.append(
             Function(
                 tiers.get("best") or program(name, ("alpha",), form, let=_CLIP),
@@ -84,7 +86,10 @@ def _accuracy(name: str, proved: Sequence[Record]) -> str:
         for (tier, form), bound in bounds.items()
         if form == "fused" and tier[0] == "1"
     )
-    single = f"; float32: {bounds['float32', 'fused']:.3g} ulp" if ("float32", "fused") in bounds else ""
+    if ("float32", "fused") in bounds:
+        single = f"; float32: {bounds['float32', 'fused']:.3g} ulp"
+    else:
+        single = ""
     return (
         f"proved, rounding included: {bounds['best', 'fused']:.3g} ulp compiled with FMA, {plain:.3g} without, "
         f"{bounds.get(('best', 'numpy'), plain):.3g} in NumPy{cheap}{single} (certificates/{name}.json)."
@@ -96,21 +101,23 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
     known = {f.program.name: f for f in kernels}
     found = {}
     for r in proved:
-        kernel, tier, form = r["kernel"], r["tier"], r["form"]
+        kernel = r["kernel"]
+        tier = r["tier"]
+        form = r["form"]
         bound = f"{r['bound']:.3g} {'relative' if tier[0] == '1' else 'ulp'} (certificates/{kernel}.json)"
         formula = known[kernel].formula.rstrip(".")
         found[kernel, tier, form] = f"{formula}, 0 <= alpha <= pi/2, {tier}, {form}: proved within {bound}"
     return found
 
 
-def stable_forms(closed: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
+def stable_forms(closed: Mapping[str, Expr]) -> dict[str, Expr]:
     """Forms without cancellation, which the fits replace, of the base quantities and of their quotients."""
     forms = {name: stable(form) for name, form in closed.items()}
     ratios = {q.name: forms[q.numerator].reduced / forms[q.denominator].reduced for q in QUOTIENTS}
     return {name: form.form for name, form in forms.items()} | ratios
 
 
-def stable_programs(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
+def stable_programs(closed: Mapping[str, Expr]) -> list[tuple[Program, str]]:
     forms = stable_forms(closed).items()
     return [(program(name, ("alpha",), form, let=_CLIP), "the stable form") for name, form in forms]
 
@@ -126,64 +133,67 @@ _ARC_INSIDE = (
 # alpha and theta_m as difference and sum, with what their rounding lost.
 _DELTA, _EPSILON, _KERNEL = sp.symbols("delta epsilon kernel", real=True)
 _ENDS = {
-    alpha: sp.Min((theta_2 - theta_1) / 2, sp.pi / 2),
+    alpha: Min((theta_2 - theta_1) / 2, pi / 2),
     _DELTA: RoundingError(theta_2, -theta_1) / 2,
     theta_m: (theta_1 + theta_2) / 2,
     _EPSILON: RoundingError(theta_1, theta_2) / 2,
 }
 
 
-def _turned(function: type[sp.Function]) -> sp.Expr:
+def _turned(function: type[sp.Function]) -> Expr:
     """sin or cos of the exact theta_m, to first order in what its rounding lost."""
-    return function(theta_m) + _EPSILON * sp.diff(function(theta_m), theta_m)
+    return function(theta_m) + _EPSILON * diff(function(theta_m), theta_m)
 
 
 # (C_theta/C_r) tan(psi); alpha's rounding error is left out, as the quotient is O(1) with a slope of O(alpha).
-_LIMIT = _KERNEL * _turned(sp.cos) / _turned(sp.sin)
+_LIMIT = _KERNEL * _turned(cos) / _turned(sin)
 
 
-def _direction(d: Derivation) -> sp.Expr:
+def _direction(d: Derivation) -> Expr:
     """In theta_m."""
-    return d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m)
+    return d.direction.subs(PSI, 3 * pi / 2 - theta_m)
 
 
-def _carried(d: Derivation) -> sp.Expr:
+def _carried(d: Derivation) -> Expr:
     """J_r or J_theta with the rounding errors of alpha and theta_m carried to first order."""
     sign, direction = _direction(d).as_coeff_Mul()
-    return sign * (_KERNEL + _DELTA * stable(sp.diff(d.amplitude, alpha)).form) * _turned(type(direction))
+    return sign * (_KERNEL + _DELTA * stable(diff(d.amplitude, alpha)).form) * _turned(type(direction))
 
 
 def prove_carried() -> list[str]:
     """Prove that these are of the exact angles, to first order in what the rounding of alpha and theta_m takes."""
     claims = []
-    for angle, lost in (errors := {alpha: _DELTA, theta_m: _EPSILON}).items():
-        claims.append(f"{angle}: the sum of which {lost} is lost")
-        rounded = _ENDS[angle].replace(sp.Min, lambda *x: next(y for y in x if not y.is_number))
-        prove_zero(rounded - _ENDS[lost].replace(RoundingError, lambda x, y: x + y), claims[-1])
-    ratio, cotangent = sp.Function("ratio")(alpha), sp.cos(theta_m) / sp.sin(theta_m)
-    turned = [d for d in map(derive, MOMENTS) if d.moment.amplitude]
-    whole = {d.moment.name: (_carried(d), d.amplitude, _direction(d)) for d in turned}
-    for name, (form, kernel, direction) in (whole | {"limit_friction": (_LIMIT, ratio, cotangent)}).items():
+    errors = {alpha: _DELTA, theta_m: _EPSILON}
+    for angle, error in errors.items():
+        claims.append(f"{angle}: the sum of which {error} is lost")
+        rounded = _ENDS[angle].replace(Min, lambda *x: next(y for y in x if not y.is_number))
+        prove_zero(rounded - _ENDS[error].replace(RoundingError, lambda x, y: x + y), claims[-1])
+    forms = {"limit_friction": (_LIMIT, sp.Function("ratio")(alpha), cos(theta_m) / sin(theta_m))}
+    for d in map(derive, MOMENTS):
+        if d.moment.amplitude:
+            forms[d.moment.name] = (_carried(d), d.amplitude, _direction(d))
+    for name, (form, kernel, direction) in forms.items():
         claims.append(f"{name}: of the exact angles, to first order")
-        carried = {x: e for x, e in errors.items() if form.has(e)}
-        difference = form.subs(_KERNEL, kernel) - (kernel * direction).subs({x: x + e for x, e in carried.items()})
-        for zero in (difference, *(sp.diff(difference, e) for e in carried.values())):
-            prove_equal(zero.subs(dict.fromkeys(carried.values(), 0)), sp.Integer(0), claims[-1])
+        carried = {x: error for x, error in errors.items() if form.has(error)}
+        exact = (kernel * direction).subs({x: x + error for x, error in carried.items()})
+        difference = form.subs(_KERNEL, kernel) - exact
+        for zero in (difference, *(diff(difference, error) for error in carried.values())):
+            prove_equal(zero.subs(dict.fromkeys(carried.values(), 0)), Integer(0), claims[-1])
     return claims
 
 
-def _of_ends(
-    name: str, form: sp.Expr, kernel: str, summary: str, formula: str, equation: str, accuracy: str
-) -> Function:
+def _of_ends(name: str, form: Expr, kernel: str, summary: str, formula: str, equation: str, accuracy: str) -> Function:
     """A function of both ends, by a form in the exact alpha and theta_m and in a kernel of the rounded alpha."""
     made = program(name, ("theta_1", "theta_2"), form, let=_ENDS | {_KERNEL: _tiers(kernel)["best"]})
-    source, symbol = f"eq. ({equation}) of {PAPER}", summary.partition(":")[0]
+    source = f"eq. ({equation}) of {PAPER}"
+    symbol = summary.partition(":")[0]
     return Function(made, summary, formula, source, _ARC, f"{symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), accuracy)
 
 
 def _weight(d: Derivation) -> Function:
     """J_r or J_theta."""
-    m, (name, symbol) = d.moment, d.moment.kernel
+    m = d.moment
+    name, symbol = d.moment.kernel
     return _of_ends(
         m.name,
         _carried(d),
@@ -198,15 +208,17 @@ def _weight(d: Derivation) -> Function:
 
 def motion() -> list[Function]:
     """The motion formulas of frozen geometry."""
-    found = []
+    every = []
     for form in dynamics.FORMS:
         names = tuple(x.name for x in form.inputs)
-        ride = "t" in names
-        limits = {"t": ">= 0"} if ride else {"a": "< 0", "b": ">= 0", "omega_0": ">= 0"}
+        timed = "t" in names
+        limits = {"t": ">= 0"} if timed else {"a": "< 0", "b": ">= 0", "omega_0": ">= 0"}
         domain = ", ".join(f"{x} {limit}" for x, limit in limits.items())
-        finite = {x: f"np.isfinite({x})" for x in names}
-        inside = " & ".join(f"(({x} {limits[x]}.0) & {y})" if x in limits else y for x, y in finite.items())
-        found.append(
+        conditions = []
+        for x in names:
+            finite = f"np.isfinite({x})"
+            conditions.append(f"(({x} {limits[x]}.0) & {finite})" if x in limits else finite)
+        every.append(
             Function(
                 program(form.name, names, form.result, let=form.let),
                 form.summary,
@@ -214,45 +226,53 @@ def motion() -> list[Function]:
                 f"eq. ({form.equation}) of {PAPER}",
                 tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs),
                 "Dimensionless.",
-                domain + (", until the solution runs to infinity" if ride else ""),
-                inside,
-                (1.0, 1.0, 0.0, 0.0) if ride else (-1.0, 1.0, 0.0),
+                f"{domain}, until the solution runs to infinity" if timed else domain,
+                " & ".join(conditions),
+                (1.0, 1.0, 0.0, 0.0) if timed else (-1.0, 1.0, 0.0),
                 dynamics.ACCURACY,
             )
         )
-    return found
+    return every
 
 
 def printed() -> list[tuple[Program, str]]:
     """The paper's forms as it prints them, and the one-line equals of its appendices, for comparison only."""
-    c, s = sp.cos(alpha), sp.sin(alpha)
-    half = sp.Rational(1, 2)
-    moment = (2 * alpha - half * sp.sin(2 * alpha) - sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2))) * c**3) / 3
-    factor = RESISTANCE.form
-    with sp.evaluate(False):
-        velocity = sp.sqrt(a / b) * sp.tanh(sp.sqrt(a * b) * t)
-        rotation = sp.log(sp.cosh(sp.sqrt(a * b) * t)) / b
-    one = ("alpha",)
+    ends = ("theta_1", "theta_2", "alpha")
     return [
-        (program("polar_moment", one, moment), "(2.19)"),
-        (program("moment_of_inertia", one, half * (alpha - sp.sin(2 * alpha) * (1 + 2 * c**2) / 6)), "(3.15)"),
-        (program("radial_weight_amplitude", one, s - c**2 * sp.atanh(s)), "Appendix I in one line"),
-        (program("weight_moment_amplitude", one, sp.Rational(2, 3) * (s - s * c**2)), "(3.13), integrated"),
-        (program("resistance_factor", one, factor), "(3.14)"),
-        (program("dynamic_coefficient", one, moment / factor), "(2.24) with (2.19)"),
-        *(
-            (
-                program(f"appendix_{x.name}", ("theta_1", "theta_2", "alpha"), parse(x)),
-                f"Appendix {x.name}, brackets repaired",
-            )
-            for x in APPENDICES
-        ),
-        (program("angular_velocity", ("a", "b", "t"), velocity), "(3.20), misprint mended, from rest"),
-        (program("rotation", ("a", "b", "t"), rotation), "(4.3), from rest"),
+        *((program(name, ("alpha",), form), source) for name, form, source in _printed_kernels()),
+        *((program(f"appendix_{x.name}", ends, parse(x)), f"Appendix {x.name}, brackets repaired") for x in APPENDICES),
+        *((program(name, ("a", "b", "t"), form), source) for name, form, source in _printed_motion()),
     ]
 
 
-def growth(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
+def _printed_kernels() -> list[tuple[str, Expr, str]]:
+    c = cos(alpha)
+    s = sin(alpha)
+    log = sp.log(Abs(tan(pi / 4 + alpha / 2)))
+    moment = (2 * alpha - sin(2 * alpha) / 2 - log * c**3) / 3
+    inertia = (alpha - sin(2 * alpha) * (1 + 2 * c**2) / 6) / 2
+    resistance = RESISTANCE.form
+    return [
+        ("polar_moment", moment, "(2.19)"),
+        ("moment_of_inertia", inertia, "(3.15)"),
+        ("radial_weight_amplitude", s - c**2 * atanh(s), "Appendix I in one line"),
+        ("weight_moment_amplitude", Rational(2, 3) * (s - s * c**2), "(3.13), integrated"),
+        ("resistance_factor", resistance, "(3.14)"),
+        ("dynamic_coefficient", moment / resistance, "(2.24) with (2.19)"),
+    ]
+
+
+def _printed_motion() -> list[tuple[str, Expr, str]]:
+    with sp.evaluate(False):
+        velocity = sqrt(a / b) * tanh(sqrt(a * b) * t)
+        rotation = sp.log(cosh(sqrt(a * b) * t)) / b
+    return [
+        ("angular_velocity", velocity, "(3.20), misprint mended, from rest"),
+        ("rotation", rotation, "(4.3), from rest"),
+    ]
+
+
+def growth(closed: Mapping[str, Expr]) -> list[tuple[Program, str]]:
     """How the moments of the arc grow with alpha."""
     words = "relative slopes of C_theta, C_r, I_p*, lambda, all over Theta*, and of Theta* times alpha"
     return [(program("arc_growth", ("alpha",), *arc_growth(closed), let=_CLIP), words)]
@@ -260,13 +280,13 @@ def growth(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
 
 def laws() -> list[tuple[Program, str]]:
     """Each friction law that has a formula."""
-    found = []
+    programs = []
     for law in LAWS:
         if law.coefficient is not None:
-            free = {x.name for x in law.coefficient.free_symbols}
-            inputs = tuple(x for x in ("slip", "speed", *(p.name for p in law.parameters)) if x in free)
-            found.append((program(f"friction_{law.name}", inputs, law.coefficient), f"friction: {law.help}"))
-    return found
+            symbols = {x.name for x in law.coefficient.free_symbols}
+            inputs = tuple(x for x in ("slip", "speed", *(p.name for p in law.parameters)) if x in symbols)
+            programs.append((program(f"friction_{law.name}", inputs, law.coefficient), f"friction: {law.help}"))
+    return programs
 
 
 def effects_module() -> str:
@@ -290,7 +310,10 @@ def effects_module() -> str:
 def _effect(e: Effect | Law, kind: str) -> str:
     parameters = "".join(f"\n        {_parameter(p)}," for p in e.parameters)
     parameters += "\n    " if parameters else ""
-    more = f"{e.turns!r}, {e.any_of!r}, {formulas(e)!r}" if isinstance(e, Effect) else f"{e.scale!r}, {e.kinks!r}"
+    if isinstance(e, Effect):
+        more = f"{e.turns!r}, {e.any_of!r}, {formulas(e)!r}"
+    else:
+        more = f"{e.scale!r}, {e.kinks!r}"
     return f"{kind}({e.name!r}, {e.equation!r}, ({parameters}), {e.depends_on!r}, {e.help!r}, {more})"
 
 

@@ -8,7 +8,7 @@ import tempfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-import sympy as sp
+from sympy import Expr, __version__, degree
 
 from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
@@ -28,52 +28,69 @@ MEND = "python -m derive"
 
 def files(proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
-    kernels, motion, closed = functions.kernels(proved), functions.motion(), closed_forms()
-    c_source = emit_c.source(variants(), functions.comments(kernels, proved))
-    c_walk = (emit.TEMPLATES / "_flow.c").read_text(encoding="utf-8")
+    kernels = functions.kernels(proved)
+    closed = closed_forms()
+    c_kernels = emit_c.source(variants(), functions.comments(kernels, proved))
+    c_flow = _template("_flow.c")
     for mark, lines in (layout.c() | series.c()).items():
-        c_walk = c_walk.replace(f"@{mark}@\n", lines)
-    growth, laws = map(emit.described, (functions.growth(closed), functions.laws()))
+        c_flow = c_flow.replace(f"@{mark}@\n", lines)
     texts = {
-        "_compiled.py": (emit.TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
+        "_compiled.py": _template("_compiled.py"),
         "layout.py": layout.python(),
         "definitions.py": definitions_module(closed),
-        "_evaluate.py": (emit.TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
+        "_evaluate.py": _template("_evaluate.py"),
         "effects.py": functions.effects_module(),
         "flow.py": flow.module(),
-        "growth.py": emit.plain_module("How the moments of an arc grow with its half angle.", growth),
         "kernels.py": emit.module("Moments, weights and quotients of the arc, from their definitions.", kernels),
+        "_flow.c": c_flow,
+        "_kernels.c": c_kernels,
+        "series.py": series.numpy_text(digest_of(c_flow)),
+        "slopes.py": slopes.module(),
+        "tiers.py": tiers_module(proved, digest_of(c_kernels)),
+        "__init__.py": _package([f.program.name for f in kernels]),
+        "py.typed": "",
+    }
+    texts |= _formulas(closed) | certificates.files(proved)
+    for name, text in texts.items():
+        if name.endswith(".py"):
+            texts[name] = emit.wrapped(text)
+    return {name: header(name, text) + text for name, text in sorted(texts.items())}
+
+
+def _template(name: str) -> str:
+    return (emit.TEMPLATES / name).read_text(encoding="utf-8")
+
+
+def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
+    """The modules that are programs with a docstring each."""
+    growth = emit.described(functions.growth(closed))
+    laws = emit.described(functions.laws())
+    printed = [(p, f"{source}, as printed") for p, source in functions.printed()]
+    return {
+        "growth.py": emit.plain_module("How the moments of an arc grow with its half angle.", growth),
         "laws.py": emit.plain_module("The friction laws that have a formula.", laws),
         "motion.py": emit.module(
-            "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest.", motion
+            "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest.",
+            functions.motion(),
         ),
-        "_flow.c": c_walk,
-        "_kernels.c": c_source,
         "printed.py": emit.raw_module(
-            "The paper's own forms, as printed, for comparison only: they cancel and overflow.",
-            [(p, f"{source}, as printed") for p, source in functions.printed()],
+            "The paper's own forms, as printed, for comparison only: they cancel and overflow.", printed
         ),
-        "series.py": series.numpy_text(digest_of(c_walk)),
-        "slopes.py": slopes.module(),
         "stable.py": emit.raw_module(
             "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only.",
             functions.stable_programs(closed),
         ),
-        "tiers.py": tiers_module(proved, digest_of(c_source)),
-        "__init__.py": _package([f.program.name for f in kernels]),
-        "py.typed": "",
     }
-    texts |= certificates.files(proved)
-    texts = {name: emit.wrapped(text) if name.endswith(".py") else text for name, text in texts.items()}
-    return {name: header(name, text) + text for name, text in sorted(texts.items())}
 
 
 def header(name: str, text: str) -> str:
     """Who writes the file, with what, and the digest of the text below, which a binary made of it carries."""
-    written = f"Written by `{MEND}` with SymPy {sp.__version__}; do not edit."
+    written = f"Written by `{MEND}` with SymPy {__version__}; do not edit."
     if name.endswith(".c"):
         return f'/* {written} */\n#define DIGEST "{digest_of(text)}"\n'
-    return f"# {written}\n# sha256 of the text below: {digest_of(text)}\n" if name.endswith(".py") else ""
+    if name.endswith(".py"):
+        return f"# {written}\n# sha256 of the text below: {digest_of(text)}\n"
+    return ""
 
 
 def digest_of(text: str) -> str:
@@ -85,7 +102,8 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
     kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
     ulps = {"best": 2.0**-52, "float32": 2.0**-23}  # where they are the measure: the relative error of one in [1, 2)
     for record in records:
-        bound, ulp = record["bound"], ulps.get(record["tier"])
+        bound = record["bound"]
+        ulp = ulps.get(record["tier"])
         forms = kernels.setdefault(record["kernel"], {}).setdefault(record["tier"], {})
         forms[record["form"]] = (bound * ulp, bound) if ulp else (bound, None)
     lines = []
@@ -100,12 +118,12 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
     )
 
 
-def definitions_module(closed: Mapping[str, sp.Expr]) -> str:
+def definitions_module(closed: Mapping[str, Expr]) -> str:
     """What each function of alpha is, for whoever compares it with other ways to compute it."""
     over = {name: re.sub(r"\b(sin|cos|atanh)\(", r"m.\1(", str(x).replace("alpha", "x")) for name, x in closed.items()}
     forms = [f"    {name!r}: lambda m, x: {text},\n" for name, text in over.items()]
     certified = ((m.kernel[0], m.weight) for m in MOMENTS if m.certified)
-    integrands = [f"    {name!r}: ({sp.degree(weight, r)}, {weight.has(theta)}),\n" for name, weight in certified]
+    integrands = [f"    {name!r}: ({degree(weight, r)}, {weight.has(theta)}),\n" for name, weight in certified]
     quotients = [f"    {q.name!r}: ({q.numerator!r}, {q.denominator!r}),\n" for q in QUOTIENTS]
     return (
         '"""Closed forms, integrands and quotients: what the functions of alpha are."""\n\n'
@@ -137,20 +155,20 @@ def present(folder: Path = FOLDER) -> dict[str, str]:
     }
 
 
-def write(wanted: dict[str, str], folder: Path = FOLDER) -> list[str]:
-    """Write the files that differ, by a temporary file that replaces each, and remove the unwanted; names of both."""
+def write(texts: dict[str, str], folder: Path = FOLDER) -> list[str]:
+    """Write the files that differ, by a temporary file that replaces each, and remove the others; names of both."""
     folder.mkdir(exist_ok=True)
-    there = present(folder)
-    changed = [name for name in sorted(wanted.keys() | there.keys()) if wanted.get(name) != there.get(name)]
+    old = present(folder)
+    changed = [name for name in sorted(texts.keys() | old.keys()) if texts.get(name) != old.get(name)]
     for name in changed:
-        if name not in wanted:
+        if name not in texts:
             (folder / name).unlink()
             continue
         (folder / name).parent.mkdir(exist_ok=True)
         handle, temporary = tempfile.mkstemp(dir=folder, prefix=".", suffix=".tmp")
         try:
             with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-                file.write(wanted[name])
+                file.write(texts[name])
             os.chmod(temporary, 0o644)
             os.replace(temporary, folder / name)
         except BaseException:
@@ -159,16 +177,17 @@ def write(wanted: dict[str, str], folder: Path = FOLDER) -> list[str]:
     return changed
 
 
-def difference(wanted: dict[str, str], folder: Path = FOLDER) -> str:
-    """A unified diff from what is there to what is wanted; empty when they agree in contents and set of files."""
-    there = present(folder) if folder.is_dir() else {}
-    found = []
-    for name in sorted(wanted.keys() | there.keys()):
-        old, new = there.get(name), wanted.get(name)
+def difference(texts: dict[str, str], folder: Path = FOLDER) -> str:
+    """A unified diff from the folder's files to these; empty when they agree in contents and set of files."""
+    present_texts = present(folder) if folder.is_dir() else {}
+    diff = ""
+    for name in sorted(texts.keys() | present_texts.keys()):
+        old = present_texts.get(name)
+        new = texts.get(name)
         if old == new:
             continue
         source = "/dev/null" if old is None else f"generated/{name}"
         target = "/dev/null" if new is None else f"derived/{name}"
         before, after = ((text or "").splitlines(keepends=True) for text in (old, new))
-        found.append("".join(difflib.unified_diff(before, after, source, target)) or f"--- {source}\n+++ {target}\n")
-    return "".join(found)
+        diff += "".join(difflib.unified_diff(before, after, source, target)) or f"--- {source}\n+++ {target}\n"
+    return diff

@@ -7,7 +7,7 @@ tests run through the same list with quadrature of the definitions instead.
 import json
 import math
 import textwrap
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache, partial
 from itertools import groupby
 from typing import Any, Literal, NamedTuple
@@ -15,6 +15,7 @@ from typing import Any, Literal, NamedTuple
 import mpmath
 import numpy as np
 import sympy as sp
+from sympy import Expr, atan, atanh, cos, cosh, lambdify, log, pi, sin, sinh, sqrt, tanh
 
 from derive.algebra.integrate import PSI, closed_forms, derive
 from derive.algebra.prove import trig_normal
@@ -24,6 +25,7 @@ from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import a, alpha, b, omega_0, t, theta_1, theta_2, theta_m
 from derive.flow.fragments import balance
 from derive.generate import functions
+from derive.progress import track
 
 
 class HardCase(NamedTuple):
@@ -39,7 +41,7 @@ class Form(NamedTuple):
 
     words: str
     program: Program
-    exact: sp.Expr
+    exact: Expr
 
 
 class Result(NamedTuple):
@@ -54,55 +56,76 @@ class Result(NamedTuple):
     our_ulp: float
 
 
-def _motion() -> dict[str, tuple[str, sp.Expr]]:
+def _motion() -> dict[str, tuple[str, Expr]]:
     """Textbook forms of the motion by name, and where they come from."""
-    k = sp.sqrt(a * b)
-    y = sp.cosh(k * t) + b * omega_0 * sp.sinh(k * t) / k
-    tangent, brake = sp.tanh(k * t) / k, sp.sqrt(-a * b)
+    k = sqrt(a * b)
+    y = cosh(k * t) + b * omega_0 * sinh(k * t) / k
+    tangent = tanh(k * t) / k
+    brake = sqrt(-a * b)
     return {
         "angular_velocity": ("(3.20) from motion", (omega_0 + a * tangent) / (1 + b * omega_0 * tangent)),
-        "rotation": ("(4.3) from motion", sp.log(y) / b),
+        "rotation": ("(4.3) from motion", log(y) / b),
         "angular_acceleration": ("(3.16) from motion", (a - b * omega_0**2) / y**2),
-        "arrest_time": ("omega = 0 in (3.20)", sp.atan(b * omega_0 / brake) / brake),
-        "arrest_rotation": ("(4.3) at the arrest", sp.log(1 - b * omega_0**2 / a) / (2 * b)),
+        "arrest_time": ("omega = 0 in (3.20)", atan(b * omega_0 / brake) / brake),
+        "arrest_rotation": ("(4.3) at the arrest", log(1 - b * omega_0**2 / a) / (2 * b)),
     }
 
 
 @cache
 def forms() -> dict[str, Form]:
     """The naive form of every function: as the paper prints it, or integrated term by term."""
-    printed = {p.name: (words, p) for p, words in functions.printed()}
-    c = sp.cos(alpha)  # beside which squares of the sine are written in it
+    c = cos(alpha)  # beside which squares of the sine are written in it
     terms = {name: trig_normal(form + c) - c for name, form in closed_forms().items()}
-    found: dict[str, Form] = {}
-    for name, form in terms.items():
-        found[name] = Form(*printed.get(name, ("its integral, term by term", program(name, ("alpha",), form))), form)
-    for name, top, bottom in ((q.name, q.numerator, q.denominator) for q in QUOTIENTS):
-        form = terms[top] / terms[bottom]
-        own = f"{found[top].words} over {found[bottom].words}", program(name, ("alpha",), form)
-        found[name] = Form(*printed.get(name, own), form)
-    ends = {alpha: (theta_2 - theta_1) / 2, theta_m: (theta_1 + theta_2) / 2}
-    turned: dict[str, tuple[str, sp.Expr]] = {}
-    for d in (derive(m) for m in MOMENTS if m.amplitude):
-        kernel, way = d.moment.kernel[0], d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m)
-        turned[d.moment.name] = found[kernel].words, way * terms[kernel]
-    turned["limit_friction"] = "(3.13) over Appendix I", turned["weight_moment"][1] / turned["radial_weight"][1]
-    for name, (words, form) in turned.items():
-        plain = program(name, ("theta_1", "theta_2"), form, let=ends)
-        found[name] = Form(f"{words}, angles rounded", plain, form.subs(ends))
+    naive = _of_alpha(terms) | _of_ends(terms)
     for name, (words, form) in _motion().items():
-        inputs = ("a", "b", "omega_0", "t")[: 3 if "arrest" in name else 4]
-        found[f"frozen_{name}"] = Form(words, program(name, inputs, form), form)
-    fall = _PRESS * _LIMIT - _PRESS * _MU
-    found["drive"] = Form("driving - mu normal", program("drive", ("press", "mu", "limit"), fall), fall)
-    return found
+        inputs = ("a", "b", "omega_0") if "arrest" in name else ("a", "b", "omega_0", "t")
+        naive[f"frozen_{name}"] = Form(words, program(name, inputs, form), form)
+    drive = _PRESS * _LIMIT - _PRESS * _MU
+    naive["drive"] = Form("driving - mu normal", program("drive", ("press", "mu", "limit"), drive), drive)
+    return naive
+
+
+def _of_alpha(terms: Mapping[str, Expr]) -> dict[str, Form]:
+    """Base quantities and quotients: the printed program where there is one, else that of the integral's terms."""
+    printed = {p.name: (words, p) for p, words in functions.printed()}
+    naive: dict[str, Form] = {}
+
+    def add(name: str, words: str, form: Expr) -> None:
+        words, naive_program = printed.get(name) or (words, program(name, ("alpha",), form))
+        naive[name] = Form(words, naive_program, form)
+
+    for name, form in terms.items():
+        add(name, "its integral, term by term", form)
+    for q in QUOTIENTS:
+        words = f"{naive[q.numerator].words} over {naive[q.denominator].words}"
+        add(q.name, words, terms[q.numerator] / terms[q.denominator])
+    return naive
+
+
+def _of_ends(terms: Mapping[str, Expr]) -> dict[str, Form]:
+    """Functions of the ends of an arc, whose half angle and middle are rounded."""
+    printed = _of_alpha(terms)
+    turned: dict[str, tuple[str, Expr]] = {}
+    for moment in MOMENTS:
+        if moment.amplitude:
+            kernel = moment.kernel[0]
+            direction = derive(moment).direction.subs(PSI, 3 * pi / 2 - theta_m)
+            turned[moment.name] = printed[kernel].words, direction * terms[kernel]
+    limit_friction = turned["weight_moment"][1] / turned["radial_weight"][1]
+    turned["limit_friction"] = "(3.13) over Appendix I", limit_friction
+    ends = {alpha: (theta_2 - theta_1) / 2, theta_m: (theta_1 + theta_2) / 2}
+    naive = {}
+    for name, (words, form) in turned.items():
+        rounded = program(name, ("theta_1", "theta_2"), form, let=ends)
+        naive[name] = Form(f"{words}, angles rounded", rounded, form.subs(ends))
+    return naive
 
 
 _PRESS, _MU, _LIMIT = sp.symbols("press mu limit", real=True)
 
 
 def drive(rows: Iterable[tuple[str, ...]], press: Any, mu: Any, limit: Any) -> Any:
-    """What drives at the start, by the balance's operations on cells, given the limit friction; all else is 0 there."""
+    """The net moment at the start, by the balance's operations on cells, given the limit friction; all else is 0."""
     cells = {"pressing_0": press, "press_0": press, "mu_0": mu, "LIMIT": limit}
     cells |= dict.fromkeys(("driving_0", "fall_0"), press * limit)
     for operation, name, *operands in rows:
@@ -123,16 +146,18 @@ STILL = "b = 0, no centripetal stress: the general form is 0/0"
 
 def _kernels() -> Iterator[HardCase]:
     """Of each function of alpha: thin, so thin that it underflows, and where artanh is infinite."""
-    bases, quotients = [*closed_forms()], [q.name for q in QUOTIENTS]
-    for name in (*bases, *quotients):
-        points = ((1e-8, CUBE), (1e-4, CUBE), (1e-103, DENORMAL)), ((1e-200, UNDER), (5e-324, UNDER), (1e-6, CUBE))
-        yield from (HardCase(name, (x,), why) for x, why in points[name in quotients])
+    of_base = ((1e-8, CUBE), (1e-4, CUBE), (1e-103, DENORMAL))
+    of_quotient = ((1e-200, UNDER), (5e-324, UNDER), (1e-6, CUBE))
+    points = dict.fromkeys(closed_forms(), of_base) | dict.fromkeys((q.name for q in QUOTIENTS), of_quotient)
+    for name, cases in points.items():
+        for x, why in cases:
+            yield HardCase(name, (x,), why)
         if "arctanh" in forms()[name].program.operations():
             yield HardCase(name, (HALF_PI,), TOP)
     for m in MOMENTS:
         if m.amplitude:
             yield HardCase(m.name, (4.0, 4.0 + 1e-10), THIN)
-            if forms()[m.name].exact.has(sp.atanh) and m.weight.has(sp.sin):  # else the direction is 0 there
+            if forms()[m.name].exact.has(atanh) and m.weight.has(sin):  # else the direction is 0 there
                 yield HardCase(m.name, (math.pi, 2 * math.pi), TOP)
 
 
@@ -174,29 +199,44 @@ CASES = (
 
 def measured() -> list[Result]:
     """Run both forms of every case and compare them with the exact one."""
-    programs = [f.program for f in (*functions.kernels(), *functions.motion())]
-    ours = {p.name: p.run for p in programs} | {"drive": partial(drive, balance().scalar)}
-    found = []
-    for case in CASES:
-        form, arrays = forms()[case.function], [np.array(x) for x in case.arguments]
+    ours = {f.program.name: f.program.run for f in (*functions.kernels(), *functions.motion())}
+    ours["drive"] = partial(drive, balance().scalar)
+    results = []
+    for case in track(CASES, "hard cases measured", len(CASES)):
+        form = forms()[case.function]
+        arrays = [np.array(x) for x in case.arguments]
         with np.errstate(all="ignore"):
-            naive, own = float(form.program.run(*arrays)), float(ours[case.function](*arrays))
-        with mpmath.workdps(1600):  # more than cancels; zeros are a little off zero
-            of = sp.lambdify(sp.symbols(form.program.inputs, real=True), form.exact, "mpmath")
-            exact = mpmath.re(of(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in case.arguments)))
-            unit, error = float(np.spacing(abs(float(exact)))), abs(own - exact)
-            wrong = float(abs(naive - exact) / abs(exact)) if math.isfinite(naive) else abs(naive)
-            found.append(Result(*case, form.words, wrong, float(error / abs(exact)), float(error / unit)))
-    return found
+            naive = float(form.program.run(*arrays))
+            computed = float(ours[case.function](*arrays))
+        exact = _exact(form, case.arguments)
+        with mpmath.workdps(_DIGITS):
+            naive_error = float(abs(naive - exact) / abs(exact)) if math.isfinite(naive) else abs(naive)
+            error = abs(computed - exact)
+            ulp = float(np.spacing(abs(float(exact))))
+            results.append(Result(*case, form.words, naive_error, float(error / abs(exact)), float(error / ulp)))
+    return results
+
+
+_DIGITS = 1600  # more than cancels
+
+
+def _exact(form: Form, arguments: tuple[float, ...]) -> mpmath.mpf:
+    """The form at these arguments; zeros are a little off zero."""
+    symbols = sp.symbols(form.program.inputs, real=True)
+    with mpmath.workdps(_DIGITS):
+        numbers = [mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in arguments]
+        return mpmath.re(lambdify(symbols, form.exact, "mpmath")(*numbers))
 
 
 def report(form: Literal["text", "json"]) -> str:
     """The hard cases, each with the error of the printed form beside ours."""
     results = measured()
     if form == "json":
-        # JSON has no inf and no NaN.
-        words = {x: x.naive_error if math.isfinite(x.naive_error) else _short(x.naive_error) for x in results}
-        return json.dumps([x._asdict() | {"naive_error": words[x]} for x in results], indent=2)
+        rows = [x._asdict() for x in results]
+        for row in rows:
+            if not math.isfinite(row["naive_error"]):  # JSON has no inf and no NaN
+                row["naive_error"] = _short(row["naive_error"])
+        return json.dumps(rows, indent=2)
     lines = [
         "Relative error of the printed form, and of ours (also in units of the last place).",
         "",
@@ -205,8 +245,8 @@ def report(form: Literal["text", "json"]) -> str:
     for name, group in groupby(results, key=lambda x: x.function):
         lines += ["", name]
         for x in group:
-            given = ", ".join(map(repr, x.arguments))
-            lines += [f"{_short(x.naive_error):>9} {x.our_error:8.0e} {x.our_ulp:6.1f}   ({given})"]
+            arguments = ", ".join(map(repr, x.arguments))
+            lines.append(f"{_short(x.naive_error):>9} {x.our_error:8.0e} {x.our_ulp:6.1f}   ({arguments})")
             lines += textwrap.wrap(f"{x.why}; {x.naive}", 96, initial_indent=" " * 28, subsequent_indent=" " * 28)
     return "\n".join(lines)
 

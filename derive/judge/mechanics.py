@@ -8,171 +8,204 @@ from functools import cache
 from typing import Any
 
 import sympy as sp
+from sympy import (
+    Add,
+    Expr,
+    Function,
+    Integer,
+    Integral,
+    Matrix,
+    O,
+    Symbol,
+    cos,
+    degree,
+    expand,
+    numer,
+    parse_expr,
+    sign,
+    simplify,
+    sin,
+    solve,
+    sqrt,
+    together,
+)
 
 from derive.algebra import dynamics
 from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, theta_star
 from derive.declare.quantities import CHORD, RESISTANCE
 from derive.declare.symbols import a, alpha, b, omega_0, r, t, theta, theta_1, theta_2, u
 
-Pair = tuple[sp.Expr, sp.Expr]
+Pair = tuple[Expr, Expr]
 
 c0, c1, c2 = RATES = sp.symbols("c0 c1 c2", positive=True)
 omega, omega_dot, sigma_n, tau_n, turn = sp.symbols("omega omega_dot sigma_n tau_n phi", real=True)
-sigma, mu_of, a_of, b_of, omega_of = sp.symbols("sigma mu_of a_of b_of omega_of", cls=sp.Function)
-j_r, j_theta = (sp.Function(x.name)(turn) for x in (dynamics.j_r, dynamics.j_theta))
+sigma, mu_of, a_of, b_of, omega_of = sp.symbols("sigma mu_of a_of b_of omega_of", cls=Function)
+j_r, j_theta = (Function(x.name)(turn) for x in (dynamics.j_r, dynamics.j_theta))
 LEVER = RESISTANCE.form  # lambda (3.14)
-DEPTH = sp.simplify(R * LEVER / (2 * alpha))  # f (2.12)
+DEPTH = simplify(R * LEVER / (2 * alpha))  # f (2.12)
 
 
-def basis(x: sp.Expr, y: sp.Expr) -> Pair:
+def basis(x: Expr, y: Expr) -> Pair:
     """Components along e_r and e_theta of a Cartesian vector."""
-    c, s = sp.cos(theta), sp.sin(theta)
-    return sp.simplify(x * c + y * s), sp.simplify(y * c - x * s)
+    c = cos(theta)
+    s = sin(theta)
+    return simplify(x * c + y * s), simplify(y * c - x * s)
 
 
 def rate(order: int) -> Pair:
     """Polar components of the derivative of the position r e_r by time, with d(theta)/dt = omega (1.2)."""
-    moving = sp.Function("theta")(t)
+    moving = Function("theta")(t)
     known = ((moving.diff(t, 2), omega_dot), (moving.diff(t), omega), (moving, theta))
-    return basis(*((r * f(moving)).diff(t, order).subs(known) for f in (sp.cos, sp.sin)))
+    x, y = ((r * f(moving)).diff(t, order).subs(known) for f in (cos, sin))
+    return basis(x, y)
 
 
-GRAVITY: Pair = basis(sp.Integer(0), -g)
+GRAVITY: Pair = basis(Integer(0), -g)
 
 
 def reaction() -> Pair:
     """Components of the traction on the arc: pressure against the outward normal, shear against the velocity."""
-    arc = sp.Matrix([sp.cos(theta), sp.sin(theta)])
-    tangent = arc.diff(theta)
-    pressure, shear = basis(*(-sigma_n * sp.Matrix([tangent[1], -tangent[0]]) - tau_n * tangent))
-    return pressure, shear * sp.sign(omega)
+    tangent = _direction(theta).diff(theta)
+    outward = Matrix([tangent[1], -tangent[0]])
+    pressure, shear = basis(*(-sigma_n * outward - tau_n * tangent))
+    return pressure, shear * sign(omega)
 
 
-def moment_of(radius: sp.Expr, force: Pair) -> sp.Expr:
+def _direction(angle: Expr) -> Matrix:
+    """The unit vector at a polar angle."""
+    return Matrix([cos(angle), sin(angle)])
+
+
+def moment_of(radius: Expr, force: Pair) -> Expr:
     """The moment about K of a force in polar components: its radial part has no lever."""
     return radius * force[1]
 
 
-def along_bisector(force: Pair) -> sp.Expr:
+def along_bisector(force: Pair) -> Expr:
     """Component of a force along the bisector of the arc, at u = theta - theta_m from it."""
-    return force[0] * sp.cos(u) - force[1] * sp.sin(u)
+    return force[0] * cos(u) - force[1] * sin(u)
 
 
-def end(start: sp.Symbol) -> sp.Expr:
+def end(start: Symbol) -> Expr:
     """Polar angle of an end (1.2), with an integration variable of its own."""
-    return start + sp.Integral(omega_of(r), (r, 0, t))
+    return start + Integral(omega_of(r), (r, 0, t))
 
 
-AREA = sp.simplify(sp.Matrix([r * sp.cos(theta), r * sp.sin(theta)]).jacobian([r, theta]).det())  # over dr dtheta
-ARC = sp.sqrt(sp.simplify(sum((R * f(theta)).diff(theta) ** 2 for f in (sp.cos, sp.sin))))  # over dtheta, on the circle
-STRESS_SUM = sp.Integral(sigma(u), (u, 0, 2 * alpha))  # along the arc, over the angle from its first end
+AREA = simplify((r * _direction(theta)).jacobian([r, theta]).det())  # over dr dtheta
+ARC = sqrt(simplify(sum((R * f(theta)).diff(theta) ** 2 for f in (cos, sin))))  # over dtheta, on the circle
+STRESS_SUM = Integral(sigma(u), (u, 0, 2 * alpha))  # along the arc, over the angle from its first end
 
 
 @cache
-def chord() -> sp.Expr:
+def chord() -> Expr:
     """Where the ray at theta meets the line through both ends of the arc, from collinearity."""
-    ends = [R * sp.Matrix([sp.cos(x), sp.sin(x)]) for x in (theta_1, theta_1 + 2 * alpha)]
-    ray = r * sp.Matrix([sp.cos(theta), sp.sin(theta)])
-    return sp.solve(sp.Matrix.hstack(ray - ends[0], ends[1] - ends[0]).det(), r)[0]
+    first = R * _direction(theta_1)
+    second = R * _direction(theta_1 + 2 * alpha)
+    ray = r * _direction(theta)
+    return solve(Matrix.hstack(ray - first, second - first).det(), r)[0]
 
 
 @cache
-def deepest() -> sp.Expr:
+def deepest() -> Expr:
     """The largest R - R_1: the one stationary point, in u = theta - theta_m, and a maximum."""
-    depth = R * (1 - sp.cos(alpha) / sp.cos(u))
-    places = sp.solve(sp.numer(sp.together(depth.diff(u))), u)
-    (place,) = (x for x in places if (depth.diff(u, 2).subs(u, x) / sp.cos(alpha)).is_negative)
-    return depth.subs(u, place)
+    depth = R * (1 - cos(alpha) / cos(u))
+    stationary = solve(numer(together(depth.diff(u))), u)
+    curvature = depth.diff(u, 2) / cos(alpha)
+    (maximum,) = (x for x in stationary if curvature.subs(u, x).is_negative)
+    return depth.subs(u, maximum)
 
 
-def body_star(f: sp.Expr, low: sp.Expr = CHORD, high: sp.Expr = sp.Integer(1)) -> sp.Expr:
+def body_star(f: Expr, low: Expr = CHORD, high: Expr = Integer(1)) -> Expr:
     """The double integral from the chord to the arc in r* = r/R, constants outside."""
-    parts = (term.as_independent(r, theta) for term in sp.Add.make_args(sp.expand(f)))
-    return sp.Add(*(c * sp.Integral(rest, (r, low, high), (theta, theta_1, theta_2)) for c, rest in parts))
+    result = Integer(0)
+    for term in Add.make_args(expand(f)):
+        constant, rest = term.as_independent(r, theta)
+        result += constant * Integral(rest, (r, low, high), (theta, theta_1, theta_2))
+    return result
 
 
-def body(f: sp.Expr) -> sp.Expr:
+def body(f: Expr) -> Expr:
     """The same in r."""
     return body_star(f, R * CHORD, R)
 
 
-def scaled(f: sp.Expr) -> sp.Expr:
+def scaled(f: Expr) -> Expr:
     """`body` after the substitution r = R r*."""
     return body_star(f.subs(r, R * r) * R)
 
 
 @cache
-def radial() -> sp.Expr:
+def radial() -> Expr:
     """R times the integral of sigma_n over the angle: (2.1) with (1.8), (1.11), (1.12), (2.3), (2.4), over ell."""
-    weight, inertia = rho * GRAVITY[0], rho * rate(2)[0]
-    return sp.expand((body(inertia * AREA) - body(weight * AREA)) / reaction()[0].coeff(sigma_n))
+    weight = rho * GRAVITY[0]
+    inertia = rho * rate(2)[0]
+    return expand((body(inertia * AREA) - body(weight * AREA)) / reaction()[0].coeff(sigma_n))
 
 
-def step(equation: str) -> sp.Expr:
+def step(equation: str) -> Expr:
     """A derived form of the balance, for a mass that turns."""
     return dynamics.balance()[equation].subs({dynamics.j_r: j_r, dynamics.j_theta: j_theta})
 
 
 def momentum() -> Pair:
     """Both sides of (3.8), over ell rho."""
-    return sp.expand(step("3.8 left") / (ell * rho)), sp.expand(step("3.8") / (ell * rho))
+    return expand(step("3.8 left") / (ell * rho)), expand(step("3.8") / (ell * rho))
 
 
-def lever() -> sp.Expr:
+def lever() -> Expr:
     """What mu sigma* is multiplied by, in (3.8) over ell rho g R^3."""
     resistance = -momentum()[1].coeff(sigma_mean) / (g * R**3)
-    return sp.simplify(resistance / mu * rho * g * DEPTH)
+    return simplify(resistance / mu * rho * g * DEPTH)
 
 
 @cache
-def motion(name: str) -> sp.Expr:
+def motion(name: str) -> Expr:
     """The derived motion from rest, under constant a and b."""
-    return sp.simplify(dynamics.solution()[name].subs(omega_0, 0)).subs(sp.Symbol("k", positive=True), sp.sqrt(a * b))
+    from_rest = simplify(dynamics.solution()[name].subs(omega_0, 0))
+    return from_rest.subs(Symbol("k", positive=True), sqrt(a * b))
 
 
 @cache
-def dimensional() -> dict[str, sp.Expr]:
+def dimensional() -> dict[str, Expr]:
     """The same in dimensions (2.21), (3.9), with c2 = sqrt(a b g/R), c0 = sqrt(a/b g/R) and c1 = R c0."""
-    clock = sp.sqrt(g / R)
-    at = {t: t * clock, a: c0 * c2 / clock**2, b: c2 / c0}
-    turning, turned = (motion(x).subs(at, simultaneous=True) for x in ("angular_velocity", "rotation"))
-    rate, phi = sp.simplify(clock * turning), sp.simplify(turned)
-    return {"omega": rate, "phi": phi} | {k: (R * x).subs(c0, c1 / R) for k, x in (("v", rate), ("s", phi))}
+    clock = sqrt(g / R)
+    in_seconds = {t: t * clock, a: c0 * c2 / clock**2, b: c2 / c0}
+    velocity, rotation = (motion(x).subs(in_seconds, simultaneous=True) for x in ("angular_velocity", "rotation"))
+    rate = simplify(clock * velocity)
+    phi = simplify(rotation)
+    return {"omega": rate, "phi": phi, "v": (R * rate).subs(c0, c1 / R), "s": (R * phi).subs(c0, c1 / R)}
 
 
-def series(motion: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def series(motion: Expr) -> tuple[Expr, Expr, Expr]:
     """A motion, the first term of its expansion in time, and the order of the second."""
-    terms = sp.Add.make_args(sp.series(motion, t, 0, 6).removeO())
-    first, second = sorted(terms, key=lambda x: sp.degree(x, t))[:2]
-    return motion, first, sp.O(t ** sp.degree(second, t))
+    terms = Add.make_args(sp.series(motion, t, 0, 6).removeO())
+    first, second = sorted(terms, key=lambda x: degree(x, t))[:2]
+    return motion, first, O(t ** degree(second, t))
 
 
 @cache
 def names() -> dict[str, Any]:
     """The notation of the transcribed forms."""
-    shared = (R, g, rho, ell, mu, polar, omega_star, rate_star, sigma_mean, theta_star, *RATES, omega, omega_dot)
-    shared += (sigma_n, tau_n, alpha, theta, theta_1, theta_2, r, u, t, a, b)
-    functions = {f.__name__: f for f in (sigma, omega_of, mu_of, a_of, b_of, body, body_star)}
-    return (
-        {x.name: x for x in shared}
-        | functions
-        | {
-            "lam": LEVER,
-            "A": polar / LEVER,
-            "gamma": rho * g,
-            "f": DEPTH,
-            "sigma_ref": rho * g * DEPTH,
-            "chord": CHORD,
-            "J_r": j_r,
-            "J_theta": j_theta,
-            "J_r0": j_r.subs(turn, 0),
-            "J_theta0": j_theta.subs(turn, 0),
-            "phi": dimensional()["phi"],
-        }
-    )
+    symbols = (R, g, rho, ell, mu, polar, omega_star, rate_star, sigma_mean, theta_star, *RATES, omega, omega_dot)
+    symbols += (sigma_n, tau_n, alpha, theta, theta_1, theta_2, r, u, t, a, b)
+    notation = {x.name: x for x in symbols}
+    notation |= {f.__name__: f for f in (sigma, omega_of, mu_of, a_of, b_of, body, body_star)}
+    return notation | {
+        "lam": LEVER,
+        "A": polar / LEVER,
+        "gamma": rho * g,
+        "f": DEPTH,
+        "sigma_ref": rho * g * DEPTH,
+        "chord": CHORD,
+        "J_r": j_r,
+        "J_theta": j_theta,
+        "J_r0": j_r.subs(turn, 0),
+        "J_theta0": j_theta.subs(turn, 0),
+        "phi": dimensional()["phi"],
+    }
 
 
 @cache
-def read(forms: str) -> tuple[sp.Expr, ...]:
+def read(forms: str) -> tuple[Expr, ...]:
     """Transcribed forms, separated by semicolons."""
-    return tuple(sp.parse_expr(x.strip(), local_dict=names()) for x in forms.split(";"))
+    return tuple(parse_expr(x.strip(), local_dict=names()) for x in forms.split(";"))

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import mpmath as mp
-import sympy as sp
+from sympy import Eq, Expr, Symbol, cos, diff, expand, oo, pi, simplify, sin, solve, sqrt, symbols
 
 from derive.algebra.appendices import APPENDIX_I, APPENDIX_II, Appendix
 from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, solution, theta_star
@@ -38,7 +38,7 @@ DIMENSIONS = {
 }  # fmt: skip
 
 # Where forms are claimed: open intervals, or one value. Whatever is not named is real and positive.
-DOMAINS = {"alpha": (0, sp.pi / 2), "omega": (0, sp.oo), "a": (0, sp.oo), "b": (0, sp.oo), "omega_0": (0, 0)}
+DOMAINS = {"alpha": (0, pi / 2), "omega": (0, oo), "a": (0, oo), "b": (0, oo), "omega_0": (0, 0)}
 
 
 @dataclass(frozen=True)
@@ -74,8 +74,8 @@ class Claim:
     shows: str = "{}"  # how the derived value is written
     note: str = ""  # remark if it holds
     dimension: str = ""
-    law: Callable[[sp.Expr], Iterable[sp.Expr]] | None = None
-    weight: sp.Expr | None = None
+    law: Callable[[Expr], Iterable[Expr]] | None = None
+    weight: Expr | None = None
     given: tuple[str, ...] = ()
     domain: tuple[tuple[str, Any, Any], ...] = ()
     subject: Appendix | None = None
@@ -90,7 +90,8 @@ _SUM = ("radial components added as scalars (2.1)",)
 _MEAN = (*_SUM, "mean stress (2.9)")
 _MOTION = (*_MEAN, "Coulomb friction, one coefficient (1.14)")
 _SOLVED = ("J_r, J_theta and friction constant", "from rest (3.19)")
-_ARC, _DIPS = (("alpha", *DOMAINS["alpha"]),), ("complex arithmetic, for dips from 0 to pi",)
+_ARC = (("alpha", *DOMAINS["alpha"]),)
+_DIPS = ("complex arithmetic, for dips from 0 to pi",)
 _EXAMPLE = (*_SOLVED, f"g = {s.GRAVITY} m/s^2")
 
 
@@ -118,19 +119,20 @@ def _notation(words: str, old: str, new: str) -> tuple[Cause, ...]:
 
 
 _W = "body(-sin(theta)*r)"
-_STRESS, _SLIP = "Integral(sigma(alpha), (alpha, 0, 2*alpha))", "integration variable that is also a limit"
+_STRESS = "Integral(sigma(alpha), (alpha, 0, 2*alpha))"
+_SLIP = "integration variable that is also a limit"
 _ONCE = ("sigma(alpha), (alpha", "sigma(u), (u")
 
 CLAIMS = (
     Claim("(1.1)", "opening angle", "2 alpha = theta_2 - theta_1 = const", "0",
-          lambda: sp.diff(m.end(theta_2) - m.end(theta_1), t), "definition", shows="d(theta_2 - theta_1)/dt = {}",
+          lambda: diff(m.end(theta_2) - m.end(theta_1), t), "definition", shows="d(theta_2 - theta_1)/dt = {}",
           dimension="1/T", given=("rigid body",)),
     Claim("(1.2)", "angle of an end", "theta_i0 + int_0^t omega(t) dt", "theta_1 + Integral(omega_of(t), (t, 0, t))",
           lambda: m.end(theta_1), causes=_notation(_SLIP, "(t), (t", "(s), (s"), given=("rigid body",)),
     Claim("(1.3)", "rotation, by its rate", "phi = int omega dt <=> omega = dphi/dt", "diff(phi, t)",
           lambda: m.dimensional()["omega"], "definition", shows="rate of the derived phi: {}",
           note="up to the constant phi(0)", dimension="1/T"),
-    Claim("(1.4)", "position vector", "R_P = r e_r", "r; 0", lambda: m.basis(r * sp.cos(theta), r * sp.sin(theta)),
+    Claim("(1.4)", "position vector", "R_P = r e_r", "r; 0", lambda: m.basis(r * cos(theta), r * sin(theta)),
           "definition", dimension="L"),
     Claim("(1.5)", "velocity is tangential", "v_P = v_theta e_theta", "0; r*omega", lambda: m.rate(1)),
     Claim("(1.6)", "acceleration", "a_P = a_r e_r + a_theta e_theta", "-r*omega**2; r*omega_dot", lambda: m.rate(2)),
@@ -148,8 +150,8 @@ CLAIMS = (
     Claim("(1.14)", "Coulomb friction", "tau_n = mu sigma_n, mu = tan(phi)", "mu*sigma_n", lambda: m.tau_n,
           shows="(1.1) to (1.13) leave it open: {}"),
     Claim("(2.1)", "radial balance", "int dW_r + int dN_r = int a_r dm", "dW_r + dN_r - dm*a_r",
-          lambda: m.along_bisector(sp.symbols("dW_r dW_theta")) + m.along_bisector(sp.symbols("dN_r dT_theta"))
-          - sp.Symbol("dm") * m.along_bisector(sp.symbols("a_r a_theta")), shows="along the bisector: {}"),
+          lambda: m.along_bisector(symbols("dW_r dW_theta")) + m.along_bisector(symbols("dN_r dT_theta"))
+          - Symbol("dm") * m.along_bisector(symbols("a_r a_theta")), shows="along the bisector: {}"),
     Claim("(2.2)", "its terms", "int rho g(-sin theta) dV + int(-sigma_n) dS = int rho(-r omega^2) dV",
           "-rho*g*sin(theta); -sigma_n; -rho*r*omega**2",
           lambda: (rho * m.GRAVITY[0], m.reaction()[0], rho * m.rate(2)[0]), note="its domain (m) is the volume (V)",
@@ -162,24 +164,24 @@ CLAIMS = (
           "R*cos(alpha)/cos(theta - theta_1 - alpha)", m.chord),
     Claim("(2.7)", "(2.5) over rho g", "R/(rho g) int_0^{2 alpha} sigma_n dalpha = W + omega^2/g I_p",
           f"R/(rho*g)*{_STRESS}; {_W} + omega**2/g*body(r**2)",
-          lambda: (R / (rho * g) * m.STRESS_SUM, sp.expand(m.radial() / (rho * g))), causes=_notation(_SLIP, *_ONCE),
+          lambda: (R / (rho * g) * m.STRESS_SUM, expand(m.radial() / (rho * g))), causes=_notation(_SLIP, *_ONCE),
           given=_SUM),
     Claim("(2.8)", "polar surface moment", "I_p = int int r^2 dr dtheta", "body(r**2)",
-          lambda: sp.expand(m.radial() / rho).coeff(m.omega, 2), note="a first moment of area, despite its name"),
+          lambda: expand(m.radial() / rho).coeff(m.omega, 2), note="a first moment of area, despite its name"),
     Claim("(2.9)", "uniform stress, and its mean", "sigma_n = 1/(2 alpha) int_0^{2 alpha} sigma_n dalpha",
           f"sigma_mean; {_STRESS}/(2*alpha)", lambda: (m.sigma(theta), m.STRESS_SUM / (2 * alpha)),
           causes=_notation(_SLIP, *_ONCE)),
     Claim("(2.10)", "(2.7) with the mean", "R/(rho g) 2 alpha sigma_n = W + omega^2/g I_p",
-          f"{_W} + omega**2/g*body(r**2)", lambda: sp.expand(m.radial() / (rho * g)), given=_MEAN),
+          f"{_W} + omega**2/g*body(r**2)", lambda: expand(m.radial() / (rho * g)), given=_MEAN),
     Claim("(2.11)", "depth of the chord", "h = R (1 - cos(alpha)/cos(theta - theta_1 - alpha))",
           "R*(1 - cos(alpha)/cos(theta - theta_1 - alpha))", lambda: R - m.chord(), "definition", dimension="L"),
     Claim("(2.12)", "largest depth", "f = R (1 - cos(alpha))", "R*(1 - cos(alpha))", m.deepest),
     Claim("(2.13)", "reference stress", "sigma_ref = rho g f", "rho*g*f", lambda: rho * g * R * m.LEVER / (2 * alpha),
           "definition", shows="what (3.14) needs: {}", dimension="M/(L*T**2)"),
-    Claim("(2.14)", "radius over R", "r* = r/R", "r/R", lambda: sp.solve(sp.Eq(r, R * theta), theta)[0], "definition",
+    Claim("(2.14)", "radius over R", "r* = r/R", "r/R", lambda: solve(Eq(r, R * theta), theta)[0], "definition",
           shows="what (2.16) needs: {}", dimension="1"),
     Claim("(2.15)", "stress over sigma_ref", "sigma_n* = sigma_n/sigma_ref", "sigma_mean/sigma_ref",
-          lambda: sp.simplify(sigma_mean * m.step("2.20") / m.step("2.10")), "definition",
+          lambda: simplify(sigma_mean * m.step("2.20") / m.step("2.10")), "definition",
           shows="from (2.10), (2.20): {}", dimension="1"),
     Claim("(2.16)", "polar moment, scaled", "I_p = R^3 I_p*", "R**3*body_star(r**2)", lambda: m.scaled(r**2)),
     Claim("(2.17)", "polar moment, dimensionless", "int int_{R_1*}^1 r*^2 dr* dtheta", "body_star(r**2)",
@@ -194,12 +196,12 @@ CLAIMS = (
     Claim("(2.20)", "mean normal stress", "sigma_st* + A omega*^2", "J_r/lam + A*omega_star**2",
           lambda: m.step("2.20"), given=_MEAN),
     Claim("(2.21)", "angular velocity, scaled", "omega* = omega/sqrt(g/R)", "omega/sqrt(g/R)",
-          lambda: m.omega * sp.sqrt(R**2 * rho * polar / (2 * alpha * rho * g * m.DEPTH) / (polar / m.LEVER)),
+          lambda: m.omega * sqrt(R**2 * rho * polar / (2 * alpha * rho * g * m.DEPTH) / (polar / m.LEVER)),
           shows="what makes (2.10) into (2.20): {}"),
     Claim("(2.22)", "static stress", "J_r/(2 alpha (1 - cos(alpha)))", "J_r/(2*alpha*(1 - cos(alpha)))",
           lambda: m.step("2.20").subs(omega_star, 0), given=_MEAN),
     Claim("(2.23)", "radial weight", "J_r = int int_{r_1*}^1 r*(-sin theta) dr* dtheta",
-          "body_star(-r*sin(theta), r_1)", lambda: m.scaled(-sp.sin(theta) * r) / R**2,
+          "body_star(-r*sin(theta), r_1)", lambda: m.scaled(-sin(theta) * r) / R**2,
           causes=_notation("its limit r_1* is R_1* of (2.18)", "r_1", "chord")),
     Claim("(2.24)", "dynamic coefficient", "A = I_p*/(2 alpha (1 - cos(alpha)))", "I_p/(2*alpha*(1 - cos(alpha)))",
           lambda: m.step("3.18") * theta_star / (mu * m.LEVER)),
@@ -233,9 +235,9 @@ CLAIMS = (
           lambda: ell * rho * m.body(m.moment_of(r, m.rate(2)) * m.AREA / m.omega_dot), "definition",
           shows="what (3.2) needs: {}", dimension="M*L**2"),
     Claim("(3.2)", "angular momentum", "Theta domega/dt = M", "ell*rho*body(r**3)*omega_dot",
-          lambda: sp.expand(ell * rho * m.body(m.moment_of(r, m.rate(2)) * m.AREA)), shows="its rate: {}"),
+          lambda: expand(ell * rho * m.body(m.moment_of(r, m.rate(2)) * m.AREA)), shows="its rate: {}"),
     Claim("(3.3)", "moments about K", "int r dW_theta - int R dT", "r*dW_theta; -R*dT",
-          lambda: (m.moment_of(r, sp.symbols("dW_r dW_theta")), m.moment_of(R, (-sp.Symbol("dN"), -sp.Symbol("dT")))),
+          lambda: (m.moment_of(r, symbols("dW_r dW_theta")), m.moment_of(R, (-Symbol("dN"), -Symbol("dT")))),
           note="dT is the magnitude; dN has no moment"),
     Claim("(3.4)", "moments, written out", "int r rho g(-cos theta) dV - R int mu sigma_n dS",
           "-r*rho*g*cos(theta); -R*mu*sigma_n",
@@ -255,10 +257,10 @@ CLAIMS = (
     Claim("(3.8)", "angular momentum, written out", "int int r^3 domega/dt = g int int r^2(-cos theta)"
           " - R^2 g/gamma 2 alpha mu sigma_n",
           "R**4*Theta*g/R*rate_star; g*R**3*J_theta - R**2*g/gamma*2*alpha*mu*sigma_mean", m.momentum, given=_MOTION),
-    Claim("(3.9)", "time factor", "t_c = sqrt(R/g)", "sqrt(R/g)", lambda: 1 / sp.sqrt(g / R), "definition",
+    Claim("(3.9)", "time factor", "t_c = sqrt(R/g)", "sqrt(R/g)", lambda: 1 / sqrt(g / R), "definition",
           shows="what (2.21) needs: {}", dimension="T"),
     Claim("(3.10)", "angular acceleration", "domega/dt = g/R domega*/dt*", "g/R*rate_star",
-          lambda: sp.diff(rate_star * (t * sp.sqrt(g / R)) * sp.sqrt(g / R), t)),
+          lambda: diff(rate_star * (t * sqrt(g / R)) * sqrt(g / R), t)),
     Claim("(3.11)", "equation of motion", "Theta* domega*/dt* = J_theta - lam (sigma_0* + A omega*^2) mu",
           "J_theta - lam*(J_r0/lam + A*omega_star**2)*mu", lambda: m.step("3.11"), given=_MOTION),
     Claim("(3.12)", "moment of inertia, dimensionless", "int int_{R_1*}^1 r*^3 dr* dtheta", "body_star(r**3)",
@@ -281,20 +283,20 @@ CLAIMS = (
     Claim("(3.16)", "equation of motion, short", "domega*/dt* = a - b omega*^2", "a - b*omega_star**2",
           lambda: m.step("3.16"), given=_MOTION),
     Claim("(3.17)", "drive", "a = (J_theta - J_r0 mu)/Theta*", "(J_theta0 - J_r0*mu)/Theta",
-          lambda: sp.expand(m.step("3.17")), given=_MOTION),
+          lambda: expand(m.step("3.17")), given=_MOTION),
     Claim("(3.18)", "brake", "b = lam A mu/Theta*", "lam*A*mu/Theta", lambda: m.step("3.18"), shows="{}, lam A = I_p*",
           given=_MOTION),
     Claim("(3.19)", "starts from rest", "omega*(0) = 0", "0", lambda: solution()["angular_velocity"].subs(t, 0),
           "definition", shows="derived motion: omega*(0) = {}", dimension="1"),
     Claim("(3.20)", "solution", "sqrt(a/b) tanh(sqrt(a b t*))", "sqrt(a/b)*tanh(sqrt(a*b*t))",
           lambda: m.motion("angular_velocity"), given=(*_MOTION, *_SOLVED[1:]),
-          law=lambda e: [sp.diff(e, t) - (m.a_of(t) - m.b_of(t) * e**2), e.subs(t, 0) - omega_0],
+          law=lambda e: [diff(e, t) - (m.a_of(t) - m.b_of(t) * e**2), e.subs(t, 0) - omega_0],
           causes=(Cause("t* belongs outside the root, as (4.2) has it", "misprint",
                         edit=("sqrt(a*b*t)", "sqrt(a*b)*t")),)),
     Claim("(3.21)", "limit friction", "mu_eq = J_theta0/J_r0", "J_theta0/J_r0",
           lambda: m.step("3.21").subs(m.turn, 0), note="omega* = 0 for all times, not at one", given=_MOTION),
     Claim("Sect. 3 density", "motion independent of density", "a, b without rho", "0; 0",
-          lambda: tuple(sp.diff(m.step(x), rho) for x in ("3.17", "3.18")), shows="da/drho; db/drho = {}",
+          lambda: tuple(diff(m.step(x), rho) for x in ("3.17", "3.18")), shows="da/drho; db/drho = {}",
           given=("homogeneous, dry, without cohesion",)),
     _number("(4.1)", "limit friction", "0.44", s.limit_friction,
             Cause("follows: Appendix II over Appendix I is tan(dip of the chord)", "wrong",

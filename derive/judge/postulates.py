@@ -11,7 +11,7 @@ from itertools import takewhile
 from typing import Any
 
 import mpmath as mp
-import sympy as sp
+from sympy import Expr, Integer
 
 from derive.algebra.dynamics import mu, omega_star, sigma_mean
 from derive.check.proof import ProofError
@@ -41,7 +41,9 @@ class State:
 
     def normal(self, u: Any) -> mp.mpf:
         """The stress at u."""
-        return self.stress(u) if self.stress else self.total / (2 * s.HALF)
+        if self.stress:
+            return self.stress(u)
+        return self.total / (2 * s.HALF)
 
 
 def sum_of(f: Along) -> mp.mpf:
@@ -76,7 +78,7 @@ class Postulate:
     """
 
     words: str
-    put: tuple[tuple[sp.Expr, sp.Expr], ...]
+    put: tuple[tuple[Expr, Expr], ...]
     gap: Callable[[State], mp.mpf]
     alternative: str
     state: Callable[[], State]
@@ -106,7 +108,7 @@ POSTULATES = (
     ),
     Postulate(
         "radial components of different directions are added as scalars",
-        ((u, sp.Integer(0)),),
+        ((u, Integer(0)),),
         lambda x: sum_of(x.normal) / x.total - 1,
         "vector balance along the bisector",
         lambda: State(along_bisector),
@@ -124,7 +126,7 @@ POSTULATES = (
     ),
     Postulate(
         "centripetal stress neglected, for slow rotation",
-        ((omega_star, sp.Integer(0)),),
+        ((omega_star, Integer(0)),),
         lambda x: x.total / State(psi=x.psi).total - 1,
         "a mass that moves",
         lambda: State(omega=s.reached("omega*")),
@@ -174,7 +176,8 @@ def exhibit(postulate: Postulate) -> mp.mpf:
     """The relative effect of a postulate, after a check that its state keeps all before it and breaks this one."""
     earlier = takewhile(lambda x: x.words != postulate.words, POSTULATES)
     with mp.workdps(30):
-        state, tiny = postulate.state(), mp.mpf(10) ** -20
+        state = postulate.state()
+        tiny = mp.mpf(10) ** -20
         broken = [x.words for x in earlier if abs(x.gap(state)) > tiny]
         if broken or abs(postulate.gap(state)) <= tiny:
             raise ProofError(postulate.alternative, f"it breaks {broken or 'nothing'}", "this postulate alone broken")

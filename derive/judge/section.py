@@ -10,7 +10,7 @@ from functools import cache
 from typing import Any
 
 import mpmath as mp
-import sympy as sp
+from sympy import Expr, lambdify
 
 from derive.algebra.appendices import APPENDIX_II, simplify
 from derive.algebra.dynamics import R
@@ -27,14 +27,17 @@ GRAVITY = "9.81"  # used by the project; the paper states no value
 
 def printed_as(digits: str) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
     """A printed number, and the least and the largest value that it may stand for."""
-    printed, unit = mp.mpf(digits), mp.mpf(10) ** Decimal(digits).as_tuple().exponent
-    low, high = (printed - unit / 2, printed + unit) if printed >= 0 else (printed - unit, printed + unit / 2)
-    return printed, low, high
+    printed = mp.mpf(digits)
+    unit = mp.mpf(10) ** Decimal(digits).as_tuple().exponent
+    if printed >= 0:
+        return printed, printed - unit / 2, printed + unit
+    return printed, printed - unit, printed + unit / 2
 
 
 def implied(by: str, inverse: Callable[[mp.mpf], mp.mpf]) -> list[mp.mpf]:
     """The least and the largest value of another number that a printed one leaves."""
-    return sorted(map(inverse, printed_as(IMPLYING[by])[1:]))
+    _, low, high = printed_as(IMPLYING[by])
+    return sorted((inverse(low), inverse(high)))
 
 
 def given(name: str) -> mp.mpf:
@@ -43,7 +46,8 @@ def given(name: str) -> mp.mpf:
 
 
 with mp.workdps(50):  # radians: theta_1, half the opening angle, psi, the dip of the chord
-    FIRST_END, HALF = mp.radians(given("theta_10")), mp.radians(given("theta_20") - given("theta_10")) / 2
+    FIRST_END = mp.radians(given("theta_10"))
+    HALF = mp.radians(given("theta_20") - given("theta_10")) / 2
     DIP = 3 * mp.pi / 2 - FIRST_END - HALF
     RESIDUAL = mp.tan(mp.radians(given("phi_res")))  # friction coefficient of section 4
 
@@ -54,14 +58,14 @@ def derivation(name: str) -> Derivation:
     return derive(next(m for m in MOMENTS if m.name == name))
 
 
-def value(form: sp.Expr, angle: Any = HALF, psi: Any = DIP) -> mp.mpf:
+def value(form: Expr, angle: Any = HALF, psi: Any = DIP) -> mp.mpf:
     """A closed form at the section, or at another half angle or dip."""
     return _function(form)(angle, psi, 3 * mp.pi / 2 - psi)
 
 
 @cache
-def _function(form: sp.Expr) -> Callable[..., mp.mpf]:
-    return sp.lambdify((alpha, PSI, theta_m), form, "mpmath")
+def _function(form: Expr) -> Callable[..., mp.mpf]:
+    return lambdify((alpha, PSI, theta_m), form, "mpmath")
 
 
 def moment(name: str, angle: Any = HALF, psi: Any = DIP) -> mp.mpf:
@@ -91,7 +95,8 @@ def reference() -> mp.mpf:
 
 def second_end(radial_weight: mp.mpf) -> mp.mpf:
     """theta_20 in degrees of an arc of this opening and this J_r."""
-    return 270 - mp.degrees(mp.acos(radial_weight / moment("radial_weight", psi=mp.mpf(0))) - HALF)
+    dip = mp.acos(radial_weight / moment("radial_weight", psi=mp.mpf(0)))
+    return 270 - mp.degrees(dip - HALF)
 
 
 def second_appendix() -> mp.mpf:
@@ -101,7 +106,8 @@ def second_appendix() -> mp.mpf:
 
 def limit_friction(as_printed: bool = False) -> mp.mpf:
     """mu_eq (3.21); with Appendix II for J_theta, if asked for as printed."""
-    return (second_appendix() if as_printed else moment("weight_moment")) / moment("radial_weight")
+    weight_moment = second_appendix() if as_printed else moment("weight_moment")
+    return weight_moment / moment("radial_weight")
 
 
 def degrees(friction: mp.mpf) -> mp.mpf:
@@ -118,11 +124,23 @@ def reached(name: str, as_printed: bool = False, gravity: str = GRAVITY) -> mp.m
     inertia = moment("moment_of_inertia", angle)
     a = moment("radial_weight") * (limit_friction(as_printed) - RESIDUAL) / inertia
     b = factor() * dynamic(angle) * RESIDUAL / inertia
-    clock = mp.sqrt(mp.mpf(gravity) / given("R"))
-    c0, c2 = mp.sqrt(a / b) * clock, mp.sqrt(a * b) * clock
-    omega, phi = c0 * mp.tanh(c2 * given("span")), c0 / c2 * mp.log(mp.cosh(c2 * given("span")))
-    found = {"c0": c0, "c1": c0 * given("R"), "c2": c2, "phi": phi, "omega*": omega / clock}
-    return (found | {"v": omega * given("R"), "s": phi * given("R")})[name]
+    radius = given("R")
+    clock = mp.sqrt(mp.mpf(gravity) / radius)
+    c0 = mp.sqrt(a / b) * clock
+    c2 = mp.sqrt(a * b) * clock
+    span = c2 * given("span")
+    omega = c0 * mp.tanh(span)
+    phi = c0 / c2 * mp.log(mp.cosh(span))
+    quantities = {
+        "c0": c0,
+        "c1": c0 * radius,
+        "c2": c2,
+        "phi": phi,
+        "omega*": omega / clock,
+        "v": omega * radius,
+        "s": phi * radius,
+    }
+    return quantities[name]
 
 
 def both(name: str) -> list[mp.mpf]:

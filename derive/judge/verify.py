@@ -6,17 +6,36 @@ one small edit turns the printed form into one that passes the same proof. A for
 into the derived one is an assumption, wherever this happens. `judge` is a function of the claim alone.
 """
 
-import json
 import re
-import textwrap
-from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from itertools import combinations, product, takewhile
 from typing import Any, NamedTuple
 
 import mpmath as mp
 import sympy as sp
+from sympy import (
+    Abs,
+    Derivative,
+    Expr,
+    Integral,
+    Mul,
+    Order,
+    Rational,
+    Symbol,
+    Tuple,
+    atanh,
+    default_sort_key,
+    diff,
+    exp,
+    log,
+    oo,
+    parse_expr,
+    pi,
+    sin,
+    sympify,
+    tan,
+)
 from sympy.core.function import AppliedUndef
 
 from derive.algebra.appendices import Appendix, parse, real_arithmetic_fails, repairs, simplify, unreadable
@@ -28,8 +47,9 @@ from derive.declare.quantities import CHORD
 from derive.declare.symbols import alpha, in_words, theta, theta_m
 from derive.judge import mechanics as m
 from derive.judge import section as s
-from derive.judge.paper import CLAIMS, DIMENSIONS, DOMAINS, VERDICTS, Claim
+from derive.judge.paper import CLAIMS, DIMENSIONS, DOMAINS, VERDICTS, Cause, Claim
 from derive.judge.postulates import POSTULATES, Postulate, exhibit
+from derive.progress import track
 
 _DIGITS = 30
 _TINY = mp.mpf(10) ** -20
@@ -52,7 +72,8 @@ KEYS = Row._fields
 
 
 # How (2.19) writes artanh(sin alpha): of a number that is positive for every |alpha| < pi/2, and both vanish at 0.
-_LOG, _ARTANH = sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2))), sp.atanh(sp.sin(alpha))
+_LOG = log(Abs(tan(pi / 4 + alpha / 2)))
+_ARTANH = atanh(sin(alpha))
 
 
 def limits(domain: Domain) -> dict[str, tuple[Any, Any]]:
@@ -61,68 +82,88 @@ def limits(domain: Domain) -> dict[str, tuple[Any, Any]]:
 
 
 @cache
-def vanishes(form: sp.Expr, domain: Domain = ()) -> bool:
+def vanishes(form: Expr, domain: Domain = ()) -> bool:
     """Decide whether a form is zero on a domain, for each sign of its symbols: refuted at a point, or else proved."""
-    form = sp.sympify(form).as_dummy()
-    if form.has(sp.Order):
+    form = sympify(form).as_dummy()
+    if form.has(Order):
         return False
-    for kind in (sp.Integral, sp.Derivative, AppliedUndef):  # what is not evaluated counts as one symbol
-        atoms = sorted(form.atoms(kind), key=sp.default_sort_key)
-        form = form.xreplace({x: sp.Symbol(f"_{x}", real=True) for x in atoms})
-    ways = []
-    for x in sorted(form.free_symbols, key=lambda x: x.name):
-        (low, high), size = limits(domain).get(x.name, (0, sp.oo)), sp.Symbol(x.name, positive=True)
-        signs = [sign for sign, there in ((1, high > 0), (-1, low < 0)) if there]
-        ways.append([(x, low)] if low == high else [(x, sign * size) for sign in signs])
+    for kind in (Integral, Derivative, AppliedUndef):  # what is not evaluated counts as one symbol
+        atoms = sorted(form.atoms(kind), key=default_sort_key)
+        form = form.xreplace({x: Symbol(f"_{x}", real=True) for x in atoms})
+    signs = [dict(choice) for choice in product(*_choices(form, domain))]
     try:
-        for way in product(*ways):
-            refute(form.subs(dict(way)), "a printed form")
+        for choice in signs:
+            refute(form.subs(choice), "a printed form")
     except ProofError:
         return False
     if form.has(_LOG):
-        slopes = sp.diff(_LOG.replace(sp.Abs, lambda x: x) - _ARTANH, alpha)
-        prove_zero(sp.simplify(slopes.rewrite(sp.exp)), "log tan(pi/4 + alpha/2) = artanh(sin alpha)")
+        slope = diff(_LOG.replace(Abs, lambda x: x) - _ARTANH, alpha)
+        prove_zero(sp.simplify(slope.rewrite(exp)), "log tan(pi/4 + alpha/2) = artanh(sin alpha)")
         form = form.subs(_LOG, _ARTANH)
-    for way in product(*ways):
-        prove_zero(form.subs(dict(way)), "a printed form")
+    for choice in signs:
+        prove_zero(form.subs(choice), "a printed form")
     return True
 
 
-def _homogeneous(form: sp.Expr, dimension: str) -> bool:
+def _choices(form: Expr, domain: Domain) -> Iterator[list[tuple[Symbol, Any]]]:
+    """For each symbol: its one value, or a positive symbol with each sign that its domain allows."""
+    for x in sorted(form.free_symbols, key=lambda x: x.name):
+        low, high = limits(domain).get(x.name, (0, oo))
+        size = Symbol(x.name, positive=True)
+        choices = []
+        if low == high:
+            choices.append((x, low))
+        else:
+            if high > 0:
+                choices.append((x, size))
+            if low < 0:
+                choices.append((x, -size))
+        yield choices
+
+
+def _homogeneous(form: Expr, dimension: str) -> bool:
     """Whether a form has the dimension: scale every unit, and see by what the form is multiplied."""
-    form = form.replace(sp.Integral, lambda f, *limits: f * sp.Mul(*(x for x, *_ in limits)))  # as its integrand dx
-    units = {x: sp.Symbol(f"unit_{x}", positive=True) for x in "MLT"}
-    scale = {sp.Symbol(k): sp.parse_expr(v, local_dict=units) for k, v in DIMENSIONS.items()}
-    by_name = {x: x * scale[sp.Symbol(x.name)] for x in form.free_symbols if sp.Symbol(x.name) in scale}
-    return vanishes(form.subs(by_name, simultaneous=True) - sp.parse_expr(dimension, local_dict=units) * form)
+    form = form.replace(Integral, lambda f, *limits: f * Mul(*(x for x, *_ in limits)))  # as its integrand dx
+    units = {x: Symbol(f"unit_{x}", positive=True) for x in "MLT"}
+    factors = {name: parse_expr(text, local_dict=units) for name, text in DIMENSIONS.items()}
+    in_other_units = {x: x * factors[x.name] for x in form.free_symbols if x.name in factors}
+    scaled = form.subs(in_other_units, simultaneous=True)
+    return vanishes(scaled - parse_expr(dimension, local_dict=units) * form)
 
 
-def _integrates(form: sp.Expr, weight: sp.Expr, domain: Domain) -> bool:
+def _integrates(form: Expr, weight: Expr, domain: Domain) -> bool:
     """Whether a form in alpha is the double integral, by quadrature at points of its whole domain."""
     low, high = limits(domain)["alpha"]
-    points = [s.value(low + sp.Rational(k, 11) * (high - low)) for k in (1, 6, 10)]
+    points = [s.value(low + Rational(k, 11) * (high - low)) for k in (1, 6, 10)]
     return all(abs(s.value(form, x) - quadrature(weight, -x, x, 15)) < mp.mpf(10) ** -13 for x in points)
 
 
 def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bool:
     """Whether transcribed forms are the derived ones, after the postulates were put into these."""
-    printed, derived = m.read(forms), _derived(claim)
-    put = [pair for x in postulates for pair in x.put]
-    limits = [limit for form in printed for x in form.atoms(sp.Integral) for limit in x.limits]
-    return (
-        len(printed) == len(derived)
-        and not any(x in sp.Tuple(*ends).free_symbols for x, *ends in limits)  # nor is a variable in its own limits
-        and all(x == (y := z.subs(put)) or vanishes(x - y, claim.domain) for x, z in zip(printed, derived, strict=True))
-        and (not claim.dimension or _homogeneous(printed[0], claim.dimension))
-        and (claim.weight is None or _integrates(printed[0], claim.weight, claim.domain))
-        and (claim.law is None or all(vanishes(x.subs(put), claim.domain) for x in claim.law(printed[0])))
-    )
+    printed = m.read(forms)
+    derived = _derived(claim)
+    replaced = [pair for x in postulates for pair in x.put]
+    if len(printed) != len(derived):
+        return False
+    for form in printed:
+        for integral in form.atoms(Integral):
+            if any(x in Tuple(*ends).free_symbols for x, *ends in integral.limits):
+                return False  # nor is a variable in its own limits
+    for form, right in zip(printed, derived, strict=True):
+        right = right.subs(replaced)
+        if form != right and not vanishes(form - right, claim.domain):
+            return False
+    if claim.dimension and not _homogeneous(printed[0], claim.dimension):
+        return False
+    if claim.weight is not None and not _integrates(printed[0], claim.weight, claim.domain):
+        return False
+    return claim.law is None or all(vanishes(x.subs(replaced), claim.domain) for x in claim.law(printed[0]))
 
 
 @cache
-def _derived(claim: Claim) -> tuple[sp.Expr, ...]:
-    found = claim.definition()
-    return tuple(found) if isinstance(found, (tuple, list)) else (found,)
+def _derived(claim: Claim) -> tuple[Expr, ...]:
+    forms = claim.definition()
+    return tuple(forms) if isinstance(forms, (tuple, list)) else (forms,)
 
 
 Judgement = tuple[str, str, str]  # computed, verdict, cause
@@ -140,24 +181,35 @@ def judge(claim: Claim) -> Row:
 
 def _assumed(claim: Claim) -> list[str]:
     """What a claim takes for granted, in words: where its symbols live, and what it was given."""
-    named = {name for name, *_ in claim.domain}
+    symbols = {name for name, *_ in claim.domain}
     if claim.kind in ("form", "definition") and claim.expression:
-        named |= {x.name for form in (*m.read(claim.expression), *_derived(claim)) for x in form.free_symbols}
-    lives = ((x, low, high) for x, (low, high) in limits(claim.domain).items() if x in named)
-    where = (f"{x} = {a}" if a == b else f"{x} > {a}" if b == sp.oo else f"{a} < {x} < {b}" for x, a, b in lives)
-    return [*where, *claim.given]
+        for form in (*m.read(claim.expression), *_derived(claim)):
+            symbols |= {x.name for x in form.free_symbols}
+    assumed = []
+    for x, (low, high) in limits(claim.domain).items():
+        if x not in symbols:
+            continue
+        if low == high:
+            assumed.append(f"{x} = {low}")
+        elif high == oo:
+            assumed.append(f"{x} > {low}")
+        else:
+            assumed.append(f"{low} < {x} < {high}")
+    return [*assumed, *claim.given]
 
 
 def _number(claim: Claim) -> Judgement:
     """A printed number against one value, or against all that other printed numbers leave for it."""
-    found = claim.definition()
-    values = found if isinstance(found, list) else [found]
+    value = claim.definition()
+    values = value if isinstance(value, list) else [value]
+    least = values[0]
+    single = len(values) == 1
     computed = claim.shows.format(" to ".join(map(_digits, values)))
     printed, low, high = s.printed_as(claim.printed)
-    if len(values) == 1 and abs(values[0] - printed) < abs(printed) * _TINY:
+    if single and abs(least - printed) < abs(printed) * _TINY:
         return computed, "holds", claim.note
-    if values[0] < high and low <= values[-1]:
-        cut = len(values) == 1 and values[0] - printed >= printed - low
+    if least < high and low <= values[-1]:
+        cut = single and least - printed >= printed - low
         return computed, "holds to the printed digits", "cut off, not rounded" if cut else claim.note
     return computed, *_explained(claim, lambda value: low <= value < high)
 
@@ -165,7 +217,7 @@ def _number(claim: Claim) -> Judgement:
 def _range(claim: Claim) -> Judgement:
     """A statement of size: every value between two bounds."""
     values = claim.definition()
-    low, high = (mp.inf if x == sp.oo else mp.mpf(x.p) / x.q for x in m.read(claim.expression))
+    low, high = (mp.inf if x == oo else mp.mpf(x.p) / x.q for x in m.read(claim.expression))
     computed = claim.shows.format(*map(_digits, values))
     if all(low <= x <= high for x in values):
         return computed, "holds", claim.note
@@ -174,33 +226,50 @@ def _range(claim: Claim) -> Judgement:
 
 def _explained(claim: Claim, fits: Callable[[mp.mpf], bool]) -> tuple[str, str]:
     """Verdict and words of the first cause whose value fits."""
-    shown = ((x, x.value()) for x in claim.causes if x.value)
-    return next(((x.verdict, f"{x.words}: {_digits(value)}") for x, value in shown if fits(value)), UNEXPLAINED)
+    for cause in claim.causes:
+        if cause.value:
+            value = cause.value()
+            if fits(value):
+                return cause.verdict, f"{cause.words}: {_digits(value)}"
+    return UNEXPLAINED
 
 
 def _form(claim: Claim) -> Judgement:
     """A printed form against the derived one.
 
     A cause is an edit of the print that makes it hold, a postulate something that has to be put into the derived form
-    before it does: the least number of these is looked for. Without a transcription there is nothing to compare.
+    before it does: the least number of these is sought. Without a transcription there is nothing to compare.
     """
     derived = _derived(claim)
     if not claim.expression:
-        return claim.shows.format(*map(_digits, derived)) if derived else "-", "not machine-checkable", claim.note
+        computed = claim.shows.format(*map(_digits, derived)) if derived else "-"
+        return computed, "not machine-checkable", claim.note
     computed = claim.shows.format("; ".join(dict.fromkeys(map(words, derived))))
-    laws = tuple(claim.law(derived[0])) if claim.law else ()
-    touched = [p for p in POSTULATES if any(x.subs(p.put) != x for x in (*derived, *laws))]
-    needed = (x for count in range(len(touched) + 1) for x in combinations(touched, count))
     edits = (None, *(x for x in claim.causes if x.edit[0] and x.edit[0] in claim.expression))
-    for postulates, cause in product(needed, edits):
-        if _form_holds(claim, claim.expression.replace(*cause.edit) if cause else claim.expression, postulates):
-            said = cause.words if cause else claim.note
-            if cause and (cause.verdict != "imprecise" or not postulates):
-                return computed, cause.verdict, "; given ".join([said, *(x.words for x in postulates)])
-            if not postulates:
-                return computed, "definition" if _names(claim) else "holds", said
-            return computed, "assumption", "; ".join(filter(None, (*map(_instead, postulates), said)))
+    for postulates, cause in product(_candidates(claim), edits):
+        printed = claim.expression.replace(*cause.edit) if cause else claim.expression
+        if _form_holds(claim, printed, postulates):
+            return computed, *_form_verdict(claim, postulates, cause)
     return computed, *UNEXPLAINED
+
+
+def _candidates(claim: Claim) -> Iterator[tuple[Postulate, ...]]:
+    """Postulates that change the derived form or its law, in combinations, the smallest first."""
+    derived = _derived(claim)
+    forms = (*derived, *(claim.law(derived[0]) if claim.law else ()))
+    relevant = [p for p in POSTULATES if any(x.subs(p.put) != x for x in forms)]
+    for count in range(len(relevant) + 1):
+        yield from combinations(relevant, count)
+
+
+def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | None) -> tuple[str, str]:
+    """Verdict and words of a form that holds under these postulates, once an edit has mended it if there is a cause."""
+    remark = cause.words if cause else claim.note
+    if cause and (cause.verdict != "imprecise" or not postulates):
+        return cause.verdict, "; given ".join([remark, *(x.words for x in postulates)])
+    if postulates:
+        return "assumption", "; ".join(filter(None, (*map(_instead, postulates), remark)))
+    return "definition" if _names(claim) else "holds", remark
 
 
 def _names(claim: Claim) -> bool:
@@ -211,23 +280,27 @@ def _names(claim: Claim) -> bool:
 
 
 def _appendix(claim: Claim) -> Judgement:
-    """What a printed antiderivative integrates, found by proof, against what the paper claims it integrates."""
-    assert claim.subject is not None
+    """The proved integrand of a printed antiderivative, against what the paper claims that it integrates."""
+    appendix = claim.subject
+    assert appendix is not None
     try:
-        proof = simplify(claim.subject)
+        proof = simplify(appendix)
     except (ProofError, ValueError) as error:
         return "nothing: it is no such integral", "wrong", f"cause not found ({error})"
     before, after = proof.operations
     computed = f"integral of {words(proof.integrand)}: {words(proof.expression)}; {before} operations -> {after}"
-    brackets, (claimed,) = _brackets(claim.subject), m.read(claim.expression)
-    said = [brackets] if brackets else []
-    if real_arithmetic_fails(claim.subject).subs(theta_m, float(s.FIRST_END + s.HALF)):
-        said.append("NaN in real arithmetic here")
+    brackets = _brackets(appendix)
+    (claimed,) = m.read(claim.expression)
+    remarks = [brackets] if brackets else []
+    if real_arithmetic_fails(appendix).subs(theta_m, float(s.FIRST_END + s.HALF)):
+        remarks.append("NaN in real arithmetic here")
     if not vanishes(proof.integrand - claimed):
         number = _digits(s.value(proof.expression))
-        said.insert(0, f"integrates {words(proof.integrand)}, not {words(claimed)}: {number} here")
-        return computed, "wrong", "; ".join(said)
-    return computed, *(("misprint", "; ".join(said)) if brackets else ("holds", claim.note))
+        remarks.insert(0, f"integrates {words(proof.integrand)}, not {words(claimed)}: {number} here")
+        return computed, "wrong", "; ".join(remarks)
+    if brackets:
+        return computed, "misprint", "; ".join(remarks)
+    return computed, "holds", claim.note
 
 
 def _brackets(appendix: Appendix) -> str:
@@ -236,7 +309,8 @@ def _brackets(appendix: Appendix) -> str:
     lost = sum(unreadable(appendix, x) for x in places)
     if not places or (not lost and vanishes(parse(appendix, places) - parse(appendix))):
         return ""
-    return f"{sum(x.brackets for x in places)} brackets missing at {len(places)} places, {lost} of them unreadable"
+    missing = sum(x.brackets for x in places)
+    return f"{missing} brackets missing at {len(places)} places, {lost} of them unreadable"
 
 
 def _digits(value: Any) -> str:
@@ -250,90 +324,23 @@ def _instead(postulate: Postulate) -> str:
     return f"{postulate.words}; instead, {postulate.alternative}: {effect}"
 
 
-def words(form: sp.Expr) -> str:
+def words(form: Expr) -> str:
     """A form as one reads it."""
-    text = in_words(form.replace(sp.Integral, _integral)).replace("~", "")
+    text = in_words(form.replace(Integral, _integral)).replace("~", "")
     return text.replace("rate*", "domega*/dt*").replace("_of(", "(")
 
 
-def _integral(f: sp.Expr, *limits: sp.Tuple) -> sp.Symbol:
+def _integral(f: Expr, *limits: Tuple) -> Symbol:
+    """An integral as a symbol whose name is its text; the ~ puts it last in a product."""
     lower = {R * CHORD: "R_1", CHORD: "R_1_star"}
-    signs = ("int " if x == theta else f"int_{lower.get(low, low)}^{{{high}}} " for x, low, high in reversed(limits))
-    return sp.Symbol(f"~{''.join(signs)}{f} " + " ".join(f"d{x}" for x, *_ in limits))  # ~ comes last in a product
+    signs = ""
+    for x, low, high in reversed(limits):
+        signs += "int " if x == theta else f"int_{lower.get(low, low)}^{{{high}}} "
+    differentials = " ".join(f"d{x}" for x, *_ in limits)
+    return Symbol(f"~{signs}{f} {differentials}")
 
 
 @cache
 def rows() -> tuple[Row, ...]:
     """Every claim judged, in the paper's order."""
-    return tuple(map(judge, CLAIMS))
-
-
-def counts(judged: Iterable[Row]) -> str:
-    """One line: how many of each verdict."""
-    number = Counter(row.verdict for row in judged)
-    return f"{sum(number.values())} claims: " + ", ".join(f"{number[v]} {v}" for v in VERDICTS if number[v])
-
-
-def report(form: str = "text") -> str:
-    """Judge the paper: as "text" for a terminal of 100 columns, as "json", or as "markdown" for a colleague."""
-    if form == "json":
-        return json.dumps([row._asdict() for row in rows()], indent=2)
-    return {"text": _text, "markdown": _markdown}[form](rows())
-
-
-SIMPLY = ("holds", "holds to the printed digits", "definition")
-
-
-def failing(judged: Iterable[Row]) -> list[Row]:
-    """What does not simply hold."""
-    return [row for row in judged if row.verdict not in SIMPLY]
-
-
-def _text(judged: Sequence[Row]) -> str:
-    def told(x: Row) -> str:
-        text = f"{x.id}: {x.verdict}: {x.cause or x.claim} [printed {x.printed}; from the definitions {x.computed}]"
-        return textwrap.fill(text, 100, subsequent_indent="    ")
-
-    simply = [x for x in judged if x.verdict in SIMPLY]
-    rules = [textwrap.fill(f"{verdict}: {rule}", 100, subsequent_indent="    ") for verdict, rule in VERDICTS.items()]
-    return "\n".join(
-        [
-            *map(told, simply),
-            "",
-            "What does not simply hold:",
-            *map(told, failing(judged)),
-            "",
-            "By these rules:",
-            *rules,
-            "",
-            textwrap.fill(f"{counts(judged)}.", 100),
-        ]
-    )
-
-
-def _markdown(judged: Sequence[Row]) -> str:
-    def table(chosen: Iterable[Row]) -> list[str]:
-        head = ("where", "claim", "printed", "definitions give", "verdict", "cause", "assumes")
-        cells = ([x.replace("|", "\\|").replace("*", "\\*") for x in row] for row in chosen)
-        return ["| " + " | ".join(x) + " |" for x in (head, ["---"] * len(KEYS), *cells)]
-
-    rules = [f"* *{verdict}*: {rule}." for verdict, rule in VERDICTS.items()]
-    return "\n".join(
-        [
-            "# The slip-circle paper, judged against its own definitions",
-            "",
-            "Every verdict below was computed, by these rules:",
-            "",
-            *rules,
-            "",
-            f"{counts(judged)}.",
-            "",
-            "## What does not simply hold",
-            "",
-            *table(failing(judged)),
-            "",
-            "## All claims",
-            "",
-            *table(judged),
-        ]
-    )
+    return tuple(judge(claim) for claim in track(CLAIMS, "claims judged", len(CLAIMS)))

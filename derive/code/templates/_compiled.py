@@ -57,51 +57,67 @@ LEVEL = next(iter(LEVELS))
 def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
     """The function ``(alpha, out, where, accuracy)`` behind a public kernel, from its NumPy text of every tier."""
     form, loops = LEVELS[level]
-    loop: Any = loops.get("best", {}).get(name)
     # Of plain operations NumPy and C make the same; only where the text calls a library has NumPy a form of its own.
     proved = {tier: of.get(form, of.get("plain")) for tier, of in BOUNDS.get(name, {}).items()}
+    cheapest = cache(partial(_cheapest, name, proved))
 
-    @cache
-    def choose(kind: str, accuracy: float) -> str:
-        """The cheapest tier that is proved to meet a relative error in a float format."""
-        if not accuracy > 0:
-            raise ValueError(f"accuracy is a relative error above 0, not {accuracy!r}")
-        best: float | None = None
-        for tier in {"d": CHEAPEST_FIRST, "f": ("float32",)}.get(kind, ()):
-            bound = proved.get(tier)
-            if bound is not None and bound[0] <= accuracy:
-                return tier
-            best = best if bound is None else bound[0]
-        limit = "nothing is proved" if best is None else f"the best tier is proved to {best:.3g}"
-        raise ValueError(f"{name} cannot promise a relative error of {accuracy!r} here: {limit}")
+    def loop_of(tier: str) -> Any:
+        """The compiled loop of a tier, or None; that of float32 is a type of the best one's."""
+        return loops.get("best" if tier == "float32" else tier, {}).get(name)
+
+    best = loop_of("best")
 
     def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
-        simple = loop is not None and where is True
+        simple = best is not None and where is True
         if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
-            chosen = loop
+            loop = best
             if accuracy is not None:
-                tier = choose("d" if of is float else alpha.dtype.char, accuracy)
-                chosen = loops["best" if tier == "float32" else tier][name]
-            return chosen(alpha) if out is None else chosen(alpha, out)
-        if not isinstance(alpha, np.ndarray | np.generic) and any(hasattr(alpha, x) for x in _PROTOCOLS):
+                loop = loop_of(cheapest("d" if of is float else alpha.dtype.char, accuracy))
+            return loop(alpha) if out is None else loop(alpha, out)
+        if _is_foreign(alpha):
             return _elsewhere(name, texts, alpha, out, where, accuracy)
         (x,), kind = real((alpha,))
         tier = "float32" if kind.char == "f" and "float32" in texts else "best"
         if accuracy is not None:
-            tier = choose(kind.char, accuracy)
-        chosen = loops.get("best" if tier == "float32" else tier, {}).get(name)
-        if chosen is None or kind.char not in "df":
+            tier = cheapest(kind.char, accuracy)
+        loop = loop_of(tier)
+        if loop is None or kind.char not in "df":
             return _numpy(texts[tier], x, kind, out, where)
-        x = np.asarray(x, dtype=kind)
-        if where is True:
-            return chosen(x) if out is None else chosen(x, out)
-        wanted = np.asarray(where, dtype=bool)
-        if out is None:
-            return chosen(x, np.full(np.broadcast_shapes(x.shape, wanted.shape), np.nan, kind), where=wanted)[()]
-        return chosen(x, out, where=wanted)
+        return _masked(loop, np.asarray(x, dtype=kind), out, where)
 
     return call
+
+
+def _is_foreign(alpha: Any) -> bool:
+    """Whether it is an array of another library."""
+    return not isinstance(alpha, np.ndarray | np.generic) and any(hasattr(alpha, x) for x in _PROTOCOLS)
+
+
+def _cheapest(name: str, proved: Mapping[str, tuple[float, float | None] | None], kind: str, accuracy: float) -> str:
+    """The cheapest tier that is proved to meet a relative error in a float format."""
+    if not accuracy > 0:
+        raise ValueError(f"accuracy is a relative error above 0, not {accuracy!r}")
+    limit = "nothing is proved"
+    for tier in {"d": CHEAPEST_FIRST, "f": ("float32",)}.get(kind, ()):
+        bound = proved.get(tier)
+        if bound is None:
+            continue
+        if bound[0] <= accuracy:
+            return tier
+        limit = f"the best tier is proved to {bound[0]:.3g}"
+    raise ValueError(f"{name} cannot promise a relative error of {accuracy!r} here: {limit}")
+
+
+def _masked(loop: Any, alpha: Array, out: Any, where: Any) -> Any:
+    """A compiled loop where a mask is true; elsewhere `out` keeps what it holds, and without one there is NaN."""
+    if where is True:
+        return loop(alpha) if out is None else loop(alpha, out)
+    mask = np.asarray(where, dtype=bool)
+    if out is not None:
+        return loop(alpha, out, where=mask)
+    shape = np.broadcast_shapes(alpha.shape, mask.shape)
+    return loop(alpha, np.full(shape, np.nan, alpha.dtype), where=mask)[()]
 
 
 _SCALARS = frozenset((float, np.float64, np.float32))
@@ -112,16 +128,19 @@ def _numpy(text: Text, x: Any, kind: np.dtype[Any], out: Any, where: Any) -> Any
     body = partial(_clipped, text)
     if where is not True:
         return evaluate(body, _inside, (0.5,), (x,), out, where)
-    given = np.asarray(x, dtype=kind)
-    result = np.empty(given.shape, kind)
-    flat, values = given.reshape(-1), result.reshape(-1)
+    alpha = np.asarray(x, dtype=kind)
+    result = np.empty(alpha.shape, kind)
+    flat = alpha.reshape(-1)
+    values = result.reshape(-1)
     with np.errstate(under="ignore"):  # an underflow is correctly rounded, or nearly so
         for start in range(0, flat.size, BLOCK):
             block = flat[start : start + BLOCK]
-            if block.min() >= 0.0 and float(block.max()) <= HALF_PI:  # in float64: float32's pi/2 lies above
-                values[start : start + BLOCK] = text(block.astype(np.float64, copy=False))
+            inside = block.min() >= 0.0 and float(block.max()) <= HALF_PI  # in float64: float32's pi/2 lies above
+            if inside:
+                part = text(block.astype(np.float64, copy=False))
             else:
-                values[start : start + BLOCK] = evaluate(body, _inside, (0.5,), (block,), None, True)
+                part = evaluate(body, _inside, (0.5,), (block,), None, True)
+            values[start : start + BLOCK] = part
     if out is None:
         return result[()]
     np.copyto(out, result, casting="same_kind")

@@ -72,7 +72,8 @@ def _block(
     result: NDArray[Any],
 ) -> bool:
     """Fill one part of the result; whether a lane that was asked for is invalid."""
-    values, wanted = [np.asarray(x, dtype=np.float64) for x in given[:-1]], given[-1]
+    values = [np.asarray(x, dtype=np.float64) for x in given[:-1]]
+    wanted = given[-1]
     with np.errstate(all="ignore"):  # a lane outside, or not asked for, may do what it likes here
         valid = inside(eps, *values)
     use = valid & wanted

@@ -342,12 +342,14 @@ def _summary(motion: Motion[Any]) -> str:
     values = (motion.outcomes[name] for name in ("peak_velocity", "run_out", "duration"))
     velocity, run_out, duration = (shown(value, digits) for value in values)
     end = "comes to rest after" if motion.arrested else "still moving at"
+    if not motion.arrested and motion.plan.scene.end_time is None:
+        end = "followed to its first standstill at"
     return f"{velocity} m/s at most; run-out {run_out} m; {end} {duration} s"
 
 
 def _ensemble_summary(motion: Motion[Any]) -> str:
     """How many lanes ended in which way, and the range of their run-outs."""
-    counts = ", ".join(f"{count} {status.lower()}" for status, count in motion.count().items())
+    counts = ", ".join(f"{Status[name].words}: {count}" for name, count in motion.count().items())
     known = motion.run_out[~np.isnan(motion.run_out)]
     span = f"{shown(known.min())} to {shown(known.max())} m" if known.size else "not known"
     return f"{counts}; run-out {span}"

@@ -109,6 +109,11 @@ def _choice(called: tuple[str, ...], laws: Any, moving: tuple[tuple[str, str], .
     }
 
 
+def step_operations(effects: tuple[str, ...], laws: tuple[str, ...], moving: tuple[str, ...]) -> str:
+    """The operations on series of one step under effects and laws by name; ``moving`` symbols change in time."""
+    return counted(join(effects, laws, moving))
+
+
 def counted(program: Program) -> str:
     """The operations on series of one step, by kind."""
     kinds = [op[0] for op in program.series]

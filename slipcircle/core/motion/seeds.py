@@ -23,7 +23,7 @@ from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.forcing import factor
 from slipcircle.core.scene.friction import law_parts
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.transport import growth
+from slipcircle.core.scene.transport import section_derivatives
 
 Floats = NDArray[np.float64]
 _COMPONENTS = ("fall", "press", "fall_slope", "press_slope")
@@ -76,7 +76,7 @@ class Seeds:
         return inputs, opened, inertia / alpha * opened, 0.0 * opened
 
     def _section(self, section: Section, held: Mapping[str, float]) -> "_Geometry":
-        grown = growth(section, self.names)
+        grown = section_derivatives(section, self.names)
         m, own, way = grown.moments, section.moments, section.facing
         theta, alpha = own["moment_of_inertia"], float(section.half_angle)
         opened, inertia = (grown.ends[1] - grown.ends[0]) / 2, m["inertia"] / theta
@@ -92,7 +92,7 @@ class Seeds:
         inputs["level"] = held["level"] * (opened / alpha + opened / math.tan(alpha / 2) - inertia)
         heights = 2 * alpha * float(section.mean_cover / section.radius)
         self.pressure = under_water(section, turns(self.lanes.called), grown.pressure, len(self.names))
-        return inputs, opened, inertia, m["cover"] / heights + m["radial_y"] / own["radial_weight"]
+        return inputs, opened, inertia, grown.heights / heights + m["radial_y"] / own["radial_weight"]
 
     def one(self, name: str) -> Floats:
         return np.array([float(n == name) for n in self.names])

@@ -25,7 +25,7 @@ from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.core.scene.parameters import parameters
 from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.transport import telling, through_vertex
+from slipcircle.core.scene.transport import active_parameters, through_vertex
 
 Floats = NDArray[np.float64]
 
@@ -59,7 +59,9 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
 
 def _parameters(scene: Scene) -> list[str]:
     """The names of the free parameters."""
-    arc = telling(scene.arc) if isinstance(scene.arc, Section) else ARC if scene.arc.given is None else ARC[2:]
+    arc = (
+        active_parameters(scene.arc) if isinstance(scene.arc, Section) else ARC if scene.arc.given is None else ARC[2:]
+    )
     start = ("initial_velocity", *(n for n in scene.numbers if n.startswith("shaking.")))
     without = {*arc_numbers(scene.arc)} - {*arc} | {
         n for n in start if not float(np.asarray(scene.numbers.get(n, 0.0)))

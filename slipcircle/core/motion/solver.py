@@ -20,7 +20,7 @@ from slipcircle.core.scene.scene import Scene
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
 
-def solve(scene: Scene[Numbers], accuracy: float | None = None) -> Motion[Numbers]:
+def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any = False) -> Motion[Numbers]:
     """Solve a scene until it rests, or until its end time; a scene of arrays as an ensemble.
 
     Parameters
@@ -28,6 +28,8 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None) -> Motion[Number
     scene : Scene
     accuracy : float, optional
         Relative error asked for; by default the scene's own, or 1e-9.
+    invalid : array_like of bool, optional
+        Lanes that are no scenes, as `with_parameter_arrays` gives them; their status is `Status.INVALID`.
 
     Returns
     -------
@@ -49,7 +51,7 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None) -> Motion[Number
     first standstill. ``notebooks/0_the_method.ipynb`` derives all of this.
     """
     chosen = plan(scene, accuracy)
-    motion: Motion[Numbers] = motion_of(chosen)
+    motion: Motion[Numbers] = motion_of(chosen, invalid)
     if not scene.shape:
         _refuse(motion)
     return motion

@@ -23,11 +23,26 @@ class Status(IntEnum):
     INVALID = 7  #: its numbers are no scene
 
     @property
+    def words(self) -> str:
+        """How the motion ended, for people."""
+        return _WORDS[self.name]
+
+    @property
     def reason(self) -> str:
         """Why there is no result; empty where there is one."""
         return _REASONS.get(self.name, "")
 
 
+_WORDS = {
+    "RESTS": "comes to rest",
+    "STAYS": "does not move",
+    "MOVING": "still moving",
+    "TURNED": "comes to rest after turning back",
+    "UPRIGHT": "turns over",
+    "ENDLESS": "never rests",
+    "FAILED": "overflow",
+    "INVALID": "invalid",
+}
 _REASONS = {
     "UPRIGHT": "the chord stands upright, and the mass would hang over",
     "ENDLESS": "it never rests, or turns back too often",

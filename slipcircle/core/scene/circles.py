@@ -4,7 +4,6 @@ A *stretch* is the part of the ground between two neighbouring crossings that li
 between it and the arc below. Everything is over R and from the centre; n circles stand before E edges.
 """
 
-from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -76,7 +75,7 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
     near = np.nonzero(np.abs(clear) < 0.1 * r * r)  # where a difference of near equals takes two doubles
     some, about = np.broadcast_to(points, (*clear.shape, 2))[near].T, -centre[near[0]].T
     clear[near] = _clearance(two_sum(some[0], about[0]), two_sum(some[1], about[1]), radius[near[0]])[0]
-    blur = 32 * EPS * r * (r + np.abs(points).max(axis=(1, 2))[:, None] + np.abs(centre).max(axis=1)[:, None])
+    blur = 32 * EPS * r * (r + np.abs(points).max(axis=2) + np.abs(centre).max(axis=1)[:, None])
     inside = clear > blur
     in_1, in_2 = inside[:, :-1], inside[:, 1:]
     edge = np.diff(points, axis=1)
@@ -190,53 +189,6 @@ def _moments(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
         for into, value in zip(total, slopes.closed(a, b, c, d, angle), strict=True):
             into += np.bincount(lanes[0], value, len(into))
     return total
-
-
-def heads(parts: Cut, mine: NDArray[np.bool_]) -> tuple[Callable[[Any, Any], Any], Floats]:
-    """Of lines above arcs: the integral over beta of their height where they are inside the circle, and its kinks.
-
-    The lines of the parts that are meant; beta is from straight below the centre, at most a right angle either way.
-    """
-    slope = np.divide(parts.e_y, parts.e_x, out=np.zeros(parts.x.shape), where=parts.e_x > 0.0)
-    sine = np.clip(parts.x, -1.0, 1.0)
-    low = np.arcsin(sine)
-    cosine, high = np.cos(low), np.where(mine, np.arcsin(np.clip(parts.x + parts.e_x, -1.0, 1.0)), low)
-    # cos + y, as 1 - rho^2 knows it, which does not cancel near the arc
-    height = np.divide(parts.first, cosine - parts.y, out=cosine + parts.y, where=parts.y < 0.0)
-
-    every, lanes = np.arange(low.shape[1]), np.arange(len(low))
-
-    def over(beta: Any, of: Any = ...) -> Any:
-        """From the first end of each line, or of those that are asked for."""
-        angle = np.clip(beta, low[of], high[of]) - low[of]
-        return slopes.head(angle, sine[of], cosine[of], height[of], slope[of])
-
-    whole = over(high)
-
-    def integral(first: Any, last: Any) -> Any:
-        """From one beta to another, (..., n) in and out: the whole of lines between, and a part of the outer two."""
-        a, b = (np.maximum(np.count_nonzero(low <= x[..., None], axis=-1) - 1, 0) for x in (first, last))
-        begin, end = over(first, (lanes, a)), over(last, (lanes, b))
-        between = (every > a[..., None]) & (every < b[..., None])
-        inner = np.where(between, whole, 0.0).sum(axis=-1) + (whole[lanes, a] - begin) + end
-        return np.where(a == b, end - begin, inner)
-
-    return integral, np.concatenate([low, high], axis=1)
-
-
-def wet(level: Floats, centre: Floats, radius: Floats) -> tuple[Floats, Callable[[Any, Any], Any], Floats]:
-    """A water level (W, 2), or one for each circle, and its `heads` over the arcs; it goes on horizontally."""
-    low, high = centre[:, 0] - 2 * radius, centre[:, 0] + 2 * radius
-    if level.ndim == 2:
-        low, high = low.min(), high.max()
-    else:
-        level = np.broadcast_to(level, (len(radius), *level.shape[1:]))
-    first, last = level[..., :1, :].copy(), level[..., -1:, :].copy()
-    first[..., 0, 0] = np.minimum(low, first[..., 0, 0] - 1.0)
-    last[..., 0, 0] = np.maximum(high, last[..., 0, 0] + 1.0)
-    line = np.concatenate([first, level, last], axis=-2)
-    parts = cut(line.reshape(-1, *line.shape[-2:]), centre, radius)
-    return line, *heads(parts, (parts.e_x != 0.0) | (parts.e_y != 0.0))
 
 
 def thickness(parts: Cut, mine: NDArray[np.bool_]) -> Floats:

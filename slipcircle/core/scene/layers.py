@@ -120,9 +120,11 @@ def soil_mistakes(soil: Soil) -> list[str]:
     return found
 
 
-def layer_mistakes(section: LayeredSection) -> list[str]:
+def layer_mistakes(
+    layers: Sequence[tuple[Soil, Any]], surcharge: Sequence[Any], strength: str = "base", foreland: Soil | None = None
+) -> list[str]:
     """A sentence for each mistake in the layers of a section, its foreland and its surcharges."""
-    pairs = list(section.layers)
+    pairs = list(layers)
     if not pairs or not all(isinstance(p, tuple | list) and len(p) == 2 and isinstance(p[0], Soil) for p in pairs):
         return ["layers: must be pairs of a Soil and its top, from the ground down; the top of the first is None"]
     found = []
@@ -135,13 +137,13 @@ def layer_mistakes(section: LayeredSection) -> list[str]:
             found += line_mistakes(f"layers[{k}]: top", top, True)
         else:
             found += mistakes({"top": top}, {"top": (-FAR, FAR, "a height in m, or points from left to right")})
-    if section.strength not in ("base", "mass"):
-        found.append(f"strength = {section.strength!r}: must be 'base' or 'mass'")
-    if section.foreland is not None and not isinstance(section.foreland, Soil):
-        found.append(f"foreland = {section.foreland!r}: must be a Soil")
-    elif section.foreland is not None and section.strength == "mass":
+    if strength not in ("base", "mass"):
+        found.append(f"strength = {strength!r}: must be 'base' or 'mass'")
+    if foreland is not None and not isinstance(foreland, Soil):
+        found.append(f"foreland = {foreland!r}: must be a Soil")
+    elif foreland is not None and strength == "mass":
         found.append("foreland: cannot be combined with strength = 'mass', by which the sole of the mass keeps its own")
-    soils = {id(s): s for s in section.soils if isinstance(s, Soil)}.values()
+    soils = {id(s): s for s in (*(soil for soil, _ in pairs), foreland) if isinstance(s, Soil)}.values()
     names = [s.name for s in soils]
     found += [
         f"layers: {name!r} is the name of two soils; give each its own" for name in {*names} if names.count(name) > 1
@@ -153,7 +155,7 @@ def layer_mistakes(section: LayeredSection) -> list[str]:
     }
     if len(laws) > 1:
         found.append("layers: the soils along an arc share one law of slip and one length")
-    for k, load in enumerate(section.surcharge):
+    for k, load in enumerate(surcharge):
         if np.shape(load) != (4,) or not np.all(np.isfinite(load)) or not load[0] < load[1] or min(load[2:]) < 0.0:
             found.append(f"surcharge[{k}] = {load!r}: must be x1 < x2 in m and pressures there of at least 0 in Pa")
     return found
@@ -212,7 +214,7 @@ class LayeredSection(Section):
     quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
 
     def __post_init__(self) -> None:
-        raise_all("LayeredSection", layer_mistakes(self))
+        raise_all("LayeredSection", layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland))
         super().__post_init__()
         first, last = self._angles
         overhangs = max(-float(np.min(first)), float(np.max(last))) > np.pi / 2
@@ -428,10 +430,10 @@ class LayeredSection(Section):
         return np.stack([*there, end, start])
 
     def _heads(self, rotation: Floats) -> Floats:
-        """Integrals of the head of the water level up to these directions, (J + 2, M, circles)."""
-        integral, _ = self._water
-        there, facing = self._space(rotation), self._facing
-        return np.asarray(integral(np.full_like(there, -np.pi / 2), facing * there) * facing)
+        """Integrals of the head of the water level from the entry to these directions, (J + 2, M, circles)."""
+        there = self._facing * self._space(rotation)
+        entry = np.broadcast_to(there[-1], there.shape)
+        return self._water.integral(np.minimum(entry, there), np.maximum(entry, there))
 
     def _lengths(self, rotation: Floats) -> Floats:
         """Lengths of arc up to these directions, likewise."""
@@ -495,8 +497,7 @@ class LayeredSection(Section):
         edges = np.where(down > 0.0, self._strips.beta, -self._strips.beta[:, ::-1])
         base = [self._stretches.joint, first[:, None], last[:, None]]
         if self.level is not None:
-            _, wet = self._water
-            base.append(wet * down)
+            base += [self._water.low * down, self._water.high * down]
         _, centre, radius = self._circle
         for s in self.soils:
             if s.datum is not None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import chain
@@ -16,6 +16,7 @@ from slipcircle.core.scene import circles
 from slipcircle.core.scene.circles import Cut, Floats
 from slipcircle.core.scene.faults import faults, unmoved
 from slipcircle.core.scene.ground import field_mistakes, line_faults
+from slipcircle.core.scene.heights import HeightIntegrals, height_integrals, integral_inside
 from slipcircle.core.scene.weights import Dimensionless, Mass, Weights
 
 
@@ -71,8 +72,14 @@ class Section(Mass):
     -----
     Ground, centre, radius and level may be arrays with leading axes; results have their broadcast shape. Angles are
     measured from straight below the centre. Either facing: the mass faces the way in which gravity turns it, ``entry``
-    is its upper end, and positive means down-slope throughout. Moments to about 1e-14 (of J_r, J_theta: of their
-    vector's length) for the coordinates as they are given, however thin the mass.
+    is its upper end, and positive means down-slope throughout.
+
+    For the coordinates as they are given moments are right to about 1e-14 (J_r, J_theta: of their vector's length)
+    however thin the mass; ``mean_cover`` and ``mean_pressure`` to about 4e-15 (1 + 1/alpha) of the greatest height
+    above the arc, alpha half its angle (1e-13/alpha at worst of 2,000 random arcs). A vertex as near to the circle as
+    rounding of coordinates goes (32 times 2e-16) counts as on it, which changes a mass of the depth f by up to about
+    1e-14 (R + |coordinates|)/f: by 1e-6 at alpha = 1e-5. A point of the arc lies under the water level and the ground
+    at its x, also where the arc overhangs: the column above it is then ground outside the mass.
     """
 
     ground: ArrayLike
@@ -254,10 +261,16 @@ class Section(Mass):
 
     @cached_property
     def mean_cover(self) -> Any:
-        """Mean over the arc of the height of the ground above it, m: times r_u and the unit weight, a mean pressure."""
-        integral, _ = circles.heads(self._cut, self._mine)
+        """Mean over the arc of the height of the ground above it, m: times r_u and the unit weight, a mean pressure.
+
+        Above a point where the arc overhangs, the ground outside the mass.
+        """
         first, last = self._angles
-        return self._shaped(integral(first, last) / (last - first)) * self.radius
+        integral = np.where(self._mine, integral_inside(self._cut), 0.0).sum(axis=1)
+        overhangs = (first < -np.pi / 2) | (last > np.pi / 2)
+        if overhangs.any():
+            integral = np.where(overhangs, height_integrals(*self._circle).integral(first, last), integral)
+        return self._shaped(integral) / (2 * self.half_angle) * self.radius
 
     # --- mechanics ---------------------------------------------------------------------------------------------------
 
@@ -332,8 +345,8 @@ class Section(Mass):
         return self._lines(self.level)
 
     @cached_property
-    def _water(self) -> tuple[Callable[[Any, Any], Any], Floats]:
-        return circles.wet(self._level, *self._circle[1:])[1:]
+    def _water(self) -> HeightIntegrals:
+        return height_integrals(self._level, *self._circle[1:])
 
     def mean_pressure(self, rotation: Any = 0.0) -> Any:
         """Mean pore pressure on the arc under the mass after a rotation, Pa.
@@ -347,12 +360,11 @@ class Section(Mass):
         """
         if self.level is None:
             return 0.0 * np.add(rotation, np.zeros(self.shape))
-        integral, _ = self._water
         first, last = self._angles
         turn = np.asarray(rotation, dtype=np.float64)
         turn = np.broadcast_to(turn, np.broadcast_shapes(turn.shape, self.shape))
         turned = turn.reshape(*turn.shape[: turn.ndim - len(self.shape)], -1) * self._facing
-        mean = integral(first + turned, last + turned) / (last - first)
+        mean = self._water.integral(first + turned, last + turned) / (last - first)
         return (mean.reshape(turn.shape) * np.multiply(self.radius, self.water_unit_weight))[()]
 
     @cached_property
@@ -360,7 +372,7 @@ class Section(Mass):
         """Rotations at which the mean pressure is not smooth, rad, sorted, on a last axis."""
         if self.level is None:
             return self._shaped(np.empty((len(self._facing), 0)))
-        _, kinks = self._water
+        kinks = np.concatenate([self._water.low, self._water.high], axis=1)
         turns = np.concatenate([kinks - end[:, None] for end in self._angles], axis=1) * self._facing[:, None]
         return self._shaped(np.sort(turns, axis=1))
 

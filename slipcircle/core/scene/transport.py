@@ -1,10 +1,11 @@
 """How the integrals of a section change with the coordinates of its ground, its circle and its water level.
 
-Seen from the centre, over R, the arc rests and only vertices move. The integral of f over the mass changes by that of
-f (v x ds) along the ground inside the circle (Reynolds' transport theorem), v linear between the vertices of an edge;
-where ground and arc meet the mass has no thickness, and nothing is added. f is the integrand of each definition: r and
-r^2 of (2.17) and (3.12), the unit vector and the vector from the centre of (2.23) and (3.13), and 1/cos(beta) of the
-mean height above the arc. The ends of the arc move as the ground's edges cross it.
+Seen from the centre, over R, the arc rests and only vertices move. By Reynolds' transport theorem the integral of f
+over the mass changes by that of f (v x ds) along the ground inside the circle, where the velocity v is linear between
+the vertices of an edge; at the arc, and where ground and arc meet, nothing is added. f is the integrand of each
+definition: r and r^2 of (2.17) and (3.12), the unit vector and the vector from the centre of (2.23) and (3.13). The
+ends of the arc move along it as the ground's edges cross it. Integrals of heights above the arc change with the
+vertices of their line and with these ends.
 
 Of a circle through a vertex the derivatives are those towards the side on which the vertex lies outside the mass.
 """
@@ -15,27 +16,48 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core.scene import circles
 from slipcircle.core.scene.coordinates import indices_of
+from slipcircle.core.scene.heights import height_integrals
 from slipcircle.core.scene.section import Section
 
 Floats = NDArray[np.float64]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(48)
+_Chain = Callable[[Floats, Floats, str], Floats]  # derivatives by numbers, of those by vertices of a line
 
 
-class Growth(NamedTuple):
+class SectionDerivatives(NamedTuple):
     """Derivatives by numbers of a section, one a column."""
 
-    moments: Mapping[str, Floats]  # of each, dimensionless, without its sign of facing; of ``cover`` the integral
+    moments: Mapping[str, Floats]  # of each integral of `circles.MEASURES` but the area
+    heights: Floats  # of the integral of the ground's height above the arc, over R
     ends: Floats  # of the angles of both ends of the arc, (2, numbers), rad
     pressure: Callable[[Any], Any]  # of the mean pressure below the water level, Pa, after rotations (..., numbers)
 
 
-def telling(section: Section) -> list[str]:
-    """The numbers of a single section that its motion depends on; of the ground those of the edges over the mass."""
-    over = np.flatnonzero(_over(section))
-    ground = {n for n, at in indices_of(section, "ground").items() if over[0] <= at[0] <= over[-1] + 1}
+class _Surface(NamedTuple):
+    """The edges of the ground over the mass, and the parts of them that lie inside the circle, (k, 2), over R."""
+
+    vertex: NDArray[np.int64]  # number of an edge's first vertex, (k,)
+    edge: Floats
+    start: Floats  # of the part inside
+    part: Floats
+    skipped: Floats  # share of the edge before that part, (k,)
+    share: Floats  # and of the part
+
+
+def active_parameters(section: Section) -> list[str]:
+    """The numbers of a single section that its motion depends on; of the ground those of the edges above the arc."""
+    vertices = _vertices_above(section)
+    ground = {n for n, at in indices_of(section, "ground").items() if at[0] in vertices}
     return [n for field in section.quantities for n in indices_of(section, field) if field != "ground" or n in ground]
+
+
+def _vertices_above(section: Section) -> range:
+    """Of the edges over the mass, or, where the arc overhangs, over all of it."""
+    edges = np.flatnonzero(_over_mass(section))
+    if np.any(np.abs(section._angles) > np.pi / 2):
+        edges = np.unique(np.clip(_ground_heights(section).edge - 1, 0, np.shape(section.ground)[0] - 2))
+    return range(edges[0], edges[-1] + 2)
 
 
 def through_vertex(section: Section) -> bool:
@@ -44,58 +66,83 @@ def through_vertex(section: Section) -> bool:
     return bool(np.any(np.isclose(ends[:, None], section._circle[0], rtol=1e-14, atol=0.0).all(axis=2)))
 
 
-def _over(section: Section) -> Any:
-    """The edges of the ground over the mass of a single section."""
+def _over_mass(section: Section) -> Any:
+    """Which edges of the ground of a single section."""
     return section._mine[0] & ((section._cut.e_x[0] != 0.0) | (section._cut.e_y[0] != 0.0))
 
 
-def growth(section: Section, names: Sequence[str]) -> Growth:
+def section_derivatives(section: Section, names: Sequence[str]) -> SectionDerivatives:
     """Derivatives of a single section by its numbers, to some 1e-14 of each moment over the length that moves."""
-    (ground,), (centre,), (radius,) = section._circle
-    ground = (ground - centre) / radius
-    edge = np.diff(ground, axis=0)
-    cut, mine = section._cut, _over(section)
-    start = np.stack([cut.x[0], cut.y[0]], axis=1)[mine]
-    inside, whole = np.stack([cut.e_x[0], cut.e_y[0]], axis=1)[mine], edge[mine]
-    square = (whole**2).sum(axis=1)
-    first = ((start - ground[:-1][mine]) * whole).sum(axis=1) / square  # where on its edge a part begins, and its share
-    share = (inside * whole).sum(axis=1) / square
+    chain = _chain_rule(section, names)
+    (points,), (centre,), (radius,) = section._circle
+    ground = (points - centre) / radius
+    surface = _surface(section, np.diff(ground, axis=0))
+    moments = {name: chain(by, ground, "ground") for name, by in _moments_by_vertex(surface, len(ground)).items()}
+    ends = chain(_ends_by_vertex(surface, np.concatenate(section._angles), len(ground)), ground, "ground")
 
-    def numbers(gradient: Any, points: Floats, field: str) -> Floats:
-        """By the section's numbers, of a gradient by vertices (..., V, 2)."""
-        by = {name: gradient[(..., *at)] for name, at in indices_of(section, field).items()}
-        by |= {f"centre.{axis}": -gradient[..., k].sum(axis=-1) for k, axis in enumerate("xy")}
-        by["radius"] = -(gradient * points).sum(axis=(-2, -1))
-        return np.stack([by.get(n, np.zeros(gradient.shape[:-2])) for n in names], axis=-1) / radius
+    above, (first, last) = _ground_heights(section), np.concatenate(section._angles)
+    at_ends = above.at(np.array([first, last]))
+    by_ground = chain(_folded(above.gradient(first, last)), ground, "ground")
+    heights = by_ground + at_ends[1] * ends[1] - at_ends[0] * ends[0]
+    of_scale = np.array([float(n == "radius") for n in names]) / radius
+    return SectionDerivatives(moments, heights, ends, _pressure(section, ends, chain, of_scale))
 
-    at, weight = _along(start, inside)
-    x, y = np.moveaxis(start[:, None] + at[..., None] * inside[:, None], -1, 0)
+
+def _chain_rule(section: Section, names: Sequence[str]) -> _Chain:
+    """From vertices seen from the centre, over R, to the numbers of the section: x = (x' - x_c)/R."""
+    (radius,) = section._circle[2]
+
+    def by_numbers(by_vertex: Any, vertices: Floats, field: str) -> Floats:
+        known = {name: by_vertex[(..., *at)] for name, at in indices_of(section, field).items()}
+        known |= {f"centre.{axis}": -by_vertex[..., k].sum(axis=-1) for k, axis in enumerate("xy")}
+        known["radius"] = -(by_vertex * vertices).sum(axis=(-2, -1))
+        unaffected = np.zeros(by_vertex.shape[:-2])
+        return np.stack([known.get(n, unaffected) for n in names], axis=-1) / radius
+
+    return by_numbers
+
+
+def _surface(section: Section, edges: Floats) -> _Surface:
+    cut, (vertex,) = section._cut, np.nonzero(_over_mass(section))
+    edge = edges[vertex]
+    start = np.stack([cut.x[0], cut.y[0]], axis=1)[vertex]
+    part = np.stack([cut.e_x[0], cut.e_y[0]], axis=1)[vertex]
+    (points,), (centre,), (radius,) = section._circle
+    before = start - (points[vertex] - centre) / radius
+    square = (edge**2).sum(axis=1)
+    return _Surface(vertex, edge, start, part, (before * edge).sum(axis=1) / square, (part * edge).sum(axis=1) / square)
+
+
+def _moments_by_vertex(surface: _Surface, vertices: int) -> dict[str, Floats]:
+    """Derivatives of the integrals over the mass by each vertex, (V, 2): of f (v x ds), with v one hat function."""
+    at, weight = _along(surface.start, surface.part)
+    x, y = np.moveaxis(surface.start[:, None] + at[..., None] * surface.part[:, None], -1, 0)
     r = np.hypot(x, y)
-    fs = {
-        "polar": r,
-        "inertia": r * r,
-        "radial_x": x / r,
-        "radial_y": y / r,
-        "moment_x": x,
-        "moment_y": y,
-        "cover": 1.0 / np.sqrt((1.0 - x) * (1.0 + x)),
-    }
-    on = first[:, None] + at * share[:, None]
-    normal, vertex = np.stack([-inside[:, 1], inside[:, 0]], axis=1), np.flatnonzero(mine)
-    moments = {}
-    for name, f in fs.items():
-        gradient = np.zeros(ground.shape)
-        for k, hat in ((0, 1.0 - on), (1, on)):
-            np.add.at(gradient, vertex + k, (f * hat * weight).sum(axis=1)[:, None] * normal)
-        moments[name] = numbers(gradient, ground, "ground")
-    ends = np.zeros((2, *ground.shape))
-    for k, (beta, part, s) in enumerate(zip(section._angles, (0, -1), (first[0], first[-1] + share[-1]), strict=True)):
-        (beta,), (u, v) = beta, whole[part]
-        for j, hat in ((0, 1.0 - s), (1, s)):  # (v x edge)/(tangent x edge)
-            ends[k, vertex[part] + j] = hat * np.array([v, -u]) / (np.cos(beta) * v - np.sin(beta) * u)
-    turned = numbers(ends, ground, "ground")
-    stretched = np.array([float(n == "radius") for n in names]) / radius
-    return Growth(moments, turned, _pressure(section, turned, numbers, stretched))
+    integrands = {"polar": r, "inertia": r * r, "radial_x": x / r, "radial_y": y / r, "moment_x": x, "moment_y": y}
+    second = surface.skipped[:, None] + at * surface.share[:, None]  # hat function of an edge's second vertex
+    normal = np.stack([-surface.part[:, 1], surface.part[:, 0]], axis=1)
+    derivatives = {}
+    for name, f in integrands.items():
+        by_vertex = np.zeros((vertices, 2))
+        for k, hat in ((0, 1.0 - second), (1, second)):
+            np.add.at(by_vertex, surface.vertex + k, (f * hat * weight).sum(axis=1)[:, None] * normal)
+        derivatives[name] = by_vertex
+    return derivatives
+
+
+def _ends_by_vertex(surface: _Surface, angles: Floats, vertices: int) -> Floats:
+    """Derivatives of the angles of both ends of the arc by each vertex, (2, V, 2).
+
+    An end stays on its edge and on the arc: it moves by (v x edge)/(tangent x edge) along the arc.
+    """
+    by_vertex = np.zeros((2, vertices, 2))
+    shares = surface.skipped[0], surface.skipped[-1] + surface.share[-1]
+    for end, (angle, part, share) in enumerate(zip(angles, (0, -1), shares, strict=True)):
+        u, v = surface.edge[part]
+        along_arc = np.array([v, -u]) / (np.cos(angle) * v - np.sin(angle) * u)
+        by_vertex[end, surface.vertex[part]] = (1.0 - share) * along_arc
+        by_vertex[end, surface.vertex[part] + 1] = share * along_arc
+    return by_vertex
 
 
 def _along(start: Floats, edge: Floats) -> tuple[Floats, Floats]:
@@ -104,47 +151,45 @@ def _along(start: Floats, edge: Floats) -> tuple[Floats, Floats]:
     By Gauss; on an edge longer than its distance p from the centre in asinh(t/p), in which r = p cosh is entire.
     """
     length = np.hypot(*edge.T)
-    t = (start * edge).sum(axis=1) / length
-    p = np.abs(start[:, 0] * edge[:, 1] - start[:, 1] * edge[:, 0]) / length
-    long = length > p
-    p = np.where(long, np.maximum(p, 1e-9), 1.0)
-    low, high = (np.where(long, np.arcsinh(end / p), end)[:, None] for end in (t, t + length))
+    foot = (start * edge).sum(axis=1) / length  # t of the start, from the foot of the perpendicular
+    distance = np.abs(start[:, 0] * edge[:, 1] - start[:, 1] * edge[:, 0]) / length
+    long = length > distance
+    p = np.where(long, np.maximum(distance, 1e-9), 1.0)
+    low, high = (np.where(long, np.arcsinh(end / p), end)[:, None] for end in (foot, foot + length))
     node = (low + high) / 2 + (high - low) / 2 * _NODES
-    place = np.where(long[:, None], p[:, None] * np.sinh(node), node)
-    each = np.where(long[:, None], p[:, None] * np.cosh(node), 1.0) * (high - low) / 2 * _WEIGHTS
-    return (place - t[:, None]) / length[:, None], each / length[:, None]
+    t = np.where(long[:, None], p[:, None] * np.sinh(node), node)
+    stretching = np.where(long[:, None], p[:, None] * np.cosh(node), 1.0)  # dt by the node
+    weight = stretching * (high - low) / 2 * _WEIGHTS
+    return (t - foot[:, None]) / length[:, None], weight / length[:, None]
 
 
-def _pressure(section: Section, ends: Floats, numbers: Any, stretched: Floats) -> Callable[[Any], Any]:
-    """Of the mean pressure, whose heads are over R: offset + slope sin(beta) + cos(beta)."""
+def _ground_heights(section: Section) -> Any:
+    return height_integrals(*section._circle)
+
+
+def _folded(by_vertex: Floats) -> Floats:
+    """Derivatives by the vertices of a line, of those with its continuations, which are as high as its ends."""
+    folded = by_vertex[..., 1:-1, :].copy()
+    folded[..., 0, :] += by_vertex[..., 0, :]
+    folded[..., -1, :] += by_vertex[..., -1, :]
+    return folded
+
+
+def _pressure(section: Section, ends: Floats, chain: _Chain, of_scale: Floats) -> Callable[[Any], Any]:
+    """Of the mean pressure: the integral of heights over R, over the angle of the arc, times R gamma_w."""
     if section.level is None:
         return lambda turn: 0.0 * turn
-    (_, (centre,), (radius,)), (way,) = section._circle, section._facing
-    (line,), _, (kinks,) = circles.wet(section._level, centre[None], np.array([radius]))
-    line = (line - centre) / radius
-    (x, y), (run, rise) = line[:-1].T, np.diff(line, axis=0).T
-    low, high = np.split(kinks, 2)
-    if np.any(run == 0.0):
+    if np.any(np.diff(section._level[0, :, 0]) == 0.0):
         raise ValueError("sensitivity: level: has points above each other, where the pressure has no derivative")
-    slope, lift = rise / run, np.stack([-rise / run, np.ones_like(run)], axis=1)
-    (first, last), unit = np.concatenate(section._angles), radius * section.water_unit_weight
-
-    def head(beta: Any) -> Any:
-        """Above one place of the arc."""
-        own = (low <= beta) & (beta < high)
-        return np.where(own, y + slope * (np.sin(beta) - x) + np.cos(beta), 0.0).sum(axis=-1)[..., None]
+    water = section._water
+    (first, last), (way,), (radius,) = np.concatenate(section._angles), section._facing, section._circle[2]
+    unit, line = radius * section.water_unit_weight, water.line[0, 1:-1]
 
     def pressure(turn: Any) -> Any:
-        begin, end = first + way * turn[..., :1], last + way * turn[..., :1]
-        a, b = np.clip(begin, low, high), np.clip(end, low, high)
-        tip = (np.cos(a) - np.cos(b) - x * (b - a)) / run  # integral of the hat function of an edge's second vertex
-        gradient = np.zeros((*tip.shape[:-1], *line.shape))
-        gradient[..., :-1, :] += (b - a - tip)[..., None] * lift
-        gradient[..., 1:, :] += tip[..., None] * lift
-        gradient[..., 1, :] += gradient[..., 0, :]  # beyond its ends the level is as high as there
-        gradient[..., -2, :] += gradient[..., -1, :]
-        grown = numbers(gradient[..., 1:-1, :], line[1:-1], "level") + head(end) * ends[1] - head(begin) * ends[0]
+        begin, end = first + way * turn[..., 0], last + way * turn[..., 0]
+        by_level = chain(_folded(water.gradient(begin, end)), line, "level")
+        by_ends = water.at(end)[..., None] * ends[1] - water.at(begin)[..., None] * ends[0]
         mean = section.mean_pressure(turn[..., 0])[..., None]
-        return (unit * grown - mean * (ends[1] - ends[0])) / (last - first) + mean * stretched
+        return (unit * (by_level + by_ends) - mean * (ends[1] - ends[0])) / (last - first) + mean * of_scale
 
     return pressure

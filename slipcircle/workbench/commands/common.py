@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable
 from typing import TypeVar
 
-from slipcircle.core.scene.scene import Scene
+from slipcircle.core import Scene
 from slipcircle.workbench.common import files
 from slipcircle.workbench.files.scenefile import find
 from slipcircle.workbench.outputs import pictures

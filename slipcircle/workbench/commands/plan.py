@@ -3,7 +3,7 @@
 import argparse
 from dataclasses import asdict
 
-from slipcircle.core.motion.plan import plan
+from slipcircle.core import plan
 from slipcircle.workbench.commands.common import SCENE, add_files, with_scene_context
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import pictures, tables

@@ -4,8 +4,7 @@ import argparse
 from collections.abc import Iterator, Mapping, Sequence
 
 from slipcircle.base.text import shown
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.solver import solve
+from slipcircle.core import Motion, solve
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, with_scene_context
 from slipcircle.workbench.common import files

@@ -2,7 +2,7 @@
 
 import argparse
 
-from slipcircle.core.motion.solver import solve
+from slipcircle.core import solve
 from slipcircle.workbench.commands.common import add_files, add_scene
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.files.scenefile import load

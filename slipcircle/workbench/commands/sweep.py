@@ -10,13 +10,12 @@ from typing import Any, cast
 import numpy as np
 
 from slipcircle.base.text import shown
-from slipcircle.core.motion.states import Status
-from slipcircle.core.scene.scene import Scene
+from slipcircle.core import Scene, Status
 from slipcircle.workbench.commands import values as read
 from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
-from slipcircle.workbench.common.quantities import OUTCOMES, words
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import find, load
 from slipcircle.workbench.outputs import pictures, studyplots
@@ -144,11 +143,11 @@ def _of_grid(found: Study) -> _Told:
     head = [*keys, *(f"{n} ({q.unit})" for n, q in OUTCOMES.items()), "status", "reason"]
     *columns, kinds = (values.tolist() for values in found.samples.values())
     rows = [[*row, Status(s).name, Status(s).reason] for *row, s in zip(*columns, kinds, strict=True)]
-    cells = [[*map(shown, numbers), words(s) + (f": {why}" if why else "")] for *numbers, s, why in rows]
+    cells = [[*map(shown, numbers), reason or Status[name].words] for *numbers, name, reason in rows]
     table: Part | str = Part([*keys, *(q.heading for q in OUTCOMES.values()), "status"], cells, name)
     if len(rows) > _MOST_ROWS:
-        said = ", ".join(f"{count} {words(Status(s).name)}" for s, count in enumerate(found.counts) if count)
-        table = f"{len(rows)} scenes: {said}; for every one of them give --csv FILE, --npz FILE or --json"
+        counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(found.counts) if count)
+        table = f"{len(rows)} scenes; {counts}; for every one of them give --csv FILE, --npz FILE or --json"
     return head, rows, lambda: [{"scene": name, "rows": [dict(zip(head, row, strict=True)) for row in rows]}], [table]
 
 

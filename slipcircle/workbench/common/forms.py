@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.text import shown
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.states import Status
+from slipcircle.core import Motion, Status
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, results, words
 
@@ -27,7 +26,7 @@ def library(name: str) -> Any:
 def html(motion: Motion) -> str:
     """A table of the key results; of many lanes how many have each status, and the range of each outcome."""
     if motion.shape:
-        counts = [[words(status), str(count)] for status, count in motion.count().items()]
+        counts = [[Status[name].words, str(count)] for name, count in motion.count().items()]
         rows = counts + [[words(name), _span(motion.outcomes[name], q.unit)] for name, q in OUTCOMES.items()]
     else:
         rows = [[q.label, q.text(motion)] for q in results(motion) if q.key]
@@ -43,6 +42,7 @@ def _span(values: Any, unit: str) -> str:
 def to_dict(motion: Motion, times: ArrayLike | None) -> dict[str, Any]:
     """Results by name in SI units, with the numbers that vary before them; or histories at times, s."""
     if times is not None:
+        motion.at(times)  # refuses what are no times of this motion
         time = np.asarray(times, dtype=np.float64)
         return {name: q.at(motion, time) for name, q in HISTORY.items()}
     columns = {name: value for name, value in motion.plan.scene.numbers.items() if np.ndim(value)}

@@ -14,9 +14,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.series import Series
-from slipcircle.core.flow.compiled import numpy_only
-from slipcircle.core.motion.solver import solve
-from slipcircle.core.scene.scene import Scene
+from slipcircle.core import Scene, numpy_only, solve
 from slipcircle.workbench.cost import peers
 from slipcircle.workbench.cost.peers import LAYER, SHEARED, Equation
 from slipcircle.workbench.cost.reference import Floats, reference

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from slipcircle.core.scene.section import Section
+from slipcircle.core import Section
 from slipcircle.workbench.cost.reference import Floats, reference
 from slipcircle.workbench.cost.ways import Subject, Way
 

@@ -12,8 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
-from slipcircle.core.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH
-from slipcircle.core.scene.friction import RATE_LAWS, may_have_rate
+from slipcircle.core import ARC_BOUNDS, GIVEN, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.stability.stability import METHODS
 

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from slipcircle.base.kinds import Numbers
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.scene.scene import Scene
+from slipcircle.core import Motion, Scene
 
 if TYPE_CHECKING:
     from slipcircle.workbench.stability.search import Critical

@@ -15,10 +15,7 @@ import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
-from slipcircle.core.scene.coordinates import indices_of
-from slipcircle.core.scene.friction import law_names
-from slipcircle.core.scene.ground import FAR
-from slipcircle.core.scene.scene import Scene
+from slipcircle.core import Scene, arc_numbers, law_names, parameters
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.files.keys import Number as Number
 from slipcircle.workbench.files.keys import Table, tables_of
@@ -46,7 +43,7 @@ def lengths(arc: Any) -> set[str]:
     """The coordinates and radii of a section, which are as large as it is far from the origin, or flat."""
     if "ground" not in arc.quantities:
         return set()
-    return {name for field in ("radius", *_POINTS) for name in indices_of(arc, field)}
+    return {name for name in arc_numbers(arc) if name.partition(".")[0] in ("radius", *_POINTS)}
 
 
 def by_key(scene: Any) -> dict[str, Number]:
@@ -63,9 +60,11 @@ def by_key(scene: Any) -> dict[str, Number]:
             k = k.replace("arc.", "circle." if n.name == "radius" else "ground.")
         if not k.startswith("arc."):
             found[k] = replace(n, key=k)
-    for field, key in _POINTS.items():
-        names = {key + name.removeprefix(field): name for name in indices_of(arc, field)}
-        found |= {k: Number(k, name, "m", -FAR, FAR, si="m") for k, name in names.items()}
+    coordinates = [p for p in parameters(scene).values() if p.name.partition(".")[0] in _POINTS]
+    for p in coordinates:
+        field, _, place = p.name.partition(".")
+        key = f"{_POINTS[field]}.{place}"
+        found[key] = Number(key, p.name, p.unit, p.lower, p.upper, si=p.unit)
     return found
 
 

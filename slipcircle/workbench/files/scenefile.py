@@ -16,11 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import EFFECTS, LAWS
-from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.friction import RATE_LAWS, law_mistakes
-from slipcircle.core.scene.ground import circle_through, circle_touching, simple_slope
-from slipcircle.core.scene.scene import Scene
-from slipcircle.core.scene.section import Section
+from slipcircle.core import RATE_LAWS, Arc, Scene, Section, circle_through, circle_touching, law_mistakes, simple_slope
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.files.keys import SLOPING, Key, Table, law_table, tables_of
 from slipcircle.workbench.files.loaded import SlopeScene

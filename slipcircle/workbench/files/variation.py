@@ -4,9 +4,7 @@ from dataclasses import fields, replace
 
 import numpy as np
 
-from slipcircle.core.scene.parameters import with_parameters
-from slipcircle.core.scene.scene import Scene
-from slipcircle.core.scene.section import Section
+from slipcircle.core import Scene, Section, with_parameters
 from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.stability.search import critical

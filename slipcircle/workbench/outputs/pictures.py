@@ -8,7 +8,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from slipcircle.core.motion.motion import Motion
+from slipcircle.core import Motion
 from slipcircle.workbench.common import files
 from slipcircle.workbench.outputs.plotstyle import described, missing
 

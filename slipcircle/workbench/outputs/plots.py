@@ -11,8 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.scene.forcing import in_time
+from slipcircle.core import Motion, in_time
 from slipcircle.workbench.common.quantities import HISTORY, prefixed
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.text import shown
-from slipcircle.core.motion.motion import Motion
+from slipcircle.core import Motion
 
 # The one palette, by role: colour (Okabe and Ito's, which the colour-blind tell apart) with dashes, a marker or a
 # hatch, which greys leave apart.

@@ -9,9 +9,7 @@ import numpy as np
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.series import Pulse, Series
-from slipcircle.core.scene.coordinates import arc_numbers
-from slipcircle.core.scene.friction import RATE_LAWS, law_parts
-from slipcircle.core.scene.scene import Scene
+from slipcircle.core import RATE_LAWS, Scene, arc_numbers, law_parts
 from slipcircle.workbench.files.keys import SLOPING, Key, tables_of
 from slipcircle.workbench.files.numbers import by_name, uncertain_numbers
 

@@ -14,10 +14,7 @@ import numpy as np
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.text import shown
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.plan import Plan, plan
-from slipcircle.core.motion.states import Status
-from slipcircle.core.scene.friction import law_names
+from slipcircle.core import Motion, Plan, Status, law_names, plan
 from slipcircle.workbench.common.markup import Raw, escaped, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, RESULTS, Quantity, plain, prefixed, record, results, words
 from slipcircle.workbench.files.loaded import warnings_of
@@ -314,7 +311,7 @@ def _of_study(found: Study, planned: Plan, file: bytes | None) -> Iterable[Part 
         [[_path(key), ", ".join(f"{k} {v}" for k, v in of.items())] for key, of in drawn],
         "What is uncertain",
     )
-    ends = {words(Status(s).name): int(count) for s, count in enumerate(found.counts) if count}
+    ends = {Status(s).words: int(count) for s, count in enumerate(found.counts) if count}
     yield Part(
         [],
         [

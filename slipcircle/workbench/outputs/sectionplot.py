@@ -5,9 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.states import State
-from slipcircle.core.scene.arc import Arc
+from slipcircle.core import Arc, Motion, State
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.plotstyle import AREAS, FORCES, HALO, LINES, axis, ending, finish, mark, number
 from slipcircle.workbench.outputs.trace import Floats, toe_words

@@ -11,9 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from generated.effects import EFFECTS
 from slipcircle.base.text import shown
-from slipcircle.core.flow.program import join
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.plan import Plan, counted
+from slipcircle.core import Motion, Plan, step_operations
 from slipcircle.workbench.common.quantities import JOURNEY, OUTCOMES, results, time_text, to_error, words
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
@@ -24,7 +22,7 @@ from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 
 if TYPE_CHECKING:
-    from slipcircle.core.motion.derivatives import Sensitivity
+    from slipcircle.core import Sensitivity
 
 WIDTH, _LEAST, _GAP = 100, 22, 2  # of a table, of a column of long cells, between columns
 Rows = Iterable[Sequence[Any]]
@@ -158,8 +156,10 @@ def combinations_part() -> Part:
     """Operations of every combination of effects, with a constant friction."""
     every = chain.from_iterable(combinations(EFFECTS, n) for n in range(len(EFFECTS) + 1))
     shaken = tuple(p.symbol for p in EFFECTS["shaking"].parameters if p.kind == "series")
-    steps = ((e, join(e, ("constant",), shaken if "shaking" in e else ())) for e in every)
-    rows = [[", ".join(e) or "none", counted(step)] for e, step in steps]
+    rows = []
+    for effects in every:
+        moving = shaken if "shaking" in effects else ()
+        rows.append([", ".join(effects) or "none", step_operations(effects, ("constant",), moving)])
     return Part(["effects", "operations on series of one step"], rows)
 
 
@@ -172,7 +172,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
             time_text(1e9 * r.seconds),
             f"{r.cost}",
             *(f"{shown(getattr(r, q.name))} {q.unit}" for q in told),
-            "still moving" if not r.arrested else "yes" if r.peak_velocity else "does not move",
+            "moving" if not r.arrested else "yes" if r.peak_velocity else "does not move",
             f"{100 * r.difference:.3g} %",
         ]
         for r in rungs

@@ -8,9 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.text import shown
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.scene.forcing import in_time
-from slipcircle.core.scene.section import Section
+from slipcircle.core import Motion, Section, in_time
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import HISTORY
 

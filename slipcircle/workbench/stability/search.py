@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.checks import raise_all
-from slipcircle.core.scene.circles import Floats
-from slipcircle.core.scene.ground import circle_through, circle_touching
-from slipcircle.core.scene.section import Section
+from slipcircle.base.series import Floats
+from slipcircle.core import Section, circle_through, circle_touching
 from slipcircle.workbench.stability.slices import circle_factors
 from slipcircle.workbench.stability.stability import METHODS, Slope
 
@@ -22,7 +21,7 @@ _ROUNDS, _SHRINK, _FINE = 150, 0.6, 1e-5  # a valley is done at this step over i
 _HOPE, _AGAIN = 1.2, 3  # far above the best, a circle is left; the best of all are followed twice
 _SENSE, _PIECES = 0.2, 50  # of an arc that may be under negative stress, without a warning; in which it is found
 _SIZE = 1 << 13  # ground vertices times circles at a time: what fits into the caches
-_OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+_OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, [0.0], indexing="ij"), axis=-1).reshape(-1, 4)
 Range = tuple[float, float]
 
 
@@ -135,7 +134,7 @@ def critical(
         at, step = search.refined(at, share * step)
     found = search.result(at[:1])
     least, deep = found.factor_of_safety[method] or np.inf, _bottomless(slope)
-    if slope.friction == 0.0 and slope.base is None and entry is None and exit is None and least > deep:
+    if not slope.layers and slope.friction == 0.0 and slope.base is None and entry is None and exit is None and least > deep:
         raise ValueError(
             f"critical: friction = 0 without a base: the critical circle runs infinitely deep, where the "
             f"factor tends to {deep:.4g}; give the base of the soil, or where the circle comes out (exit)"
@@ -161,7 +160,7 @@ def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right
     entry, exit = (first, second) if found["facing"] >= 0.0 else (second, first)
     by_method, negative = {m: found[m] if np.isfinite(found[m]) else None for m in METHODS}, found["negative"]
     said = f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on the "
-    warning = f"{said}method more than on the soil" if slope.friction and negative > _SENSE else ""
+    warning = f"{said}method more than on the soil" if (slope.friction or slope.layers) and negative > _SENSE else ""
     return Critical(slope, by_method, middle, float(radius[0]), entry, exit, int(found["facing"]), negative, warning)
 
 
@@ -186,7 +185,7 @@ def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) ->
             found.append(f"{shown}: lies beside the ground, which reaches {reach}")
     if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
         found.append("ground: is level; nothing drives a slide")
-    elif not depth and slope.cohesion == 0.0:
+    elif not depth and slope.cohesion == 0.0 and not slope.layers:
         steepest = float(np.max(np.abs(np.diff(ground[:, 1])) / np.maximum(np.diff(ground[:, 0]), 1e-300)))
         skin = f", tan(phi)/tan(slope) = {slope.friction / steepest:.4g} if dry" if steepest < 1e6 else ""
         found.append(f"cohesion = 0: the least factor is that of an ever thinner skin{skin}; give a least depth")
@@ -202,15 +201,38 @@ def _bottomless(slope: Slope) -> float:
     """The factor of ever deeper circles without friction: that of a step between level grounds, beside which all else
     is small. F = 4 a c/(gamma H sin(a)^2) of circles about it with half the opening a, least where tan(a) = 2 a.
     """
+    if slope.layers:
+        return np.inf
+    assert slope.unit_weight is not None
     ground = np.asarray(slope.ground)
     step = abs(float(ground[-1, 1] - ground[0, 1])) * slope.unit_weight
     return 0.0 if slope.k_h > 0.0 else 5.5199 * slope.cohesion / step if step and not slope.k_h else np.inf
 
 
+def _opening_touching(left: Floats, right: Floats, edge: Floats) -> Floats:
+    """Half the opening of the arc from left to right that touches the line through an edge from above, or NaN.
+
+    With the centre t above the middle of the chord, half of which is h: its distance from the line, a + b t, is the
+    radius, sqrt(h^2 + t^2).
+    """
+    chord, along = right - left, edge[1] - edge[0]
+    half = np.hypot(*chord.T) / 2
+    up = np.stack([-chord[:, 1], chord[:, 0]], axis=1) / (2 * half)[:, None]
+    normal = np.array([-along[1], along[0]]) / np.hypot(*along)
+    a, b = ((left + right) / 2 - edge[0]) @ normal, up @ normal
+    with np.errstate(divide="ignore", invalid="ignore"):
+        square = 1.0 - b * b
+        root = np.sqrt(a * a * b * b - square * (half * half - a * a))
+        centre = np.where(square > 1e-12, (a * b + root) / square, (half * half - a * a) / (2 * a * b))
+        return np.where((a > 0.0) & (centre > 0.0), np.arctan2(half, centre), np.nan)
+
+
 class Search:
     """What is kept of a search: the ground by its length, the limits, and every circle tried.
 
-    Circles are (n, 3): two lengths along the ground, and the opening as a share of the greatest.
+    Circles are (n, 4): two lengths along the ground, the opening as a share of the greatest, and the number of the edge
+    of a boundary that the circle touches from above in the place of that share; -1 of most circles, which touch none.
+    Factors have kinks where a circle begins to cut a layer, so that the least may stand there.
     """
 
     def __init__(self, slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> None:
@@ -220,6 +242,9 @@ class Search:
         self.blur = 1e-9 * float(self.along[-1])
         self.centres: list[Floats] = []
         self.values: list[Floats] = []
+        tops = [top[0] for top in self.arrays.tops]
+        edges = [np.stack([top[:-1], top[1:]], axis=1) for top in tops] or [np.empty((0, 2, 2))]
+        self.edges = np.concatenate(edges)
 
     def points(self, q: Floats) -> Floats:
         """Points of the ground at lengths along it."""
@@ -230,7 +255,10 @@ class Search:
         upright = np.arctan2(right[:, 0] - left[:, 0], np.abs(right[:, 1] - left[:, 1])) * (1 - 1e-12)
         if self.slope.base is None:
             return upright
-        centre, _ = circle_touching(left, right, self.slope.base)
+        above = np.minimum(left[:, 1], right[:, 1]) >= self.slope.base
+        low = np.minimum(self.slope.base, np.minimum(left[:, 1], right[:, 1]))
+        centre, _ = circle_touching(left, right, low)
+        upright = np.where(above, upright, np.nan)
         between = (left[:, 0] <= centre[:, 0] + self.blur) & (centre[:, 0] - self.blur <= right[:, 0])
         a, b = (np.arctan2(np.abs(p[:, 0] - centre[:, 0]), centre[:, 1] - p[:, 1]) for p in (left, right))
         return np.where(between, np.minimum(upright, (a + b) / 2 * (1 - 1e-12)), upright)
@@ -238,8 +266,15 @@ class Search:
     def laid(self, q: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """Centres, radii, left and right ends of circles."""
         left, right = self.points(q[:, 0]), self.points(q[:, 1])
-        half = np.hypot(*(right - left).T) / 2
-        return *circle_through(left, right, radius=half / np.sin(q[:, 2] * self.greatest(left, right))), left, right
+        half, greatest = np.hypot(*(right - left).T) / 2, self.greatest(left, right)
+        opening = q[:, 2] * greatest
+        for k, edge in enumerate(self.edges):
+            touching = q[:, 3] == k
+            opening[touching] = _opening_touching(left[touching], right[touching], edge)
+        valid = (opening > 0.0) & (opening <= greatest * (1 + 1e-9))
+        opening = np.where(valid, opening, 0.1)
+        centre, radius = circle_through(left, right, radius=half / np.sin(opening))
+        return centre, np.where(valid, radius, np.nan), left, right
 
     def judged(self, q: Floats) -> Floats:
         """The factor of each circle, NaN where there is none, or none that is wanted."""
@@ -251,7 +286,8 @@ class Search:
         every = np.nonzero(apart)[0]
         for lanes in np.array_split(every, -(-len(every) * len(self.ground) // _SIZE) or 1):
             circle = self.laid(q[lanes])
-            k = np.nonzero(self._thickness(q[lanes], *circle[:2]) >= self.depth)[0]
+            with np.errstate(invalid="ignore"):
+                k = np.nonzero(self._thickness(q[lanes], *circle[:2]) >= self.depth)[0]
             centre, radius, left, right = (part[k] for part in circle)
             found = circle_factors(self.arrays, centre, radius, left, right, (self.method,))
             good = found[self.method] > 0.0
@@ -296,7 +332,12 @@ class Search:
         number = np.indices((len(places), len(places), len(_SHARES))).reshape(3, -1)
         i, j, k = number[:, number[0] < number[1]]
         grids = (places, _SHARES), (np.gradient(places), np.gradient(_SHARES))
-        q, wide = (np.column_stack([ends[i], ends[j], opening[k]]) for ends, opening in grids)
+        q, wide = (np.column_stack([ends[i], ends[j], opening[k], -np.ones(len(i))]) for ends, opening in grids)
+        if len(self.edges):
+            pairs = np.flatnonzero(k == 0)
+            for number in range(len(self.edges)):
+                q = np.concatenate([q, q[pairs] * [1.0, 1.0, 1.0, 0.0] + [0.0, 0.0, 0.0, number]])
+                wide = np.concatenate([wide, wide[pairs]])
         values = self.judged(q)
         order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
         if not order.size:
@@ -306,7 +347,8 @@ class Search:
         chosen: list[int] = []
         while len(chosen) < _VALLEYS and order.size:
             chosen.append(best := order[0])
-            order = order[np.any(np.abs(q[order] - q[best]) > _APART * wide[best], axis=1)]
+            near = np.abs(q[order, :3] - q[best, :3]) <= _APART * np.abs(wide[best, :3])
+            order = order[~np.all(near, axis=1) | (q[order, 3] != q[best, 3])]
         tell(f"{len(values)} circles; following {len(chosen)}, from {values[chosen[0]]:.4g}")
         return q[chosen], wide[chosen]
 
@@ -318,8 +360,8 @@ class Search:
             if not live.size:
                 break
             near = at[live, None] + _OFFSETS * now[live, None]
-            near = np.clip(near, [0.0, 0.0, 0.005], [self.along[-1], self.along[-1], 1.0])
-            values = np.nan_to_num(self.judged(near.reshape(-1, 3)), nan=np.inf).reshape(len(live), -1)
+            near[..., :3] = np.clip(near[..., :3], [0.0, 0.0, 0.005], [self.along[-1], self.along[-1], 1.0])
+            values = np.nan_to_num(self.judged(near.reshape(-1, 4)), nan=np.inf).reshape(len(live), -1)
             k, rows = np.argmin(values, axis=1), np.arange(len(live))
             better = values[rows, k] < best[live] * (1.0 - 1e-13)
             at[live[better]], best[live[better]] = near[rows, k][better], values[rows, k][better]

@@ -51,6 +51,18 @@ class SlopeArrays(NamedTuple):
     crack: Any = 0.0
     crack_water: Any = 0.0
 
+    def only(self, lanes: Any) -> SlopeArrays:
+        """Some of n slopes."""
+
+        def some(value: Any) -> Any:
+            if isinstance(value, SoilArrays):
+                return SoilArrays(*map(some, value))
+            if isinstance(value, tuple):
+                return tuple(map(some, value))
+            return value[lanes] if isinstance(value, np.ndarray) and value.ndim and len(value) > 1 else value
+
+        return SlopeArrays(*map(some, self))
+
     def lines(self) -> list[Floats]:
         """All of them: tops of layers, water level, pond."""
         found = [self.ground, *self.tops] + ([] if self.level is None else [self.level])

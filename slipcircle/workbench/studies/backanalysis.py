@@ -11,10 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slipcircle.base.checks import EPS
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.solver import solve
-from slipcircle.core.scene.parameters import with_parameters
-from slipcircle.core.scene.scene import Scene, checked
+from slipcircle.core import Motion, Scene, checked, solve, with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.studies.fits import fits
 from slipcircle.workbench.studies.motions import derivatives

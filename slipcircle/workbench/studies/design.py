@@ -11,10 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.states import ANSWERED, Status
-from slipcircle.core.scene.scene import Scene
-from slipcircle.core.scene.section import Section
+from slipcircle.core import ANSWERED, Motion, Scene, Section, Status
 from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain

@@ -14,11 +14,7 @@ from numpy.typing import NDArray
 from slipcircle.base import VERSION
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
 from slipcircle.base.series import Series
-from slipcircle.core.motion.plan import plan
-from slipcircle.core.scene.coordinates import arc_numbers
-from slipcircle.core.scene.parameters import parameter_value
-from slipcircle.core.scene.scene import Scene, checked
-from slipcircle.core.scene.section import Section
+from slipcircle.core import Scene, Section, arc_numbers, checked, parameter_value, plan
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, uncertain_numbers
 from slipcircle.workbench.files.variation import along_means

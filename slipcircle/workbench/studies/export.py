@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core.motion.states import Status
+from slipcircle.core import Status
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.studies.statistics import BEYOND, BIN_ERROR, Estimate
 

@@ -7,11 +7,7 @@ from statistics import median
 from time import process_time
 from timeit import timeit
 
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.plan import plan
-from slipcircle.core.motion.solver import solve
-from slipcircle.core.scene.scene import Scene
-from slipcircle.core.scene.section import Section
+from slipcircle.core import Motion, Scene, Section, plan, solve
 
 _PATIENCE = 0.5  # seconds for the solutions of one rung that are timed, five at most
 

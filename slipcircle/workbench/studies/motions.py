@@ -6,11 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.plan import plan
-from slipcircle.core.motion.solver import motion_of
-from slipcircle.core.scene.parameters import with_parameter_arrays
-from slipcircle.core.scene.scene import Scene
+from slipcircle.core import Motion, Scene, solve, with_parameter_arrays
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import lengths
 
@@ -22,7 +18,7 @@ def motions(scene: Scene, values: Mapping[str, Any], accuracy: float | None = No
     """The motions of a scene with arrays of values, SI, by name; what is no scene is `Status.INVALID`."""
     with np.errstate(all="ignore"):  # what is no scene has a status, and nothing to complain about
         many, invalid = with_parameter_arrays(scene, {n: np.asarray(v, dtype=np.float64) for n, v in values.items()})
-        return motion_of(plan(many, accuracy), invalid)
+        return solve(many, accuracy, invalid=invalid)
 
 
 def derivatives(

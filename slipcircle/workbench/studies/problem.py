@@ -10,10 +10,7 @@ from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
-from slipcircle.core.motion.states import ANSWERED, Status
-from slipcircle.core.scene.friction import law_depends
-from slipcircle.core.scene.parameters import DIP, parameter_value
-from slipcircle.core.scene.scene import Scene
+from slipcircle.core import ANSWERED, DIP, Scene, Status, law_depends, parameter_value
 from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
 from slipcircle.workbench.studies.motions import motions
 

@@ -12,9 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.states import Status
-from slipcircle.core.scene.scene import Scene
+from slipcircle.core import Motion, Scene, Status
 from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
@@ -144,14 +142,14 @@ class Study:
 
     def __repr__(self) -> str:
         size = f"{self.design.n} scenes, {self.design.method}"
-        counted = ", ".join(f"{n} {name}" for name, n in self._counted())
+        counted = ", ".join(f"{end}: {count}" for end, count in self._counted())
         return f"<Study {self.scene.name}: {'; '.join([size, counted, *map(' '.join, self._summary())])}>"
 
     def _repr_html_(self) -> str:
         return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + table([*self._counted(), *self._summary()]))
 
     def _counted(self) -> list[list[str]]:
-        return [[words(s.name), str(int(n))] for s, n in zip(Status, self.counts, strict=True) if n]
+        return [[s.words, str(int(n))] for s, n in zip(Status, self.counts, strict=True) if n]
 
     def _summary(self) -> list[list[str]]:
         rows = []

@@ -1,0 +1,190 @@
+"""The domain in patches: on each a tape of the program, and Taylor models of its difference from the exact function.
+
+Part of the checker (`certify`): standard library and python-flint only.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any
+
+from flint import arb, arb_series
+
+from derive.check import rounding, truth
+from derive.check.records import Record
+from derive.check.rounding import DOWN, ROUNDING_BITS, UP, VALUE, Tape, Unbounded, specialise
+from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Definition, Model, Segment, ball, working
+
+SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1]: one window stands for every power of two s
+UNDERFLOW = 2.0**-320  # below, products may underflow: another bound holds
+QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
+
+
+def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
+    """Parts of [lower, upper], both ends included, no double left out, each with one tape."""
+    starts = [lower, *sorted(c for c in _cuts(record) if lower < c < upper), upper]
+    todo = [(a, math.nextafter(b, -9.0)) for a, b in pairwise(starts)]
+    todo.append((upper, upper))
+    todo.reverse()
+    parts: list[tuple[float, float, Tape]] = []
+    while todo:
+        a, b = todo.pop()
+        try:
+            tape = specialise(record, a, b)
+        except Unbounded:
+            if a == b:
+                raise
+            middle = min(a + (b - a) / 2, math.nextafter(b, -9.0))
+            todo += [(math.nextafter(middle, 9.0), b), (a, middle)]
+            continue
+        if parts and parts[-1][2] == tape:
+            a = parts.pop()[0]
+        parts.append((a, b, tape))
+    return parts
+
+
+def _cuts(record: Record) -> set[float]:
+    """Where to cut first, a guess from the constants that are compared too: what is undecided is halved."""
+    cuts = {QUARTER, *(k / 16 for k in range(26))}
+    operations = record["operations"]
+    for kind, args, value in operations:
+        if kind == "less":
+            compared = (operations[a] for a in args)
+            cuts |= {float.fromhex(c) for kind, _, c in compared if kind == "const"}
+        elif value == "exponent":
+            cuts |= {math.nextafter(TOP - 0.75 * 2.0**-k, 9.0) for k in range(54)}
+    return cuts
+
+
+def ideal(tape: Tape, centre: arb) -> list[arb]:
+    """Taylor coefficients of the program in real arithmetic, for every point of the ball ``centre`` at once."""
+    values: list[Any] = []
+    for node in tape:
+        if node.kind == "x":
+            values.append(arb_series([centre, 1]))
+        elif node.kind in VALUE:
+            operands = (values[a] for a in node.args)
+            values.append(VALUE[node.kind](*operands))
+        else:  # a constant, or an error, which there is none of
+            constant = node.value if node.kind == "const" else 0
+            values.append(arb_series([arb(constant)]))
+    return truth.coefficients(values[-1])
+
+
+@dataclass(frozen=True)
+class Patch:
+    """A piece of the domain within a segment: what bounds the error on any box of it.
+
+    ``difference`` is (P - F) times the denominator of F, if it has one; on the first segment ``difference`` and
+    ``above`` are divided by alpha**order. In a window (top > 0) a box is one of xi, and alpha = s xi, s <= top.
+    """
+
+    tape: Tape
+    segment: Segment
+    lower: float
+    upper: float
+    difference: Model
+    above: Model
+    below: Model | None
+    order: int
+    top: float = 0.0
+
+    def error(self, lower: float, upper: float) -> tuple[float, float, float]:
+        """At most |before the last rounding - exact| and the last rounding's error, at least |exact|; over s**order."""
+        with working(ROUNDING_BITS):
+            x = ball(lower, upper)
+            total, last = rounding.rounding_sum(self.tape, x)
+            alpha = ball(0.0, self.top) if self.top else x
+            t = alpha - self.segment.centre
+            factor = x * x * x if self.order else arb(1)
+            difference = self.difference(t) * factor
+            exact = self.above(t) * factor
+            if self.below is not None:
+                divisor = self.below(t)
+                difference = difference / divisor
+                exact = exact / divisor
+            distance = (float(difference.abs_upper()) * UP + total) * UP
+            smallest = float(exact.abs_lower()) * DOWN
+            if not (distance < math.inf and smallest >= 0):
+                raise Unbounded("the error is not finite")
+            return distance, last, smallest
+
+    def remainder(self) -> float:
+        """Of the series of the difference, over the value at the centre."""
+        with working(BITS):
+            centre = self.segment.centre
+            radius = max(abs(arb(x) - centre).upper() for x in (self.lower, self.upper))
+            largest = abs(self.difference.last) * radius**self.difference.power
+            rest = largest / abs(self.above.main(arb(0)))
+            return float(rest.upper()) if rest.is_finite() else math.inf
+
+    def window(self, top: float, bottom: float) -> "Patch":
+        """For every alpha = s xi, s in [bottom, top] a power of two, xi in [1/2, 1]."""
+        tape = rounding.scaled(self.tape, self.order, top, bottom)
+        return replace(self, tape=tape, lower=0.5, upper=1.0, top=top)
+
+
+def patch(definition: Definition, tape: Tape, segment: Segment, lower: float, upper: float) -> Patch:
+    """Models of the program and of the exact function, and of what lies between them."""
+    first, *others = (truth.kernel(statement, segment) for statement in definition)
+    second = others[0] if others else None
+    order = 0 if second or segment.lower else CUBE
+    centre = segment.centre
+    with working(BITS):
+        fat = ball(min(lower, centre), max(upper, centre))
+        computed = truth.model(ideal(tape, arb(centre)), ideal(tape, fat), order)
+        if second is None:
+            difference = Model(computed.main - first.main, computed.last - first.last, computed.power)
+        else:
+            difference = _times_denominator(computed, first, second, fat - centre)
+    return Patch(tape, segment, lower, upper, difference, first, second, order)
+
+
+def _times_denominator(computed: Model, first: Model, second: Model, t: arb) -> Model:
+    """(P - F1/F2) F2 = P F2 - F1, with the remainders of all three in one."""
+    computed_rest, first_rest, second_rest = (
+        model.last * arb(0, 1) * t.abs_upper() ** model.power for model in (computed, first, second)
+    )
+    last = computed_rest * second(t) + computed.main(t) * second_rest - first_rest
+    return Model(computed.main * second.main - first.main, last, 0)
+
+
+def fine_patches(definition: Definition, tape: Tape, segment: Segment, lower: float, upper: float) -> Iterator[Patch]:
+    """One patch, or several on shorter segments, until the remainders of the series are far below an ulp."""
+    narrow = upper - lower < 2.0**-10 * (TOP - lower)
+    try:
+        whole = patch(definition, tape, segment, lower, upper)
+        if narrow or whole.remainder() < 2.0**-64:
+            yield whole
+            return
+    except (ArithmeticError, ValueError):  # a division by a series, or a logarithm, that contains 0
+        if narrow:
+            raise
+    middle = (segment.lower + segment.upper) / 2
+    for half in (Segment(segment.lower, middle), Segment(middle, segment.upper)):
+        start = max(half.lower, lower)
+        end = min(half.upper, upper)
+        if start < end:
+            yield from fine_patches(definition, tape, half, start, end)
+
+
+def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[Patch]:
+    """The domain, or a part: a window for [UNDERFLOW, SMALL], or [0, SMALL] for a quotient, then pieces on segments."""
+    definition = record["definition"]
+    if lower < SMALL:
+        near = near_zero(record)
+        yield near.window(SMALL, UNDERFLOW) if near.order else near
+    for a, b, tape in pieces(record, max(lower, SMALL), upper):
+        for segment in SEGMENTS:
+            for start, end in ((SMALL, QUARTER), (QUARTER, TOP)):
+                left = max(a, segment.lower, start)
+                right = min(b, segment.upper, end)
+                if left < right or left == right in (a, b):
+                    yield from fine_patches(definition, tape, segment, left, right)
+
+
+def near_zero(record: Record) -> Patch:
+    """The patch [0, SMALL], whose windows stand for powers of two."""
+    tape = specialise(record, 0.0, SMALL)
+    return patch(record["definition"], tape, SEGMENTS[0], 0.0, SMALL)

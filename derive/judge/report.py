@@ -1,0 +1,116 @@
+"""The verdicts on the paper as people read them: text, a table on a terminal, a page in Markdown, or JSON."""
+
+import json
+import sys
+import textwrap
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from importlib import import_module
+from importlib.util import find_spec
+
+from derive.judge.paper import VERDICTS
+from derive.judge.verify import Row, rows
+
+SIMPLY = ("holds", "holds to the printed digits", "definition")
+COLOURS = {
+    "holds": "green",
+    "holds to the printed digits": "green",
+    "definition": "cyan",
+    "imprecise": "yellow",
+    "misprint": "magenta",
+    "wrong": "bold red",
+    "assumption": "yellow",
+    "not machine-checkable": "dim",
+}
+
+
+def counts(judged: Iterable[Row]) -> str:
+    """One line: how many of each verdict."""
+    number = Counter(row.verdict for row in judged)
+    return f"{sum(number.values())} claims: " + ", ".join(f"{number[v]} {v}" for v in VERDICTS if number[v])
+
+
+def report(form: str = "text") -> str:
+    """Judge the paper: as "text" for a terminal of 100 columns, as "json", or as "markdown" for a colleague."""
+    if form == "json":
+        return json.dumps([row._asdict() for row in rows()], indent=2)
+    return {"text": _text, "markdown": _markdown}[form](rows())
+
+
+def show(form: str = "text", verbose: bool = False) -> None:
+    """Print the report; as text on a terminal with rich, a table of all claims, and the words only if ``verbose``."""
+    table = form == "text" and sys.stdout.isatty() and find_spec("rich") is not None
+    if table:
+        _show_table(rows())
+    if verbose or not table:
+        print(report(form))
+
+
+def _show_table(judged: Sequence[Row]) -> None:
+    console = import_module("rich.console").Console(markup=False)
+    table = import_module("rich.table").Table(
+        "where", "claim", title="Claims of the paper, compared with what follows from its definitions"
+    )
+    for column in ("printed", "from the definitions"):
+        table.add_column(column, no_wrap=True, max_width=30)
+    table.add_column("verdict", no_wrap=True)
+    for row in judged:
+        table.add_row(row.id, row.claim, row.printed, row.computed, row.verdict, style=COLOURS[row.verdict])
+    console.print(table)
+    console.print(f"{counts(judged)}. Causes, assumptions and rules: --verbose.")
+
+
+def failing(judged: Iterable[Row]) -> list[Row]:
+    """The claims with another verdict than that they hold, or define."""
+    return [row for row in judged if row.verdict not in SIMPLY]
+
+
+def _text(judged: Sequence[Row]) -> str:
+    def paragraph(text: str) -> str:
+        return textwrap.fill(text, 100, subsequent_indent="    ")
+
+    def described(x: Row) -> str:
+        compared = f"printed {x.printed}; from the definitions {x.computed}"
+        return paragraph(f"{x.id}: {x.verdict}: {x.cause or x.claim} [{compared}]")
+
+    return "\n".join(
+        [
+            *(described(x) for x in judged if x.verdict in SIMPLY),
+            "",
+            "Errors, assumptions, and claims that cannot be checked:",
+            *map(described, failing(judged)),
+            "",
+            "Verdicts:",
+            *(paragraph(f"{verdict}: {rule}") for verdict, rule in VERDICTS.items()),
+            "",
+            textwrap.fill(f"{counts(judged)}.", 100),
+        ]
+    )
+
+
+def _markdown(judged: Sequence[Row]) -> str:
+    def table(chosen: Iterable[Row]) -> list[str]:
+        head = ("where", "claim", "printed", "from the definitions", "verdict", "cause", "assumptions")
+        rows = [head, ("---",) * len(head)]
+        rows += [tuple(x.replace("|", "\\|").replace("*", "\\*") for x in row) for row in chosen]
+        return [f"| {' | '.join(row)} |" for row in rows]
+
+    return "\n".join(
+        [
+            "# The slip-circle paper, judged against its own definitions",
+            "",
+            "Every verdict is computed, by these rules:",
+            "",
+            *(f"* *{verdict}*: {rule}." for verdict, rule in VERDICTS.items()),
+            "",
+            f"{counts(judged)}.",
+            "",
+            "## Errors, assumptions, and claims that cannot be checked",
+            "",
+            *table(failing(judged)),
+            "",
+            "## All claims",
+            "",
+            *table(judged),
+        ]
+    )
