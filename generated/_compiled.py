@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 975f81e05e88d0718c9d01746de87c209b066051ccf343a0bc570a00930f13d1
+# sha256 of the text below: 35299102ced2709f176f4fcd8f035a63c5b9da3405177685306e5c8b84af5ad3
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel.
@@ -59,9 +59,7 @@ LEVEL = next(iter(LEVELS))
 def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
     """The function ``(alpha, out, where, accuracy)`` behind a public kernel, from its NumPy text of every tier."""
     form, loops = LEVELS[level]
-    # Of plain operations NumPy and C make the same; only where the text calls a library has NumPy a form of its own.
-    proved = {tier: of.get(form, of.get("plain")) for tier, of in BOUNDS.get(name, {}).items()}
-    cheapest = cache(partial(_cheapest, name, proved))
+    cheapest = cache(partial(_cheapest, name, form))
 
     def loop_of(tier: str) -> Any:
         """The compiled loop of a tier, or None; that of float32 is a type of the best one's."""
@@ -96,13 +94,19 @@ def _is_foreign(alpha: Any) -> bool:
     return not isinstance(alpha, np.ndarray | np.generic) and any(hasattr(alpha, x) for x in _PROTOCOLS)
 
 
-def _cheapest(name: str, proved: Mapping[str, tuple[float, float | None] | None], kind: str, accuracy: float) -> str:
-    """The cheapest tier that is proved to meet a relative error in a float format."""
+def _cheapest(name: str, form: str, kind: str, accuracy: float) -> str:
+    """The cheapest tier that is proved to meet a relative error in a float format.
+
+    Of plain operations NumPy and C make the same; only where the text calls a library has NumPy a form of its own.
+    """
     if not accuracy > 0:
         raise ValueError(f"accuracy is a relative error above 0, not {accuracy!r}")
     limit = "nothing is proved"
-    for tier in {"d": CHEAPEST_FIRST, "f": ("float32",)}.get(kind, ()):
-        bound = proved.get(tier)
+    proved = BOUNDS.get(name, {})
+    tiers = {"d": CHEAPEST_FIRST, "f": ("float32",)}.get(kind, ())
+    for tier in tiers:
+        forms = proved.get(tier, {})
+        bound = forms.get(form, forms.get("plain"))
         if bound is None:
             continue
         if bound[0] <= accuracy:
@@ -163,7 +167,7 @@ _PROTOCOLS = ("__array_namespace__", "__array_ufunc__")
 
 
 class _Space:
-    """The functions of an array library that traces. At a tie, minimum and maximum hand on the whole slope."""
+    """The functions of an array library that traces. At a tie, minimum and maximum pass on the whole slope."""
 
     def __init__(self, functions: Any) -> None:
         self._functions = functions

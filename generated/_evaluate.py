@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 48a52461cfb550ffb276c09fdbfc643f82dd5dcb37d47e80844d3fdb23fd2906
+# sha256 of the text below: 2305224d3ab5b4cb524433c0495b18682635e77ff14500d237f4f867644beeff
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
 from collections.abc import Callable, Sequence
@@ -22,7 +22,10 @@ def horner(x: Any, coefficients: Sequence[float]) -> Any:
 
 def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
     """The arguments as arrays, or as Python's numbers, and the floating type of the result; real, at most 64 bits."""
-    items = [x if isinstance(x, (bool, int, float)) and not isinstance(x, np.generic) else np.asarray(x) for x in args]
+    items = []
+    for x in args:
+        number = isinstance(x, (bool, int, float)) and not isinstance(x, np.generic)
+        items.append(x if number else np.asarray(x))
     kind = np.result_type(*items)
     if kind.kind in "biu":
         kind = np.dtype(np.float64)

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a64769d06092823ce0d61cefedd4dc3943cf26ef77032d1452f15bce1914c33c
+# sha256 of the text below: 6055d16448c378294df8bf94785ee2d0070a8f60577003e53522507d0775967f
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -162,31 +162,30 @@ EFFECTS = {
         'cohesion* = cohesion/sigma_ref')),
     'layered_strength': Effect('layered_strength', '2.23', (
         Parameter('turning', '', -INFINITY, INFINITY,
-            'what friction takes hold of beyond the mean, where strength goes with the mass', '', 1.0, 'turning',
+            "excess of the friction's normal force over the mean, of strength with the mass", '', 1.0, 'turning',
             lambda value, scales: value, True, 'number'),
         Parameter('turning_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'turning_slope',
             lambda value, scales: value, True, 'number'),
-        Parameter('normal', '', -INFINITY, INFINITY,
-            'what friction takes hold of beyond the mean, where strength stays with the base', '', 1.0,
-            'layered_normal', lambda value, scales: value, True, 'rotation'),
-        Parameter('inertia', '', -INFINITY, INFINITY, 'the same of the square of the angular velocity', '', 1.0,
+        Parameter('normal', '', -INFINITY, INFINITY, 'the same of strength with the base', '', 1.0, 'layered_normal',
+            lambda value, scales: value, True, 'rotation'),
+        Parameter('inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it', '', 1.0,
             'layered_inertia', lambda value, scales: value, True, 'rotation'),
         Parameter('lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0, 'layered_lift', lambda value,
             scales: value, True, 'rotation'),
         Parameter('remaining', '', -INFINITY, INFINITY,
-            "friction that slip leaves beyond the mean's, where strength goes with the mass", '', 1.0, 'remaining',
-            lambda value, scales: value, True, 'number'),
+            'excess of the friction that slip leaves, of strength with the mass', '', 1.0, 'remaining', lambda value,
+            scales: value, True, 'number'),
         Parameter('remaining_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'remaining_slope',
             lambda value, scales: value, True, 'number'),
-        Parameter('remaining_normal', '', -INFINITY, INFINITY, 'the same where strength stays with the base', '', 1.0,
+        Parameter('remaining_normal', '', -INFINITY, INFINITY, 'the same of strength with the base', '', 1.0,
             'layered_remaining', lambda value, scales: value, True, 'rotation'),
-        Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'the same of the square of the angular velocity', '',
-            1.0, 'layered_remaining_inertia', lambda value, scales: value, True, 'rotation'),
-        Parameter('strength', '', -INFINITY, INFINITY, 'strength without normal stress below the mass', '', 1.0,
-            'layered_strength', lambda value, scales: value, True, 'rotation'),
+        Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it',
+            '', 1.0, 'layered_remaining_inertia', lambda value, scales: value, True, 'rotation'),
+        Parameter('strength', '', -INFINITY, INFINITY, 'strength without normal stress', '', 1.0, 'layered_cohesion',
+            lambda value, scales: value, True, 'rotation'),
     ), (), 'soils along the arc have strengths of their own, by the weights of (2.23) straight above each', False, (),
         ('adds Theta layered_lift/lambda to u',
-        'adds Theta (layered_remaining + layered_remaining_inertia omega^2 + layered_strength + remaining) to '
+        'adds Theta (layered_cohesion + layered_remaining + layered_remaining_inertia omega^2 + remaining) to '
         'resistance', 'adds Theta (layered_inertia omega^2 + layered_normal + turning) to J_r')),
     'drag': Effect('drag', '3.11', (
         Parameter('xi', 'm/s^2', 1e-13, 1000000000000000.0, 'turbulence coefficient of Voellmy', 'xi_m_s2', 1.0, 'drag',

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9708d3a347c2c9a44689d16e5219a824542483883491f5614939179bf0cc66c5
+# sha256 of the text below: e6bafc65ceb9320423f8458c5f02c0eaaa5e327b56fe142d5f8e969d3b8e94c4
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
@@ -279,29 +279,29 @@ FRAGMENTS: dict[str, Fragment] = {
         words=(
             '(2.23) soils along the arc have strengths of their own, by the weights of (2.23) straight above each',
             'adds Theta layered_lift/lambda to u',
-            'adds Theta (layered_remaining + layered_remaining_inertia omega^2 + layered_strength + remaining) to '
+            'adds Theta (layered_cohesion + layered_remaining + layered_remaining_inertia omega^2 + remaining) to '
                 'resistance',
             'adds Theta (layered_inertia omega^2 + layered_normal + turning) to J_r',
         ),
         inputs=('turning', 'turning_slope', 'remaining', 'remaining_slope'),
         optional=('turning', 'turning_slope', 'remaining', 'remaining_slope'),
         scalar=(
-            ('add', 'layered_strength.t22', 'layered_remaining', 'layered_strength'),
+            ('add', 'layered_strength.t22', 'layered_cohesion', 'layered_remaining'),
             ('add', 'layered_strength.resisting', 'layered_strength.t22', 'remaining_0'),
-            ('abs', 'layered_strength.t24', 'layered_remaining'),
-            ('abs', 'layered_strength.t25', 'layered_strength'),
+            ('abs', 'layered_strength.t24', 'layered_cohesion'),
+            ('abs', 'layered_strength.t25', 'layered_remaining'),
             ('add', 'layered_strength.t26', 'layered_strength.t24', 'layered_strength.t25'),
             ('abs', 'layered_strength.t27', 'remaining_0'),
             ('add', 'layered_strength.resisting_size', 'layered_strength.t26', 'layered_strength.t27'),
             ('neg', 'layered_strength.2', 'remaining_slope_0'),
             ('neg', 'layered_strength.3', 'remaining_0'),
-            ('add', 'layered_strength.4', 'layered_remaining.Q1', 'layered_strength.Q1'),
-            ('add', 'layered_strength.5', 'layered_remaining.Q2', 'layered_strength.Q2'),
-            ('add', 'layered_strength.6', 'layered_remaining.Q3', 'layered_strength.Q3'),
-            ('add', 'layered_strength.7', 'layered_remaining.Q4', 'layered_strength.Q4'),
-            ('add', 'layered_strength.8', 'layered_remaining.Q5', 'layered_strength.Q5'),
-            ('add', 'layered_strength.9', 'layered_remaining.Q6', 'layered_strength.Q6'),
-            ('add', 'layered_strength.10', 'layered_remaining.Q7', 'layered_strength.Q7'),
+            ('add', 'layered_strength.4', 'layered_cohesion.Q1', 'layered_remaining.Q1'),
+            ('add', 'layered_strength.5', 'layered_cohesion.Q2', 'layered_remaining.Q2'),
+            ('add', 'layered_strength.6', 'layered_cohesion.Q3', 'layered_remaining.Q3'),
+            ('add', 'layered_strength.7', 'layered_cohesion.Q4', 'layered_remaining.Q4'),
+            ('add', 'layered_strength.8', 'layered_cohesion.Q5', 'layered_remaining.Q5'),
+            ('add', 'layered_strength.9', 'layered_cohesion.Q6', 'layered_remaining.Q6'),
+            ('add', 'layered_strength.10', 'layered_cohesion.Q7', 'layered_remaining.Q7'),
             ('add', 'layered_strength.pressing', 'layered_normal', 'turning_0'),
             ('abs', 'layered_strength.t39', 'layered_normal'),
             ('abs', 'layered_strength.t40', 'turning_0'),
@@ -354,7 +354,7 @@ FRAGMENTS: dict[str, Fragment] = {
         states=(),
         tables=(('layered_normal', 'rotation', 'x', 7), ('layered_inertia', 'rotation', 'x', 7), ('layered_lift',
             'rotation', 'x', 7), ('layered_remaining', 'rotation', 'x', 7), ('layered_remaining_inertia', 'rotation',
-            'x', 7), ('layered_strength', 'rotation', 'x', 7)),
+            'x', 7), ('layered_cohesion', 'rotation', 'x', 7)),
     ),
     'drag': Fragment(
         words=(

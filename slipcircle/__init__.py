@@ -26,6 +26,7 @@ from slipcircle.core.motion.forms import use_forms
 if TYPE_CHECKING:
     from slipcircle.core import Arc, Dimensionless, Energy, Motion, Plan, Scene, Section, State, Status, plan, solve
     from slipcircle.workbench.files.scenefile import load
+    from slipcircle.workbench.records.records import Record
     from slipcircle.workbench.stability.search import Critical, critical
     from slipcircle.workbench.stability.stability import Slope
     from slipcircle.workbench.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
@@ -43,8 +44,11 @@ _PLACES = {
     "Energy": "core",
     "Motion": "core",
     "Plan": "core",
+    "Pulse": "core",
+    "Record": "workbench.records.records",
     "Scene": "core",
     "Section": "core",
+    "Series": "core",
     "Slope": "workbench.stability.stability",
     "State": "core",
     "Status": "core",
@@ -66,8 +70,11 @@ __all__ = [
     "Energy",
     "Motion",
     "Plan",
+    "Pulse",
+    "Record",
     "Scene",
     "Section",
+    "Series",
     "Slope",
     "State",
     "Status",

@@ -16,7 +16,8 @@ import sympy as sp
 from flint import arb, arb_series, ctx
 
 from derive.flow.operations import OPERATIONS, n
-from slipcircle.core.flow.program import Program, join
+from slipcircle.core.flow.build import build_program
+from slipcircle.core.flow.program import Program
 
 ORDER = 7
 PRECISION = 360  # bits
@@ -251,7 +252,7 @@ def registers(program: Program, cells: dict[str, arb], now: Mapping[str, arb], s
 def at_a_point(case: Case, seed: int, asked: tuple[str, ...]) -> tuple[Program, list[list[arb]], dict[str, Any]]:
     """The program of a case, its registers at a random moment, and the numbers of that moment."""
     ctx.prec, ctx.cap = PRECISION, ORDER + 1
-    program = join(*case, asked)
+    program = build_program(*case, asked)
     p = point(random.Random(f"{case} {seed}"), case)
     return program, registers(program, *numbers(case, p)), p
 
@@ -265,7 +266,7 @@ def tangent_difference(case: Case, seed: int) -> float:
     """The worst difference of a program's derivative in a random direction from a quotient of differences."""
     ctx.prec, ctx.cap = 4 * PRECISION, ORDER + 1
     rng = random.Random(f"{case} {seed}")
-    program, both = join(*case), join(*case, (), 1)
+    program, both = build_program(*case), build_program(*case, (), 1)
     cells, now, series = numbers(case, point(rng, case))
     step, change = arb(2) ** -500, {}
     for cell in both.tangents[0].cells:

@@ -20,7 +20,7 @@ from mpmath import mpf
 import slipcircle
 from generated import layout as ix
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.core.flow.bind import Bound
+from slipcircle.core.flow.problem import Problem
 
 DATA = references.FILE.read_bytes()
 ROWS: list[dict[str, Any]] = json.loads(DATA)
@@ -119,14 +119,14 @@ def test_accuracy_is_what_the_user_gets(group: str) -> None:
 @pytest.mark.parametrize("part", range(4))
 def test_implicit_steps_tell_the_same(part: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """What stiff lanes get, got by every tenth scene from its first step on: another method on the same program."""
-    begun = Bound.start
+    begun = Problem.initial_cells
 
-    def spent(bound: Bound) -> Any:
-        cells = begun(bound)
+    def spent(problem: Problem) -> Any:
+        cells = begun(problem)
         cells[ix.STEPS] = ix.MOST_STEPS  # of what explicit steps a lane may take
         return cells
 
-    monkeypatch.setattr(Bound, "start", spent)
+    monkeypatch.setattr(Problem, "initial_cells", spent)
     for k in range(5 + part, 400, 40):
         motion, reference = slipcircle.solve(scene(ROWS[k])), ROWS[k]["reference"]
         assert (motion.moves, motion.arrested) == (reference["moves"], reference["arrested"]), f"scene {k}"

@@ -352,7 +352,10 @@ def test_a_refusal_passes_between_processes() -> None:
     assert (type(passed), str(passed), passed.check) == (type(refusal), str(refusal), "bound")
 
 
-@pytest.mark.parametrize("module", [certify, rounding, truth, proof, records])
+CHECKER = ("certify", "patches", "rounding", "truth", "proof", "records")
+
+
+@pytest.mark.parametrize("module", [certify, patches, rounding, truth, proof, records])
 def test_the_checker_knows_nothing_of_the_generator(module: Any) -> None:
     for node in ast.walk(ast.parse(Path(module.__file__).read_text("utf-8"))):
         if isinstance(node, ast.ImportFrom):
@@ -363,5 +366,5 @@ def test_the_checker_knows_nothing_of_the_generator(module: Any) -> None:
             names = {a.name for a in node.names}
         else:
             continue
-        own = {"flint", *(f"derive.check.{x}" for x in ("certify", "rounding", "truth", "proof", "records"))}
+        own = {"flint", *(f"derive.check.{x}" for x in CHECKER)}
         assert {n for n in names if n.partition(".")[0] not in sys.stdlib_module_names} <= own

@@ -414,7 +414,7 @@ def test_sweep(file: Path, tmp_path: Path, asked: Any, said: Any, records: Any) 
     assert json.loads(out) == [json.loads(json.dumps(export.record(found)))]
     held = np.load(arrays)
     np.testing.assert_array_equal(held["sample_run_out"], found.samples["run_out"])
-    shares, values = held["run_out_quantiles"].T[:2]
+    shares, values = held["run_out_quantile"].T[:2]
     np.testing.assert_array_equal(values, [found.quantile("run_out", p).value for p in shares])
     lines = table.read_text("utf-8").splitlines()
     assert lines[0] == "table,output,input,at,value,low,high"

@@ -11,7 +11,7 @@ import slipcircle
 from generated import layout as ix
 from slipcircle.base.series import Pulse, Series
 from slipcircle.core.flow import compiled, walk
-from slipcircle.core.flow.bind import Bound, bind
+from slipcircle.core.flow.problem import Problem, build_problem
 from slipcircle.core.flow.program import Log, Samples
 
 pytestmark = pytest.mark.skipif(compiled.module() is None, reason="no compiled walk here")
@@ -46,12 +46,12 @@ SCENES: dict[str, tuple[dict[str, Any], Any, float]] = {
 RESULTS = slice(0, ix.OMEGA + 1)
 
 
-def lanes(name: str, accuracy: float = 1e-11) -> Bound:
+def lanes(name: str, accuracy: float = 1e-11) -> Problem:
     called, friction, end = SCENES[name]
-    return bind(slipcircle.load("vaiont").arc, called, friction, PUSHED, end, accuracy, LANES)
+    return build_problem(slipcircle.load("vaiont").arc, called, friction, PUSHED, end, accuracy, LANES)
 
 
-def run(bound: Bound, which: Any = slice(None), **options: Any) -> Any:
+def run(bound: Problem, which: Any = slice(None), **options: Any) -> Any:
     cells = np.array(bound.cells[:, which], order="C")
     compiled.walk(bound.program, bound.tables, cells, **options)
     return cells[RESULTS]

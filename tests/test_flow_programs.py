@@ -15,8 +15,9 @@ from derive.declare import effects as declared
 from derive.declare.effects import EFFECTS, LAMBDA, LAWS, MU, OMEGA, SLIP, THETA, VALUE, Effect, Law, Parameter
 from derive.flow import emit, fragments, operations
 from generated import flow, layout, series
+from slipcircle.core.flow.build import build_program
 from slipcircle.core.flow.link import RESULTS
-from slipcircle.core.flow.program import Program, join
+from slipcircle.core.flow.program import Program
 
 CASES = random.Random(7).sample(list(flow_oracle.cases()), 60)
 
@@ -24,9 +25,9 @@ CASES = random.Random(7).sample(list(flow_oracle.cases()), 60)
 @pytest.fixture
 def fresh() -> Iterator[None]:
     """No program of a test is left for another."""
-    join.cache_clear()
+    build_program.cache_clear()
     yield
-    join.cache_clear()
+    build_program.cache_clear()
 
 
 # --- operations ------------------------------------------------------------------------------------------------------
@@ -133,24 +134,24 @@ def test_a_program_holds_what_its_scene_calls_for_and_nothing_else() -> None:
     def names(p: Program) -> list[str]:
         return [op[0] for op in p.series]
 
-    frozen = join((), ("constant",))
+    frozen = build_program((), ("constant",))
     assert names(frozen) == ["lin"]
     assert frozen.series[0][3] == ()
     assert frozen.roles["normal"] == frozen.roles["upright"] == -1
-    turning = join(("rotation", "centripetal"), ("constant",))
+    turning = build_program(("rotation", "centripetal"), ("constant",))
     assert sorted(names(turning)) == ["lin"] * 3 + ["sqr", "tim", "turn"]
-    water = join(("rotation", "pore_pressure"), ("constant",), absent=("pore_pressure", "pore_ratio"))
-    dry = join(("rotation",), ("constant",))
+    water = build_program(("rotation", "pore_pressure"), ("constant",), absent=("pore_pressure", "pore_ratio"))
+    dry = build_program(("rotation",), ("constant",))
     assert (names(water), sorted(op[0] for op in water.scalar)) == (names(dry), sorted(op[0] for op in dry.scalar))
-    one = join(("rotation", "shaking"), ("constant",), moving=("k_h",), absent=("k_v",))
-    both = join(("rotation", "shaking"), ("constant",), moving=("k_h", "k_v"))
+    one = build_program(("rotation", "shaking"), ("constant",), moving=("k_h",), absent=("k_v",))
+    both = build_program(("rotation", "shaking"), ("constant",), moving=("k_h", "k_v"))
     assert (names(one).count("mul"), names(both).count("mul")) == (2, 4)
 
 
 def test_reading_order_and_places(fresh: None) -> None:
     """Every operation comes after what it reads; no cell that lasts is written over; constants are named by value."""
     for case in CASES:
-        p = join(*case)
+        p = build_program(*case)
         known = {*(register for _, register, _ in p.states)}
         for op, *names in p.series:
             results = names[: RESULTS.get(op, 1)]
@@ -198,7 +199,7 @@ def test_effects_of_slip_of_speed_and_with_a_state_by_declaration_alone(
         monkeypatch.setitem(flow.FRAGMENTS, name, fragment)
     order = 7
     ctx.prec, ctx.cap = 300, order + 1
-    program = join(("rotation", *(e.name for e in NEW)), ("stiffening",))
+    program = build_program(("rotation", *(e.name for e in NEW)), ("stiffening",))
     rng = random.Random(2)
     names = ("fall", "fall_slope", "press", "press_slope", "level", "polar", "fading", "scale", "collapse", "dilation",
              "widening", "stiffening.first", "stiffening.last", "width", "SLIP", "TIME", "ROTATION")  # fmt: skip
@@ -293,7 +294,7 @@ def test_the_limit_friction_is_used_as_long_as_it_is_that_of_the_start(
 ) -> None:
     """Another value of it changes the drive until what it depends on has changed, and never after."""
     ctx.prec = 200
-    program = join(effects, laws, moving, (), ("energy",))
+    program = build_program(effects, laws, moving, (), ("energy",))
     start = {"DIRECTION": arb(1), "fall": arb(1), "press": arb(1), "level": arb(1)} | {
         x: arb(0.1) for x in program.cells if x.partition(".")[0] in laws
     }
@@ -309,7 +310,7 @@ def test_the_limit_friction_is_used_as_long_as_it_is_that_of_the_start(
 @pytest.mark.parametrize(("peak", "residual"), [(0.6, 0.1), (0.1, 0.6), (1e9, 0.3), (0.3, 1e9), (0.1 + 2.0**-57, 0.1)])
 def test_friction_where_a_phase_begins_keeps_its_digits(law: str, peak: float, residual: float, fresh: None) -> None:
     """The peak itself at no slip, and full accuracy at any: neither form of the law has it everywhere."""
-    program = join((), (law,))
+    program = build_program((), (law,))
     slips = np.concatenate([[0.0], np.geomspace(1e-18, 40.0, 200)])
     c = np.zeros((len(program.cells), slips.size))
     given = {f"{law}.peak": peak, f"{law}.residual": residual, f"{law}.length": 0.7, "DIRECTION": 1.0, "press": 1.0}

@@ -214,7 +214,7 @@ def test_phase_plane_stacks_the_energy() -> None:
 def test_section_draws_the_mass_where_it_is(name: str) -> None:
     """Small motions larger than they are: by 1, 2 or 5 times a power of ten, up to a tenth of the chord."""
     m, ax = motion(name), drawn()
-    assert plots.section(m, ax) is ax
+    assert plots.section(m, ax, forces=True) is ax
     assert all("(m)" in label for label in (ax.get_xlabel(), ax.get_ylabel()))
     assert ax.get_aspect() == 1.0
     arc = m.plan.scene.arc
@@ -245,7 +245,7 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
 
 @pytest.mark.parametrize(("name", "way"), [("vaiont", 1), ("to the left", -1), ("pushed up", -1), ("still", 1)])
 def test_reactions_push_inwards_and_against_the_motion(name: str, way: int) -> None:
-    texts = plots.section(motion(name), drawn()).texts
+    texts = plots.section(motion(name), drawn(), forces=True).texts
     weight, *rest = [(np.array(a.xyann), np.array(a.xy)) for a in texts if getattr(a, "arrow_patch", None)]
     across, along = weight[1] - weight[0]
     assert across == 0.0 > along

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from slipcircle import Scene, load, solve
+from slipcircle import Record, Scene, load, solve
 from slipcircle.base.series import Pulse, Series
 from slipcircle.workbench.records import recordfiles
 from slipcircle.workbench.records.records import read_pore_pressure, read_record
@@ -289,6 +289,74 @@ def test_a_file_says_what_its_record_is(tmp_path: Path, arc: str, shaking: str, 
     path = write(tmp_path, f"{text}angle_deg = 30\n[shaking]\nrecord = 'r.csv'\nunits = 'm/s2'\n{shaking}\n", "s.toml")
     with pytest.raises(ValueError, match=re.escape(said)):
         load(path)
+
+
+KNET = """Origin Time       2011/03/11 14:46:00
+Lat.              38.103
+Sampling Freq(Hz) 100Hz
+Duration Time(s)  0.06
+Dir.              N-S
+Scale Factor      3920(gal)/6182761
+Max. Acc. (gal)   570.6
+Memo.
+   100000  1000000  -800000
+   100000   100000   100000
+"""
+
+
+def test_k_net_counts_are_scaled_and_freed_of_their_offset(tmp_path: Path) -> None:
+    series = read_record(write(tmp_path, KNET, "MYG.EW"), holds="driving")
+    assert series.time == pytest.approx(0.01 * np.arange(6), rel=1e-15)
+    assert series.values == pytest.approx(np.array([0, 9, -9, 0, 0, 0]) * 1e5 * 3920 / 6182761 / 981, abs=1e-15)
+    for text, said in (
+        (KNET.replace("3920(gal)/", ""), "Scale Factor as in 3920"),
+        (KNET + "1\n", "its header says 6"),
+    ):
+        with pytest.raises(ValueError, match=re.escape(said)):
+            read_record(write(tmp_path, text, "MYG.EW"), holds="driving")
+
+
+T, A = np.arange(0.0, 2.0, 0.5), np.array([0.0, 0.1, -0.2, 0.0])
+
+
+def test_records_of_arrays() -> None:
+    for record in (
+        Record(T, A),
+        Record(A, dt=0.5),
+        Record(981 * A, dt=0.5, units="gal"),
+        Record(-A, dt=0.5, holds="ground"),
+    ):
+        assert (record.time.tolist(), record.held) == (T.tolist(), False)
+        assert record.values == pytest.approx(A, rel=1e-15)
+    assert Record(A * 3.7, dt=0.5, units="m/s2", gravity=3.7).values == pytest.approx(A, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        (lambda: Record(A), "give Record(t, a), or Record(a, dt=0.01)"),
+        (lambda: Record(T, A, dt=0.5), "give Record(t, a), or Record(a, dt=0.01)"),
+        (lambda: Record(T, A, units="ft/s2"), "units = 'ft/s2': must be one of g"),
+        (lambda: Record(T, 2800 * A), "560 g, and no ground has shaken with more than 5 g; was it in cm/s2"),
+        (
+            lambda: Record(T, 28e6 * A, units="gal"),
+            "5708 g, and no ground has shaken with more than 5 g; is it unscaled",
+        ),
+        (lambda: Scene(ARC, 0.5, {"shaking": {"horizontal": Series(T, 2800 * A)}}), "horizontal reaches 560 g"),
+        (lambda: Scene(ARC, 0.5, {"shaking": {"horizontal": (np.zeros(9999), np.ones(9999))}}), "such as Record(t, a)"),
+        (lambda: Scene(ARC, 0.5, {"shaking": {"horizontal": {"t": [0.0] * 999}}}), "must be a function of time"),
+    ],
+)
+def test_a_record_that_cannot_be_is_one_sentence(make: Any, said: str) -> None:
+    with pytest.raises(ValueError, match=re.escape(said)) as caught:
+        make()
+    assert len(str(caught.value)) < 300
+    assert "\n" not in str(caught.value)
+
+
+def test_a_peak_scales_a_record_of_any_size() -> None:
+    shaking = {"horizontal": Series(T, 2800 * A, held=False), "peak": 0.4}
+    assert Scene(ARC, 0.5, {"shaking": shaking}).numbers["shaking.peak"] == pytest.approx(0.4)
 
 
 def test_lanes_may_have_one_gravity() -> None:

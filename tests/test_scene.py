@@ -237,3 +237,20 @@ def broken(_: Any) -> Any:
 def test_a_bad_friction_function_is_one_error(law: Any, said: str) -> None:
     with pytest.raises(ValueError, match=f"^friction.*{said}"):
         solve(Scene(VAIONT.arc, law, ["rotation"]))
+
+
+@pytest.mark.parametrize(
+    ("arc", "friction", "effects", "said"),
+    [
+        (ARC, 15.0, {}, "friction = 15: is that an angle? The coefficient of 15 deg is 0.2679"),
+        (ARC, math.tan(math.radians(0.26)), {}, "an angle of 0.26 deg; was that meant in rad? 0.26 rad are 14.9 deg"),
+        (replace(ARC, unit_weight=20.0), 0.3, {}, "unit_weight = 20 N/m^3: is that in kN/m^3? 1 kN/m^3 is 1000 N/m^3"),
+        (replace(ARC, unit_weight=2000.0), 0.3, {}, "unit_weight = 2000 N/m^3: is that in kg/m^3?"),
+        (ARC, 0.3, {"cohesion": {"cohesion": 2.0}}, "cohesion.cohesion = 2 Pa: is that in kPa? 1 kPa is 1000 Pa"),
+        (ARC, 0.3, {"cohesion": {"cohesion": 0.0}}, ""),
+    ],
+)
+def test_numbers_of_an_odd_size_are_questioned(arc: Any, friction: Any, effects: Any, said: str) -> None:
+    warnings = " ".join(solve(Scene(arc, friction, effects, end_time=1.0)).warnings)
+    assert said in warnings
+    assert said or "?" not in warnings

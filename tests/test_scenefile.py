@@ -13,6 +13,7 @@ import pytest
 import slipcircle
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Scene, load
+from slipcircle.workbench.common.files import write as write_file
 from slipcircle.workbench.files.keys import schema, tables_of
 from slipcircle.workbench.files.scenefile import load as read
 from slipcircle.workbench.outputs.guide import guide
@@ -287,7 +288,6 @@ def test_the_command_line_says_the_same(file: Path, said: Any, refused: Any) -> 
         ("", "scene '' is unknown; known are .*"),
         ("wet_slope.toml", "wet_slope.toml: there is no such file; known are .*; did you mean wet-slope?"),
         ("no/where", "no/where: there is no such file; known are .*"),
-        (".", "scene '.' is unknown; known are .*"),
         ("a" * 5000, "scene 'a*' is unknown; known are .*"),
     ],
 )
@@ -362,3 +362,18 @@ def test_the_formulas_of_the_guide_give_the_numbers_that_are_used() -> None:
             product = re.sub(r"(?<=[\w)]) (?=[\w(])", "*", formula)
             assert np.isclose(eval(product, known | {p.name: 7.0}), p.dimensionless(7.0, scales), rtol=1e-14)
     assert sum(map(len, told.values())) == 7
+
+
+def test_a_scene_is_found_by_its_name_without_toml(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("my-slope.toml").write_text(f"{ARC}\n{FRICTION}\n", "utf-8")
+    Path("folder").mkdir()
+    assert read("my-slope").name == "my-slope"
+    for name in (".", "folder"):
+        with pytest.raises(ValueError, match=rf"{re.escape(name)}: is a folder; give a scene's file"):
+            read(name)
+
+
+def test_a_full_disk_names_the_file() -> None:
+    with pytest.raises(ValueError, match=r"/dev/full: cannot be written: No space"):
+        write_file("/dev/full", b"x" * 99)

@@ -51,7 +51,7 @@ def test_a_thin_mass_lands_where_it_leaves_the_water(wide: float, friction: floa
     assert (motion.arrested, len(motion.lift_off)) == (reference["arrested"], 1)
     assert max(test_accuracy.true_error(motion, reference)) < 1e-10
     assert motion.error_estimate < 1e-11
-    bound = motion._lanes.bound
+    bound = motion._lanes.problem
     cells = bound.cells.copy()
     walk.walk(bound.program, bound.tables, cells)
     assert cells[ix.END_ROTATION] == pytest.approx(motion.end.rotation, rel=1e-10)
@@ -118,7 +118,7 @@ def test_energy_is_kept_and_both_walks_agree(velocity: float, effects: Any) -> N
     assert abs(motion.energy.residual) < 1e-11 * motion.energy.work
     if compiled.module() is None:
         return
-    bound = motion._lanes.bound
+    bound = motion._lanes.problem
     one, other = bound.cells.copy(), bound.cells.copy()
     walk.walk(bound.program, bound.tables, one)
     compiled.walk(bound.program, bound.tables, other)

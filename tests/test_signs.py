@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from slipcircle import Arc, Scene, Section, backanalyse, ensemble, solve
+from slipcircle import Arc, Record, Scene, Section, backanalyse, ensemble, solve
 from slipcircle.base.series import Pulse, Series
 from slipcircle.workbench.common.quantities import HISTORY, RESULTS
 
@@ -45,6 +45,15 @@ def test_a_mirror_changes_no_number(one: Any, other: Any, asked: str) -> None:
         assert b.journey.run_out == pytest.approx(a.journey.run_out, rel=1e-11)
         assert b.journey.toe_x == pytest.approx(-a.journey.toe_x, rel=1e-11)
     assert json.dumps([w.split()[:4] for w in a.warnings]) == json.dumps([w.split()[:4] for w in b.warnings])
+
+
+@pytest.mark.parametrize("arc", [RIGHT, LEFT], ids=["right", "left"])
+def test_a_positive_record_drives_down_slope_whatever_the_facing(arc: Any) -> None:
+    push = np.array([0.0, 0.5, 0.5, 0.0])
+    driving, ground = (Record(push, dt=0.5, holds=holds) for holds in ("driving", "ground"))
+    pushed, held = (solve(Scene(arc, 0.6, {"rotation": {}, "shaking": {"horizontal": r}})) for r in (driving, ground))
+    assert pushed.run_out > 0.0
+    assert held.run_out == 0.0
 
 
 def test_studies_of_a_mirrored_arc() -> None:

@@ -192,7 +192,8 @@ def test_what_a_file_says(write: Write) -> None:
     [
         ("[friction]\nangle_deg = 19.6", "", "friction: is missing: friction on the slip surface, a table"),
         ("cohesion_kPa = 3", "cohesion_kPa = 300000", "is that in Pa"),
-        ("[30, 25]", "[30]", "a list of points"),
+        ("[30, 25]", "[30]", "a list of two points or more"),
+        ("[[0, 25], [30, 25], [50, 35], [90, 35]]", "[[0, 25]]", "a list of two points or more"),
         ("base_m = 20", "base_m = 30", "ground.base_m = 30: must lie below the ground"),
         ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[water]\nlevel_m = [[0, 26], [90, 26]]\n", "water.level_m: stands"),
         ("= 20\nbase", "= { distribution = 'normal', mean = 20, std = 1 }\nbase", "must be a number"),
@@ -277,6 +278,18 @@ def test_the_limits_of_a_file_hold(write: Write, said: Any, records: Any) -> Non
     assert 20 <= record["exit"][0] <= 24 + 1e-6
     (still,) = records("search", write(ACADS + limits.replace("k_h = 0.1", "")))
     assert still["factor_of_safety"]["bishop"] > record["factor_of_safety"]["bishop"] + 0.2
+    assert record["factor_of_safety_without_k_h"]["bishop"] > record["factor_of_safety"]["bishop"]
+    assert "factor_of_safety_without_k_h" not in still
     table = columns(said("run", write(SCENE + limits)))
-    assert table["horizontal acceleration k_h of these"] == ["0.1"]
-    assert "factor of safety" in table  # the motion's own, without k_h
+    assert "factor of safety" not in table  # the motion's own is the paper's among those without k_h
+    for words in ("k_h = 0.1", "without k_h"):
+        assert f"factor of safety by Bishop's simplified method, {words}" in table
+    assert table["motion starts from"] == ["that without k_h by the paper's method"]
+
+
+def test_a_circle_that_cuts_level_ground_alone_is_refused(write: Write, asked: Any) -> None:
+    for text, command in ((ACADS, "search"), (SCENE, "run")):
+        level = text.replace('critical = "bishop"', "") + "[circle]\ncentre_m = [15, 45]\nradius_m = 22\n"
+        status, _, error = asked(command, write(level.replace("[circle]\n\n", "")))
+        assert status == 1
+        assert "circle.centre_m: nothing drives the mass from x = 5.83485 to 24.1652" in error

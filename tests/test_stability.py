@@ -284,6 +284,10 @@ def test_limits_hold() -> None:
             assert 5.0 - 1e-6 <= found.exit[0] <= 8.0 + 1e-6
         if "depth" in more:
             assert Section(slope.ground, found.centre, found.radius, 19e3, between=found.between).depth >= 6.0 - 1e-6
+        (name,) = more
+        stands = f"the {name} stands on a limit of the search" if name != "depth" else "as thin as the search allows"
+        assert stands in found.warning
+        assert stands not in free.warning
     again = critical(slope)
     assert again == free
     assert np.array_equal(again.values, free.values, equal_nan=True)

@@ -162,8 +162,8 @@ _COHESION, _RATIO, _PRESSURE, _WATER, _DRAG, _VISCOSITY = sp.symbols(
     "cohesion pore_ratio pore_pressure water drag viscosity", real=True
 )
 _K_H, _K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
-_NORMAL, _INERTIA, _LIFT, _STRENGTH, TURNING, TURNING_SLOPE = sp.symbols(
-    "layered_normal layered_inertia layered_lift layered_strength turning turning_slope", real=True
+_NORMAL, _INERTIA, _LIFT, _COHESIVE, TURNING, TURNING_SLOPE = sp.symbols(
+    "layered_normal layered_inertia layered_lift layered_cohesion turning turning_slope", real=True
 )
 _REMAINING, _REMAINING_INERTIA, REMAINING, REMAINING_SLOPE = sp.symbols(
     "layered_remaining layered_remaining_inertia remaining remaining_slope", real=True
@@ -218,20 +218,20 @@ EFFECTS = (
                   _COHESION, VALUE / REFERENCE),), (),
            "the slip surface has strength without normal stress", resistance=LAMBDA * _COHESION),
     Effect("layered_strength", "2.23", (
-        _of_section("turning", "what friction takes hold of beyond the mean, where strength goes with the mass", TURNING),
+        _of_section("turning", "excess of the friction's normal force over the mean, of strength with the mass", TURNING),
         _of_section("turning_slope", "its derivative by the dip", TURNING_SLOPE),
-        _of_section("normal", "what friction takes hold of beyond the mean, where strength stays with the base", _NORMAL,
-                    "rotation"),
-        _of_section("inertia", "the same of the square of the angular velocity", _INERTIA, "rotation"),
+        _of_section("normal", "the same of strength with the base", _NORMAL, "rotation"),
+        _of_section("inertia", "what the square of the angular velocity adds to it", _INERTIA, "rotation"),
         _of_section("lift", "what water takes from it", _LIFT, "rotation"),
-        _of_section("remaining", "friction that slip leaves beyond the mean's, where strength goes with the mass", REMAINING),
+        _of_section("remaining", "excess of the friction that slip leaves, of strength with the mass", REMAINING),
         _of_section("remaining_slope", "its derivative by the dip", REMAINING_SLOPE),
-        _of_section("remaining_normal", "the same where strength stays with the base", _REMAINING, "rotation"),
-        _of_section("remaining_inertia", "the same of the square of the angular velocity", _REMAINING_INERTIA, "rotation"),
-        _of_section("strength", "strength without normal stress below the mass", _STRENGTH, "rotation")), (),
+        _of_section("remaining_normal", "the same of strength with the base", _REMAINING, "rotation"),
+        _of_section("remaining_inertia", "what the square of the angular velocity adds to it", _REMAINING_INERTIA,
+                    "rotation"),
+        _of_section("strength", "strength without normal stress", _COHESIVE, "rotation")), (),
            "soils along the arc have strengths of their own, by the weights of (2.23) straight above each",
            press=THETA * (_NORMAL + TURNING + _INERTIA * OMEGA_2), pressure=THETA / LAMBDA * _LIFT,
-           resistance=THETA * (_STRENGTH + REMAINING + _REMAINING + _REMAINING_INERTIA * OMEGA_2)),
+           resistance=THETA * (_COHESIVE + REMAINING + _REMAINING + _REMAINING_INERTIA * OMEGA_2)),
     Effect("drag", "3.11", (
         Parameter("xi", "m/s^2", 0.0, _INFINITY, "turbulence coefficient of Voellmy", "xi_m_s2", 1.0,
                   _DRAG, 2 * ALPHA * GRAVITY / (VALUE * THETA)),), ("speed squared",),

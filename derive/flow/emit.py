@@ -3,12 +3,12 @@
 import inspect
 from collections.abc import Sequence
 
-from sympy import Expr, Float, Integer, cos, diff, exp, expand, log, sin, sstr
+from sympy import Expr, Float, cos, diff, exp, expand, log, sin, sstr
 
 from derive.algebra.remainders import Select
 from derive.declare.effects import EFFECTS, LAWS, Effect, Law
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
-from derive.flow.lowering import Fragment, Lowering, cell, series
+from derive.flow.lowering import ZERO, Fragment, Lowering, cell, series
 from derive.flow.operations import OPERATIONS, POWER, SCALARS, Operation
 
 _HEAD = '''"""Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
@@ -110,9 +110,9 @@ def of_series(o: Operation) -> Template:
     symbols = {x: cell(str(x)) for x in (*o.results, *o.arguments)}
     tangents = {x: cell(f"{x}'") for x in (*o.arguments, *o.numbers)}
     registers = (*symbols.values(), *_HELPERS, *(tangents[x] for x in o.arguments))
-    low = Lowering("*", {x: (Integer(0), series(str(x))) for x in registers})
+    low = Lowering("*", {x: (ZERO, series(str(x))) for x in registers})
     for result, means in zip(o.results, o.means, strict=True):
-        change = Integer(0)
+        change = ZERO
         for x, tangent in tangents.items():
             slope = diff(means.xreplace(symbols), symbols.get(x, x))
             for function, register in _KNOWN.items():

@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 from itertools import chain, combinations
 
-from sympy import Expr, Integer, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin, sstr, sympify
+from sympy import Expr, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin, sstr, sympify
 
 from derive.algebra.remainders import Select
 from derive.declare import effects as declared
 from derive.declare.effects import BY_PSI, DEGREE, EFFECTS, FALL, LAMBDA, LAWS, LEVEL, MU, OMEGA, PRESS, SLIP, THETA
-from derive.flow.lowering import Fragment, Increment, Lowering, cell, series, total
+from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, cell, series, total, varying
 
 # What every scene gives, all over Theta*.
 INPUTS = {
@@ -23,8 +23,6 @@ INPUTS = {
 QUANTITIES = ("driving", "resisting", "pressing", "lifting")
 
 DIRECTION, ROTATION, BEGAN, GRIP = (cell(x) for x in ("DIRECTION", "ROTATION", "SLIP", "grip"))
-ONE = Integer(1)
-ZERO = Integer(0)
 NORMAL = cell("normal")
 FRICTION = cell("friction")
 # In the rate of a state these count in full: there is no base to subtract.
@@ -50,9 +48,11 @@ def position() -> dict[Symbol, tuple[Expr, Increment]]:
     q(psi - x) = q cos x - q' sin x, since q'' = -q by the declared derivatives: an increment of -q vers x - q' sin x.
     """
     at_start = {q: seen(q) for q in BY_PSI}
+    sine = series("sin(x)")
+    versine = series("vers(x)")
     components = {}
     for q, slope in BY_PSI.items():
-        increment = total((-slope.subs(at_start), series("sin(x)")), (-at_start[q], series("vers(x)")))
+        increment = total((-slope.subs(at_start), sine), (-at_start[q], versine))
         components[q] = (at_start[q], increment)
     return components
 
@@ -101,7 +101,8 @@ def _symmetric(effect: declared.Effect, chosen: Sequence[Symbol]) -> bool:
 def moving(effect: declared.Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]:
     """What may change along a phase: base and increment by symbol."""
     speed = (ZERO, series("omega"))
-    variables = position() | {OMEGA: speed, declared.SPEED: speed, SLIP: (BEGAN, series("x"))}
+    variables = position()
+    variables |= {OMEGA: speed, declared.SPEED: speed, SLIP: (BEGAN, series("x"))}
     if effect is None:
         return variables
     odd_parameters = odd(effect)
@@ -109,14 +110,15 @@ def moving(effect: declared.Effect | None = None) -> dict[Symbol, tuple[Expr, In
         x = p.symbol
         if x is None or x in BY_PSI:
             continue
+        direction = DIRECTION if x in odd_parameters else ONE
+        increment: Increment = {}
         if p.kind == "rotation":
-            variables[x] = (x, powers(str(x), "x", DEGREE))
-        else:
-            direction = DIRECTION if x in odd_parameters else ONE
-            increment = series(f"d{x}", direction) if p.kind == "series" else {}
-            variables[x] = (direction * x, increment)
+            increment = powers(str(x), "x", DEGREE)
+        elif p.kind == "series":
+            increment = series(f"d{x}", direction)
+        variables[x] = (direction * x, increment)
     for x in effect.given:
-        variables[x] = (cell(f"{x}_0"), series(f"d{x}"))
+        variables[x] = varying(str(x))
     return variables
 
 
@@ -133,19 +135,30 @@ def of_effect(effect: declared.Effect) -> Fragment:
     for x in effect.given:
         low.cells[f"{x}_less"] = -x
         low.cells[f"{x}_0"] = -cell(f"{x}_less")  # the state's own cell moves on along the phase
-        low.put("lin", f"d{x}", f"{x}_less", (("=1.0", str(x)),))
+        low.whole(f"d{x}", f"{x}_less", str(x))
     low.moving = {**low.moving, **TOTALS}
     rate = expand(effect.growth * OMEGA)
     rate = rate.subs(declared.EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
-    symbols = [p for p in effect.parameters if p.symbol is not None and p.kind != "rotation"]
-    of_rotation = [str(p.symbol) for p in effect.parameters if p.kind == "rotation"]
+    inputs = []
+    optional = []
+    tables = []
+    for p in effect.parameters:
+        name = str(p.symbol)
+        if p.symbol is None:
+            continue
+        if p.kind == "rotation":
+            tables.append((name, "rotation", "x", DEGREE))
+            continue
+        inputs.append(name)
+        if p.optional:
+            optional.append(name)
     return low.fragment(
         (f"({effect.equation}) {effect.help}", *declared.formulas(effect)),
         quantities(effect),
-        inputs=[str(p.symbol) for p in symbols],
-        optional=[str(p.symbol) for p in symbols if p.optional],
+        inputs=inputs,
+        optional=optional,
         states={str(x): rate for x in effect.given},
-        tables=tuple((name, "rotation", "x", DEGREE) for name in of_rotation),
+        tables=tuple(tables),
     )
 
 
@@ -160,15 +173,15 @@ def of_law(law: declared.Law) -> Fragment:
         return low.fragment(words, {"mu": coefficient.xreplace(inputs)}, [str(x) for x in inputs.values()])
     value = cell(f"{law.name}.VALUE")
     (variable,) = law.depends_on
+    argument = {"time": f"d{law.name}", "speed": "log_speed"}.get(variable, "x")
     if variable == "time":
-        argument = f"d{law.name}"
         low.moving = {value: (value, series(argument))}
-        return low.fragment(words, {"mu": value}, tables=((law.name, variable, argument, 0),))
-    argument, of = ("log_speed", "log(omega/omega_0)") if variable == "speed" else ("x", "x")
-    if variable == "speed":
-        _log_speed(law, low)
-    low.moving = {value: (value, powers(law.name, argument, law.degree))}
-    words.append(f"mu = VALUE + Q1 y + Q2 y^2 + ..., y = {of}")
+    else:
+        if variable == "speed":
+            _log_speed(law, low)
+        of = "log(omega/omega_0)" if variable == "speed" else "x"
+        words.append(f"mu = VALUE + Q1 y + Q2 y^2 + ..., y = {of}")
+        low.moving = {value: (value, powers(law.name, argument, law.degree))}
     return low.fragment(words, {"mu": value}, tables=((law.name, variable, argument, law.degree),))
 
 
@@ -178,7 +191,9 @@ def _log_speed(law: declared.Law, low: Lowering) -> None:
     start = cell("start_speed")
     low.cells["beyond"] = Select(0, cell(f"{law.name}.PIECE"), 1, 0)
     low.cells["start_speed"] = Select(0, beyond, cell("omega"), 1)
-    low.put("lin", "relative_speed", low.cell(-beyond), ((low.cell(beyond / start), "omega"),))
+    base = low.cell(-beyond)
+    over_start = low.cell(beyond / start)
+    low.put("lin", "relative_speed", base, ((over_start, "omega"),))
     low.put("log", "log_speed", "relative_speed")
 
 
@@ -192,8 +207,9 @@ def pieces(law: declared.Law) -> tuple[list[Expr], list[list[Expr]]]:
     scale = cell(law.scale)
     coefficient = sympify(law.coefficient).subs(SLIP, s * scale)
     breaks = [ZERO, *(cell(kink) / scale for kink in law.kinks)]
+    ends = [*breaks[1:], breaks[-1] + 1]
     polynomials = []
-    for start, end in zip(breaks, [*breaks[1:], breaks[-1] + 1], strict=True):
+    for start, end in zip(breaks, ends, strict=True):
         middle = (start + end) / 2
 
         def branch(e: Expr, middle: Expr = middle) -> Expr:
@@ -201,15 +217,18 @@ def pieces(law: declared.Law) -> tuple[list[Expr], list[list[Expr]]]:
             return next(x for x in e.args if x.subs(s, middle) == there)
 
         piece = coefficient.replace(lambda e: isinstance(e, (Min, Max)), branch)
-        beyond = Poly(expand(piece.subs(s, start + y)), y).all_coeffs()[::-1]
-        polynomials.append([*beyond, *[ZERO] * (law.degree + 1 - len(beyond))])
+        polynomial = Poly(expand(piece.subs(s, start + y)), y)
+        beyond = polynomial.all_coeffs()[::-1]
+        zeros = [ZERO] * (law.degree + 1 - len(beyond))
+        polynomials.append(beyond + zeros)
     return breaks, polynomials
 
 
 def gravity() -> Fragment:
     """The weight, which drives and presses; of a frozen mass, where nothing else says how its components turn."""
     low = Lowering("gravity", {})
-    low.cells |= {str(seen(q)): sign(q) * q for q in BY_PSI}
+    for q in BY_PSI:
+        low.cells[str(seen(q))] = sign(q) * q
     low.moving = position()
     words = ["(3.11) driving = J_theta/Theta*, pressing = J_r/Theta*, in the direction of travel"]
     return low.fragment(words, {"driving": FALL, "pressing": PRESS})
@@ -219,9 +238,11 @@ def rotation(effect: declared.Effect) -> Fragment:
     """The turning of the weight: its components where the phase begins, and the series that they turn by."""
     low = Lowering(effect.name, {})
     for q, slope in BY_PSI.items():
-        low.cells[str(seen(q))] = sign(q) * (q * cos(ROTATION) - slope * sin(ROTATION))
+        turned = q * cos(ROTATION) - slope * sin(ROTATION)
+        low.cells[str(seen(q))] = sign(q) * turned
     low.turn(series("x"), ONE, ONE)
-    low.put("lin", "upright", str(seen(PRESS)), low.sum(position()[PRESS][1]))
+    press, increment = position()[PRESS]
+    low.put("lin", "upright", str(press), low.sum(increment))
     words = [
         f"({effect.equation}) {effect.help}",
         *declared.formulas(effect),
@@ -232,20 +253,21 @@ def rotation(effect: declared.Effect) -> Fragment:
 
 def balance() -> Fragment:
     """The balance of momentum of its quantities, which are the sums of what the fragments add."""
-    driving, resisting, pressing, lifting, mu = (cell(x) for x in (*QUANTITIES, "mu"))
-    sums = {x: (cell(f"{x}_0"), series(f"d{x}")) for x in (driving, resisting, pressing, lifting, mu)}
-    low = Lowering("balance", sums)
+    names = (*QUANTITIES, "mu")
+    driving, resisting, pressing, lifting, mu = (cell(x) for x in names)
+    low = Lowering("balance", {cell(x): varying(x) for x in names})
     low.cells["grip"] = 1 - cell("LIFTED")
     for name, e in (("normal", pressing - lifting), ("friction", GRIP * mu * NORMAL)):
-        low.cells[f"{name}_0"], increment = low.split(e)
+        base, increment = low.split(e)
+        low.cells[f"{name}_0"] = base
         low.register(increment, f"d{name}")
-        low.put("lin", name, f"{name}_0", (("=1.0", f"d{name}"),))
-        low.moving = {**low.moving, cell(name): (cell(f"{name}_0"), series(f"d{name}"))}
-    for name in (*QUANTITIES, "mu"):
-        low.put("lin", name, f"{name}_0", (("=1.0", f"d{name}"),))
+        low.whole(name, f"{name}_0", f"d{name}")
+        low.moving = {**low.moving, cell(name): varying(name)}
+    for name in names:
+        low.whole(name, f"{name}_0", f"d{name}")
     net, increment = low.split(driving - resisting - FRICTION)
     low.register(increment, "dnet")
-    low.put("lin", "net", "drive", (("=1.0", "dnet"),))
+    low.whole("net", "drive", "dnet")
     _drive(low, net)
     words = [
         "(3.11) d omega*/dt* = net = driving - resisting - friction, friction = mu normal unless the mass is lifted",
@@ -261,20 +283,23 @@ def _drive(low: Lowering, net: Expr) -> None:
     As long as nothing that it depends on has departed from the start it is normal (limit - mu), made of what is left
     of the limit friction. That of weight alone is an input, and is known better than a quotient of sums.
     """
+    cells = low.cells
     driving, resisting, normal, mu = (cell(f"{x}_0") for x in ("driving", "resisting", "normal", "mu"))
-    low.cells["limit_0"] = (driving - resisting) / normal
+    others, first, drive, limit = (cell(x) for x in ("others", "first", "drive", "limit"))
+    margin = driving - resisting
+    cells["limit_0"] = margin / normal
     other_driving = driving - cell(str(seen(FALL)))
     other_normal = normal - cell(str(seen(PRESS)))
-    low.cells["others"] = abs(other_driving) + abs(other_normal) + resisting
-    low.cells["limit"] = Select(0, cell("others"), cell("limit_0"), cell("LIMIT"))
-    low.cells["gap"] = cell("limit") - mu
-    driven = Select(0, driving - resisting, 1, 0)
-    low.cells["first"] = Select(0, cell("departed"), 0, GRIP * driven)
-    low.cells["drive"] = Select(0, cell("first"), normal * cell("gap"), net)
+    cells["others"] = abs(other_driving) + abs(other_normal) + resisting
+    cells["limit"] = Select(0, others, cell("limit_0"), cell("LIMIT"))
+    cells["gap"] = limit - mu
+    driven = Select(0, margin, 1, 0)
+    cells["first"] = Select(0, cell("departed"), 0, GRIP * driven)
+    cells["drive"] = Select(0, first, normal * cell("gap"), net)
     drives, resists, presses, lifts = (cell(f"{x}_size") for x in QUANTITIES)
     terms = drives + resists + GRIP * mu * (presses + lifts)
-    size = Select(0, cell("first"), abs(cell("drive")), terms)
-    low.cells["drive_scale"] = Rational(1, 2**52) * size
+    size = Select(0, first, abs(drive), terms)
+    cells["drive_scale"] = Rational(1, 2**52) * size
 
 
 def energy() -> Fragment:
@@ -282,7 +307,8 @@ def energy() -> Fragment:
     names = ("driving", "resisting", "friction", "brakes", "omega")
     driving, resisting, friction, brakes, omega = (cell(x) for x in names)
     low = Lowering("energy", {cell(x): (ZERO, series(x)) for x in names})  # in full
-    low.register(low.split(resisting + friction)[1], "brakes")
+    _, increment = low.split(resisting + friction)
+    low.register(increment, "brakes")
     words = ["dwork/dt* = driving omega*, ddissipation/dt* = (resisting + friction) omega*, over Theta*"]
     return low.fragment(words, {}, states={"work": driving * omega, "dissipation": brakes * omega})
 
@@ -290,9 +316,11 @@ def energy() -> Fragment:
 def fragments(effects: Sequence[declared.Effect] = EFFECTS, laws: Sequence[declared.Law] = LAWS) -> dict[str, Fragment]:
     """All fragments by name, of these effects and laws."""
     every = {"gravity": gravity()}
-    every |= {effect.name: of_effect(effect) for effect in effects}
-    every |= {law.name: of_law(law) for law in (*laws, CALLABLE)}
-    factors = {cell(f"{x}_mu"): (cell(f"{x}_mu_0"), series(f"d{x}_mu")) for x in ("slip", "rate")}
+    for effect in effects:
+        every[effect.name] = of_effect(effect)
+    for law in (*laws, CALLABLE):
+        every[law.name] = of_law(law)
+    factors = {cell(x): varying(x) for x in ("slip_mu", "rate_mu")}
     product = Lowering("product", factors)
     every["product"] = product.fragment(["mu = mu(slip) mu(speed)"], {"mu": Mul(*factors)})
     return every | {"balance": balance(), "energy": energy()}

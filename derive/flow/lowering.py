@@ -6,11 +6,12 @@ series. Increments are built from increments, so that near a limit nothing cance
     d(a b) = a_0 db + b_0 da + da db,    d exp(a) = exp(a_0) expm1(da),    d(1/a) = (1/a_0) (1/(1 + da/a_0) - 1), ...
 """
 
+from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from sympy import Add, Expr, Integer, Min, Mul, Pow, Rational, Symbol, Tuple, cos, exp, expand, log, sin
+from sympy import Add, Expr, Integer, Min, Mul, Rational, Symbol, Tuple, cos, exp, expand, log, sin
 
 from derive.algebra.remainders import Exp, Select
 from derive.code.program import program
@@ -19,6 +20,8 @@ from derive.flow.operations import OPERATIONS, Q, first
 # An increment: the coefficient, a number, of each product of registers, which are named in order.
 Increment = Mapping[tuple[str, ...], Expr]
 Moving = Mapping[Symbol, tuple[Expr, Increment]]  # base and increment by symbol
+ONE = Integer(1)
+ZERO = Integer(0)
 
 
 def cell(name: str) -> Symbol:
@@ -26,18 +29,22 @@ def cell(name: str) -> Symbol:
     return Symbol(name, real=True)
 
 
-def series(name: str, coefficient: Expr = Integer(1)) -> Increment:
+def series(name: str, coefficient: Expr = ONE) -> Increment:
     """The increment that a register holds."""
     return {(name,): coefficient}
 
 
+def varying(name: str) -> tuple[Expr, Increment]:
+    """Base and increment of what has a cell and a register of its own: ``x_0`` and ``dx``."""
+    return cell(f"{name}_0"), series(f"d{name}")
+
+
 def total(*terms: tuple[Expr, Increment]) -> Increment:
     """The sum of numbers times increments."""
-    coefficients: dict[tuple[str, ...], Expr] = {}
+    coefficients: dict[tuple[str, ...], Expr] = defaultdict(lambda: ZERO)
     for factor, increment in terms:
         for product, coefficient in increment.items():
-            before = coefficients.get(product, Integer(0))
-            coefficients[product] = before + factor * coefficient
+            coefficients[product] += factor * coefficient
     return {product: c for product, c in sorted(coefficients.items()) if c != 0}
 
 
@@ -46,8 +53,8 @@ def times(a: Increment, b: Increment) -> Increment:
     terms = []
     for p, c in a.items():
         for q, d in b.items():
-            product = tuple(sorted((*p, *q)))
-            terms.append((c * d, {product: Integer(1)}))
+            product = tuple(sorted(p + q))
+            terms.append((c * d, {product: ONE}))
     return total(*terms)
 
 
@@ -90,25 +97,36 @@ class Lowering:
         bases = {x: self.moving[x][0] for x in e.free_symbols if x in self.moving}
         if not any(self.moving[x][1] for x in bases):
             return e.xreplace(bases), {}
-        one = Integer(1)
-        if isinstance(e, Add):
-            parts = [self.split(x) for x in e.args]
-            base = Add(*(b for b, _ in parts))
-            return base, total(*((one, d) for _, d in parts))
-        power = isinstance(e, Pow) and e.exp.is_Integer and e.exp > 0
-        if not power and not isinstance(e, Mul):
-            return self.function(e)
-        base = one
+        if e.is_Add:
+            return self._sum(e.args)
+        if e.is_Mul:
+            return self._product(e.args)
+        if e.is_Pow and e.exp.is_Integer and e.exp > 0:
+            return self._product([e.base] * int(e.exp))
+        return self.function(e)
+
+    def _sum(self, terms: Iterable[Expr]) -> tuple[Expr, Increment]:
+        bases = []
+        increments = []
+        for term in terms:
+            base, increment = self.split(term)
+            bases.append(base)
+            increments.append((ONE, increment))
+        return Add(*bases), total(*increments)
+
+    def _product(self, factors: Iterable[Expr]) -> tuple[Expr, Increment]:
+        """By d(a b) = a_0 db + b_0 da + da db."""
+        base = ONE
         increment = total()
-        for factor in [e.base] * int(e.exp) if power else e.args:
+        for factor in factors:
             b, d = self.split(factor)
-            increment = total((base, d), (b, increment), (one, times(increment, d)))
+            increment = total((base, d), (b, increment), (ONE, times(increment, d)))
             base = base * b
         return base, increment
 
     def function(self, e: Expr) -> tuple[Expr, Increment]:
         """The same of exp, log, a power, sin or cos, by the operation on the increment of its argument."""
-        b, d = self.split(e.base if isinstance(e, Pow) else e.args[0])
+        b, d = self.split(e.base if e.is_Pow else e.args[0])
         relative = total((1 / b, d)) if b != 0 else {}
         if isinstance(e, exp):
             return exp(b), self.apply("exp", d, exp(b))
@@ -117,11 +135,13 @@ class Lowering:
         if isinstance(e, cos):
             return cos(b), self.turn(d, -sin(b), -cos(b))
         if isinstance(e, log):
-            return log(b), self.apply("log", relative, Integer(1))
-        if isinstance(e, Pow) and not e.exp.free_symbols & self.moving.keys() and relative:
+            return log(b), self.apply("log", relative, ONE)
+        if e.is_Pow and relative and not e.exp.free_symbols & self.moving.keys():
             if e.exp == -1:
                 return 1 / b, self.apply("rec", relative, 1 / b)
-            power = b**e.exp if b == 1 or (2 * e.exp).is_Integer else Exp(e.exp * log(b))
+            power = b**e.exp
+            if b != 1 and not (2 * e.exp).is_Integer:
+                power = Exp(e.exp * log(b))
             return power, self.apply("pow", relative, power, e.exp)
         raise ValueError(f"no operation on series for {type(e).__name__}: {e}")
 
@@ -156,13 +176,17 @@ class Lowering:
 
     def register(self, increment: Increment, name: str = "") -> str:
         """The register that holds an increment."""
-        if not name and len(increment) == 1 and [*increment.values()] == [1]:
-            return self.product(*increment)
         if not name:
+            if list(increment.values()) == [1]:
+                return self.product(*increment)
             self.count += 1
             name = f"{self.name}.sum{self.count}"
         self.put("lin", name, "", self.sum(increment))
         return name
+
+    def whole(self, name: str, base: str, increment: str) -> None:
+        """The register of a quantity in full, from the cell of its base and the register of its increment."""
+        self.put("lin", name, base, (("=1.0", increment),))
 
     def product(self, registers: tuple[str, ...]) -> str:
         """The register that holds a product of others."""
@@ -178,7 +202,11 @@ class Lowering:
 
     def sum(self, increment: Increment) -> tuple[tuple[str, str], ...]:
         """An increment as a sum of a cell times a register each."""
-        return tuple((self.cell(c), self.product(registers)) for registers, c in increment.items())
+        terms = []
+        for registers, coefficient in increment.items():
+            number = self.cell(coefficient)
+            terms.append((number, self.product(registers)))
+        return tuple(terms)
 
     def cell(self, e: Expr, name: str = "") -> str:
         """The cell that holds a number which is known where a phase begins."""
@@ -196,13 +224,12 @@ class Lowering:
 
     def add(self, e: Expr, quantity: str) -> tuple[str, str, tuple[tuple[str, str], ...]]:
         """Base, size of the base's terms, and increment of what is added to a quantity."""
-        base, increment = self.split(e)
-        base, scale = self.base(e, base)
-        return (
-            self.cell(base, f"{self.name}.{quantity}"),
-            self.cell(scale, f"{self.name}.{quantity}_size"),
-            self.sum(increment),
-        )
+        direct, increment = self.split(e)
+        base, scale = self.base(e, direct)
+        name = f"{self.name}.{quantity}"
+        base_cell = self.cell(base, name)
+        size_cell = self.cell(scale, f"{name}_size")
+        return base_cell, size_cell, self.sum(increment)
 
     def base(self, e: Expr, direct: Expr) -> tuple[Expr, Expr]:
         """A base and the size of its terms; of what depends on slip, the better of two forms.
@@ -211,7 +238,7 @@ class Lowering:
         """
         if SLIP not in e.free_symbols:
             return direct, size(direct)
-        from_start = Lowering("start", {SLIP: (Integer(0), series("slip"))})
+        from_start = Lowering("start", {SLIP: (ZERO, series("slip"))})
         bases = {x: base for x, (base, _) in self.moving.items() if x != SLIP}
         start, increment = from_start.split(e.subs(bases))
         registers = first(from_start.series, {"slip": self.moving[SLIP][0]}, from_start.cells)

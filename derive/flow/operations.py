@@ -115,8 +115,9 @@ def prove(order: int = 6) -> list[str]:
         coefficients = _coefficients(o, highest)
         for i in range(highest + 1):
             for result, start, step in zip(o.results, o.start, o.step, strict=True):
-                stated = at(step.subs(n, i).doit() if i else start, coefficients)
-                prove_zero(expand(unfold(stated) - coefficients[result][i]), f"{o.name}: coefficient {i}")
+                recurrence = step.subs(n, i).doit() if i else start
+                stated = unfold(at(recurrence, coefficients))
+                prove_zero(expand(stated - coefficients[result][i]), f"{o.name}: coefficient {i}")
         claims.append(f"{o.name}: {highest + 1} coefficients")
     return claims
 
@@ -130,17 +131,20 @@ def _coefficients(o: Operation, highest: int) -> dict[IndexedBase, tuple[Expr, .
     coefficients = {x: symbols(f"{x}_:{highest + 1}", real=True) for x in o.arguments}
     rates = {_t: 1}
     for a in coefficients.values():
-        rates |= {a[i]: (i + 1) * a[i + 1] for i in range(highest)}
+        for i in range(highest):
+            rates[a[i]] = (i + 1) * a[i + 1]
     if Z in o.arguments:  # 1 + z begins with a positive number
         y = Symbol("y", positive=True)
         z, *others = coefficients[Z]
         coefficients[Z] = (y - 1, *others)
         rates[y] = rates[z]
     if Q in o.arguments:  # the other argument's times its order
-        coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
+        other = coefficients[o.arguments[-1]]
+        coefficients[Q] = tuple(i * x for i, x in enumerate(other))
     first_two: dict[Expr, Expr] = {}
     for x, a in coefficients.items():
-        first_two |= {x: a[0], Derivative(x, _t): a[1]}
+        first_two[x] = a[0]
+        first_two[Derivative(x, _t)] = a[1]
     for result, means in zip(o.results, o.means, strict=True):
         f = [means.xreplace(first_two)]
         for i in range(highest):
@@ -152,7 +156,10 @@ def _coefficients(o: Operation, highest: int) -> dict[IndexedBase, tuple[Expr, .
 
 def at(e: Expr, coefficients: Mapping[IndexedBase, Sequence[Any]]) -> Expr:
     """An expression with the coefficients that it names."""
-    return e.xreplace({x: coefficients[x.base][int(x.indices[0])] for x in e.atoms(Indexed)})
+    named = {}
+    for x in e.atoms(Indexed):
+        named[x] = coefficients[x.base][int(x.indices[0])]
+    return e.xreplace(named)
 
 
 def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Mapping[str, Expr]) -> dict[str, Expr]:
@@ -171,11 +178,14 @@ def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Ma
             registers[result] = Add(base, *(number(c) * registers[r] for c, r in terms))
             continue
         o = OPERATIONS[name]
-        results = names[: len(o.results)]
-        arguments = names[len(o.results) :]
-        known = {a[0]: registers[x] for a, x in zip(o.arguments, arguments, strict=False)}
-        known |= {a: number(x) for a, x in zip(o.numbers, arguments[len(o.arguments) :], strict=True)}
-        for result, start in zip(results, o.start, strict=True):
+        places = (*o.results, *o.arguments, *o.numbers)
+        known = {}
+        for place, operand in zip(places, names, strict=True):
+            if place in o.arguments:
+                known[place[0]] = registers[operand]
+            elif place in o.numbers:
+                known[place] = number(operand)
+        for result, start in zip(names, o.start, strict=False):
             registers[result] = start.subs(known)
     return registers
 

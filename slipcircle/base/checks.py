@@ -31,6 +31,12 @@ def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
     return total, (a - (total - part)) + (b - part)
 
 
+def shown(value: Any) -> str:
+    """A value in one line, of a long one its type and beginning."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 80 else f"{type(value).__name__} {text[:60]}..."
+
+
 def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> list[str]:
     """A sentence for each field that is no finite real number within its open bounds, or many where it must be one."""
     found = []
@@ -41,7 +47,7 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one:
             value = np.asarray(None)
         many = name in one and value.ndim > 0
         if many or value.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
-            found.append(f"{name} = {fields[name]!r}: must be {'one number' if many else allowed}")
+            found.append(f"{name} = {shown(fields[name])}: must be {'one number' if many else allowed}")
             continue
         bad = ~(np.isfinite(value) & (value > lower) & (value < upper))
         if np.any(bad):
@@ -59,7 +65,7 @@ _KINDS = {
     "flag": "True or False",
     "number": "a number",
     "list": "a list of numbers",
-    "series": "a function of time, a Series or a Pulse",
+    "series": "a function of time, such as Record(t, a), Record(a, dt=0.01), a Series or a Pulse",
 }
 
 
@@ -84,7 +90,7 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable
             }
             if not right.get(p.kind, value in p.kind.split("|")):
                 allowed = _KINDS.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
-                found.append(f"{path}.{name} = {value!r}: must be {allowed}: {p.help}")
+                found.append(f"{path}.{name} = {shown(value)}: must be {allowed}: {p.help}")
     return found
 
 

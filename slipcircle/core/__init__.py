@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from slipcircle.core.scene.arc import WIDTH as WIDTH
     from slipcircle.core.scene.arc import Arc as Arc
     from slipcircle.core.scene.coordinates import arc_numbers as arc_numbers
+    from slipcircle.core.scene.forcing import STRONGEST as STRONGEST
     from slipcircle.core.scene.forcing import in_time as in_time
     from slipcircle.core.scene.friction import RATE_LAWS as RATE_LAWS
     from slipcircle.core.scene.friction import law_depends as law_depends
@@ -64,7 +65,7 @@ _PUBLIC = {
     "core.motion.states": "ANSWERED Energy State Status",
     "core.scene.arc": "ARC_BOUNDS GIVEN GRAVITY WIDTH Arc",
     "core.scene.coordinates": "arc_numbers",
-    "core.scene.forcing": "in_time",
+    "core.scene.forcing": "STRONGEST in_time",
     "core.scene.friction": "RATE_LAWS law_depends law_mistakes law_names law_parts may_have_rate",
     "core.scene.ground": "circle_through circle_touching field_mistakes ponds simple_slope",
     "core.scene.layers": "LayeredSection Soil layer_mistakes",

@@ -57,9 +57,7 @@ LEVEL = next(iter(LEVELS))
 def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
     """The function ``(alpha, out, where, accuracy)`` behind a public kernel, from its NumPy text of every tier."""
     form, loops = LEVELS[level]
-    # Of plain operations NumPy and C make the same; only where the text calls a library has NumPy a form of its own.
-    proved = {tier: of.get(form, of.get("plain")) for tier, of in BOUNDS.get(name, {}).items()}
-    cheapest = cache(partial(_cheapest, name, proved))
+    cheapest = cache(partial(_cheapest, name, form))
 
     def loop_of(tier: str) -> Any:
         """The compiled loop of a tier, or None; that of float32 is a type of the best one's."""
@@ -94,13 +92,19 @@ def _is_foreign(alpha: Any) -> bool:
     return not isinstance(alpha, np.ndarray | np.generic) and any(hasattr(alpha, x) for x in _PROTOCOLS)
 
 
-def _cheapest(name: str, proved: Mapping[str, tuple[float, float | None] | None], kind: str, accuracy: float) -> str:
-    """The cheapest tier that is proved to meet a relative error in a float format."""
+def _cheapest(name: str, form: str, kind: str, accuracy: float) -> str:
+    """The cheapest tier that is proved to meet a relative error in a float format.
+
+    Of plain operations NumPy and C make the same; only where the text calls a library has NumPy a form of its own.
+    """
     if not accuracy > 0:
         raise ValueError(f"accuracy is a relative error above 0, not {accuracy!r}")
     limit = "nothing is proved"
-    for tier in {"d": CHEAPEST_FIRST, "f": ("float32",)}.get(kind, ()):
-        bound = proved.get(tier)
+    proved = BOUNDS.get(name, {})
+    tiers = {"d": CHEAPEST_FIRST, "f": ("float32",)}.get(kind, ())
+    for tier in tiers:
+        forms = proved.get(tier, {})
+        bound = forms.get(form, forms.get("plain"))
         if bound is None:
             continue
         if bound[0] <= accuracy:
@@ -161,7 +165,7 @@ _PROTOCOLS = ("__array_namespace__", "__array_ufunc__")
 
 
 class _Space:
-    """The functions of an array library that traces. At a tie, minimum and maximum hand on the whole slope."""
+    """The functions of an array library that traces. At a tie, minimum and maximum pass on the whole slope."""
 
     def __init__(self, functions: Any) -> None:
         self._functions = functions

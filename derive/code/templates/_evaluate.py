@@ -20,7 +20,10 @@ def horner(x: Any, coefficients: Sequence[float]) -> Any:
 
 def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
     """The arguments as arrays, or as Python's numbers, and the floating type of the result; real, at most 64 bits."""
-    items = [x if isinstance(x, (bool, int, float)) and not isinstance(x, np.generic) else np.asarray(x) for x in args]
+    items = []
+    for x in args:
+        number = isinstance(x, (bool, int, float)) and not isinstance(x, np.generic)
+        items.append(x if number else np.asarray(x))
     kind = np.result_type(*items)
     if kind.kind in "biu":
         kind = np.dtype(np.float64)

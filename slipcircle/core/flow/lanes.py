@@ -1,19 +1,19 @@
-"""Lanes of scenes that share their effects and laws: bound, walked to their end, and asked for what they passed."""
+"""Lanes of scenes that share their effects and laws: integrated to their end, and asked for what they pass through."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS, choose, plain
-from slipcircle.core.flow.bind import Bound, bind
 from slipcircle.core.flow.columns import Columns
 from slipcircle.core.flow.compiled import engine
-from slipcircle.core.flow.program import Log, Samples
+from slipcircle.core.flow.problem import Problem, build_problem
+from slipcircle.core.flow.program import Log, Program, Samples
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import by_lanes
 from slipcircle.core.scene.section import Section
@@ -21,39 +21,74 @@ from slipcircle.core.scene.section import Section
 Floats = NDArray[np.float64]
 # Lanes at once, so that what they need stays in the cache; rows a power of two apart would share its lines.
 BLOCK = 16000
-ASKED = ("pressing", "normal", "mu")  # what a program is asked for beside its states
+OUTPUTS = ("pressing", "normal", "mu")  # registers that a program is asked for beside its states
 
 
-def walked(
-    bound: Bound, samples: Samples | None = None, log: Log | None = None, walker: Any = None, cells: Any = None
+def integrate_all(
+    problem: Problem, samples: Samples | None = None, log: Log | None = None, walker: Any = None, cells: Any = None
 ) -> Floats:
-    """The cells of lanes at their end, by default a copy's; from the start again where a Python function goes on."""
+    """Integrate all lanes to their end: their final cells.
+
+    Parameters
+    ----------
+    problem : Problem
+    samples : Samples, optional
+        Times at which states are wanted; filled in place.
+    log : list, optional
+        Takes the events of the first lane.
+    walker : callable, optional
+        The integrator, by default the fastest here.
+    cells : ndarray, optional
+        To start with and to overwrite; by default a copy of the problem's.
+    """
     walker = walker or engine().walk
     while True:
-        cells = bound.start() if cells is None else cells
-        walker(bound.program, bound.tables, cells, samples, log)
-        if cells[ix.STATUS].max(initial=0.0) < ix.TOO_LONG:
-            return cells
-        many = (cells[ix.STATUS] == ix.TOO_LONG) & (cells[ix.STEPS] > ix.MOST_STEPS)
-        long = np.flatnonzero(many & (cells[ix.OMEGA] > 0.0))
-        while long.size:
-            from slipcircle.core.flow import stiff  # only here
-
-            stiff.walk(bound.program, bound.tables, cells, samples, log, long)
-            long = long[cells[ix.STATUS, long] == ix.NEED]
-            if long.size:
-                bound.lengthen(cells[:, long])
-        needs = np.flatnonzero(cells[ix.STATUS] == ix.NEED)
-        if not needs.size:
-            return cells
-        one = cells[:, needs[:1]]  # walks on from where it is, to find out how far the function is asked for
-        while one[ix.STATUS, 0] == ix.NEED:
-            bound.lengthen(one)
-            one[ix.OMEGA], one[ix.STATUS] = one[ix.DIRECTION] * one[ix.OMEGA], ix.START
-            engine().walk(bound.program, [t.lanes(needs[:1]) for t in bound.tables], one)
+        state = problem.initial_cells() if cells is None else cells
+        walker(problem.program, problem.tables, state, samples, log)
+        if state[ix.STATUS].max(initial=0.0) < ix.TOO_LONG:
+            return state
+        _integrate_stiff(problem, state, samples, log)
+        waiting = np.flatnonzero(state[ix.STATUS] == ix.NEED)
+        if not waiting.size:
+            return state
+        # One lane goes on to find how far a Python function is needed; then all start again with its whole table.
+        _extend_to_end(problem, state, waiting[:1])
         cells = None
         if log is not None:
             log.clear()
+
+
+def _integrate_stiff(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None) -> None:
+    """By implicit steps, the lanes that took too many explicit ones and still move."""
+    stopped = (cells[ix.STATUS] == ix.TOO_LONG) & (cells[ix.STEPS] > ix.MOST_STEPS)
+    which = np.flatnonzero(stopped & (cells[ix.OMEGA] > 0.0))
+    while which.size:
+        from slipcircle.core.flow import stiff  # only here
+
+        stiff.walk(problem.program, problem.tables, cells, samples, log, which)
+        which = which[cells[ix.STATUS, which] == ix.NEED]
+        if which.size:
+            problem.extend_tables(cells[:, which])
+
+
+def _extend_to_end(problem: Problem, cells: Floats, which: Any) -> None:
+    """Extend the tables of Python functions as far as one lane, from where it is to its end, asks for them."""
+    one = cells[:, which]
+    tables = problem.tables
+    while one[ix.STATUS, 0] == ix.NEED:
+        problem.extend_tables(one)
+        one[ix.OMEGA], one[ix.STATUS] = one[ix.DIRECTION] * one[ix.OMEGA], ix.START
+        engine().walk(problem.program, [table.lanes(which) for table in tables], one)
+
+
+class _States(NamedTuple):
+    """States of lanes, dimensionless: of each its time, rotation, omega, slip and further states, and whose it is."""
+
+    time: Any
+    rotation: Any
+    omega: Any
+    further: Any = None
+    lane: Any = slice(None)
 
 
 @dataclass(frozen=True)
@@ -88,16 +123,16 @@ class Lanes:
     def taken(self, which: Any) -> "Lanes":
         """Some of the lanes, by an index of them in their order."""
 
-        def cut(value: Any, axes: int = 0) -> Any:
+        def select(value: Any, axes: int = 0) -> Any:
             if isinstance(value, Mapping):
-                return {n: cut(v) for n, v in value.items()}
+                return {name: select(part) for name, part in value.items()}
             by_lane = isinstance(value, np.ndarray) and value.ndim == axes + 1 and len(value) == self.count
             return value[which] if by_lane else value
 
-        given = {f.name: cut(getattr(self, f.name)) for f in fields(Lanes)}
-        arc = by_lanes(self.arc, cut)
-        given["called"] = arc.section_effects(given["called"])
-        return Lanes(**given | {"arc": arc, "count": np.arange(self.count)[which].size})
+        given = {f.name: select(getattr(self, f.name)) for f in fields(Lanes)}
+        arc = by_lanes(self.arc, select)
+        called = arc.section_effects(given["called"])
+        return Lanes(**given | {"arc": arc, "called": called, "count": np.arange(self.count)[which].size})
 
     def parts(self) -> Iterator[tuple[slice, "Lanes"]]:
         """The lanes in blocks."""
@@ -106,23 +141,27 @@ class Lanes:
             yield which, self.taken(which)
 
     @cached_property
-    def bound(self) -> Bound:
-        """What programs are asked with, again and again."""
-        return self._bind()
+    def problem(self) -> Problem:
+        """What is solved, and what programs are asked with, again and again."""
+        return self._build()
 
-    def _bind(self) -> Bound:
-        found = bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count)
+    def _build(self) -> Problem:
+        numbers = (self.arc, self.called, self.friction, self.velocity, self.end_time)
+        problem = build_problem(*numbers, self.accuracy, self.count)
         if self.invalid is not False:
-            found.cells[ix.STATUS, np.broadcast_to(self.invalid, self.count)] = ix.FAILED
-        return found
+            problem.cells[ix.STATUS, np.broadcast_to(self.invalid, self.count)] = ix.FAILED
+        return problem
+
+    # --- units ---------------------------------------------------------------------------------------------------
 
     @cached_property
     def time_scale(self) -> Any:
-        """s for one of the dimensionless time, without binding what only walking needs."""
+        """s for one of the dimensionless time."""
         return plain(self.arc.time_scale)
 
     @cached_property
     def radius(self) -> Any:
+        """m."""
         return plain(self.arc.radius)
 
     @property
@@ -137,137 +176,144 @@ class Lanes:
         weight = np.multiply(arc.width, arc.unit_weight) * np.power(arc.radius, 3.0)
         return weight * arc.dimensionless.moment_of_inertia
 
-    def solve(self, log: Log | None = None) -> Floats:
-        """The cells of all lanes at their end."""
-        if self.count == 1:
-            return walked(self.bound, None, log)
-        bound = self._bind()  # of many lanes copies and what is kept cost as much as the walk
-        return walked(bound, None, log, cells=None if bound.functions else bound.cells)
+    # --- the motion ----------------------------------------------------------------------------------------------
 
-    def _sampled(self, bound: Bound, times: Floats) -> tuple[Floats, Floats]:
-        """As `read`, of any bound lanes; and their last cells."""
-        order = np.argsort(times, kind="stable")
-        at = times[order][:, None] / np.broadcast_to(bound.time_scale, (1, self.count))
-        rows = np.zeros((2 + len(bound.program.states), times.size, self.count))
-        found = np.full((2 + len(bound.program.states), times.size, self.count), np.nan)
-        cells = walked(bound, Samples(np.ascontiguousarray(at), rows))
-        found[:, order] = rows
-        return found, cells
+    def solve(self, log: Log | None = None) -> Floats:
+        """The final cells of all lanes."""
+        if self.count == 1:
+            return integrate_all(self.problem, log=log)
+        problem = self._build()  # of many lanes copies and what is kept cost as much as the integration
+        return integrate_all(problem, log=log, cells=None if problem.functions else problem.cells)
 
     def read(self, times: Floats) -> Floats:
         """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes)."""
-        return self._sampled(self.bound, times)[0]
+        return self._sampled(self.problem, times)
+
+    def _sampled(self, problem: Problem, times: Floats) -> Floats:
+        """As `read`, by any problem of these lanes."""
+        sequence = np.argsort(times, kind="stable")
+        dimensionless = times[sequence][:, None] / np.broadcast_to(problem.time_scale, (1, self.count))
+        rows = np.zeros((2 + len(problem.program.states), times.size, self.count))
+        integrate_all(problem, Samples(np.ascontiguousarray(dimensionless), rows))
+        states = np.empty_like(rows)
+        states[:, sequence] = rows
+        return states
+
+    def energies(self, times: Floats) -> tuple[dict[str, Floats], Floats]:
+        """Kinetic energy, work and dissipation at times in s, (times, lanes), and the first kinetic energy."""
+        problem = self.problem.with_outputs(("energy",))
+        rows = self._sampled(problem, times)
+        names = [problem.program.cells[cell] for cell, _, _ in problem.program.states[2:]]
+        work, dissipation = rows[4 + names.index("work")], rows[4 + names.index("dissipation")]
+        energies = {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": np.maximum(dissipation, 0.0)}
+        return energies, problem.cells[ix.OMEGA] ** 2 / 2
+
+    # --- forces in given states ----------------------------------------------------------------------------------
 
     def stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         """The mean normal stress, Pa, of each lane in one state; dimensionless numbers."""
         if self.count > BLOCK:
             return np.concatenate([part.stress(time[k], rotation[k], omega[k]) for k, part in self.parts()])
-        return self._probe(time, rotation, omega)["pressing"] * self.stress_unit
+        return self._outputs_in(_States(time, rotation, omega))["pressing"] * self.stress_unit
 
     def outputs(self, times: Floats, rows: Floats) -> dict[str, Floats]:
         """What presses, water included and without it, and friction at times in s, of states as `read` gives them."""
-        time, rotation, omega, further, each = self._spread(times, rows)
-        return {n: v.reshape(rows.shape[1:]).T for n, v in self._probe(time, rotation, omega, further, each).items()}
-
-    def _spread(self, times: Floats, rows: Floats) -> tuple[Any, ...]:
-        """States at many times as lanes of their own: time, rotation, omega, slip and further states, and whose."""
-        each = np.tile(np.arange(self.count), times.size)
-        time = (times[:, None] / np.broadcast_to(self.time_scale, self.count)).ravel()
-        return time, rows[0].ravel(), rows[1].ravel(), rows[3:].reshape(len(rows) - 3, -1), each
+        outputs = self._outputs_in(self._states(times, rows))
+        return {name: values.reshape(rows.shape[1:]).T for name, values in outputs.items()}
 
     def holding_friction(self, times: Floats, rows: Floats) -> Floats:
         """The friction that just holds the mass at rest where it is at times in s, (lanes, times).
 
         The greater one of both ways, where both are open to it; NaN where nothing presses.
         """
-        bound, found = self._asking, np.full(rows.shape[1:], np.nan)
-        time, rotation, _, further, each = self._spread(times, rows)
+        states = self._states(times, rows)._replace(omega=0.0)
+        program, greatest = self._with_outputs.program, np.full(rows.shape[1:], np.nan)
         for side in (1.0, -1.0):
-            c, _ = self._begun(bound, time, rotation, 0.0, further, each, side)
-            roles = bound.program.roles
-            driving, resisting, normal = (c[roles[f"cell_{n}"]] for n in ("driving", "resisting", "normal0"))
-            may = Columns(bound.program, (), c, None, each).may_start(side)
+            cells, _ = self._begin(states, side)
+            driving, resisting, normal = _forces(program, cells)
+            free = Columns(program, (), cells, None, states.lane).may_start(side)
             with np.errstate(all="ignore"):
-                held = np.where((normal > 0.0) & may, (driving - resisting) / normal, np.nan)
-            found = np.fmax(found, np.maximum(held, 0.0).reshape(found.shape))
-        return found.T
+                holding = np.where((normal > 0.0) & free, (driving - resisting) / normal, np.nan)
+            greatest = np.fmax(greatest, np.maximum(holding, 0.0).reshape(greatest.shape))
+        return greatest.T
 
     @cached_property
-    def _asking(self) -> Bound:
-        return self.bound.asking(ASKED)
+    def _with_outputs(self) -> Problem:
+        return self.problem.with_outputs(OUTPUTS)
 
-    def _probe(
-        self, time: Any, rotation: Any, omega: Any, further: Any = None, each: Any = slice(None)
-    ) -> dict[str, Floats]:
-        """Registers of the program in given states: what a phase would begin with there."""
-        bound, side = self._asking, choose(omega < 0.0, -1.0, 1.0)
-        r = self._begun(bound, time, rotation, omega, further, each, side)[1]
-        return {n: r[bound.program.roles[n]] for n in ASKED}
+    def _states(self, times: Floats, rows: Floats) -> _States:
+        """States at times in s, as `read` gives them, as lanes of their own."""
+        lane = np.tile(np.arange(self.count), times.size)
+        time = times[:, None] / np.broadcast_to(self.time_scale, self.count)
+        return _States(time.ravel(), rows[0].ravel(), rows[1].ravel(), rows[3:].reshape(len(rows) - 3, -1), lane)
 
-    def _begun(
-        self, bound: Bound, time: Any, rotation: Any, omega: Any, further: Any, each: Any, side: Any
-    ) -> tuple[Floats, Floats]:
-        """Cells and registers at the start of a phase in given states."""
-        cells = bound.cells[:, each].copy()
-        cells[ix.TIME], cells[ix.ROTATION], cells[ix.OMEGA] = time, rotation, abs(omega)
+    def _outputs_in(self, states: _States) -> dict[str, Floats]:
+        """The registers of `OUTPUTS` in given states."""
+        registers = self._begin(states, choose(states.omega < 0.0, -1.0, 1.0))[1]
+        roles = self._with_outputs.program.roles
+        return {name: registers[roles[name]] for name in OUTPUTS}
+
+    def _begin(self, states: _States, side: Any) -> tuple[Floats, Floats]:
+        """Cells and registers of phases that begin in given states, in a direction of travel."""
+        problem, lane = self._with_outputs, states.lane
+        cells = problem.cells[:, lane].copy()
+        cells[ix.TIME], cells[ix.ROTATION], cells[ix.OMEGA] = states.time, states.rotation, abs(states.omega)
         cells[ix.DIRECTION], cells[ix.LIFTED] = side, 0.0
-        if further is not None:
-            cells[ix.SLIP] = further[0]
-            bound.lengthen(cells)
-            for (cell, _, _), value in zip(bound.program.states[2:], further[1:], strict=True):
+        if states.further is not None:
+            cells[ix.SLIP] = states.further[0]
+            problem.extend_tables(cells)
+            for (cell, _, _), value in zip(problem.program.states[2:], states.further[1:], strict=True):
                 cells[cell] = value
-        parts = [t.lanes(each) if t.coefficients.ndim == 3 else t for t in bound.tables]
-        return cells, engine().begin(bound.program, parts, cells)
+        tables = [table.lanes(lane) for table in problem.tables]
+        return cells, engine().begin(problem.program, tables, cells)
+
+    # --- at the start --------------------------------------------------------------------------------------------
 
     @property
     def brake(self) -> Floats:
-        """q = 2 (lambda A mu + d)/Theta* at the start, read off the program."""
-        bound, roles = self.bound, self.bound.program.roles
-        cells = bound.cells.copy()
+        """q = 2 (lambda A mu + d)/Theta* at the start: what a unit of omega^2 takes from the rate, twice."""
+        problem, cells = self.problem, self.problem.cells.copy()
         cells[ix.DIRECTION] = 1.0
-        engine().begin(bound.program, bound.tables, cells)
-        cells[roles["cell_drive"]], cells[ix.OMEGA] = 0.0, 1.0
-        net = engine().registers(bound.program, bound.tables, cells)[roles["net"]]
+        engine().begin(problem.program, problem.tables, cells)
+        cells[problem.program.roles["cell_drive"]], cells[ix.OMEGA] = 0.0, 1.0
+        net = engine().registers(problem.program, problem.tables, cells)[problem.program.roles["net"]]
         return np.asarray(-2.0 * net)
 
     @cached_property
     def statics(self) -> dict[str, Floats]:
         """Limit friction, factor of safety, yield coefficient and friction at the start, without shaking.
 
-        k_y is where the drive, linear in k_h, is zero; both are read off the program itself.
+        All are read off the program. The excess of drive over resistance is linear in k_h: k_y is where it is zero.
         """
-        bound = self.bound.shaken()
-        roles, at = bound.program.roles, bound.program.places
-        c = bound.cells
-        c[ix.OMEGA], c[ix.DIRECTION] = 0.0, np.where(c[at["fall"]] < 0.0, -1.0, 1.0)
-        c[at["k_h"]], shaken = 0.0, c.copy()
-        shaken[at["k_h"]] = c[ix.DIRECTION]
-        engine().begin(bound.program, bound.tables, c)
-        engine().begin(bound.program, bound.tables, shaken)
-        driving, resisting, normal, mu, limit = (
-            c[roles[f"cell_{n}"]] for n in ("driving", "resisting", "normal0", "mu", "limit")
-        )
+        problem = self.problem.with_steady_shaking()
+        program, cells = problem.program, problem.cells
+        places, roles = program.places, program.roles
+        cells[ix.OMEGA], cells[ix.DIRECTION] = 0.0, np.where(cells[places["fall"]] < 0.0, -1.0, 1.0)
+        cells[places["k_h"]], shaken = 0.0, cells.copy()
+        shaken[places["k_h"]] = cells[ix.DIRECTION]  # a unit of k_h, the way in which gravity drives
+        engine().begin(program, problem.tables, cells)
+        engine().begin(program, problem.tables, shaken)
+        driving, resisting, normal = _forces(program, cells)
+        driving_shaken, resisting_shaken, normal_shaken = _forces(program, shaken)
+        mu, limit = cells[roles["cell_mu"]], cells[roles["cell_limit"]]
         pressed = normal > 0.0
         with np.errstate(all="ignore"):
-            free, freed = driving - resisting, shaken[roles["cell_driving"]] - shaken[roles["cell_resisting"]]
-            limit = np.where(pressed, limit, np.where(free > 0.0, np.inf, -np.inf))
-            held = resisting + np.where(pressed, mu * normal, 0.0)
-            drive, driven = free - mu * normal, freed - mu * shaken[roles["cell_normal0"]]
-            exact = np.where(pressed, normal * (limit - mu), drive)
-            yields = -exact / (driven - drive)
-            lifted = normal + yields * (shaken[roles["cell_normal0"]] - normal) < 0.0
+            frictionless, frictionless_shaken = driving - resisting, driving_shaken - resisting_shaken
+            excess, excess_shaken = frictionless - mu * normal, frictionless_shaken - mu * normal_shaken
+            exact_excess = np.where(pressed, normal * (limit - mu), excess)  # keeps its digits near the limit
+            yielding = -exact_excess / (excess_shaken - excess)
+            lifted = normal + yielding * (normal_shaken - normal) < 0.0
+            yielding_lifted = -frictionless / (frictionless_shaken - frictionless)
+            strength = resisting + np.where(pressed, mu * normal, 0.0)
             return {
-                "limit_friction": limit,
+                "limit_friction": np.where(pressed, limit, np.where(frictionless > 0.0, np.inf, -np.inf)),
                 "friction": mu,
-                "factor_of_safety": np.where(driving > 8 * EPS * abs(normal), held / driving, np.inf),
-                "yield_coefficient": np.where(lifted, -free / (freed - free), yields) + 0.0,
+                "factor_of_safety": np.where(driving > 8 * EPS * abs(normal), strength / driving, np.inf),
+                "yield_coefficient": np.where(lifted, yielding_lifted, yielding) + 0.0,
             }
 
-    def energies(self, times: Floats) -> tuple[dict[str, Floats], Floats]:
-        """Kinetic energy, work and dissipation at times in s, (times, lanes), and the first kinetic energy."""
-        bound = self.bound.asking(("energy",))
-        rows, _ = self._sampled(bound, times)
-        names = [bound.program.cells[cell] for cell, _, _ in bound.program.states[2:]]
-        work, lost = (rows[4 + names.index(n)] for n in ("work", "dissipation"))
-        found = {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": np.maximum(lost, 0.0)}
-        return found, bound.cells[ix.OMEGA] ** 2 / 2
+
+def _forces(program: Program, cells: Floats) -> tuple[Any, Any, Any]:
+    """What drives, what resists beside friction, and what presses, where phases begin, over Theta*."""
+    driving, resisting, normal = (cells[program.roles[f"cell_{name}"]] for name in ("driving", "resisting", "normal0"))
+    return driving, resisting, normal

@@ -1,211 +1,259 @@
-"""Linking: definitions by name become operations in order, and what is nothing is left out with all it is a factor of.
+"""Linking of a flow program: definitions by name become operations in order, without what is identically zero.
 
-Equal operations are done once, and sums of sums become one. A name with a prime and a number, ``net'0``, is a tangent,
-the derivative in a direction: its definition follows from that of what it is a tangent of.
+A *cell* is a number where a phase begins, a *register* a series in time. Equal operations are computed once, and sums
+of sums are flattened. A name with a prime and a number, ``net'0``, is the tangent in that direction of the name before
+the prime; its definition follows by the rules in `generated.flow`.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from generated.flow import CELL_TANGENTS, SERIES_TANGENTS
 
-Operation = tuple[Any, ...]  # its name and its arguments
-RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2}  # where there are more than one
-ZERO, ONE, MINUS = "=0.0", "=1.0", "=-1.0"
+Operation = tuple[Any, ...]  # its name, then its arguments; of series (`Linker.series_definitions`), its results first
+Term = tuple[str, str]  # of a sum: a cell times a register
+RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2}  # of operations on series that have more than one
+ZERO, ONE, MINUS_ONE = "=0.0", "=1.0", "=-1.0"
+PRIME = "'"
+
+
+def tangent(name: str, direction: object) -> str:
+    """The name of a tangent."""
+    return f"{name}{PRIME}{direction}"
+
+
+def arguments(operation: str, names: Sequence[Any]) -> list[str]:
+    """The registers that an operation on series takes, of the names of its results and arguments."""
+    if operation == "ramp":
+        return []
+    if operation == "lin":
+        return [register for _, register in names[2]]
+    last = -1 if operation == "pow" else None  # its exponent is a cell
+    return list(names[RESULTS.get(operation, 1) : last])
 
 
 @dataclass
 class Linker:
-    """Definitions by name, and what has become of them."""
+    """Definitions by name, and the operations that they have become.
 
-    cells: dict[str, Operation] = field(default_factory=dict)
-    registers: dict[str, Operation] = field(default_factory=dict)  # with all names, results first
-    kept: set[str] = field(default_factory=set)  # registers that more than sums are made of
-    known: dict[str, str] = field(default_factory=dict)  # canonical cell by name
-    made: dict[str, str | None] = field(default_factory=dict)  # canonical register by name; None is nothing
+    ``cells`` and ``registers`` give for each name the one under which its value is computed, or None for a register
+    that is zero; ``scalar`` and ``series`` are the operations, with the names of their results.
+    """
+
+    cell_definitions: dict[str, Operation] = field(default_factory=dict)
+    series_definitions: dict[str, Operation] = field(default_factory=dict)
+    shared: set[str] = field(default_factory=set)  # registers that operations other than sums take
+    cells: dict[str, str] = field(default_factory=dict)
+    registers: dict[str, str | None] = field(default_factory=dict)
     scalar: dict[Operation, str] = field(default_factory=dict)
     series: dict[Operation, tuple[str, ...]] = field(default_factory=dict)
 
-    def define(self, cells: Iterable[Any], registers: Iterable[Any]) -> None:
-        """Take definitions, operations with the names of their results first."""
-        self.cells |= {result: (op, *arguments) for op, result, *arguments in cells}
-        for op, *names in registers:
-            self.registers |= {str(result): (op, *names) for result in names[: RESULTS.get(str(op), 1)]}
+    def define_cells(self, operations: Iterable[Any]) -> None:
+        """Take definitions of cells: name of the operation, result, arguments."""
+        for operation, result, *taken in operations:
+            self.cell_definitions[result] = (operation, *taken)
+
+    def define_series(self, operations: Iterable[Any]) -> None:
+        """Take definitions of registers: name of the operation, results, arguments."""
+        for operation, *names in operations:
+            for result in names[: RESULTS.get(operation, 1)]:
+                self.series_definitions[result] = (operation, *names)
 
     # --- cells ---------------------------------------------------------------------------------------------------
 
     def cell(self, name: str) -> str:
         """The cell that a name stands for, computed if need be."""
         if name.startswith("="):
-            return ZERO if "'" in name else name
-        if name not in self.known:
-            op, *arguments = self.cells.get(name) or self._tangent_of_cell(name)
-            self.known[name] = self.compute(op, *map(self.cell, arguments), name=name)
-        return self.known[name]
-
-    def _tangent_of_cell(self, name: str) -> Operation:
-        base, prime, direction = name.rpartition("'")
-        if not prime:
-            raise KeyError(name)
-        if base not in self.cells:  # of a number that does not vary
-            return ("set", ZERO)
-        op, *arguments = self.cells[base]
-        own, template = CELL_TANGENTS.get(op, (("d", "a"), (("set", "d'", "a'"),)))
-        self.define(_instance(template, dict(zip(own, (base, *arguments), strict=False)), base, direction), ())
+            return ZERO if PRIME in name else name
+        if name not in self.cells:
+            if name not in self.cell_definitions:
+                self._define_cell_tangent(name)
+            operation, *taken = self.cell_definitions[name]
+            self.cells[name] = self.compute(operation, [self.cell(x) for x in taken], name)
         return self.cells[name]
 
-    def compute(self, op: str, *a: str, name: str = "") -> str:
-        """An operation on cells, or what is known to come of it."""
-        match op, a:
-            case ("set", (x,)) | ("add", (x, "=0.0")) | ("add", ("=0.0", x)) | ("sub", (x, "=0.0")):
-                return x
-            case ("mul", (x, "=1.0")) | ("mul", ("=1.0", x)) | ("div", (x, "=1.0")):
-                return x
-            case ("mul", ("=0.0", _)) | ("mul", (_, "=0.0")) | ("div", ("=0.0", _)) | ("neg" | "abs", ("=0.0",)):
-                return ZERO
-            case ("select", (_, "=0.0", "=0.0")) | ("less", ("=0.0", "=0.0")):
-                return ZERO
-            case ("select", ("=0.0", _, x)):
-                return x
-            case ("sub", (x, y)) if x == y:
-                return ZERO
-            case ("sub", ("=0.0", x)) | ("mul", (x, "=-1.0")) | ("mul", ("=-1.0", x)):
-                return self.compute("neg", x, name=name)
-            case ("neg", ("=1.0",)):
-                return MINUS
-        return self.scalar.setdefault((op, *a), name or f"cell{len(self.scalar)}")
+    def _define_cell_tangent(self, name: str) -> None:
+        """By the rule for the operation that makes the cell; zero for a number that does not vary."""
+        base, prime, direction = name.rpartition(PRIME)
+        if not prime:
+            raise KeyError(name)
+        if base not in self.cell_definitions:
+            self.cell_definitions[name] = ("set", ZERO)
+            return
+        operation, *taken = self.cell_definitions[base]
+        placeholders, rule = CELL_TANGENTS.get(operation, (("d", "a"), (("set", "d'", "a'"),)))
+        actual = dict(zip(placeholders, (base, *taken), strict=False))
+        self.define_cells(_instance(rule, actual, base, direction))
+
+    def compute(self, operation: str, taken: list[str], name: str = "") -> str:
+        """The cell of an operation's result: a new one, or one that is known to hold it."""
+        known = _simplified(operation, taken)
+        if known is not None:
+            return known
+        if operation == "sub" and taken[0] == ZERO:
+            return self.compute("neg", taken[1:], name)
+        if operation == "mul" and MINUS_ONE in taken:
+            factor = taken[1] if taken[0] == MINUS_ONE else taken[0]
+            return self.compute("neg", [factor], name)
+        return self.scalar.setdefault((operation, *taken), name or f"cell{len(self.scalar)}")
 
     def origins(self, names: Iterable[str]) -> set[str]:
-        """The cells that come from outside of those that cells are computed of."""
-        todo, found = [*map(self.cell, names)], set[str]()
-        by_name = {name: op for op, name in self.scalar.items()}
-        while todo:
-            name = todo.pop()
-            if name in by_name:
-                todo += by_name.pop(name)[1:]
+        """The cells given from outside that some cells are computed from."""
+        pending, given = [self.cell(name) for name in names], set[str]()
+        operations = {result: operation for operation, result in self.scalar.items()}
+        while pending:
+            name = pending.pop()
+            if name in operations:
+                pending += operations.pop(name)[1:]
             else:
-                found.add(name)
-        return found
+                given.add(name)
+        return given
 
     # --- registers -----------------------------------------------------------------------------------------------
 
     def definition(self, name: str) -> Operation:
         """Of a register; what has none is an empty sum."""
-        if name not in self.registers and "'" in name and name not in self.made:
-            base, _, direction = name.rpartition("'")
-            op, *names = self.definition(base)
-            if op == "lin":
-                terms = [(c, f"{r}'{direction}") for c, r in names[2]] + [(f"{c}'{direction}", r) for c, r in names[2]]
-                self.registers[name] = ("lin", name, names[1] and f"{names[1]}'{direction}", tuple(terms))
-            elif op == "ramp":
-                self.registers[name] = ("ramp", name, names[1])
-            else:
-                own, template = SERIES_TANGENTS[op]
-                self.define((), _instance(template, dict(zip(own, names, strict=True)), base, direction))
-        return self.registers.get(name, ("lin", name, "", ()))
+        if name not in self.series_definitions and PRIME in name and name not in self.registers:
+            self._define_series_tangent(name)
+        return self.series_definitions.get(name, ("lin", name, "", ()))
 
-    def keep(self, names: Iterable[str]) -> None:
-        """Find out which registers these take are no mere parts of sums."""
-        todo = [*names]
-        self.kept.update(todo)
-        seen = set(self.made)
-        while todo:
-            name = todo.pop()
-            if name in seen or self.nothing(name):
+    def _define_series_tangent(self, name: str) -> None:
+        """Of a sum term by term, (c r)' = c r' + c' r; of other operations by the rules of `generated.flow`."""
+        base, _, direction = name.rpartition(PRIME)
+        operation, *names = self.definition(base)
+        if operation == "lin":
+            _, constant, terms = names
+            varied = [(cell, tangent(register, direction)) for cell, register in terms]
+            varied += [(tangent(cell, direction), register) for cell, register in terms]
+            constant = constant and tangent(constant, direction)
+            self.series_definitions[name] = ("lin", name, constant, tuple(varied))
+        elif operation == "ramp":
+            self.series_definitions[name] = ("ramp", name, names[1])
+        else:
+            placeholders, rule = SERIES_TANGENTS[operation]
+            self.define_series(_instance(rule, dict(zip(placeholders, names, strict=True)), base, direction))
+
+    def mark_shared(self, names: Iterable[str]) -> None:
+        """Find the registers that these take, directly or not, and that are more than terms of sums."""
+        pending, seen = list(names), set(self.registers)
+        self.shared.update(pending)
+        while pending:
+            name = pending.pop()
+            if name in seen or self.is_zero(name):
                 continue
             seen.add(name)
-            op, *rest = self.definition(name)
-            parts = [r for _, r in rest[2]] if op == "lin" else _arguments(op, rest)
-            todo += parts
-            if op != "lin":
-                self.kept.update(parts)
+            operation, *definition = self.definition(name)
+            taken = arguments(operation, definition)
+            pending += taken
+            if operation != "lin":
+                self.shared.update(taken)
 
-    def nothing(self, name: str) -> bool:
-        """Whether a register is nothing: undefined, or a product with or a sum of nothing."""
-        if name not in self.made:
-            op, *names = self.definition(name)
-            if op == "lin":
-                absent = all(self.cell(c) == ZERO or self.nothing(r) for c, r in names[2])
-                absent = absent and (not names[1] or self.cell(names[1]) == ZERO)
-            else:
-                absent = any(map(self.nothing, _arguments(op, names)))
-            if not absent:
-                return False
-            self.made[name] = None
-        return self.made[name] is None
+    def is_zero(self, name: str) -> bool:
+        """Whether a register is identically zero: undefined, a product with zero, or a sum of zeros."""
+        if name in self.registers:
+            return self.registers[name] is None
+        operation, *names = self.definition(name)
+        if operation == "lin":
+            _, constant, terms = names
+            zero = all(self.cell(cell) == ZERO or self.is_zero(register) for cell, register in terms)
+            zero = zero and (not constant or self.cell(constant) == ZERO)
+        else:
+            zero = any(self.is_zero(register) for register in arguments(operation, names))
+        if zero:
+            self.registers[name] = None
+        return zero
 
     def register(self, name: str) -> str | None:
-        """The register that a name stands for, made if need be; None where it is nothing."""
-        if not self.nothing(name) and name not in self.made:
-            op, *names = self.definition(name)
-            if op == "lin":
-                self.made[name] = self._sum(name, self.cell(names[1]) if names[1] else ZERO, names[2])
+        """The register that a name stands for, with the operations that make it; None where it is zero."""
+        if not self.is_zero(name) and name not in self.registers:
+            operation, *names = self.definition(name)
+            if operation == "lin":
+                self.registers[name] = self._sum(name, names[1], names[2])
             else:
-                results, parts = names[: RESULTS.get(op, 1)], _arguments(op, names)
-                numbers = [self.cell(names[-1])] if op == "pow" else [name] if op == "ramp" else []
-                key = (op, *map(self.register, parts), *numbers)
-                self.made[name] = self.series.setdefault(key, tuple(results))[results.index(name)]
-        return self.made[name]
+                results = tuple(names[: RESULTS.get(operation, 1)])
+                key = [operation, *(self.register(x) for x in arguments(operation, names))]
+                if operation == "pow":
+                    key.append(self.cell(names[-1]))
+                if operation == "ramp":
+                    key.append(name)
+                made = self.series.setdefault(tuple(key), results)
+                self.registers[name] = made[results.index(name)]
+        return self.registers[name]
 
-    def _terms(self, terms: Iterable[tuple[str, str]], factor: str = ONE) -> Iterator[tuple[str, str]]:
-        """A sum's cells and registers, those of sums that only sums are made of in their place."""
-        for c, r in terms:
-            cell = self.compute("mul", factor, self.cell(c))
-            if cell != ZERO and not self.nothing(r):
-                op, *names = self.definition(r)
-                if op == "lin" and not names[1] and r not in self.kept and r not in self.made:
-                    yield from self._terms(names[2], cell)
-                else:
-                    yield cell, str(self.register(r))
+    def zero_register(self, name: str) -> str:
+        """A register that holds zero, for what is zero and yet asked for."""
+        return self.series.setdefault(("lin", ZERO, ()), (name,))[0]
 
-    def _sum(self, name: str, constant: str, terms: Iterable[tuple[str, str]]) -> str:
-        """A sum of cells times registers, each register once."""
+    def _sum(self, name: str, constant: str, terms: Iterable[Term]) -> str:
+        """A constant and cells times registers, each register once."""
+        start = self.cell(constant) if constant else ZERO
         factors: dict[str, str] = {}
-        for cell, register in self._terms(terms):
-            factors[register] = self.compute("add", factors.get(register, ZERO), cell)
-        if constant == ZERO and [*factors.values()] == [ONE]:
+        for cell, register in self._terms(terms, ONE):
+            factors[register] = self.compute("add", [factors.get(register, ZERO), cell])
+        if start == ZERO and list(factors.values()) == [ONE]:
             return next(iter(factors))
-        return self.series.setdefault(("lin", constant, tuple(sorted((c, r) for r, c in factors.items()))), (name,))[0]
+        flat = tuple(sorted((cell, register) for register, cell in factors.items()))
+        return self.series.setdefault(("lin", start, flat), (name,))[0]
+
+    def _terms(self, terms: Iterable[Term], factor: str) -> Iterator[Term]:
+        """A sum's terms without zeros, times a factor; a sum that only sums take is replaced by its terms."""
+        for cell, register in terms:
+            scaled = self.compute("mul", [factor, self.cell(cell)])
+            if scaled == ZERO or self.is_zero(register):
+                continue
+            operation, *names = self.definition(register)
+            alone = register not in self.shared and register not in self.registers
+            if operation == "lin" and not names[1] and alone:
+                yield from self._terms(names[2], scaled)
+            else:
+                yield scaled, str(self.register(register))
 
 
-def _arguments(op: str, names: list[Any]) -> list[str]:
-    """The registers among the names of an operation that are no results."""
-    return [] if op == "ramp" else list(names[RESULTS.get(op, 1) : -1 if op == "pow" else None])
+def _simplified(operation: str, taken: Sequence[str]) -> str | None:
+    """The cell that the result of an operation on cells equals; None where it has to be computed."""
+    first, second = taken[0], taken[-1]
+    match operation:
+        case "set":
+            return first
+        case "add" if ZERO in taken:
+            return second if first == ZERO else first
+        case "sub" if second == ZERO:
+            return first
+        case "sub" if first == second:
+            return ZERO
+        case "mul" if ZERO in taken:
+            return ZERO
+        case "mul" if ONE in taken:
+            return second if first == ONE else first
+        case "div" if ZERO == first or second == ONE:
+            return first
+        case "neg" if first == ONE:
+            return MINUS_ONE
+        case "neg" | "abs" if first == ZERO:
+            return ZERO
+        case "less" if first == second == ZERO:
+            return ZERO
+        case "select" if first == ZERO:
+            return second
+        case "select" if taken[1] == second == ZERO:
+            return ZERO
+    return None
 
 
-def _instance(template: Iterable[Any], own: dict[str, str], base: str, direction: str) -> list[Any]:
-    """A template's operations under the names of one operation; ``x'`` is the tangent of what x is there."""
+def _instance(rule: Iterable[Any], actual: dict[str, str], base: str, direction: str) -> list[Any]:
+    """A rule's operations with the names of one operation in the place of its placeholders.
 
-    def new(x: Any) -> Any:
-        if not isinstance(x, str):
-            return tuple(map(new, x))
-        if not x or x.startswith("=") or x in own:
-            return own.get(x, x)
-        return f"{own[x[:-1]]}'{direction}" if x[:-1] in own and x[-1] == "'" else f"{base}'{direction}|{x}"
+    ``x'`` is the tangent of what x stands for; other names are made unique.
+    """
 
-    return [(op, *map(new, names)) for op, *names in template]
+    def substitute(item: Any) -> Any:
+        if not isinstance(item, str):
+            return tuple(substitute(x) for x in item)
+        if not item or item.startswith("=") or item in actual:
+            return actual.get(item, item)
+        if item[-1] == PRIME and item[:-1] in actual:
+            return tangent(actual[item[:-1]], direction)
+        return f"{tangent(base, direction)}|{item}"
 
-
-def needed(operations: Iterable[tuple[Operation, tuple[str, ...]]], wanted: set[str]) -> list[Any]:
-    """The operations that something needs, in order."""
-    found, need = [], set(wanted)
-    for op, results in reversed([*operations]):
-        if need & {*results}:
-            found.append((op, results))
-            need |= {r for _, r in op[2]} if op[0] == "lin" else {*op[1:]}
-    return found[::-1]
-
-
-def places(operations: list[Any], cells: list[str]) -> dict[str, int]:
-    """Where each cell is: those that are listed in their place, the others share what is free."""
-    place = {x: i for i, x in enumerate(cells)}
-    last = {x: i for i, (op, _) in enumerate(operations) for x in op[1:]}
-    free: list[int] = []
-    more = len(cells)
-    for i, (op, (d,)) in enumerate(operations):
-        free += sorted({place[x] for x in op[1:] if last[x] == i and place[x] >= len(cells)}, reverse=True)
-        if d not in place:
-            place[d] = free.pop() if free else more
-            more = max(more, place[d] + 1)
-    return place
+    return [(operation, *(substitute(name) for name in names)) for operation, *names in rule]

@@ -9,6 +9,7 @@ from numpy.polynomial import Chebyshev, Polynomial
 from numpy.typing import ArrayLike, NDArray
 
 from generated.flow import PIECES
+from slipcircle.base.series import Pulse, Series
 
 Floats = NDArray[np.float64]
 
@@ -110,6 +111,32 @@ def of_speed(speeds: Floats, values: Floats) -> Data:
     first = np.array([[values[0], 0.0, 0.0, 0.0]])
     breaks = np.concatenate([[0.0], speeds])
     return Data(breaks, np.vstack([first, found.coefficients]), np.zeros(breaks.size))
+
+
+def of_list(argument: str, places: Floats, values: Floats) -> Data:
+    """A friction law given as a table of slip, speed or time."""
+    if argument == "slip":
+        return monotone(places, values)
+    if argument == "speed":
+        return of_speed(places, values)
+    return lines(places, values, float(values[0]), float(values[-1]))
+
+
+def of_time(function: Any) -> Data:
+    """A `Series` or `Pulse`."""
+    if isinstance(function, Series):
+        first, last = (function.values[0], function.values[-1]) if function.held else (0.0, 0.0)
+        return lines(function.time, function.values, float(first), float(last))
+    if not isinstance(function, Pulse):
+        raise TypeError(f"{function!r} is no Series or Pulse")
+    start, duration, top = function.start, function.duration, function.amplitude
+    if function.name == "rectangular":
+        return lines(np.array([start, start + duration]), np.array([top, top]), 0.0, 0.0)
+    if function.name == "triangular":
+        times = np.array([start, start + duration / 2, start + duration])
+        return lines(times, np.array([0.0, top, 0.0]), 0.0, 0.0)
+    half_waves = 2 * function.cycles if function.name == "sine" else 1.0
+    return waves(start, duration, top, np.pi * half_waves / duration)
 
 
 # --- functions known by their values ---------------------------------------------------------------------------------

@@ -180,7 +180,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         at_end = (peak_time == final[ix.END_TIME]) & (final[ix.STATUS] == ix.ENDED)
         at_end |= final[ix.PHASES] == 0.0
         time = choose(at_end, self._duration, peak_time * self._lanes.time_scale)
-        tables = () if self.shape else self._lanes.bound.program.tables
+        tables = () if self.shape else self._lanes.problem.program.tables
         if any(table.kind == "time" for table in tables) and 0.0 < time < self._duration:
             return self.at(time)  # of the rounded time: where a force jumps, as it is from then on
         return self._final_state(time, ix.PEAK_ROTATION, ix.PEAK_OMEGA, ix.PEAK_RATE)

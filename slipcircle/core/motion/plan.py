@@ -6,8 +6,9 @@ from typing import Any
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
-from slipcircle.core.flow.bind import order
-from slipcircle.core.flow.program import Program, join
+from slipcircle.core.flow.build import build_program
+from slipcircle.core.flow.problem import order
+from slipcircle.core.flow.program import Program
 from slipcircle.core.scene.friction import law_depends, law_names
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
 
@@ -85,7 +86,7 @@ def _choice(called: tuple[str, ...], laws: Any, moving: tuple[tuple[str, str], .
     """What a plan is made of but for the scene's values, so that it is chosen once."""
     effects, (names, depends) = tuple(e for e in EFFECTS if e in called), laws
     own = [(e, p) for e in effects for p in EFFECTS[e].parameters if (e, p.name) in moving]
-    program = join(effects, names, tuple(p.symbol for _, p in own))
+    program = build_program(effects, names, tuple(p.symbol for _, p in own))
     timed = [e for e, p in own if p.kind == "series"]
     reasons = [
         f"{e} {'turns the mass' if EFFECTS[e].turns else f'depends on {WORDS.get(x, x)}'}"
@@ -111,7 +112,7 @@ def _choice(called: tuple[str, ...], laws: Any, moving: tuple[tuple[str, str], .
 
 def step_operations(effects: tuple[str, ...], laws: tuple[str, ...], moving: tuple[str, ...]) -> str:
     """The operations on series of one step under effects and laws by name; ``moving`` symbols change in time."""
-    return counted(join(effects, laws, moving))
+    return counted(build_program(effects, laws, moving))
 
 
 def counted(program: Program) -> str:

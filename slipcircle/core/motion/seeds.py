@@ -16,8 +16,8 @@ from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
 from generated.growth import arc_growth
 from slipcircle.base.series import Pulse
-from slipcircle.core.flow.bind import scales_of, turns, under_water
 from slipcircle.core.flow.lanes import Lanes
+from slipcircle.core.flow.problem import rotates, scales_of, under_water
 from slipcircle.core.flow.tables import Data, of_law
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.forcing import factor
@@ -40,7 +40,7 @@ class Seeds:
         radius, gravity = self.relative("radius", arc.radius), self.relative("gravity", arc.gravity)
         unit_weight = self.relative("unit_weight", arc.unit_weight)
         self.time_growth, self.speed_growth, self.radius_growth = (radius - gravity) / 2, (radius + gravity) / 2, radius
-        c, at = lanes.bound.cells[:, 0], {n: k for k, n in enumerate(lanes.bound.program.cells)}
+        c, at = lanes.problem.cells[:, 0], {n: k for k, n in enumerate(lanes.problem.program.cells)}
         held = {n: float(c[at[n]]) for n in (*_COMPONENTS, "polar", "level")}
         found = self._arc(arc, held) if isinstance(arc, Arc) else self._section(arc, held)
         self.inputs, alpha, inertia, cover = found
@@ -91,7 +91,7 @@ class Seeds:
         # (3.14): lambda = 2 alpha (1 - cos alpha), by which the mean normal stress and so the mean cover are divided
         inputs["level"] = held["level"] * (opened / alpha + opened / math.tan(alpha / 2) - inertia)
         heights = 2 * alpha * float(section.mean_cover / section.radius)
-        self.pressure = under_water(section, turns(self.lanes.called), grown.pressure, len(self.names))
+        self.pressure = under_water(section, rotates(self.lanes.called), grown.pressure, len(self.names))
         return inputs, opened, inertia, grown.heights / heights + m["radial_y"] / own["radial_weight"]
 
     def one(self, name: str) -> Floats:

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
-from slipcircle.core.flow.bind import Bound
-from slipcircle.core.flow.lanes import Lanes, walked
+from slipcircle.core.flow.lanes import Lanes, integrate_all
 from slipcircle.core.flow.polynomials import shifted, slopes, value
+from slipcircle.core.flow.problem import Problem
 from slipcircle.core.flow.program import Log, Program, Table
 from slipcircle.core.flow.tables import Data
 from slipcircle.core.flow.walk import Walker
@@ -72,7 +72,7 @@ def _parameters(scene: Scene) -> list[str]:
 def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
     """Rows: peak velocity, run-out, duration; a column for each parameter."""
     seeds = Seeds(lanes, names)
-    bound = lanes.bound.asking(directions=1)
+    bound = lanes.problem.with_outputs(directions=1)
     bound = bound._replace(cells=np.repeat(bound.cells, len(names), axis=1))
     places, (tangent,) = bound.program.places, bound.program.tangents
     for name, dot in seeds.inputs.items():
@@ -97,7 +97,7 @@ def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
     return np.array([radius / scale * peak, radius * run_out, duration, radius * reach])
 
 
-def _walked(bound: Bound, seeds: Seeds, stiff_step: float) -> tuple["_Walk", Log, float]:
+def _walked(bound: Problem, seeds: Seeds, stiff_step: float) -> tuple["_Walk", Log, float]:
     """The walk at its end, events since implicit steps took over, and when they did.
 
     That time is infinite where they did not, and 0 where something that changes with time still broke after it.
@@ -113,7 +113,7 @@ def _walked(bound: Bound, seeds: Seeds, stiff_step: float) -> tuple["_Walk", Log
         if one.c[ix.STATUS, 0] == ix.TOO_LONG:
             handed[0] = float(one.c[ix.TIME, 0]) if np.isinf(one._break()[0]) else 0.0
 
-    walked(bound, log=log, walker=follow)
+    integrate_all(bound, log=log, walker=follow)
     return walks[0], log, handed[0]
 
 

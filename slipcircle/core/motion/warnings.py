@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.core.scene.plausible import questions
 from slipcircle.core.scene.section import Section
 
 FORMAT_LIMIT = 1e-11  # estimated error below which only float64 limits what is known
@@ -15,8 +16,9 @@ LISTED, MANY_PHASES = 3, 100  # lift-offs named one by one; phases that many tim
 
 
 def collect_warnings(motion: Any) -> tuple[str, ...]:
-    """Sentences about lift-off, conditioning, water and swinging back; empty where all is well."""
-    return (*_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *_swing(motion))
+    """Sentences about odd input, lift-off, conditioning, water and swinging back; empty where all is well."""
+    asked = questions(motion.plan.scene)
+    return (*asked, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *_swing(motion))
 
 
 def _lift_offs(motion: Any) -> Iterator[str]:

@@ -12,6 +12,7 @@ _FITTING = {  # to each way to say what shakes
     "horizontal": {"vertical", *_FACTORS},
     "pulse": {*_FACTORS[:2], "start", "duration", "cycles"},
 }
+STRONGEST = 5.0  # g, beyond which no ground has shaken
 _OF_RECORDS = ("record", "units", "column", "step", "start", "gaps")
 _IN_FILES = "record: a file's name belongs into a scene file; in Python give {} = slipcircle.Record.read(path, ...)"
 
@@ -71,7 +72,13 @@ def _water(given: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _shaking(given: Mapping[str, Any]) -> dict[str, Any]:
-    """k_h(t) and k_v(t) from a pulse, or as they are."""
+    """k_h(t) and k_v(t) from a pulse, or as they are, if the ground can shake like that."""
+    made = _as_series(given)
+    _check_strength(made)
+    return made
+
+
+def _as_series(given: Mapping[str, Any]) -> dict[str, Any]:
     if "record" in given:
         raise ValueError(_IN_FILES.format("horizontal"))
     ways = [w for w in _FITTING if w in given]
@@ -93,3 +100,17 @@ def _shaking(given: Mapping[str, Any]) -> dict[str, Any]:
     )
     series = {"horizontal": pulse} | ({"vertical": pulse} if "vertical_amplitude" in given else {})
     return series | {k: given[k] for k in (*_FACTORS, "two_way") if k in given}
+
+
+def _check_strength(given: Mapping[str, Any]) -> None:
+    """Refuse a record beyond what any ground has done: its values were in another unit, or have a scale factor."""
+    for name in ("horizontal", "vertical"):
+        record = given.get(name)
+        if not isinstance(record, Series):
+            continue
+        peak = float(np.max(np.abs(factor("shaking", given, name)))) * record.greatest
+        if peak > STRONGEST:
+            raise ValueError(
+                f"{name} reaches {peak:.6g} g, and no ground has shaken with more than {STRONGEST:g} g: its values are "
+                'over gravity; in Python give their unit, such as Record(t, a, units="cm/s2")'
+            )

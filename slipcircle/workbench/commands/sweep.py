@@ -2,10 +2,10 @@
 
 import argparse
 import sys
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError
 from dataclasses import replace
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
@@ -83,35 +83,40 @@ def options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> Answer:
     """Compute what the options ask for, and write the files."""
-    scene = load(options.scene)
-    if options.uncertain:
-        forms = ", ".join(":".join((n, *d.parameters)) for n, d in DISTRIBUTIONS.items())
-        form = f"KEY=, each key once, and one of {forms}"
-        drawn = read.by_key("uncertain", options.uncertain, form, read.distribution)
-        others = {name: u for name, u in uncertain_numbers(scene).items() if u.key not in drawn}
-        scene = replace(scene, uncertain=others | drawn)
+    scene = _with_distributions(load(options.scene), options.uncertain)
     if options.report and options.grid:
         raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
     form = "KEY=FROM:TO:COUNT or KEY=A,B,C, each key once, such as friction.angle_deg=8:12:41"
     levels = read.by_key("grid", options.grid or [], form, read.levels)
     if options.plot and levels:
-        studyplots.check_grid([len(x) for x in levels.values()])
+        studyplots.check_grid([len(values) for values in levels.values()])
     content = find(options.scene).read_bytes()
     try:
-        found = _compute(scene, levels, options)
+        study = _compute(scene, levels, options)
     except (BrokenExecutor, CancelledError) as error:
-        kept = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
-        raise ValueError(f"--engine {options.engine}: a worker died; {kept}") from error
-    pictures.write(options.plot, "study", found)
+        remedy = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
+        raise ValueError(f"--engine {options.engine}: a worker died; {remedy}") from error
+    pictures.write(options.plot, "study", study)
     if options.report:
-        files.write(options.report, study_report(found, content, options.line).encode())
-    head, rows, record, parts = (_of_grid if levels else _of_samples)(found)
+        files.write(options.report, study_report(study, content, options.line).encode())
+    tables = _of_grid(study) if levels else _of_samples(study)
     if options.csv:
-        files.write(options.csv, files.table(head, rows))
+        files.write(options.csv, files.table(tables.head, tables.rows))
     if options.npz:
         with files.replacing(options.npz) as file:
-            np.savez(file, **cast(dict[str, Any], export.arrays(found)))
-    return Answer(record, parts, [f"{scene.name}: {warning}" for warning in found.warnings])
+            np.savez(file, **cast(dict[str, Any], export.arrays(study)))
+    return Answer(lambda: [tables.record()], tables.parts, [f"{scene.name}: {warning}" for warning in study.warnings])
+
+
+def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:
+    """The scene with distributions of the command line in place of its file's."""
+    if not given:
+        return scene
+    forms = (":".join((name, *d.parameters)) for name, d in DISTRIBUTIONS.items())
+    form = f"KEY=, each key once, and one of {', '.join(forms)}"
+    drawn = read.by_key("uncertain", given, form, read.distribution)
+    others = {name: u for name, u in uncertain_numbers(scene).items() if u.key not in drawn}
+    return replace(scene, uncertain=others | drawn)
 
 
 def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespace) -> Study:
@@ -134,27 +139,34 @@ def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespac
         )
 
 
-_Told = tuple[Iterable[str], Iterable[Any], Callable[[], Any], Iterable[Part | str]]  # CSV's head and rows, and so on
+class _Tables(NamedTuple):
+    """A study as a CSV file has it, as JSON, and on the screen."""
+
+    head: Sequence[str]
+    rows: Sequence[Sequence[Any]]
+    record: Callable[[], Any]
+    parts: Iterable[Part | str]
 
 
-def _of_grid(found: Study) -> _Told:
-    """A row a scene: inputs in their keys' units, outputs, status, and why there is no answer."""
-    keys, name = [u.key for u in found.design.inputs.values()], found.scene.name
+def _of_grid(study: Study) -> _Tables:
+    """A row a scene: inputs in their keys' units, outputs, status, and why there is no result."""
+    keys = [u.key for u in study.design.inputs.values()]
     head = [*keys, *(f"{n} ({q.unit})" for n, q in OUTCOMES.items()), "status", "reason"]
-    *columns, kinds = (values.tolist() for values in found.samples.values())
-    rows = [[*row, Status(s).name, Status(s).reason] for *row, s in zip(*columns, kinds, strict=True)]
+    *columns, statuses = (values.tolist() for values in study.samples.values())
+    rows = [[*row, Status(s).name, Status(s).reason] for *row, s in zip(*columns, statuses, strict=True)]
     cells = [[*map(shown, numbers), reason or Status[name].words] for *numbers, name, reason in rows]
-    table: Part | str = Part([*keys, *(q.heading for q in OUTCOMES.values()), "status"], cells, name)
+    table: Part | str = Part([*keys, *(q.heading for q in OUTCOMES.values()), "status"], cells, study.scene.name)
     if len(rows) > _MOST_ROWS:
-        counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(found.counts) if count)
+        counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(study.counts) if count)
         table = f"{len(rows)} scenes; {counts}; for every one of them give --csv FILE, --npz FILE or --json"
-    return head, rows, lambda: [{"scene": name, "rows": [dict(zip(head, row, strict=True)) for row in rows]}], [table]
+
+    def record() -> Any:
+        return {"scene": study.scene.name, "rows": [dict(zip(head, row, strict=True)) for row in rows]}
+
+    return _Tables(head, rows, record, [table])
 
 
-def _of_samples(found: Study) -> _Told:
+def _of_samples(study: Study) -> _Tables:
     """Every estimate of a study with its interval."""
-    head = export.HEAD
-    rows = export.rows(found)
-
-    title = f"{found.scene.name}: {found.design.n} samples, {found.design.method}, seed {found.seed}\n"
-    return head, rows, lambda: [export.record(found)], [title, *parts(found)]
+    title = f"{study.scene.name}: {study.design.n} samples, {study.design.method}, seed {study.seed}\n"
+    return _Tables(export.HEAD, export.rows(study), study.to_dict, [title, *parts(study)])

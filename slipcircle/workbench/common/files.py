@@ -42,8 +42,18 @@ def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence
 def replacing(name: str | os.PathLike[str]) -> Iterator[IO[bytes]]:
     """A file to write that takes its name only when all of it is on the disk; on an error nothing changes.
 
-    A link stays one, and what is no file, such as /dev/stdout, is written to.
+    A link stays one, and what is no file, such as /dev/stdout, is written to. An error of the system, such as a full
+    disk, is a ValueError that names the file.
     """
+    try:
+        with _replacing(name) as file:
+            yield file
+    except OSError as error:
+        raise ValueError(f"{name}: cannot be written: {error.strerror}") from error
+
+
+@contextmanager
+def _replacing(name: str | os.PathLike[str]) -> Iterator[IO[bytes]]:
     if _is_device(name):
         with open(name, "wb") as device:
             yield device
@@ -72,11 +82,8 @@ def write(name: str | os.PathLike[str], content: bytes) -> None:
     ValueError
         If that fails.
     """
-    try:
-        with replacing(name) as file:
-            file.write(content)
-    except OSError as error:
-        raise ValueError(f"{name}: cannot be written: {error.strerror}") from error
+    with replacing(name) as file:
+        file.write(content)
 
 
 def table(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:

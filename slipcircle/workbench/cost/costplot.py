@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.workbench.cost.cost import FRONTIER, Row
+from slipcircle.workbench.cost.cost import FRONTIER, Profile, Row
 from slipcircle.workbench.cost.reference import HALF_PI, Floats
 from slipcircle.workbench.outputs.plotstyle import LINES, axis
 
@@ -79,24 +79,25 @@ def both_ends(alpha: Floats) -> Floats:
         return np.copysign(np.log10(nearer), alpha - HALF_PI[0] / 2)
 
 
+def _worst_in_bins(profile: Profile) -> tuple[Floats, Floats]:
+    """Middles of bins of `both_ends` and the worst error in each, where there is one."""
+    edges = np.linspace(-_DECADES, _DECADES, _BINS + 1)
+    places = np.digitize(both_ends(profile.points), edges) - 1
+    worst = np.array([np.max(profile.relative[places == k], initial=0.0) for k in range(_BINS)])
+    middles = (edges[1:] + edges[:-1]) / 2
+    return middles[worst > 0], np.clip(worst[worst > 0], _BEST, _NONE)
+
+
 def over_alpha(rows: Sequence[Row], ax: Any = None) -> Any:
     """Relative error over alpha, logarithmic towards both ends, with what is proved as a thin line; off if unknown."""
     axes = axis(ax, (9.0, 5.5))
-    edges = np.linspace(-_DECADES, _DECADES, _BINS + 1)
     known = [(row, row.profile) for row in rows if row.profile is not None]
     if not known:
         axes.set_axis_off()
         return axes
     for k, (row, profile) in enumerate(known):
-        place = np.digitize(both_ends(profile.points), edges) - 1
-        worst = np.array([np.max(profile.relative[place == k], initial=0.0) for k in range(_BINS)])
-        (line,) = axes.plot(
-            (edges[1:] + edges[:-1])[worst > 0] / 2,
-            np.clip(worst[worst > 0], _BEST, _NONE),
-            ls=("-", "--", ":", "-.")[k // 10 % 4],
-            lw=2 if row.ours else 1,
-            label=row.way,
-        )
+        style = ("-", "--", ":", "-.")[k // 10 % 4]
+        (line,) = axes.plot(*_worst_in_bins(profile), ls=style, lw=2 if row.ours else 1, label=row.way)
         if row.bound is not None:
             axes.axhline(row.bound, color=line.get_color(), lw=0.8)
     near = {f"$10^{{-{k}}}$": float(both_ends(np.array(10.0**-k))) for k in (16, 12, 8, 4)}

@@ -1,7 +1,8 @@
 """The price list in words: a table and a verdict for people, records and CSV for machines."""
 
+import math
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields
 from itertools import compress
 from typing import Any
@@ -25,56 +26,118 @@ NOTES = (
 )
 UNDERFLOW = 2.0**-320  # below it results underflow, and another bound holds (`bound_underflow` of the certificates)
 COLUMNS = ("#", "way", "proved", "seen", "ulp", "at", "N=1", "N=1e4", "N=1e6", "memory", "verdict")
-
-
-def _ulp(row: Row) -> float:
-    """The worst error in ulp seen where the bound speaks of it."""
-    if row.profile is None:
-        return row.ulp or 0.0
-    return float(np.max(np.abs(row.profile.ulp[row.profile.points >= UNDERFLOW]), initial=0.0))
+MANY_ULP = 1e3  # from which errors are not said in ulp
+RECORDED = tuple(field.name for field in fields(Row) if field.name != "profile")
 
 
 def parts(rows: Sequence[Row], machine: str) -> Iterator[Part | str]:
     """The table and the verdict of each function, and what the columns mean."""
     for name in dict.fromkeys(row.function for row in rows):
-        of = [row for row in rows if row.function == name]
-        yield Part(*table(of), name)
-        yield verdict(of) + "\n"
+        of_function = [row for row in rows if row.function == name]
+        yield Part(*table(of_function), name)
+        yield verdict(of_function) + "\n"
     yield _wrapped([*NOTES, f"{machine}."])
-
-
-def verdict(rows: Sequence[Row]) -> str:
-    """What the rows of one function say, wins and losses alike."""
-    rows = [r for r in rows if r.error == r.error]
-    ours, others = [r for r in rows if r.ours], [r for r in rows if not r.ours]
-    front = sorted((r for r in rows if r.verdict == FRONTIER), key=lambda r: r.error)
-    by = {r.way: r for r in rows}
-    broken = [r.way for r in rows if r.error > (r.bound or np.inf) or _ulp(r) > (r.bound_ulp or np.inf)]
-    lines = [f"Seen above what is proved, so the proof or the build is wrong: {', '.join(broken)}."] if broken else []
-    lines.append("Frontier: " + "; ".join(f"{r.way} ({short(r.error)}, {time_text(r.price)})" for r in front) + ".")
-    if ours and others:
-        beaten = [(r, by[r.verdict.removeprefix(LOST)]) for r in ours if r.verdict.startswith(LOST)]
-        lost = [f"{r.way} to {winner.way} ({shown(r.price / winner.price, 2)} times slower)" for r, winner in beaten]
-        lines.append(f"Of ours, these lose: {'; '.join(lost)}." if lost else "None of ours is beaten.")
-        lines += _faster(ours, others)
-    return _wrapped(lines)
-
-
-def _faster(ours: Sequence[Row], others: Sequence[Row]) -> Iterator[str]:
-    """Which other way is faster than anything of ours, however wrong, and at which sizes."""
-    gains: dict[str, list[str]] = {}
-    for label, key in zip(COLUMNS[6:9], TIMES, strict=True):
-        (mine, _), (theirs, way) = (min((getattr(r, key) or np.inf, r.way) for r in some) for some in (ours, others))
-        if theirs * BEATEN < mine:
-            gains.setdefault(way, []).append(f"{shown(mine / theirs, 2)} times at {label}")
-    error = {r.way: short(r.error) for r in others}
-    for way, sizes in gains.items():
-        yield f"Faster than anything of ours: {way}, {', '.join(sizes)}, with an error of {error[way]}."
 
 
 def _wrapped(lines: Sequence[str]) -> str:
     """Lines, folded to the width of the tables."""
     return "\n".join(textwrap.fill(line, WIDTH, subsequent_indent="  ") for line in lines)
+
+
+# --- verdicts ------------------------------------------------------------------------------------------------------
+
+
+def verdict(rows: Sequence[Row]) -> str:
+    """Sentences about the rows of one function, wins and losses alike."""
+    rows = [row for row in rows if not math.isnan(row.error)]
+    ours = [row for row in rows if row.ours]
+    others = [row for row in rows if not row.ours]
+    broken = [row.way for row in rows if _above_bound(row)]
+    frontier = [row for row in rows if row.verdict == FRONTIER]
+    frontier.sort(key=lambda row: row.error)
+    best = "; ".join(f"{row.way} ({short(row.error)}, {time_text(row.price)})" for row in frontier)
+    lines = [f"Frontier: {best}."]
+    if broken:
+        lines.insert(0, f"Seen above what is proved, so the proof or the build is wrong: {', '.join(broken)}.")
+    if ours and others:
+        lines += [_losses(ours, rows), *_faster(ours, others)]
+    return _wrapped(lines)
+
+
+def _above_bound(row: Row) -> bool:
+    """Whether a row is less accurate than what is proved of it."""
+    ulp = row.ulp or 0.0
+    if row.profile is not None:
+        proved_there = row.profile.points >= UNDERFLOW
+        ulp = float(np.max(np.abs(row.profile.ulp[proved_there]), initial=0.0))
+    return row.error > (row.bound or math.inf) or ulp > (row.bound_ulp or math.inf)
+
+
+def _losses(ours: Sequence[Row], rows: Sequence[Row]) -> str:
+    """Which of ours is beaten, and by whom."""
+    by_name = {row.way: row for row in rows}
+    losses = []
+    for row in ours:
+        if row.verdict.startswith(LOST):
+            winner = by_name[row.verdict.removeprefix(LOST)]
+            losses.append(f"{row.way} to {winner.way} ({shown(row.price / winner.price, 2)} times slower)")
+    return f"Of ours, these lose: {'; '.join(losses)}." if losses else "None of ours is beaten."
+
+
+def _faster(ours: Sequence[Row], others: Sequence[Row]) -> Iterator[str]:
+    """Which other way is faster than anything of ours, however wrong, and at which sizes."""
+    gains: dict[str, list[str]] = {}
+    for label, size in zip(COLUMNS[6:9], TIMES, strict=True):
+        our_best = min(getattr(row, size) or math.inf for row in ours)
+        best, way = min((getattr(row, size) or math.inf, row.way) for row in others)
+        if best * BEATEN < our_best:
+            gains.setdefault(way, []).append(f"{shown(our_best / best, 2)} times at {label}")
+    errors = {row.way: short(row.error) for row in others}
+    for way, sizes in gains.items():
+        yield f"Faster than anything of ours: {way}, {', '.join(sizes)}, with an error of {errors[way]}."
+
+
+# --- tables --------------------------------------------------------------------------------------------------------
+
+
+def table(rows: Sequence[Row]) -> tuple[list[str], list[list[str]]]:
+    """Head and rows of one function as text, without empty columns; whoever beats a row is named by number."""
+    numbers = {row.way: str(number) for number, row in enumerate(rows, 1)}
+    texts = [_cells(row, numbers) for row in rows]
+    filled = [any(column) for column in zip(*texts, strict=True)]
+    return [*compress(COLUMNS, filled)], [[*compress(cells, filled)] for cells in texts]
+
+
+def _cells(row: Row, numbers: Mapping[str, str]) -> list[str]:
+    """A cell for each of `COLUMNS`."""
+    winner = numbers.get(row.verdict.removeprefix(LOST))
+    seen = "" if math.isnan(row.error) else short(row.error)
+    ulp = ""
+    if row.ulp is not None:
+        ulp = shown(row.ulp, 3) if row.ulp < MANY_ULP else short(row.ulp, 1)
+    memory = "" if row.memory is None else f"{row.memory / 1e6:.3g} MB"
+    ended = f"beaten {winner}" if winner else row.verdict
+    place = _place(row.worst_input_ulp)
+    return [numbers[row.way], row.way, _proved(row), seen, ulp, place, *_times(row), memory, ended]
+
+
+def _proved(row: Row) -> str:
+    """The proved bound, in ulp where that is said in few."""
+    if math.isnan(row.error):
+        return ""
+    if row.bound_ulp is not None and row.bound_ulp < MANY_ULP:
+        return f"{row.bound_ulp:.3g} ulp"
+    return "sampled only" if row.bound is None else f"{row.bound:.3g}"
+
+
+def _times(row: Row) -> list[str]:
+    """Times at each size; the last one is marked where it was measured on fewer elements."""
+    times = [getattr(row, key) for key in TIMES]
+    texts = ["" if time is None else time_text(time) for time in times]
+    last = max(k for k, text in enumerate(texts) if text)
+    if row.elements < SIZES[last]:
+        texts[last] = f"~{texts[last]}"
+    return texts
 
 
 def short(x: float, digits: int = 2) -> str:
@@ -83,54 +146,27 @@ def short(x: float, digits: int = 2) -> str:
     return f"{mantissa}e{int(exponent)}" if int(exponent or 0) else mantissa
 
 
-def _at(values: Sequence[float]) -> str:
+def _place(inputs: Sequence[float]) -> str:
     """An input: two digits of each number, one where the exponent takes three."""
-    return ", ".join(f"{x:.2g}" if x == 0 or 1e-4 < x < 100 else short(x, 1 if x < 1e-99 else 2) for x in values)
+    texts = []
+    for x in inputs:
+        plainly = x == 0 or 1e-4 < x < 100
+        texts.append(f"{x:.2g}" if plainly else short(x, 1 if x < 1e-99 else 2))
+    return ", ".join(texts)
 
 
-def _proved(row: Row) -> str:
-    if row.error != row.error:
-        return ""
-    if row.bound_ulp is not None and row.bound_ulp < 1e3:
-        return f"{row.bound_ulp:.3g} ulp"
-    return "sampled only" if row.bound is None else f"{row.bound:.3g}"
-
-
-def table(rows: Sequence[Row]) -> tuple[list[str], list[list[str]]]:
-    """Head and rows of one function as text, without empty columns; whoever beats a row is named by number."""
-    place = {row.way: str(i) for i, row in enumerate(rows, 1)}
-    found = []
-    for row in rows:
-        times = [getattr(row, key) for key in TIMES]
-        cells = ["" if time is None else time_text(time) for time in times]
-        last = max(k for k, time in enumerate(times) if time is not None)
-        cells[last] = "~" * (row.elements < SIZES[last]) + cells[last]
-        ulp = "" if row.ulp is None else shown(row.ulp, 3) if row.ulp < 1e3 else short(row.ulp, 1)
-        winner = place.get(row.verdict.removeprefix(LOST))
-        found.append(
-            [
-                place[row.way],
-                row.way,
-                _proved(row),
-                short(row.error) if row.error == row.error else "",
-                ulp,
-                _at(row.worst_input_ulp),
-                *cells,
-                "" if row.memory is None else f"{row.memory / 1e6:.3g} MB",
-                f"beaten {winner}" if winner else row.verdict,
-            ]
-        )
-    filled = [any(column) for column in zip(*found, strict=True)]
-    return list(compress(COLUMNS, filled)), [list(compress(texts, filled)) for texts in found]
+# --- for machines --------------------------------------------------------------------------------------------------
 
 
 def record(row: Row) -> dict[str, Any]:
     """A row for JSON and CSV, in full precision; None for what is infinite, unknown, or was not measured."""
-    return {f.name: plain(getattr(row, f.name)) for f in fields(row) if f.name != "profile"}
+    return {name: plain(getattr(row, name)) for name in RECORDED}
 
 
 def table_csv(rows: Sequence[Row]) -> bytes:
     """All rows as a table for machines."""
-    records = [record(row) for row in rows]
-    cells = ([" ".join(map(repr, v)) if isinstance(v, list) else v for v in r.values()] for r in records)
-    return files.table([f.name for f in fields(Row) if f.name != "profile"], cells)
+    lines = []
+    for row in rows:
+        values = record(row).values()
+        lines.append([" ".join(map(repr, value)) if isinstance(value, list) else value for value in values])
+    return files.table(RECORDED, lines)

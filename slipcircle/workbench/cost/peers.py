@@ -26,21 +26,29 @@ class Equation:
     def __init__(self, scene: Any, law: Mapping[str, Any]) -> None:
         arc, effects = scene.arc, scene.called
         alpha = float(arc.half_angle)
-        self.scale, self.radius, self.dip = float(arc.time_scale), float(arc.radius), float(arc.dip)
+        self.scale = float(arc.time_scale)
+        self.radius = float(arc.radius)
+        self.dip = float(arc.dip)
         self.ends_at_rest = scene.end_time is None
         self.end = LATEST if self.ends_at_rest else float(scene.end_time) / self.scale
         self.weight = float(kernels.weight_moment_per_inertia(alpha))
         self.radial = float(kernels.radial_weight_per_inertia(alpha))
         self.polar = float(kernels.polar_moment_per_inertia(alpha))
-        self.turns, self.heated = "rotation" in effects, "thermal_pressurisation" in effects
+        self.turns = "rotation" in effects
+        self.heated = "thermal_pressurisation" in effects
         self.record = effects.get("shaking", {}).get("horizontal")
-        self.law, self.residual = law.get("law", "constant"), law.get("residual", 0.0)
+        self.law = law.get("law", "constant")
+        self.residual = law.get("residual", 0.0)
         self.decay = self.radius / law.get("length", 1.0)
         self.pace = self.radius / self.scale / law.get("velocity", 1.0)
-        self.heating = self.radius * LAYER["pressurisation"] / LAYER["heat_capacity"] / LAYER["thickness"]
-        shear = SHEARED["viscosity"] / (arc.unit_weight * self.scale * SHEARED["thickness"])
-        viscous = 2.0 * alpha * shear / kernels.moment_of_inertia(alpha)
-        self.viscous = float(viscous) if "viscosity" in effects else 0.0
+        layer_heat = LAYER["heat_capacity"] * LAYER["thickness"]
+        self.heating = self.radius * LAYER["pressurisation"] / layer_heat
+        self.viscous = 0.0
+        if "viscosity" in effects:
+            stress_rate = SHEARED["viscosity"] / SHEARED["thickness"]
+            shear = stress_rate / (arc.unit_weight * self.scale)
+            inertia = float(kernels.moment_of_inertia(alpha))
+            self.viscous = 2.0 * alpha * shear / inertia
 
     def start(self) -> list[float]:
         """Rotation, angular velocity, and under heat the effective normal force."""
@@ -50,35 +58,43 @@ class Equation:
     def rate(self, mu: Any, state: Any, k_h: Any = None, m: Any = math, dip: Any = None) -> list[Any]:
         """The states' derivatives by dimensionless time, over the sine, cosine and exponential of `m`."""
         phi, omega, *stress = state
-        dip = self.dip if dip is None else dip
-        psi = dip - phi if self.turns else dip
-        sin, cos = m.sin(psi), m.cos(psi)
+        psi = self.dip if dip is None else dip
+        if self.turns:
+            psi = psi - phi
+        sin = m.sin(psi)
+        cos = m.cos(psi)
+        drop = mu - self.residual
         if self.law == "exponential":
-            mu = self.residual + (mu - self.residual) * m.exp(-self.decay * phi)
+            mu = self.residual + drop * m.exp(-self.decay * phi)
         if self.law == "rate_weakening":
-            mu = self.residual + (mu - self.residual) / (1.0 + self.pace * omega)
-        drive, normal = self.weight * sin, self.radial * cos
+            mu = self.residual + drop / (1.0 + self.pace * omega)
+        drive = self.weight * sin
+        normal = self.radial * cos
         if k_h is not None:
-            drive, normal = drive + self.weight * k_h * cos, normal - self.radial * k_h * sin
+            drive = drive + self.weight * k_h * cos
+            normal = normal - self.radial * k_h * sin
         if not self.heated:
-            resistance = mu * (normal + self.polar * omega * omega) + self.viscous * omega
-            return [omega, drive - resistance]
-        gain = drive - mu * stress[0]
-        growth = self.radial * sin + 2.0 * self.polar * gain - self.heating * mu * stress[0]
+            pressing = normal + self.polar * omega * omega
+            return [omega, drive - mu * pressing - self.viscous * omega]
+        resistance = mu * stress[0]
+        gain = drive - resistance
+        growth = self.radial * sin + 2.0 * self.polar * gain - self.heating * resistance
         return [omega, gain, growth * omega]
 
     def answer(self, phi: Any, omega: Any, time: Any) -> list[Any]:
         """Run-out, peak velocity and duration, m, m/s, s."""
-        return [self.radius * phi, self.radius / self.scale * omega, time * self.scale]
+        speed = self.radius / self.scale
+        return [self.radius * phi, speed * omega, time * self.scale]
 
 
 def closed_form(equation: Equation, mu: Any) -> Floats:
     """By (3.20): domega/dt = a - b omega^2, of frozen masses that gain speed until their end time."""
-    mu = np.atleast_1d(mu)
-    drive, brake = equation.rate(mu, equation.start())[1], mu * equation.polar
-    phi = motion.frozen_rotation(drive, brake, 0.0, equation.end)
-    omega = motion.frozen_angular_velocity(drive, brake, 0.0, equation.end)
-    return np.array(equation.answer(phi, omega, np.full(mu.shape, equation.end)))
+    mu, end = np.atleast_1d(mu), equation.end
+    _, drive = equation.rate(mu, equation.start())
+    brake = mu * equation.polar
+    phi = motion.frozen_rotation(drive, brake, 0.0, end)
+    omega = motion.frozen_angular_velocity(drive, brake, 0.0, end)
+    return np.array(equation.answer(phi, omega, np.full_like(mu, end)))
 
 
 def dop853(equation: Equation, tolerance: float, mu: Any) -> Floats:
@@ -88,24 +104,31 @@ def dop853(equation: Equation, tolerance: float, mu: Any) -> Floats:
     record = equation.record
 
     def rate(t: float, state: Any, mu: float) -> list[Any]:
-        k_h = float(np.interp(t * equation.scale, record.time, record.values)) if record else None
-        return equation.rate(mu, state, k_h)
+        if not record:
+            return equation.rate(mu, state)
+        k_h = np.interp(t * equation.scale, record.time, record.values)
+        return equation.rate(mu, state, float(k_h))
 
     def standstill(_: float, state: Any, mu: float) -> float:
         return float(state[1])
 
     def peak(t: float, state: Any, mu: float) -> float:
-        return float(rate(t, state, mu)[1])
+        gain = rate(t, state, mu)[1]
+        return float(gain)
 
     vars(standstill).update(terminal=equation.ends_at_rest, direction=-1.0)
     vars(peak).update(direction=-1.0)
     options: dict[str, Any] = {"method": "DOP853", "rtol": tolerance, "atol": 1e-3 * tolerance}
+    options["events"] = [standstill, peak]
+    span, start = (0.0, equation.end), equation.start()
     columns = []
     for friction in np.atleast_1d(mu).tolist():
-        span, events = (0.0, equation.end), [standstill, peak]
-        path = solve_ivp(rate, span, equation.start(), events=events, args=(friction,), **options)
-        speeds = path.y[1] if record else [*(state[1] for state in path.y_events[1]), path.y[1, -1]]
-        columns.append(equation.answer(path.y[0, -1], max(speeds), path.t[-1]))
+        path = solve_ivp(rate, span, start, args=(friction,), **options)
+        rotation, speed = path.y[:2]
+        speeds = speed if record else [speed[-1]]
+        for state in path.y_events[1]:
+            speeds = [*speeds, state[1]]
+        columns.append(equation.answer(rotation[-1], max(speeds), path.t[-1]))
     return np.array(columns).T
 
 
@@ -115,22 +138,25 @@ def heyoka(equation: Equation, tolerance: float, lanes: int, mu: Any) -> Floats:
     The peak would take a call of Python from each lane, so that it is spared it.
     """
     integrator = _compiled(equation, tolerance, lanes)
-    mu = np.atleast_1d(mu)
+    mu, start = np.atleast_1d(mu), np.array(equation.start())
+    no_peak = np.full(lanes, np.nan)
     columns = []
     for first in range(0, mu.size, lanes):
+        batch = mu[first : first + lanes]
         integrator.set_time(0.0)
-        integrator.state[:] = np.array(equation.start())[:, None]
-        integrator.pars[0] = np.resize(mu[first : first + lanes], lanes)
+        integrator.state[:] = start[:, None]
+        integrator.pars[0] = np.resize(batch, lanes)
         if equation.ends_at_rest:
             integrator.reset_cooldowns()
         until = np.full(lanes, equation.end)
         moving = np.full(lanes, True)
         while moving.any():  # it returns whenever a lane has come to rest; as a rule neighbours do so in one step
             integrator.propagate_until(until)
-            moving = (integrator.state[1] > STANDING) & (integrator.time < until)
+            faster = integrator.state[1] > STANDING
+            moving = faster & (integrator.time < until)
             until = np.where(moving, until, integrator.time)
-        end_time, rotation = np.array(integrator.time), integrator.state[0].copy()
-        columns.append(equation.answer(rotation, np.full(lanes, np.nan), end_time))
+        end = np.array(integrator.time)
+        columns.append(equation.answer(integrator.state[0].copy(), no_peak, end))
     return np.concatenate(columns, axis=1)[:, : mu.size]
 
 
@@ -139,10 +165,14 @@ def _compiled(equation: Equation, tolerance: float, lanes: int) -> Any:
     """heyoka's integrator of an equation, compiled for its tolerance and lanes."""
     import heyoka as hy  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
-    states = hy.make_vars("phi", "omega", "stress")[: len(equation.start())]
-    rates = equation.rate(hy.par[0], list(states), m=hy, dip=hy.expression(equation.dip))
-    falling = hy.event_direction.negative
-    events = [hy.t_event_batch(states[1], direction=falling)] if equation.ends_at_rest else []
     start = [[value] * lanes for value in equation.start()]
+    states = hy.make_vars("phi", "omega", "stress")[: len(start)]
+    dip = hy.expression(equation.dip)
+    rates = equation.rate(hy.par[0], list(states), m=hy, dip=dip)
     system = [*zip(states, rates, strict=True)]
-    return hy.taylor_adaptive_batch(system, start, pars=[[0.0] * lanes], tol=tolerance, t_events=events)
+    events = []
+    if equation.ends_at_rest:
+        falling = hy.event_direction.negative
+        events.append(hy.t_event_batch(states[1], direction=falling))
+    friction = [[0.0] * lanes]
+    return hy.taylor_adaptive_batch(system, start, pars=friction, tol=tolerance, t_events=events)

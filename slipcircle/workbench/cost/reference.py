@@ -25,23 +25,21 @@ _LANDMARKS = (0.0, 5e-324, 2.0**-1022, 2.0**-26, np.pi / 8, np.pi / 4, 1.1, np.n
 @cache
 def inputs(kind: str = "float64") -> NDArray[Any]:
     """The set in a format, sorted, drawn with a fixed seed."""
-    rng, narrow = np.random.default_rng(2017), kind == "float32"
+    rng = np.random.default_rng(2017)
     fifth = POINTS // 5
+    whole, least = ("int32", 2.0**-140) if kind == "float32" else ("int64", _ZERO_BELOW)
 
     def patterns(low: float) -> NDArray[Any]:
-        whole = "int32" if narrow else "int64"
-        ends = [int(np.array(x, kind).view(whole)) for x in (low, np.pi / 2)]
-        return rng.integers(ends[0], ends[1], fifth, dtype=np.int64, endpoint=True).astype(whole).view(kind)
+        """Numbers whose bit patterns are uniform from `low` to pi/2."""
+        first, last = np.array([low, np.pi / 2], kind).view(whole).tolist()
+        bits = rng.integers(first, last, fifth, dtype=np.int64, endpoint=True)
+        return bits.astype(whole).view(kind)
 
     near = 10.0 ** rng.uniform(-16.5, -0.5, fifth)  # distances; the format rounds many to the same number
-    found = [
-        rng.uniform(0.0, np.pi / 2, 2 * fifth).astype(kind),
-        patterns(2.0**-140 if narrow else _ZERO_BELOW),
-        patterns(1e-16),
-        (np.pi / 2 - near).astype(kind),
-        np.array(_LANDMARKS).astype(kind),
-    ]
-    return np.unique(np.concatenate(found))
+    uniform = rng.uniform(0.0, np.pi / 2, 2 * fifth)
+    by_pattern = patterns(least), patterns(1e-16)
+    by_value = (uniform, np.pi / 2 - near, np.array(_LANDMARKS))
+    return np.unique(np.concatenate([*by_pattern, *(values.astype(kind) for values in by_value)]))
 
 
 @dataclass(frozen=True)
@@ -62,12 +60,13 @@ class Reference:
         numbers. What is not finite is infinitely wrong, but of several results NaN is one that a way does not give.
         """
         with np.errstate(all="ignore"):
-            ulp = np.asarray((results - self.nearest) / self.unit - self.rest, dtype=np.float64)
+            units_off = (results - self.nearest) / self.unit
+            ulp = np.asarray(units_off - self.rest, dtype=np.float64)
             relative = np.abs(ulp) * (self.unit / self.size)
         if self.nearest.ndim > 1:
             return None, np.nanmax(relative, axis=0)
-        bad = ~np.isfinite(np.asarray(results, dtype=np.float64))
-        return np.where(bad, np.inf, ulp), np.where(bad, np.inf, relative)
+        finite = np.isfinite(results)
+        return np.where(finite, ulp, np.inf), np.where(finite, relative, np.inf)
 
 
 def reference(points: Floats, values: Sequence[Any], kind: str = "float64", size: Floats | None = None) -> Reference:
@@ -77,10 +76,18 @@ def reference(points: Floats, values: Sequence[Any], kind: str = "float64", size
     """
     exact = np.array(values, dtype=object)
     nearest = exact.astype(np.float64)
-    unit = np.spacing(np.abs(nearest).astype(kind)).astype(np.float64)
-    rest = np.frompyfunc(lambda v, n, u: float((v - type(v)(n)) / type(v)(u)), 3, 1)(exact, nearest, unit)
-    least = np.maximum(np.abs(nearest), np.finfo(kind).smallest_normal) if size is None else size
-    return Reference(points, exact, nearest, unit, rest.astype(np.float64), least)
+    magnitude = np.abs(nearest)
+    unit = np.spacing(magnitude.astype(kind)).astype(np.float64)
+    rest = np.frompyfunc(_rest, 3, 1)(exact, nearest, unit).astype(np.float64)
+    if size is None:
+        size = np.maximum(magnitude, np.finfo(kind).smallest_normal)
+    return Reference(points, exact, nearest, unit, rest, size)
+
+
+def _rest(value: Any, nearest: float, unit: float) -> float:
+    """What rounding takes from an exact value, in units."""
+    exact = type(value)
+    return float((value - exact(nearest)) / exact(unit))
 
 
 @cache
@@ -89,9 +96,13 @@ def kernel(name: str, kind: str = "float64") -> Reference:
     from flint import ctx
 
     with ctx.workprec(400):
-        known = {alpha: of for alpha, of in _balls(kind).items() if alpha > 0.0 or name not in QUOTIENTS}  # 0/0 at 0
-        above, *below = QUOTIENTS.get(name, (name,))
-        values = [of[above] / of[below[0]] if below else of[above] for of in known.values()]
+        known = dict(_balls(kind))
+        if name not in QUOTIENTS:
+            values = [balls[name] for balls in known.values()]
+        else:
+            known.pop(0.0)  # 0/0
+            above, below = QUOTIENTS[name]
+            values = [balls[above] / balls[below] for balls in known.values()]
         return reference(np.array([[*known]]), values, kind)
 
 
@@ -100,16 +111,16 @@ def _balls(kind: str) -> dict[float, dict[str, Any]]:
     """Every base quantity at every point, by its declared closed form; they share sine, cosine and logarithm."""
     from flint import arb, ctx
 
-    found = {}
+    values = {}
     for alpha in inputs(kind).tolist():
         # For 50 digits: closed forms are differences of O(alpha) that are O(alpha**3), and 1 - cos is one of O(1).
         thin = max(0, -int(np.frexp(alpha)[1])) if alpha else 0
         with ctx.workprec(320 + 3 * thin):
             # float32's nearest number to pi/2 lies above it, and the domain ends there.
-            half = arb(alpha) if arb(alpha) < arb.pi() / 2 else arb.pi() / 2
-            sin, cos = half.sin(), half.cos()
-            # artanh(sin x) = 2 artanh(tan(x/2))
-            log = arb(0) if cos.contains(0) else 2 * (sin / (1 + cos)).atanh()
+            right_angle = arb.pi() / 2
+            half = arb(alpha) if arb(alpha) < right_angle else right_angle
+            tangent = half.sin() / (1 + half.cos())  # of x/2, as artanh(sin x) = 2 artanh(tan(x/2))
+            log = arb(0) if half.cos().contains(0) else 2 * tangent.atanh()
             balls = SimpleNamespace(sin=arb.sin, cos=arb.cos, atanh=lambda sine, log=log: log)
-            found[alpha] = {name: form(balls, half) for name, form in CLOSED.items()}
-    return found
+            values[alpha] = {name: form(balls, half) for name, form in CLOSED.items()}
+    return values

@@ -30,13 +30,15 @@ def drawn(count: int) -> Floats:
     """Circles that enter near one end of the ground and leave near the other: x, y, radius, and x of both ends."""
     rng = np.random.default_rng(16)
     left, right = rng.uniform([[-59], [50]], [[-50], [59]], (2, count))
-    width, height = right - left, np.interp(right, *GROUND.T) - np.interp(left, *GROUND.T)
-    half_chord = np.hypot(width, height) / 2
-    depth = rng.uniform(0.1, 0.3, count) * 2 * half_chord
-    radius = (half_chord**2 + depth**2) / (2 * depth)
-    above = (radius - depth) / (2 * half_chord)  # of the centre over the chord, in chords
+    bottom, top = np.interp([left, right], *GROUND.T)
+    width = right - left
+    height = top - bottom
+    chord = np.hypot(width, height)
+    depth = rng.uniform(0.1, 0.3, count) * chord
+    radius = chord**2 / (8 * depth) + depth / 2
+    above = (radius - depth) / chord  # of the centre over the chord, in chords
     x = left + width / 2 - above * height
-    y = np.interp(left, *GROUND.T) + height / 2 + above * width
+    y = bottom + height / 2 + above * width
     return np.stack([x, y, radius, left, right])
 
 
@@ -57,30 +59,42 @@ def section(x: Floats, y: Floats, radius: Floats, *_: Floats) -> Floats:
     """By a `Section`, which checks its input."""
     mass = Section(GROUND, np.stack([x, y], axis=1), radius, 2e4)
     moments, facing = mass.moments, mass.facing
-    unit_vector = facing * moments["radial_weight_slope"], -moments["radial_weight"]
-    first = -facing * moments["weight_moment"], -moments["weight_moment_slope"]
-    area = mass.area / radius**2
-    return np.array([area, moments["polar_moment"], moments["moment_of_inertia"], *unit_vector, *first])
+    measures = [
+        mass.area / radius**2,
+        moments["polar_moment"],
+        moments["moment_of_inertia"],
+        facing * moments["radial_weight_slope"],
+        -moments["radial_weight"],
+        -facing * moments["weight_moment"],
+        -moments["weight_moment_slope"],
+    ]
+    return np.array(measures)
 
 
 def gauss(points: int, x: Floats, y: Floats, radius: Floats, left: Floats, right: Floats) -> Floats:
     """The double integrals of the definitions over vertical strips under each edge, by Gauss-Legendre both ways."""
     nodes, weights = np.polynomial.legendre.leggauss(points)
-    rule = [*zip((1 + nodes) / 2, weights / 2, strict=True)]
-    corners = np.clip(GROUND[:, 0], left[:, None], right[:, None])
-    starts, widths = corners[:, :-1], np.diff(corners, axis=1)
+    shares = (1 + nodes) / 2
+    rule = [*zip(shares, weights / 2, strict=True)]
+    x, y, radius, left, right = np.array([x, y, radius, left, right])[:, :, None]
+    corners = np.clip(GROUND[:, 0], left, right)
+    starts = corners[:, :-1]
+    widths = np.diff(corners, axis=1)
     total = np.zeros((MEASURES, len(radius)))
     for share, weight in rule:
         across = starts + share * widths
-        horizontal = (across - x[:, None]) / radius[:, None]
-        top = (np.interp(across, *GROUND.T) - y[:, None]) / radius[:, None]
+        ground = np.interp(across, *GROUND.T)
+        horizontal = (across - x) / radius
         bottom = -np.sqrt(1.0 - horizontal**2)
-        strip = weight * widths / radius[:, None] * (top - bottom)
+        height = (ground - y) / radius - bottom
+        strip = weight * widths / radius * height
         for inner, inner_weight in rule:
-            vertical = bottom + inner * (top - bottom)
+            vertical = bottom + inner * height
             r = np.hypot(horizontal, vertical)
             measures = (np.ones_like(r), r, r * r, horizontal / r, vertical / r, horizontal, vertical)
-            total += [(inner_weight * strip * measure).sum(axis=1) for measure in measures]
+            share_of_area = inner_weight * strip
+            for row, measure in enumerate(measures):
+                total[row] += (share_of_area * measure).sum(axis=1)
     return total
 
 
@@ -88,10 +102,12 @@ def polygons(segments: int, x: Floats, y: Floats, radius: Floats, *_: Floats) ->
     """Area and centroid by shapely, of a circle of four times so many chords."""
     import shapely  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
-    soil = shapely.Polygon([*GROUND, (GROUND[-1, 0], _BASE), (GROUND[0, 0], _BASE)])
+    base = [(_X[-1], _BASE), (_X[0], _BASE)]
+    soil = shapely.Polygon([*GROUND, *base])
     discs = shapely.buffer(shapely.points(x, y), radius, quad_segs=segments)
     masses = shapely.intersection(discs, soil)
-    centroid, area = shapely.centroid(masses), shapely.area(masses) / radius**2
+    centroid = shapely.centroid(masses)
+    area = shapely.area(masses) / radius**2
     results = np.full((MEASURES, len(radius)), np.nan)
     results[0] = area
     results[5] = area * (shapely.get_x(centroid) - x) / radius
@@ -103,7 +119,8 @@ def subject() -> Subject:
     """Ways to the moments of sections."""
     ways = [Way("slipcircle", partial(blocks, section), ours=True)]
     for points in _GAUSS:
-        ways.append(Way(f"Gauss, {points} x {points} points", partial(blocks, partial(gauss, points))))
+        quadrature = partial(blocks, partial(gauss, points))
+        ways.append(Way(f"Gauss, {points} x {points} points", quadrature))
     for segments in _SEGMENTS:
         cut = partial(blocks, partial(polygons, segments))
         ways.append(Way(f"shapely, {4 * segments} chords", cut, needs="shapely"))

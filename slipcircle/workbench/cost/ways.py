@@ -16,6 +16,8 @@ from slipcircle.workbench.cost.reference import Floats, Reference
 
 GAUSS_POINTS = (4, 8, 16, 32, 64)
 FLOOR = "np.copyto (floor)"
+FORMS = {"fused": "fused", "plain": "plain C", "numpy": "NumPy"}
+CHEAPER = ("1e-10", "1e-6")
 _BLOCK = 2**16  # nodes of a Gauss-Legendre rule that are evaluated at once
 
 
@@ -52,33 +54,37 @@ def variants(name: str) -> list[Way]:
     Of the levels that this processor can run, the fastest with fused operations and the fastest without count.
     """
     levels = {form: level for level, (form, _) in reversed(_compiled.LEVELS.items())}
-    words = {"fused": "fused", "plain": "plain C", "numpy": "NumPy"}
-    found, texts = [], kernels.TEXTS[name]
-    for tier, form in product(texts, words):
+    ways, texts = [], kernels.TEXTS[name]
+    for tier, form in product(texts, FORMS):
+        kind = "float32" if tier == "float32" else "float64"
         loops = _compiled.LEVELS[levels[form]][1] if form in levels else {}
+        compiled = loops.get("best" if kind == "float32" else tier, {})
         bounds = tiers.BOUNDS.get(name, {}).get(tier, {})
         bound, ulp = bounds.get(form, bounds.get("plain", (None, None)))
-        cheaper = tier in ("1e-10", "1e-6")
-        compiled = form == "numpy" or name in loops.get("best" if tier == "float32" else tier, {})
-        if not compiled or (cheaper and bound is None):
-            continue
-        # A cheaper tier is asked for by its own bound: the cheapest that meets it is itself.
-        accuracy = bound if cheaper else None
-        way = partial(_compiled.kernel(name, texts, levels[form]), where=True, accuracy=accuracy)
-        kind = "float32" if tier == "float32" else "float64"
-        found.append(Way(f"{tier}, {words[form]}", way, way, kind, bound, ulp, ours=True))
-    return found
+        accuracy = None
+        if tier in CHEAPER:  # asked for by its own bound: the cheapest that meets it is itself
+            if bound is None:
+                continue
+            accuracy = bound
+        if form == "numpy" or name in compiled:
+            kernel = _compiled.kernel(name, texts, levels[form])
+            way = partial(kernel, where=True, accuracy=accuracy)
+            ways.append(Way(f"{tier}, {FORMS[form]}", way, way, kind, bound, ulp, ours=True))
+    return ways
 
 
 def as_printed(name: str, x: Floats) -> Floats:
     """As the paper prints it; where it does not, its closed form, or the quotient of two."""
     with np.errstate(all="ignore"):
         if hasattr(printed, name):
-            return np.asarray(getattr(printed, name)(x))
-        if name in QUOTIENTS:
+            value = getattr(printed, name)(x)
+        elif name in QUOTIENTS:
             above, below = (as_printed(part, x) for part in QUOTIENTS[name])
-            return np.asarray(above / below)
-        return np.asarray(CLOSED[name](SimpleNamespace(sin=np.sin, cos=np.cos, atanh=np.arctanh), x))
+            value = above / below
+        else:
+            functions = SimpleNamespace(sin=np.sin, cos=np.cos, atanh=np.arctanh)
+            value = CLOSED[name](functions, x)
+    return np.asarray(value)
 
 
 _rule = cache(np.polynomial.legendre.leggauss)
@@ -89,16 +95,22 @@ def gauss_legendre(power: int, turned: bool, count: int, alpha: Any) -> Floats:
 
     The depth of the chord is written as a product, so that the rule and not the cancellation is measured.
     """
-    (x, w), (inner, weights) = _rule(count), _rule(power // 2 + 1)
-    half, found = np.atleast_1d(alpha), np.empty(np.size(alpha))
-    for start in range(0, half.size, _BLOCK // count):
-        a = half[start : start + _BLOCK // count, None]
-        u = a * (x + 1) / 2
-        depth = 2 * np.sin((a - u) / 2) * np.sin((a + u) / 2) / np.cos(u)
-        ring = sum(v * (1 - depth * (1 + y) / 2) ** power for y, v in zip(inner, weights, strict=True))
-        ring = depth / 2 * ring * (np.cos(u) if turned else 1.0)
-        found[start : start + a.size] = a[:, 0] * np.einsum("ij,j->i", ring, w)  # one thread, like all others
-    return found
+    nodes, weights = _rule(count)
+    radial = [*zip(*_rule(power // 2 + 1), strict=True)]
+    angles, integrals = np.atleast_1d(alpha), np.empty(np.size(alpha))
+    size = _BLOCK // count
+    for first in range(0, angles.size, size):
+        half = angles[first : first + size, None]
+        u = half * (nodes + 1) / 2
+        cos = np.cos(u)
+        depth = 2 * np.sin((half - u) / 2) * np.sin((half + u) / 2) / cos
+        ring = sum(weight * (1 - depth * (1 + node) / 2) ** power for node, weight in radial)
+        ring = ring * depth / 2
+        if turned:
+            ring *= cos
+        integral = np.einsum("ij,j->i", ring, weights)  # one thread, like all others
+        integrals[first : first + size] = half[:, 0] * integral
+    return integrals
 
 
 def angles(count: int) -> Floats:

@@ -245,7 +245,7 @@ def _weight(help: str, optional: bool = False) -> Parameter:
 
 def _points(name: str, title: str) -> dict[str, Key]:
     key = "points_m" if name == "ground" else f"{name}_m"
-    return {key: Key(name, title, "a list of points, [[x, y], [x, y], ...] (m)", kind="points")}
+    return {key: Key(name, title, "a list of two points or more, [[x, y], [x, y], ...] (m)", kind="points")}
 
 
 def _pair(name: str, title: str, form: str = "[least, greatest]") -> dict[str, Key]:
@@ -267,7 +267,10 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
     "ground": _table(
         "a real slope, in place of [arc]",
         [
-            _length("height", "height of a simple slope between level ground"),
+            _length(
+                "height",
+                "height of a simple slope between level ground; it falls to the right to its toe at x = 0, y = 0",
+            ),
             _UPRIGHT,
             _length("run", "its horizontal length", -5e-324),
             _weight("unit weight of the soil"),

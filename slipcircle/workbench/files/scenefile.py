@@ -23,7 +23,7 @@ from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import numbers, uncertain_numbers
 from slipcircle.workbench.records.forcing import with_records
 from slipcircle.workbench.stability.search import Critical, at_circle, critical
-from slipcircle.workbench.stability.stability import Slope, soil
+from slipcircle.workbench.stability.stability import Slope, require_drive, soil
 
 _MOST_COHESION = 1e5  # kPa, of any soil: more was in Pa
 _FOLDER = resources.files("slipcircle") / "scenes"
@@ -73,12 +73,13 @@ def find(name: str | PathLike[str]) -> Any:
     if name in (names := shipped()):
         return _FOLDER / f"{name}.toml"
     path = Path(name)
-    if os.path.exists(path) and not os.path.isdir(path):  # no error for names that no file can have
-        return path
+    for candidate in (path, Path(f"{name}.toml")):
+        if os.path.exists(candidate) and not os.path.isdir(candidate):  # no error for names that no file can have
+            return candidate
+    if str(name) and os.path.isdir(path):
+        raise ValueError(f"{path}: is a folder; give a scene's file")
     near = get_close_matches(path.stem, names, 1)
     is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)
-    if is_path and os.path.isdir(path):
-        raise ValueError(f"{path}: is a folder; give a scene's file")
     said = f"{path}: there is no such file" if is_path else f"scene {str(name)!r} is unknown"
     raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
 
@@ -90,7 +91,8 @@ def critical_of_file(
 
     Where it gives a circle, the factors of this one. ``tell`` takes lines of progress.
     """
-    source, file = find(name), str(name)
+    source = find(name)
+    file = str(source)
     document = _document(source, file)
     if "ground" not in document:
         raise ValueError(f"{file}: arc: says nothing of the ground beside it; a search needs [ground] in its place")
@@ -196,6 +198,8 @@ def _section(
         )
         circle = {"centre": laid[0], "radius": laid[1], "between": between}
     body = Section(**ground, **circle)
+    if "shaking" not in given and not given[""].get("initial_velocity"):
+        require_drive(body)
     # The circle is known to be above the base, which may lie higher than ground beside it.
     return body, at_circle(Slope(**of_slope | {"base": None}), body) if strength else None
 

@@ -5,16 +5,19 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from tempfile import TemporaryDirectory
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from slipcircle.core import Motion
 from slipcircle.workbench.common import files
 from slipcircle.workbench.outputs.plotstyle import described, missing
 
+if TYPE_CHECKING:
+    from slipcircle.workbench.outputs.sectionplot import Film
+
 _KINDS = ("png", "svg", "pdf", "jpg")
 _MOST = 20  # scenes in one picture
-_FRAMES, _SECONDS = 40, 5  # of an animation
+_FRAMES, _SECONDS = 60, 5  # of an animation
+_HOLD, _COLOURS = 2000, 64  # milliseconds that its last frame is held; colours of each frame
 
 
 def check(command: str, path: str = "", scenes: int = 1) -> None:
@@ -32,16 +35,19 @@ def check(command: str, path: str = "", scenes: int = 1) -> None:
 
 
 def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> bytes:
-    """What a function draws on an empty figure of a size in inches, as a file whose name ends in .png, .svg, ..."""
+    """What a function draws on an empty figure of a size in inches, as a file whose name ends in .png, .svg, ...
+
+    For .gif the function gives the `Film` that it has drawn.
+    """
     from matplotlib import rc_context, style
     from matplotlib.figure import Figure
 
     kind = path.rpartition(".")[2].lower()
     # Also the names within an SVG, and its metadata, are to be the same every time.
     with style.context("default"), rc_context({"svg.hashsalt": "slipcircle"}):
-        figure = Figure(figsize=size, dpi=70 if kind == "gif" else 120, layout="constrained")
-        drawn = draw(figure)
-        held = io.BytesIO()
+        figure = Figure(figsize=size, dpi=90 if kind == "gif" else 120, layout="constrained")
+        film = draw(figure)
+        content = io.BytesIO()
         metadata = {
             "png": {"Description": "\n".join(described(figure))},  # for tests, and for those who do not see it
             "svg": {"Date": None},
@@ -50,11 +56,9 @@ def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> 
         with warnings.catch_warnings():  # a name may hold letters that the font does not have
             warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)
             if kind == "gif":
-                figure.draw_without_rendering()
-                figure.set_layout_engine("none")  # which would lay out every frame anew
-                return _played(drawn)
-            figure.savefig(held, format=kind, metadata=metadata.get(kind))
-    return held.getvalue()
+                return _played(film)
+            figure.savefig(content, format=kind, metadata=metadata.get(kind))
+    return content.getvalue()
 
 
 def words_of(png: bytes) -> list[str]:
@@ -64,14 +68,28 @@ def words_of(png: bytes) -> list[str]:
     return str(getattr(Image.open(io.BytesIO(png)), "text", {}).get("Description", "")).split("\n")
 
 
-def _played(animation: Any) -> bytes:
-    """An animation as a GIF."""
-    from matplotlib.animation import PillowWriter
+def _played(film: "Film") -> bytes:
+    """A film as a GIF that holds its last frame; what does not move is drawn once."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from PIL import Image
 
-    with TemporaryDirectory() as folder:
-        path = Path(folder) / "slide.gif"
-        animation.save(path, PillowWriter(fps=_FRAMES // _SECONDS))
-        return path.read_bytes()
+    figure, images = film.figure, []
+    canvas: Any = FigureCanvasAgg(figure)
+    for artist in film.moving:
+        artist.set_animated(True)  # left out of what is drawn once
+    canvas.draw()
+    figure.set_layout_engine("none")  # which would lay out every frame anew
+    background = canvas.copy_from_bbox(figure.bbox)
+    for frame in range(len(film.times)):
+        canvas.restore_region(background)
+        for artist in film.draw(frame):
+            figure.draw_artist(artist)
+        pixels = Image.frombuffer("RGBA", canvas.get_width_height(), canvas.buffer_rgba(), "raw", "RGBA", 0, 1)
+        images.append(pixels.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE))
+    each = 1000 * _SECONDS // _FRAMES
+    content, durations = io.BytesIO(), [each] * (len(images) - 1) + [_HOLD]
+    images[0].save(content, "GIF", save_all=True, append_images=images[1:], duration=durations, loop=0)
+    return content.getvalue()
 
 
 def _stacked(motions: Sequence[Motion], figure: Any) -> None:
@@ -89,7 +107,7 @@ def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any],
 
     return {
         "motions": (_stacked, lambda x: (14.0, sum(plots.size(m)[1] for m in x))),
-        "slide": (lambda x, figure: plots.animate(x[0], figure, _FRAMES), lambda _: (7.0, 5.5)),
+        "slide": (lambda x, figure: sectionplot.film(x[0], figure, _FRAMES, _SECONDS), lambda _: (7.0, 4.6)),
         "section": (lambda x, figure: plots.section(x, figure.add_subplot()), lambda _: (8.0, 6.0)),
         "histories": (lambda x, figure: plots.histories(x, figure.subplots(2, 2).T.ravel()), lambda _: (11.0, 6.5)),
         "phase plane": (lambda x, figure: plots.phase_plane(x, figure.add_subplot()), lambda _: (8.0, 5.0)),

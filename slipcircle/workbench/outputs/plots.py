@@ -5,14 +5,14 @@ where no curve can run into them.
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from textwrap import shorten
 from typing import Any
 
 import numpy as np
 
 from slipcircle.core import Motion, in_time
-from slipcircle.workbench.common.quantities import HISTORY, prefixed
+from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, prefixed
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
@@ -56,37 +56,53 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     another, which says what the marks are and when.
     """
     known("history: what", what, HISTORIES)
-    ax = axis(ax)
+    ax, quantity = axis(ax), HISTORY[what]
     symbol, curves = HISTORIES[what]
-    quantity, columns = HISTORY[what], drawn(motion)
-    first = columns[what]
-    curves = tuple(c for c in curves if c[0] == what or _differs(columns[c[0]], first))
-    factor, unit = prefixed(np.concatenate([columns[c] for c, _, _ in curves]), quantity.unit)
+    columns = drawn(motion)
+    values = columns[what]
+    curves = tuple(curve for curve in curves if curve[0] == what or _differs(columns[curve[0]], values))
+    factor, unit = prefixed(np.concatenate([columns[name] for name, _, _ in curves]), quantity.unit)
     if quantity.degrees:
         factor, unit = math.degrees(1.0), "deg"
     ax.set(xlabel="time $t$ (s)", ylabel=f"{quantity.label}{symbol} ({unit or '–'})")
     if not motion.moves:
         return still(motion, ax)
-    for column, line, name in curves:
-        ax.plot(columns["time"], factor * columns[column], label=name if len(curves) > 1 else None, **LINES[line])
+    for name, line, words in curves:
+        ax.plot(columns["time"], factor * columns[name], label=words if len(curves) > 1 else None, **LINES[line])
     for role, time, words in _marks(motion, what == "displacement"):
-        value = factor * _read(time, columns["time"], first)
-        seen = f"{number(value)} {unit}".rstrip()
+        value = factor * _read(time, columns["time"], values)
+        shown = f"{number(value)} {unit}".rstrip()
         ax.axvline(time, **LINES["help"])
-        mark(ax, time, value, role, seen if brief and role != "reach" else f"{words}: {seen} at {number(time)} s")
+        mark(ax, time, value, role, shown if brief and role != "reach" else f"{words}: {shown} at {number(time)} s")
     ax.grid(alpha=0.3)
     ax.margins(y=0.08)
     ax.set_xlim(0.0, motion.duration)
-    if what == "friction" or np.ptp(first) <= 1e-9 * np.max(np.abs(first)):  # also a level line stands above zero
-        tops = [factor * float(np.max(columns[c], initial=0.0, where=np.isfinite(columns[c]))) for c, _, _ in curves]
-        top = min(max(tops), _TALL * tops[0] or math.inf)  # where next to nothing presses, no friction is enough
-        ax.set_ylim(-0.08 * top, 1.16 * top or 1.0)
+    is_level = np.ptp(values) <= 1e-9 * np.max(np.abs(values))
+    if what == "friction" or is_level:
+        _from_zero(ax, [factor * columns[name] for name, _, _ in curves])
     legend(ax)
     if what == "displacement":
-        turn = math.degrees(1.0 / float(np.asarray(motion.plan.scene.arc.radius)))
-        side = ax.secondary_yaxis("right", functions=(lambda s: np.multiply(s, turn), lambda x: np.divide(x, turn)))
-        side.set_ylabel("rotation $\\phi$ (deg)")
+        _rotation_axis(ax, float(np.asarray(motion.plan.scene.arc.radius)))
     return ax
+
+
+def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
+    """Show curves above zero, the others up to `_TALL` times the greatest value of the first.
+
+    Where next to nothing presses no friction is enough for the mass to stand still.
+    """
+    tops = [float(np.max(curve, initial=0.0, where=np.isfinite(curve))) for curve in curves]
+    top = min(max(tops), _TALL * tops[0] or math.inf)
+    ax.set_ylim(-0.08 * top, 1.16 * top or 1.0)
+
+
+def _rotation_axis(ax: Any, radius: float) -> None:
+    """The rotation on the right of an axis of displacements."""
+    degrees = math.degrees(1.0 / radius)
+    side = ax.secondary_yaxis(
+        "right", functions=(lambda s: np.multiply(s, degrees), lambda phi: np.divide(phi, degrees))
+    )
+    side.set_ylabel("rotation $\\phi$ (deg)")
 
 
 def histories(motion: Motion, axes: Iterable[Any]) -> None:
@@ -98,10 +114,12 @@ def histories(motion: Motion, axes: Iterable[Any]) -> None:
             ax.tick_params(labelbottom=False)
 
 
-def _marks(motion: Motion, places: bool = False) -> list[tuple[str, float, str]]:
-    """Mark, time and words of the peak velocity, of the reach where places are drawn, and of the end."""
-    farthest = [("reach", float(motion.reach.time), "farthest")] if places and motion.swings_back else []
-    return [("peak", float(motion.peak.time), "peak velocity"), *farthest, ("end", motion.duration, ending(motion))]
+def _marks(motion: Motion, with_reach: bool = False) -> list[tuple[str, float, str]]:
+    """Mark, time and words of the peak velocity, of the reach of a mass that swings back, and of the end."""
+    marks = [("peak", float(motion.peak.time), "peak velocity")]
+    if with_reach and motion.swings_back:
+        marks.append(("reach", float(motion.reach.time), "farthest"))
+    return [*marks, ("end", motion.duration, ending(motion))]
 
 
 def _read(time: float, times: Floats, values: Floats) -> float:
@@ -120,37 +138,47 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
 
     Of a mass that turns back, the path travelled stands for the displacement.
     """
-    ax = axis(ax)
-    columns = drawn(motion)
-    ways = np.diff(columns["displacement"])
-    back = bool(np.any(ways < 0.0) and np.any(ways > 0.0))
-    along = columns["path"] if back else columns["displacement"]
-    first = float(columns["kinetic_energy"][0])
-    given = first + columns["work_of_gravity_and_shaking"]
-    factor, unit = prefixed(np.concatenate([given, columns["dissipation"]]), "J")
-    way = "path travelled, as it turns back" if back else "displacement $s$"
+    ax, columns = axis(ax), drawn(motion)
+    steps = np.diff(columns["displacement"])
+    turns_back = bool(np.any(steps < 0.0) and np.any(steps > 0.0))
+    along = columns["path" if turns_back else "displacement"]
+    ax.set_xlabel("path travelled, as it turns back (m)" if turns_back else "displacement $s$ (m)")
+    unit = _energies(motion, ax, along)
     of_width, per = width(motion)
-    ax.set(xlabel=f"{way} (m)", ylabel=f"energy {of_width} ({unit}{per})")
+    ax.set_ylabel(f"energy {of_width} ({unit}{per})")
     if not motion.moves:
         return still(motion, ax)
-    lost, kinetic = factor * columns["dissipation"], factor * columns["kinetic_energy"]
-    ax.fill_between(along, 0.0, lost, label="dissipation", **AREAS["dissipation"])
-    ax.fill_between(along, lost, lost + kinetic, label="kinetic energy", **AREAS["kinetic"])
-    name = work(motion) + (" and first kinetic energy" if first else "")
-    ax.plot(along, factor * given, label=name, **LINES["total"])
-    ax.set_xlim(0.0, float(along[np.argmax(np.abs(along))]))  # to the left too the way is drawn from left to right
-    ax.set_ylim(0.0, 1.05 * float(np.max(lost + kinetic)))
+    farthest = float(along[np.argmax(np.abs(along))])
+    ax.set_xlim(0.0, farthest)  # to the left too the way is drawn from left to right
     right = ax.twinx()
     speed = np.abs(columns["velocity"])
     right.plot(along, speed, label="speed", **LINES["main"])
     for role, time, words in _marks(motion):
-        place, height = (_read(time, columns["time"], c) for c in (along, speed))
+        place, height = (_read(time, columns["time"], column) for column in (along, speed))
         mark(right, place, height, role, f"{words}: {number(height)} m/s at {number(place)} m")
     right.set_ylabel("speed $|v|$ (m/s)")
     right.set_ylim(0.0, 1.05 * float(np.max(speed)))
-    handles, labels = (a + b for a, b in zip(*(x.get_legend_handles_labels() for x in (ax, right)), strict=True))
+    entries = [side.get_legend_handles_labels() for side in (ax, right)]
+    handles, labels = (left + right for left, right in zip(*entries, strict=True))
     legend(ax, columns=3, handles=handles, labels=labels)
     return ax
+
+
+def _energies(motion: Motion, ax: Any, along: Floats) -> str:
+    """Dissipation and kinetic energy, stacked, below the work that both come from; their unit."""
+    columns = drawn(motion)
+    at_start = float(columns["kinetic_energy"][0])
+    supplied = at_start + columns["work_of_gravity_and_shaking"]
+    factor, unit = prefixed(np.concatenate([supplied, columns["dissipation"]]), "J")
+    if motion.moves:
+        dissipation = factor * columns["dissipation"]
+        total = dissipation + factor * columns["kinetic_energy"]
+        ax.fill_between(along, 0.0, dissipation, label="dissipation", **AREAS["dissipation"])
+        ax.fill_between(along, dissipation, total, label="kinetic energy", **AREAS["kinetic"])
+        words = work(motion) + (" and first kinetic energy" if at_start else "")
+        ax.plot(along, factor * supplied, label=words, **LINES["total"])
+        ax.set_ylim(0.0, 1.05 * float(np.max(total)))
+    return unit
 
 
 def shaking(motion: Motion, ax: Any = None) -> Any:
@@ -161,15 +189,21 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     """
     ax = axis(ax, (7.0, 2.5))
     ax.set(xlabel="time $t$ (s)", ylabel="shaking over $g$ (–)")
-    given = in_time(motion.plan.scene.called)
-    knots = [np.asarray(function.kinks) for name, function in given.items() if name.startswith("shaking.")]
-    if not knots:
+    functions = {n: f for n, f in in_time(motion.plan.scene.called).items() if n.startswith("shaking.")}
+    kinks = [np.asarray(function.kinks) for function in functions.values()]
+    if not functions:
         return empty("not shaken", ax, "x", "y")
-    last = motion.duration if motion.moves else float(np.max(np.concatenate(knots)))
-    at = drawn(motion)["time"] if motion.moves else np.unique(np.concatenate([np.linspace(0, last, 401), *knots]))
-    for way, label, line in (("horizontal", "down-slope $k_h$", "main"), ("vertical", "lightening $k_v$", "other")):
-        if (function := given.get(f"shaking.{way}")) is not None:
-            ax.plot(at, function(at), label=label, **{**LINES[line], "lw": 1.2})
+    if motion.moves:
+        last, times = motion.duration, drawn(motion)["time"]
+    else:
+        last = float(np.max(np.concatenate(kinks)))
+        times = np.unique(np.concatenate([np.linspace(0, last, 401), *kinks]))
+    for way, label, line in (
+        ("horizontal", "down-slope $k_h$", "main"),
+        ("vertical", "vertical $k_v$, reduces the weight", "other"),
+    ):
+        if (function := functions.get(f"shaking.{way}")) is not None:
+            ax.plot(times, function(times), label=label, **{**LINES[line], "lw": 1.2})
     yields = motion.yield_coefficient
     ax.axhline(yields, label=f"yields at the start: $k_y$ = {number(yields)}", **{**LINES["total"], "lw": 1.2})
     ax.set_xlim(0.0, last)
@@ -205,22 +239,30 @@ def _rung_words(rung: Rung) -> str:
 
 def overview(motion: Motion, figure: Any) -> Any:
     """The section, the phase plane and the histories on an empty figure or subfigure of `size`, which it returns."""
-    name = shorten(motion.plan.scene.name, 80)
     shaken = "shaking" in motion.plan.effects
     if motion.moves:
         left, right = figure.add_gridspec(1, 2, width_ratios=(1.15, 1.0))
-        top, bottom = left.subgridspec(2, 1).subplots()
+        top, bottom = left.subgridspec(2, 1, height_ratios=(1.2, 1.0)).subplots()
         axes = right.subgridspec(len(OVERVIEW) + shaken, 1).subplots()
         phase_plane(motion, bottom)
         histories(motion, axes[: len(OVERVIEW)])
     else:
-        name = ": ".join(filter(None, (name, "does not move")))
-        top, *axes = figure.subplots(1 + shaken, 1, height_ratios=(3, 1)[: 1 + shaken], squeeze=False)[:, 0]
+        heights = (3, 1)[: 1 + shaken]
+        top, *axes = figure.subplots(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0]
     section(motion, top)
     if shaken:
         shaking(motion, axes[-1])
-    figure.suptitle(name, parse_math=False, fontweight="bold")
+    figure.suptitle(_title(motion), parse_math=False, fontweight="bold")
     return figure
+
+
+def _title(motion: Motion) -> str:
+    """A scene's name and what happened."""
+    outcome = "does not move"
+    if motion.moves:
+        run_out, duration = (OUTCOMES[name].text(motion) for name in ("run_out", "duration"))
+        outcome = f"{run_out} in {duration}, {ending(motion)}"
+    return ": ".join(filter(None, (shorten(motion.plan.scene.name, 80), outcome)))
 
 
 def size(motion: Motion) -> tuple[float, float]:

@@ -173,9 +173,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     ]
     yield Part([], rows, "Key results")
     yield tag("h3", "Pictures")
-    captions = {
-        "section": "The section: forces at the start; the mass at the start, at its peak velocity and at the end."
-    }
+    captions = {"section": "The section: the mass at the start, at its peak velocity and at the end."}
     if where := toe_words(motion):
         captions["section"] += f" Beyond the toe the method continues the circle; the toe ends {where}."
     if motion.moves:

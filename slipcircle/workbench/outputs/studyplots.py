@@ -157,12 +157,9 @@ def tornado(
     """
     known("tornado: output", output, table.outputs)
     steps, how = _changes(table, changes)
-    bars = []
-    for name, change in steps.items():
-        slope = table.derivative(output, name) * change.number.slope(float(change.number.from_si(table.at[name])))
-        if slope or changes is not None:
-            bars.append((slope * change.step, f"{change.number.key} = {change.text}"))
-    bars.sort(key=lambda bar: -abs(bar[0]))
+    bars = sorted((_bar(table, output, name, change) for name, change in steps.items()), key=lambda bar: -abs(bar[0]))
+    if changes is None:
+        bars = [bar for bar in bars if bar[0]]
     ax = axis(ax, (7.0, 1.6 + 0.4 * max(2, len(bars))))
     unit, at = table.outputs[output], table.at[output]
     ax.set(xlabel=f"change of {OUTCOMES[output].label} from {number(at)} {unit}{how} ({unit})")
@@ -177,6 +174,13 @@ def tornado(
     if named:
         legend(ax)
     return ax
+
+
+def _bar(table: "Sensitivity", output: str, name: str, change: _Change) -> tuple[float, str]:
+    """By how much an output changes, and what stands beside it."""
+    number_of = change.number
+    per_key = number_of.slope(float(number_of.from_si(table.at[name])))
+    return table.derivative(output, name) * per_key * change.step, f"{number_of.key} = {change.text}"
 
 
 def _changes(table: "Sensitivity", given: Mapping[str, float] | None) -> tuple[dict[str, _Change], str]:

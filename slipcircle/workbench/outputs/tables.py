@@ -63,7 +63,7 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     if words_of_toe := toe_words(motion):
         found["toe at the end"] = f"{words_of_toe}: the method continues the circle there"
     if (circle := stability_of(motion.plan.scene)) is not None:
-        if not circle.slope.k_h and circle.factor_of_safety["paper"] is not None:
+        if (circle.factor_of_safety_without_k_h or circle.factor_of_safety)["paper"] is not None:
             del found["factor of safety"]  # the paper's, which stands among these
         told = ("entry", "exit")  # as ends of the slip surface
         found |= {label: value for label, value in stability_column(circle).items() if label not in told}
@@ -107,8 +107,16 @@ def stability_column(found: Critical) -> dict[str, str]:
     def point(xy: Sequence[float]) -> str:
         return ", ".join(map(shown, xy)) + " m"
 
-    by_method = found.factor_of_safety.items()
-    rows = {f"factor of safety by {METHODS[m][0]}": "refused" if v is None else f"{v:.4f}" for m, v in by_method}
+    def factors(by_method: Mapping[str, float | None], words: str) -> dict[str, str]:
+        return {
+            f"factor of safety by {METHODS[m][0]}{words}": "refused" if v is None else f"{v:.4f}"
+            for m, v in by_method.items()
+        }
+
+    rows = factors(found.factor_of_safety, f", k_h = {shown(found.slope.k_h)}" if found.slope.k_h else "")
+    if found.factor_of_safety_without_k_h:
+        rows |= factors(found.factor_of_safety_without_k_h, ", without k_h")
+        rows["motion starts from"] = "that without k_h by the paper's method"
     sense = (
         {}
         if math.isnan(found.negative)
@@ -117,8 +125,6 @@ def stability_column(found: Critical) -> dict[str, str]:
             "arc under negative normal stress": f"{100 * found.negative:.1f} %",
         }
     )
-    if found.slope.k_h:
-        rows["horizontal acceleration k_h of these"] = shown(found.slope.k_h)
     return (
         rows
         | {

@@ -48,7 +48,8 @@ def _shaking(given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
         raise ValueError(f"{strange[0]} does not belong to a record; leave it out")
     if "holds" not in given:
         raise ValueError('holds is missing: a record must say whether it holds "ground" or "driving" acceleration')
-    common = {k: given[k] for k in _OF_RECORDS if k in given} | {"gravity": gravity}
+    scaled = "scale" in given or "peak" in given
+    common = {k: given[k] for k in _OF_RECORDS if k in given} | {"gravity": gravity, "scaled": scaled}
     series: dict[str, Any] = {"horizontal": read_record(given["record"], column=given.get("column"), **common)}
     if "vertical_record" in given or "vertical_column" in given:
         path = given.get("vertical_record", given["record"])

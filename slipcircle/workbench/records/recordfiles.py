@@ -1,4 +1,4 @@
-"""Files of samples, as PEER's AT2, ESM's ASCII, or a table after any header lines: times, values and their unit."""
+"""Files of samples, as PEER's AT2, ESM's and K-NET's ASCII, or a table: times, values and their unit."""
 
 import io
 import re
@@ -46,7 +46,12 @@ class Quantity(NamedTuple):
 
 
 ACCELERATION = Quantity(
-    "acceleration", UNITS, _SAME, f"{', '.join(UNITS)}, gal", "(?:[cm]?m_s2)|g|gal", "CSV, AT2 or ESM's ASCII"
+    "acceleration",
+    UNITS,
+    _SAME,
+    f"{', '.join(UNITS)}, gal",
+    "(?:[cm]?m_s2)|g|gal",
+    "CSV, AT2, or ESM's or K-NET's ASCII",
 )
 PORE_PRESSURE = Quantity(
     "pore pressure",
@@ -97,14 +102,15 @@ def parse(quantity: Quantity, name: str, path: Path, column: int | str | None, s
     """By what the first lines say."""
     text = _text(quantity, path, name)
     first = text[:20000].split("\n") if quantity is ACCELERATION else []
-    for kind, header in (("an AT2 file", _at2(name, first)), ("an ESM file", _esm(name, first))):
+    headers = {"an AT2 file": _at2(name, first), "an ESM file": _esm(name, first), "a K-NET file": _knet(name, first)}
+    for kind, header in headers.items():
         if header:
             for what, given in (("column", column), ("step", step)):
                 if given is not None:
                     raise ValueError(
                         f"{name}: {what} = {given!r}: {kind} has one column and its own step; leave {what} out"
                     )
-            found = _wrapped(name, text, *header)
+            found = _wrapped(name, text, header)
             break
     else:
         found = _table(quantity, name, text, column, step)
@@ -113,7 +119,15 @@ def parse(quantity: Quantity, name: str, path: Path, column: int | str | None, s
     return found
 
 
-Header = tuple[int, int, float, str]  # its lines, the number of samples, s between them, and their unit
+class Header(NamedTuple):
+    """What the header of a file without times says."""
+
+    lines: int
+    samples: int
+    step: float  # s between them
+    units: str
+    scale: float = 1.0  # of the numbers in the file
+    about_mean: bool = False  # whether the instrument's offset, the mean, is to be taken off
 
 
 def _at2(name: str, first: list[str]) -> Header | None:
@@ -137,7 +151,7 @@ def _at2(name: str, first: list[str]) -> Header | None:
     unit = unit_of(said.group(1).rstrip(".,")) if said else "g"
     if unit is None:
         raise ValueError(f"{name}: its header says {said and said.group(0)!r}: must be one of {ACCELERATION.choice}")
-    return head, int(count), dt, unit
+    return Header(head, int(count), dt, unit)
 
 
 def _esm(name: str, first: list[str]) -> Header | None:
@@ -161,18 +175,41 @@ def _esm(name: str, first: list[str]) -> Header | None:
     unit = unit_of(said["UNITS"]) if said.get("UNITS") else ""
     if unit is None:
         raise ValueError(f"{name}: UNITS = {said['UNITS']!r}: must be one of {ACCELERATION.choice}")
-    return head, count, dt, unit
+    return Header(head, count, dt, unit)
 
 
-def _wrapped(name: str, text: str, head: int, count: int, step: float, units: str) -> Found:
-    """Values without times, however many are on a line."""
-    values, lines = _values(name, text, head, None)
-    if values.size != count:
+def _knet(name: str, first: list[str]) -> Header | None:
+    """K-NET and KiK-net: 17 lines of key and value, then counts, of which ``Scale Factor 3920(gal)/6182761`` is one.
+
+    The instrument's offset is the mean of its counts, which "Max. Acc." in the header has been freed of.
+    """
+    keys = ("Sampling Freq(Hz)", "Duration Time(s)", "Scale Factor")
+    text = {key: line[len(key) :].strip() for line in first[:30] for key in keys if line.startswith(key)}
+    if "Scale Factor" not in text:
+        return None
+    head = next((k for k, line in enumerate(first, 1) if line.startswith("Memo")), 17)
+    numbers = re.fullmatch(r"([\d.]+)\s*\(gal\)\s*/\s*([\d.]+)", text["Scale Factor"])
+    frequency = re.match(r"[\d.]+", text.get(keys[0], ""))
+    seconds = re.match(r"[\d.]+", text.get(keys[1], ""))
+    if numbers is None or frequency is None or seconds is None:
         raise ValueError(
-            f"{name}: holds {values.size} values, but its header says {count}; is the file cut short, or another's "
-            "header on it?"
+            f"{name}: its header must say Sampling Freq(Hz), Duration Time(s), and Scale Factor as in 3920(gal)/6182761"
         )
-    return Found(step * np.arange(float(count)), values, units, lines)
+    rate, scale = float(frequency[0]), float(numbers[1]) / float(numbers[2])
+    return Header(head, round(rate * float(seconds[0])), 1.0 / rate, "cm/s2", scale, about_mean=True)
+
+
+def _wrapped(name: str, text: str, header: Header) -> Found:
+    """Values without times, however many are on a line."""
+    values, lines = _values(name, text, header.lines, None)
+    if values.size != header.samples:
+        raise ValueError(
+            f"{name}: holds {values.size} values, but its header says {header.samples}; is the file cut short, or "
+            "another's header on it?"
+        )
+    if header.about_mean:
+        values = values - np.mean(values)
+    return Found(header.step * np.arange(float(header.samples)), values * header.scale, header.units, lines)
 
 
 def _table(quantity: Quantity, name: str, text: str, column: int | str | None, step: float | None) -> Found:

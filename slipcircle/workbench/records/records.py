@@ -1,9 +1,10 @@
 """Records read from files: accelerations that shake a scene, and the pore pressure in it.
 
-Signs. A scene's ``k_h`` is the *driving* acceleration over gravity, positive down-slope. In the frame of the ground the
-mass feels the opposite of what the ground does, so that ground which accelerates down-slope, which is positive for a
-record too, drives the mass up-slope: driving = -ground. Likewise ``k_v``, which
-lightens the mass, is minus the upward acceleration of the ground. A record must therefore say what it holds.
+Signs. Positive is down-slope, whichever way the slope faces. A scene's ``k_h`` is the *driving* acceleration over
+gravity. In the frame of the ground the mass feels the opposite of what the ground does, so that ground which
+accelerates down-slope, which is positive for a record too, drives the mass up-slope: driving = -ground. Likewise
+``k_v``, which reduces the effective weight, is minus the upward acceleration of the ground. A record's file must
+therefore say what it holds; `Record` takes arrays as driving unless it is told otherwise.
 """
 
 from os import PathLike
@@ -11,9 +12,11 @@ from pathlib import Path
 from typing import Literal
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import EPS, INFINITY, Bounds, mistakes, raise_all
 from slipcircle.base.series import Floats, Series, bad_sample
+from slipcircle.core import STRONGEST
 from slipcircle.workbench.records.recordfiles import ACCELERATION, PORE_PRESSURE, UNITS, Found, Quantity, parse, unit_of
 
 _GAP = 1.5  # of an evenly sampled record's step
@@ -29,11 +32,13 @@ def read_record(
     start: float | None = None,
     gravity: float = 9.81,
     gaps: Literal["refuse", "linear"] = "refuse",
+    scaled: bool = False,
 ) -> Series:
     """An acceleration record as shaking: driving acceleration over gravity, zero before and after.
 
     Reads PEER's AT2 (NPTS and DT in the header, values in g), ESM's ASCII (SAMPLING_INTERVAL_S, NDATA and UNITS in
-    the header), and tables of numbers after any header lines: separated by commas, semicolons, tabs or blanks, with a
+    the header), K-NET's and KiK-net's ASCII (Scale Factor in the header; the mean is taken off the counts), and tables
+    of numbers after any header lines: separated by commas, semicolons, tabs or blanks, with a
     column of time and one or more of acceleration, or with a fixed ``step`` one column, or values along the lines.
     Lines that begin with #, % or ! are comments.
 
@@ -41,8 +46,8 @@ def read_record(
     ----------
     path : str or path-like
     holds : {"ground", "driving"}
-        What the file holds. Ground acceleration counts positive to the right (upwards, for a vertical record); what
-        it does to the mass is the opposite, so the values change their sign.
+        What the file holds. Positive is down-slope, whichever way the slope faces, and upwards for a vertical record;
+        what ground acceleration does to the mass is the opposite, so the values change their sign.
     units : {"g", "%g", "m/s2", "cm/s2", "gal", "mm/s2"}, optional
         Needed where the file does not say it.
     column : int or str, optional
@@ -56,6 +61,8 @@ def read_record(
         m/s^2, over which accelerations in other units than g are taken.
     gaps : {"refuse", "linear"}, optional
         What happens where samples are missing from an evenly sampled record: an error, or a straight line.
+    scaled : bool, optional
+        Whether a factor follows, so that the values may be of any size; without one they must be below 5 g.
 
     Returns
     -------
@@ -72,8 +79,83 @@ def read_record(
         )
     raise_all(str(path), mistakes({"gravity": gravity}, {"gravity": (0.0, INFINITY, "a positive number in m/s^2")}))
     found = _read(ACCELERATION, path, units, column, step, start, gaps)
-    factor = {"g": 1.0, "%g": 0.01}.get(found.units, UNITS[found.units] / gravity)
-    return Series(found.time, found.values * (-factor if holds == "ground" else factor) + 0.0, held=False)
+    if not scaled:
+        _check_unit(str(path), found.values, found.units)
+    return Series(found.time, _over_gravity(found.values, found.units, holds, gravity), held=False)
+
+
+class Record(Series):
+    """A measured acceleration of arrays or of a file, as shaking: over gravity, zero before and after.
+
+    ``Record(t, a)`` has its times, ``Record(a, dt=0.01)`` a step from 0: ``{"shaking": {"horizontal": Record(t, a)}}``.
+
+    Parameters
+    ----------
+    samples : array_like
+        Times in s and accelerations, or accelerations alone.
+    dt : float, optional
+        s between samples, in place of times.
+    units : {"g", "%g", "m/s2", "cm/s2", "gal", "mm/s2"}, optional
+    holds : {"driving", "ground"}, optional
+        Positive is down-slope, whichever way the slope faces. "driving" pushes the mass that way; "ground" is the
+        acceleration of the ground, whose opposite the mass feels.
+    gravity : float, optional
+        m/s^2, over which accelerations in other units than g are taken.
+
+    Raises
+    ------
+    ValueError
+        Says which sample or argument is wrong; for values beyond 5 g, which unit they may be in.
+    """
+
+    def __init__(
+        self,
+        *samples: ArrayLike,
+        dt: float | None = None,
+        units: str = "g",
+        holds: Literal["driving", "ground"] = "driving",
+        gravity: float = 9.81,
+    ) -> None:
+        if len(samples) != (2 if dt is None else 1):
+            raise ValueError(f"Record: has {len(samples)} arrays: give Record(t, a), or Record(a, dt=0.01)")
+        if holds not in ("ground", "driving"):
+            raise ValueError(f'Record: holds = {holds!r}: must be "driving" or "ground"')
+        unit = unit_of(str(units))
+        if unit is None:
+            raise ValueError(f"Record: units = {units!r}: must be one of {ACCELERATION.choice}")
+        given = {"gravity": gravity} if dt is None else {"gravity": gravity, "dt": dt}
+        allowed = {"gravity": "a positive number in m/s^2", "dt": "a positive time in s"}
+        raise_all("Record", mistakes(given, {n: (0.0, INFINITY, allowed[n]) for n in given}, one=given))
+        values = np.asarray(samples[-1])
+        if dt is None:
+            super().__init__(np.asarray(samples[0]), values, held=False)
+        else:
+            super().__init__(dt * np.arange(float(values.size)), values, held=False)
+        _check_unit("Record", self.values, unit)
+        object.__setattr__(self, "values", _over_gravity(self.values, unit, holds, gravity))
+
+    read = staticmethod(read_record)
+
+
+def _over_gravity(values: Floats, units: str, holds: str, gravity: float) -> Floats:
+    """Accelerations as driving ones over gravity."""
+    factor = {"g": 1.0, "%g": 0.01}.get(units, UNITS[units] / gravity)
+    return np.asarray(values * (-factor if holds == "ground" else factor) + 0.0)
+
+
+def _check_unit(name: str, values: Floats, units: str) -> None:
+    """Refuse accelerations beyond what any ground has done, and say in which unit they are below that."""
+    sizes = {unit: size or {"g": 9.81, "%g": 0.0981}[unit] for unit, size in UNITS.items()}  # m/s^2
+    most = float(np.max(np.abs(values), initial=0.0))
+    peak = most * sizes[units] / 9.81
+    if peak <= STRONGEST:
+        return
+    below = [unit for unit, size in sizes.items() if most * size / 9.81 <= STRONGEST]
+    meant = f"; was it in {max(below, key=lambda unit: sizes[unit])}" if below else "; is it unscaled"
+    raise ValueError(
+        f"{name}: its greatest value is {most:.6g} {units}, {peak:.4g} g, and no ground has shaken with more than "
+        f"{STRONGEST:g} g{meant}? Give units, or scale it"
+    )
 
 
 def read_pore_pressure(

@@ -33,7 +33,9 @@ class Critical:
     ----------
     slope : Slope
     factor_of_safety : dict
-        By method; None where a method refuses the circle.
+        By method, with the slope's k_h; None where a method refuses the circle.
+    factor_of_safety_without_k_h : dict or None
+        The same without, from which a motion starts; None where the slope has no k_h.
     centre, radius : tuple of float, float
         m.
     entry, exit : tuple of float
@@ -43,8 +45,8 @@ class Critical:
     negative : float
         Share of the arc under negative effective normal stress, by the ordinary method or by Bishop's, if greater.
     warning : str
-        That a fifth of the arc and more is under negative stress, or that the circle reaches an end of the ground,
-        beyond which a lesser factor may lie.
+        That a fifth of the arc and more is under negative stress, or that the circle reaches an end of the ground or a
+        limit of the search, beyond which a lesser factor may lie.
     method, limits : str, mapping
         Whose factor is the least, and what limited the search; empty for a circle that was given.
     tried, refused : int
@@ -63,6 +65,7 @@ class Critical:
     facing: int
     negative: float
     warning: str
+    factor_of_safety_without_k_h: dict[str, float | None] | None = None
     method: str = ""
     tried: int = 1
     refused: int = 0
@@ -81,8 +84,10 @@ class Critical:
 
     def record(self) -> dict[str, Any]:
         """For JSON, in SI units."""
+        without = self.factor_of_safety_without_k_h
         return {
             "factor_of_safety": self.factor_of_safety,
+            **({"factor_of_safety_without_k_h": without} if without else {}),
             "circle": {"centre": list(self.centre), "radius": self.radius},
             "entry": list(self.entry),
             "exit": list(self.exit),
@@ -134,7 +139,14 @@ def critical(
         at, step = search.refined(at, share * step)
     found = search.result(at[:1])
     least, deep = found.factor_of_safety[method] or np.inf, _bottomless(slope)
-    if not slope.layers and slope.friction == 0.0 and slope.base is None and entry is None and exit is None and least > deep:
+    if (
+        not slope.layers
+        and slope.friction == 0.0
+        and slope.base is None
+        and entry is None
+        and exit is None
+        and least > deep
+    ):
         raise ValueError(
             f"critical: friction = 0 without a base: the critical circle runs infinitely deep, where the "
             f"factor tends to {deep:.4g}; give the base of the soil, or where the circle comes out (exit)"
@@ -152,16 +164,27 @@ def at_circle(slope: Slope, section: Section) -> Critical:
 
 def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Critical:
     """One circle, by arrays of one."""
-    found = {
-        name: float(value[0])
-        for name, value in circle_factors(slope.arrays(), centre, radius, left, right, pieces=_PIECES).items()
-    }
+    found = _numbers(circle_factors(slope.arrays(), centre, radius, left, right, pieces=_PIECES))
+    still = slope.arrays()._replace(k_h=0.0)
+    without = _by_method(_numbers(circle_factors(still, centre, radius, left, right))) if slope.k_h else None
     middle, first, second = ((float(p[0, 0]), float(p[0, 1])) for p in (centre, left, right))
     entry, exit = (first, second) if found["facing"] >= 0.0 else (second, first)
-    by_method, negative = {m: found[m] if np.isfinite(found[m]) else None for m in METHODS}, found["negative"]
-    said = f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on the "
-    warning = f"{said}method more than on the soil" if (slope.friction or slope.layers) and negative > _SENSE else ""
-    return Critical(slope, by_method, middle, float(radius[0]), entry, exit, int(found["facing"]), negative, warning)
+    facing, negative = int(found["facing"]), found["negative"]
+    words = (
+        f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on the "
+        "method more than on the soil"
+    )
+    warning = words if (slope.friction or slope.layers) and negative > _SENSE else ""
+    size = float(radius[0])
+    return Critical(slope, _by_method(found), middle, size, entry, exit, facing, negative, warning, without)
+
+
+def _numbers(arrays: Mapping[str, Floats]) -> dict[str, float]:
+    return {name: float(values[0]) for name, values in arrays.items()}
+
+
+def _by_method(found: Mapping[str, float]) -> dict[str, float | None]:
+    return {m: found[m] if np.isfinite(found[m]) else None for m in METHODS}
 
 
 def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) -> list[str]:
@@ -212,7 +235,7 @@ def _bottomless(slope: Slope) -> float:
 def _opening_touching(left: Floats, right: Floats, edge: Floats) -> Floats:
     """Half the opening of the arc from left to right that touches the line through an edge from above, or NaN.
 
-    With the centre t above the middle of the chord, half of which is h: its distance from the line, a + b t, is the
+    With the centre t above the middle of the chord, half of which is h, its distance from the line, a + b t, is the
     radius, sqrt(h^2 + t^2).
     """
     chord, along = right - left, edge[1] - edge[0]
@@ -242,9 +265,8 @@ class Search:
         self.blur = 1e-9 * float(self.along[-1])
         self.centres: list[Floats] = []
         self.values: list[Floats] = []
-        tops = [top[0] for top in self.arrays.tops]
-        edges = [np.stack([top[:-1], top[1:]], axis=1) for top in tops] or [np.empty((0, 2, 2))]
-        self.edges = np.concatenate(edges)
+        edges = [np.stack([top[0, :-1], top[0, 1:]], axis=1) for top in self.arrays.tops]
+        self.edges = np.concatenate([np.empty((0, 2, 2)), *edges])  # of boundaries
 
     def points(self, q: Floats) -> Floats:
         """Points of the ground at lengths along it."""
@@ -255,10 +277,9 @@ class Search:
         upright = np.arctan2(right[:, 0] - left[:, 0], np.abs(right[:, 1] - left[:, 1])) * (1 - 1e-12)
         if self.slope.base is None:
             return upright
-        above = np.minimum(left[:, 1], right[:, 1]) >= self.slope.base
-        low = np.minimum(self.slope.base, np.minimum(left[:, 1], right[:, 1]))
-        centre, _ = circle_touching(left, right, low)
-        upright = np.where(above, upright, np.nan)
+        lower = np.minimum(left[:, 1], right[:, 1])
+        centre, _ = circle_touching(left, right, np.minimum(self.slope.base, lower))
+        upright = np.where(lower - self.slope.base >= -self.blur, upright, np.nan)
         between = (left[:, 0] <= centre[:, 0] + self.blur) & (centre[:, 0] - self.blur <= right[:, 0])
         a, b = (np.arctan2(np.abs(p[:, 0] - centre[:, 0]), centre[:, 1] - p[:, 1]) for p in (left, right))
         return np.where(between, np.minimum(upright, (a + b) / 2 * (1 - 1e-12)), upright)
@@ -269,11 +290,10 @@ class Search:
         half, greatest = np.hypot(*(right - left).T) / 2, self.greatest(left, right)
         opening = q[:, 2] * greatest
         for k, edge in enumerate(self.edges):
-            touching = q[:, 3] == k
-            opening[touching] = _opening_touching(left[touching], right[touching], edge)
+            touches = q[:, 3] == k
+            opening[touches] = _opening_touching(left[touches], right[touches], edge)
         valid = (opening > 0.0) & (opening <= greatest * (1 + 1e-9))
-        opening = np.where(valid, opening, 0.1)
-        centre, radius = circle_through(left, right, radius=half / np.sin(opening))
+        centre, radius = circle_through(left, right, radius=half / np.sin(np.where(valid, opening, 1.0)))
         return centre, np.where(valid, radius, np.nan), left, right
 
     def judged(self, q: Floats) -> Floats:
@@ -286,8 +306,7 @@ class Search:
         every = np.nonzero(apart)[0]
         for lanes in np.array_split(every, -(-len(every) * len(self.ground) // _SIZE) or 1):
             circle = self.laid(q[lanes])
-            with np.errstate(invalid="ignore"):
-                k = np.nonzero(self._thickness(q[lanes], *circle[:2]) >= self.depth)[0]
+            k = np.nonzero(self._thickness(q[lanes], *circle[:2]) >= self.depth)[0]
             centre, radius, left, right = (part[k] for part in circle)
             found = circle_factors(self.arrays, centre, radius, left, right, (self.method,))
             good = found[self.method] > 0.0
@@ -333,11 +352,10 @@ class Search:
         i, j, k = number[:, number[0] < number[1]]
         grids = (places, _SHARES), (np.gradient(places), np.gradient(_SHARES))
         q, wide = (np.column_stack([ends[i], ends[j], opening[k], -np.ones(len(i))]) for ends, opening in grids)
-        if len(self.edges):
-            pairs = np.flatnonzero(k == 0)
-            for number in range(len(self.edges)):
-                q = np.concatenate([q, q[pairs] * [1.0, 1.0, 1.0, 0.0] + [0.0, 0.0, 0.0, number]])
-                wide = np.concatenate([wide, wide[pairs]])
+        pairs = np.flatnonzero(k == 0)
+        for edge in range(len(self.edges)):
+            q = np.concatenate([q, np.column_stack([q[pairs, :3], np.full(len(pairs), edge)])])
+            wide = np.concatenate([wide, wide[pairs]])
         values = self.judged(q)
         order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
         if not order.size:
@@ -347,8 +365,8 @@ class Search:
         chosen: list[int] = []
         while len(chosen) < _VALLEYS and order.size:
             chosen.append(best := order[0])
-            near = np.abs(q[order, :3] - q[best, :3]) <= _APART * np.abs(wide[best, :3])
-            order = order[~np.all(near, axis=1) | (q[order, 3] != q[best, 3])]
+            near = np.all(np.abs(q[order, :3] - q[best, :3]) <= _APART * wide[best, :3], axis=1)
+            order = order[~near | (q[order, 3] != q[best, 3])]
         tell(f"{len(values)} circles; following {len(chosen)}, from {values[chosen[0]]:.4g}")
         return q[chosen], wide[chosen]
 
@@ -373,17 +391,31 @@ class Search:
     def result(self, q: Floats) -> Critical:
         """All that is said of the best circle."""
         found, values = _described(self.slope, *self.laid(q)), np.concatenate(self.values)
-        said = [found.warning] if found.warning else []
+        warnings = [found.warning] if found.warning else []
         for x in self.ground[[0, -1], 0]:
             if min(abs(found.entry[0] - x), abs(found.exit[0] - x)) < 1e3 * self.blur:
-                said.append(f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less")
+                warnings.append(f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less")
+        warnings += self._reached_limits(q, found)
         return replace(
             found,
             method=self.method,
             limits=self.ends | {"depth": self.depth},
-            warning="; ".join(said),
+            warning="; ".join(warnings),
             tried=len(values),
             refused=int(np.isnan(values).sum()),
             values=values,
             centres=np.concatenate(self.centres),
         )
+
+    def _reached_limits(self, q: Floats, found: Critical) -> list[str]:
+        """A sentence for each limit of the search that the best circle stands on."""
+        near, sentences = 1e-4 * float(self.along[-1]), []
+        for name, limit in self.ends.items():
+            x = getattr(found, name)[0]
+            if limit is not None and limit[1] > limit[0] and min(abs(x - limit[0]), abs(x - limit[1])) < near:
+                sentences.append(f"the {name} stands on a limit of the search, x = {x:.6g}; a wider one may give less")
+        if self.depth and self._thickness(q, *self.laid(q)[:2])[0] < self.depth + near:
+            sentences.append(
+                f"the mass is as thin as the search allows, {self.depth:.6g} m; a thinner one may give less"
+            )
+        return sentences

@@ -173,6 +173,17 @@ def _filled(ground: Floats, pond: float | None) -> Floats:
     return np.column_stack([whole[:, 0], np.maximum(whole[:, 1], pond)])
 
 
+def require_drive(section: Section) -> None:
+    """Raise a ValueError where gravity does not turn a single section's mass, as that over level ground."""
+    moment, area = float(section.moments["weight_moment"]), float(section.area / np.square(section.radius))
+    if abs(moment) <= 1e-9 * area:
+        left, right = sorted((float(section.entry[0]), float(section.exit[0])))
+        raise ValueError(
+            f"Section: centre: nothing drives the mass from x = {left:.6g} to {right:.6g}: it is in balance about "
+            "the centre, as below level ground; choose a circle that cuts the slope"
+        )
+
+
 def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:
     """Factors of safety of a section at the start of its motion, of one scene or of each scene of an ensemble.
 

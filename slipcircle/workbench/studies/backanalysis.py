@@ -170,10 +170,6 @@ def backanalyse(
     bounds : tuple of float, or mapping of such by field, optional
         Where to search, in the field's unit; by default a range wide enough for it.
 
-    Returns
-    -------
-    BackAnalysis
-
     Raises
     ------
     Unattainable
@@ -271,16 +267,15 @@ def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
 
 def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
     """A solution with these values: the observations have to tell the fields apart."""
-    pairs = [*zip(problem.fields, values, strict=True)]
-    si = {f.name: float(f.to_si(v)) for f, v in pairs}
+    by_key = {f.key: float(v) for f, v in zip(problem.fields, values, strict=True)}
+    si = {f.name: float(f.to_si(v)) for f, v in zip(problem.fields, values, strict=True)}
     scene = with_parameters(problem.scene, si)
     motion, (_, slopes) = solve(scene), derivatives(scene, si)
     outcomes = np.array([float(motion.outcomes[n]) for n in problem.observed])
     residuals = outcomes - problem.targets
     chi_square = float(np.sum((residuals / problem.scales) ** 2))
     sizes = np.array([abs(v) or 1.0 for v in values])
-    jacobian = np.array([[slopes[n][f.name] * f.slope(v) for f, v in pairs] for n in problem.observed])
-    jacobian = jacobian / problem.scales[:, None] * sizes  # of scaled residuals by relative changes
+    jacobian = _jacobian(problem, slopes, values) * sizes  # by relative changes
     covariance, error = None, math.inf
     if np.all(np.isfinite(jacobian)):
         _refuse_indistinct(problem, jacobian)
@@ -288,9 +283,15 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
         numerical = motion.error_estimate * np.abs(outcomes) / problem.scales
         error = float(max(np.max(np.abs(inverse) @ numerical), EPS))
         covariance = _covariance(problem, inverse * sizes[:, None], chi_square)
-    by_key = {f.key: float(v) for f, v in pairs}
     missed = dict(zip(problem.observed, residuals.tolist(), strict=True))
     return Solution(by_key, motion, missed, covariance, error, chi_square)
+
+
+def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -> Floats:
+    """Derivatives of the scaled residuals by the fields in their units, from those of all outcomes in SI units."""
+    rows = [[*OUTCOMES].index(n) for n in problem.observed]
+    per_key = [f.slope(v) for f, v in zip(problem.fields, values, strict=True)]
+    return np.asarray(slopes[rows] / problem.scales[:, None] * np.array(per_key))
 
 
 def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> Floats | None:

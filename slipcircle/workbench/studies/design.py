@@ -19,7 +19,8 @@ from slipcircle.workbench.stability.stability import METHODS as STABILITY_METHOD
 from slipcircle.workbench.stability.stability import factors_of_safety, soil
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.sampling import latin, monte_carlo, sobol
-from slipcircle.workbench.studies.statistics import bins, moments, sums
+from slipcircle.workbench.studies.statistics import sums
+from slipcircle.workbench.studies.tally import counted
 
 Floats = NDArray[np.float64]
 Result = dict[str, NDArray[Any]]
@@ -151,11 +152,7 @@ def run_block(design: Design, index: int) -> Result:
     valid, status = ~np.isnan(solved.moves), solved.motion.status
     result: Result = {"status": np.bincount(status, minlength=len(Status))}
     for name, outcome in solved.outcomes.items():
-        of_scenes = outcome[valid]
-        finite = of_scenes[of_scenes < np.inf]
-        result[f"{name}.bins"], result[f"{name}.counts"] = np.unique(bins(of_scenes), return_counts=True)
-        result[f"{name}.moments"] = moments(finite)
-        result[f"{name}.ends"] = np.array([finite.min(initial=np.inf), finite.max(initial=-np.inf)])
+        result |= {f"{name}.{part}": value for part, value in counted(outcome[valid]).items()}
     for method, factor in _factors(solved.motion).items() if design.drawn else ():
         of_scenes = factor[valid]
         result[f"factor.{method}"] = np.array([np.sum(of_scenes < 1.0), np.sum(np.isnan(of_scenes))])

@@ -26,7 +26,8 @@ from slipcircle.workbench.studies.study import Study
 _KEEP = 2**20  # samples up to which they are kept by default
 _BASE = 2**14
 _MOST_GRID = 2**26
-_MOST = 10**12
+_MOST, _MOST_BASE = 10**12, 2**22
+_OF_ARRAYS = "a scene of arrays is solved as it is: use solve"
 _OUTSIDE = 1e-4  # of a distribution, that may lie out of a number's bounds; such samples are counted apart
 
 
@@ -84,117 +85,79 @@ def ensemble(
 
     Parameters
     ----------
-    scene : Scene
-        With ``uncertain`` numbers, of which the others are none; independent but for ``correlation``.
-    n : int
-        How many samples.
+    scene, n : Scene and int
+        With ``uncertain`` numbers, independent but for ``correlation``; how many samples.
     rng : int, SeedSequence or Generator, optional
         The seed, or what one is drawn from; the same seed gives the same bits with any executor.
     executor : concurrent.futures.Executor or dask.distributed.Client, optional
         Where blocks are computed; by default in threads, one for each processor.
     method : str, optional
-        "monte-carlo"; "sobol": 16 independently scrambled sequences, whose spread gives the intervals, best for n of 16
-        times a power of two; or "latin-hypercube", in memory, whose intervals are those of Monte Carlo: too wide.
+        "monte-carlo"; "sobol": 16 independently scrambled sequences, whose spread gives the intervals; or
+        "latin-hypercube", in memory, whose intervals are those of Monte Carlo: too wide.
     sensitivity : int, optional
-        Base points of the sensitivity indices, each of which takes the number of inputs and 2 more scenes; by default
-        16384, n if that is fewer, and 0 where there is one input.
-    keep : bool, optional
-        Whether to keep the samples, by default up to 2**20 of them. Otherwise they are counted in bins of a relative
-        width of 1/1024, and a million or a hundred million take the same memory.
-    size : int, optional
-        Samples of a block, a power of two; by default so that there are eight blocks at least, which show how the
-        results converge, and up to 16384, 65536 beyond 2**22 samples, and 262144 beyond 2**28, where many machines may
-        work and each block costs the scheduler some milliseconds. Few where each scene costs as much.
-    confidence : float, optional
-        Of all intervals.
-    accuracy : float, optional
-        Relative error asked for of each solution; by default the scene's own, or 1e-9.
-    folder : path, optional
-        Where finished blocks are kept, and found by a later call that continues.
-    progress : stream, optional
-        Where to tell the rate and the time left.
+        Base points of the sensitivity indices, of as many scenes each as there are inputs and 2; at most 16384 and n.
+    keep, size : bool and int, optional
+        Whether to keep the samples, by default up to 2**20, or to count them in bins, 1/1024 wide; samples of a block,
+        a power of two, by default so that there are eight blocks at least.
+    confidence, accuracy : float, optional
+        Of all intervals; relative error asked for of each solution, by default the scene's own, or 1e-9.
+    folder, progress : path and stream, optional
+        Where finished blocks are kept, and found by a later call that continues; where the rate is shown.
     correlation : mapping, optional
-        Of the normal scores of two uncertain numbers (a Gaussian copula), by their keys: ``{("friction.angle_deg",
-        "cohesion.cohesion_kPa"): -0.5}``. Sensitivity indices are of independent inputs, and there are none then.
-
-    Raises
-    ------
-    ValueError
-        If no number is uncertain, if the scene is of arrays, or for a folder that holds another study.
+        Of the normal scores of two uncertain numbers (a Gaussian copula), by a pair of their keys.
 
     Examples
     --------
-    >>> from slipcircle import ensemble, load
     >>> from dataclasses import replace
-    >>> angle = {"distribution": "normal", "mean": 10, "std": 1}
-    >>> found = ensemble(replace(load("vaiont"), uncertain={"friction.angle_deg": angle}), 1000, rng=1)
-    >>> found.moving.value
+    >>> from slipcircle import ensemble, load
+    >>> angle = {"friction.angle_deg": {"distribution": "normal", "mean": 10, "std": 1}}
+    >>> ensemble(replace(load("vaiont"), uncertain=angle), 1000, rng=1).moving.value
     1.0
     """
-    plain = checked(scene, "ensemble").shape == ()
-    within = _whole(n) and 1 <= n <= _MOST
-    raise_all(
-        "ensemble",
-        [
-            said
-            for right, said in (
-                (plain, "a scene of arrays is solved as it is: use solve"),
-                (
-                    scene.uncertain,
-                    "no number is uncertain: give Scene(uncertain=...), --uncertain, or a distribution in its file",
-                ),
-                (within, f"n = {n!r}: must be a whole number of samples, from 1 to {_MOST:.0e}"),
-                (
-                    method != "latin-hypercube" or not within or n <= MOST_LATIN,
-                    f"n = {n}: a Latin hypercube is held in memory, so {MOST_LATIN} at most; take method='sobol'",
-                ),
-                (method in METHODS, f"method = {method!r}: must be one of {', '.join(METHODS)}"),
-                (
-                    isinstance(confidence, float) and 0.0 < confidence < 1.0,
-                    f"confidence = {confidence!r}: must be between 0 and 1",
-                ),
-                (
-                    size is None or (_whole(size) and size >= 4 and not size & (size - 1)),
-                    f"size = {size!r}: must be a power of two, 4 at least",
-                ),
-                (
-                    sensitivity is None or (_whole(sensitivity) and 0 <= sensitivity <= 2**22 and sensitivity != 1),
-                    f"sensitivity = {sensitivity!r}: must be 0, or 2 to {2**22} base points",
-                ),
-                (
-                    isinstance(correlation, Mapping | None),
-                    f"correlation = {correlation!r}: must be a mapping from pairs of keys to numbers",
-                ),
-                (
-                    not correlation or not sensitivity,
-                    "sensitivity indices are of independent inputs; leave out correlation or sensitivity",
-                ),
-            )
-            if not right
-        ],
-    )
+    mistakes = _setting_mistakes({"n": n, "method": method, "size": size, "confidence": confidence})
+    raise_all("ensemble", _scene_mistakes(scene) + mistakes + _sensitivity_mistakes(sensitivity, correlation))
     seed, n, drawn = _seed(rng, folder), int(n), uncertain_numbers(scene)
     raise_all("ensemble", _truncated(drawn))
-    scene = along_means(scene)
-    matrix = _correlation(drawn, correlation or {})
-    base = sensitivity
-    if base is None:
-        base = min(_BASE, n) if len(drawn) > 1 and n > 1 and not correlation else 0
-    design = Design(
-        scene,
-        plan(scene, accuracy).accuracy,
-        {k: u.number for k, u in drawn.items()},
-        drawn,
-        (),
-        method,
-        n,
-        base,
-        n <= _KEEP if keep is None else keep,
-        matrix,
-        seed,
-        size or _size(n, method),
-    )
+    scene, matrix = along_means(scene), _correlation(drawn, correlation or {})
+    if sensitivity is None:
+        sensitivity = min(_BASE, n) if len(drawn) > 1 and n > 1 and not correlation else 0
+    keep, size = n <= _KEEP if keep is None else keep, size or _size(n, method)
+    inputs, accuracy = {k: u.number for k, u in drawn.items()}, plan(scene, accuracy).accuracy
+    design = Design(scene, accuracy, inputs, drawn, (), method, n, sensitivity, keep, matrix, seed, size)
     return conduct(design, executor, confidence, folder, progress)
+
+
+def _scene_mistakes(scene: Scene) -> list[str]:
+    mistakes = [_OF_ARRAYS] if checked(scene, "ensemble").shape else []
+    if not scene.uncertain:
+        mistakes.append("no number is uncertain: give Scene(uncertain=...), --uncertain, or a distribution in its file")
+    return mistakes
+
+
+def _setting_mistakes(given: Mapping[str, Any]) -> list[str]:
+    """A sentence for each setting out of bounds."""
+    n, size, confidence = given["n"], given["size"], given["confidence"]
+    allowed = {
+        "n": (_whole(n) and 1 <= n <= _MOST, f"a whole number of samples, from 1 to {_MOST:.0e}"),
+        "method": (given["method"] in METHODS, f"one of {', '.join(METHODS)}"),
+        "confidence": (isinstance(confidence, float) and 0.0 < confidence < 1.0, "between 0 and 1"),
+        "size": (size is None or (_whole(size) and size >= 4 and not size & (size - 1)), "a power of two, 4 at least"),
+    }
+    mistakes = [f"{name} = {given[name]!r}: must be {rule}" for name, (holds, rule) in allowed.items() if not holds]
+    if given["method"] == "latin-hypercube" and allowed["n"][0] and n > MOST_LATIN:
+        mistakes.append(f"n = {n}: a Latin hypercube is held in memory, so {MOST_LATIN} at most; take method='sobol'")
+    return mistakes
+
+
+def _sensitivity_mistakes(points: Any, correlation: Any) -> list[str]:
+    mistakes = []
+    if points is not None and not (_whole(points) and 0 <= points <= _MOST_BASE and points != 1):
+        mistakes.append(f"sensitivity = {points!r}: must be 0, or 2 to {_MOST_BASE} base points")
+    if not isinstance(correlation, Mapping | None):
+        mistakes.append(f"correlation = {correlation!r}: must be a mapping from pairs of keys to numbers")
+    if correlation and points:
+        mistakes.append("sensitivity indices are of independent inputs; leave out correlation or sensitivity")
+    return mistakes
 
 
 def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
@@ -213,20 +176,23 @@ def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
 
 def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> NDArray[np.float64]:
     """Of all inputs, from pairs of their keys or names."""
-    names, keys = [*drawn], [u.key for u in drawn.values()]
-    known, found, said = [*keys, *names], np.eye(len(drawn)), list[str]()
+    known = [*(u.key for u in drawn.values()), *drawn]
+    matrix, mistakes = np.eye(len(drawn)), list[str]()
     for pair, value in given.items():
-        at = [known.index(k) % len(drawn) for k in pair if k in known]
+        places = {known.index(k) % len(drawn) for k in pair if k in known}
         if unknown := [k for k in pair if k not in known]:
-            said.append(f"correlation: {', '.join(unknown)} is not uncertain; known are {', '.join(known)}")
-        elif len(at) != 2 or at[0] == at[1] or not -1.0 < value < 1.0:
-            said.append(f"correlation of {' and '.join(pair)} = {value!r}: must be between -1 and 1, of two numbers")
+            mistakes.append(f"correlation: {', '.join(unknown)} is not uncertain; known are {', '.join(known)}")
+        elif len(pair) != 2 or len(places) != 2 or not -1.0 < value < 1.0:
+            mistakes.append(
+                f"correlation of {' and '.join(pair)} = {value!r}: must be between -1 and 1, of two numbers"
+            )
         else:
-            found[at, at[::-1]] = value
-    raise_all("ensemble", said)
-    if np.linalg.eigvalsh(found)[0] <= 1e-12:
+            one, other = places
+            matrix[one, other] = matrix[other, one] = value
+    raise_all("ensemble", mistakes)
+    if np.linalg.eigvalsh(matrix)[0] <= 1e-12:
         raise ValueError("ensemble: correlation: these do not go together: no numbers have all of them")
-    return found
+    return matrix
 
 
 def _size(n: int, method: str) -> int:
@@ -258,42 +224,36 @@ def grid(
     checked(scene, "grid")
     if not isinstance(levels, Mapping):
         raise ValueError(f"grid: levels = {levels!r}: must be a mapping from keys to lists of numbers")
+    found = [] if levels else ["no values are given"]
     inputs: dict[str, Number] = {}
-    said = ["a scene of arrays is solved as it is: use solve"] if scene.shape else []
     for path, values in levels.items():
         try:
-            number = number_in(scene, path)
+            number = _varied(scene, path, values)
+            if number.name in inputs:
+                raise ValueError(f"{path}: {inputs[number.name].key} says the same")
+            inputs[number.name] = number
         except ValueError as error:
-            said.append(str(error))
-            continue
-        if parameter_value(scene, number.name) is None:
-            has = listed([by_name(scene)[n].key for n in scene.numbers])
-            said.append(f"{path}: the scene has no value of it to vary; it has {has}")
-        elif number.name in inputs:
-            said.append(f"{path}: {inputs[number.name].key} says the same")
-        elif np.ndim(values) != 1 or mistakes({path: values}, {path: (-INFINITY, INFINITY, "")}) or not np.size(values):
-            said.append(f"{path}: must be a list of numbers")
-        inputs[number.name] = number
-    n = math.prod(np.size(x) for x in levels.values())
+            found.append(str(error))
+    n = math.prod(np.size(values) for values in levels.values())
     if n > _MOST_GRID:
-        said.append(f"{n} combinations: they are held in memory, so {_MOST_GRID} at most; draw samples instead")
-    raise_all("grid", said if levels else ["no values are given"])
-    axes = tuple(np.asarray(v, dtype=np.float64) for v in levels.values())
-    design = Design(
-        scene,
-        plan(scene, accuracy).accuracy,
-        inputs,
-        {},
-        axes,
-        "grid",
-        n,
-        0,
-        True,
-        np.eye(len(inputs)),
-        0,
-        _size(n, "grid"),
-    )
+        found.append(f"{n} combinations: they are held in memory, so {_MOST_GRID} at most; draw samples instead")
+    raise_all("grid", ([_OF_ARRAYS] if scene.shape else []) + found)
+    axes = tuple(np.asarray(values, dtype=np.float64) for values in levels.values())
+    accuracy, independent = plan(scene, accuracy).accuracy, np.eye(len(inputs))
+    design = Design(scene, accuracy, inputs, {}, axes, "grid", n, 0, True, independent, 0, _size(n, "grid"))
     return conduct(design, executor, 0.95, folder, progress)
+
+
+def _varied(scene: Scene, path: str, values: Any) -> Number:
+    """The number of a scene that takes the values of a list."""
+    number = number_in(scene, path)
+    if parameter_value(scene, number.name) is None:
+        keys = by_name(scene)
+        has = listed([keys[name].key for name in scene.numbers])
+        raise ValueError(f"{path}: the scene has no value of it to vary; it has {has}")
+    if np.ndim(values) != 1 or mistakes({path: values}, {path: (-INFINITY, INFINITY, "")}) or not np.size(values):
+        raise ValueError(f"{path}: must be a list of numbers")
+    return number
 
 
 def conduct(

@@ -29,6 +29,9 @@ class Row(NamedTuple):
     estimate: Estimate
 
 
+_Groups = dict[tuple[str, str], list[Row]]
+
+
 def estimates(study: Any) -> Iterator[Row]:
     """Every estimate of a study."""
     yield Row("probability of moving", "moves", "", math.nan, study.moving)
@@ -51,15 +54,15 @@ def estimates(study: Any) -> Iterator[Row]:
     for c in study.convergence:
         yield Row("moving after n", "moves", "", c.n, c.moving)
         yield Row("median after n", "reach", "", c.n, c.median)
-        yield Row("95 % quantile after n", "reach", "", c.n, c.upper)
+        yield Row("quantile 0.95 after n", "reach", "", c.n, c.upper)
 
 
-def _grouped(study: Any) -> dict[tuple[str, str], list[Row]]:
+def _grouped(study: Any) -> _Groups:
     """The same by table and output; a pair that there is none of is not among them."""
-    found = dict[tuple[str, str], list[Row]]()
+    groups: _Groups = {}
     for row in estimates(study):
-        found.setdefault((row.table, row.output), []).append(row)
-    return found
+        groups.setdefault((row.table, row.output), []).append(row)
+    return groups
 
 
 def rows(study: Any) -> list[list[Any]]:
@@ -70,26 +73,7 @@ def rows(study: Any) -> list[list[Any]]:
 def record(study: Any) -> dict[str, Any]:
     """As JSON holds it: SI units but for inputs."""
     design, groups = study.design, _grouped(study)
-    outputs = {}
-    for name, quantity in OUTCOMES.items():
-        outputs[name] = {
-            "unit": quantity.unit,
-            "mean": _record(groups["mean", name][0]),
-            "std": _record(groups["std", name][0]),
-            "linear": study.linear[name]._asdict() if name in study.linear else None,
-            "quantiles": [{"p": row.at} | _record(row) for row in groups["quantile", name]],
-            "exceedance": [_record(row, "at", "probability") for row in groups.get(("exceedance", name), ())],
-        }
-    indices = [
-        {"output": output, "input": first.input, "first": _record(first), "total": _record(total)}
-        for output in study.sensitivity
-        for first, total in zip(groups["first-order index", output], groups["total index", output], strict=True)
-    ]
-    after = [groups.get(group, []) for group in _CONVERGENCE.values()]
-    convergence = [
-        {"n": row[0].at} | {name: _record(r) for name, r in zip(_CONVERGENCE, row, strict=True)}
-        for row in zip(*after, strict=True)
-    ]
+    failure = groups.get(("probability of failure", "factor_of_safety"), ())
     return {
         "scene": study.scene.name,
         "inputs": [u.record for u in design.drawn.values()],
@@ -103,57 +87,51 @@ def record(study: Any) -> dict[str, Any]:
         "confidence": study.confidence,
         "bin_error": 0.0 if study.samples else BIN_ERROR,
         "status": {s.name: int(study.counts[s]) for s in Status},
-        "moving": _record(groups["probability of moving", "moves"][0]),
-        "probability_of_failure": {
-            row.input: _record(row) for row in groups.get(("probability of failure", "factor_of_safety"), ())
-        },
-        "outputs": outputs,
+        "moving": _record(study.moving),
+        "probability_of_failure": {row.input: _record(row.estimate) for row in failure},
+        "outputs": {name: _output(study, groups, name) for name in OUTCOMES},
         "no_linear": study.no_linear or None,
         "sensitivity_base": design.base,
-        "sensitivity": indices,
-        "convergence": convergence,
+        "sensitivity": [
+            {"output": output, "input": first.input, "first": _record(first.estimate), "total": _record(total.estimate)}
+            for output in study.sensitivity
+            for first, total in zip(groups["first-order index", output], groups["total index", output], strict=True)
+        ],
+        "convergence": [
+            {"n": c.n, "moving": _record(c.moving), "reach_median": _record(c.median), "reach_95": _record(c.upper)}
+            for c in study.convergence
+        ],
         "warnings": study.warnings,
     }
 
 
-_CONVERGENCE = {  # the key in JSON of each table over the number of samples
-    "moving": ("moving after n", "moves"),
-    "reach_median": ("median after n", "reach"),
-    "reach_95": ("95 % quantile after n", "reach"),
-}
+def _output(study: Any, groups: _Groups, name: str) -> dict[str, Any]:
+    """The statistics of one output, as JSON holds them."""
+    exceedance = groups.get(("exceedance", name), ())
+    return {
+        "unit": OUTCOMES[name].unit,
+        "mean": _record(groups["mean", name][0].estimate),
+        "std": _record(groups["std", name][0].estimate),
+        "linear": study.linear[name]._asdict() if name in study.linear else None,
+        "quantiles": [{"p": row.at} | _record(row.estimate) for row in groups["quantile", name]],
+        "exceedance": [{"at": row.at} | _record(row.estimate, "probability") for row in exceedance],
+    }
 
 
 def arrays(study: Any) -> dict[str, NDArray[Any]]:
-    """Everything as arrays by name: quantiles and curves as rows of (at, value, low, high), bins, samples.
-
-    Means, standard deviations and probabilities as (value, low, high), the linear ones as (mean, standard deviation).
-    """
-    groups = _grouped(study)
-    named: dict[str, NDArray[Any]] = {"status_counts": study.counts, "moving": np.array(study.moving)}
-    named |= {f"failure_{method}": np.array(estimate) for method, estimate in study.failure.items()}
-    for name in OUTCOMES:
-        for statistic in ("mean", "std"):
-            named[f"{name}_{statistic}"] = np.array(groups[statistic, name][0].estimate)
-        if name in study.linear:
-            named[f"{name}_linear"] = np.array(study.linear[name])
-        named[f"{name}_quantiles"] = _curve(groups["quantile", name])
-        named[f"{name}_exceedance"] = _curve(groups.get(("exceedance", name), []))
-        named[f"{name}_bins"] = study.bins(name)
-    for output, indices in study.sensitivity.items():
-        named[f"{output}_first_order"], named[f"{output}_total"] = np.array(indices.first), np.array(indices.total)
+    """Everything as arrays by name: of each table and output rows of (at, value, low, high); bins, counts, samples."""
+    named: dict[str, NDArray[Any]] = {"status_counts": study.counts}
+    for (table, output), rows in _grouped(study).items():
+        name = f"{output}_{table}".replace(" ", "_").replace("-", "_")
+        named[name] = np.array([(row.at, *row.estimate) for row in rows])
+    named |= {f"{name}_bins": study.bins(name) for name in OUTCOMES}
     named["inputs"] = np.array([u.key for u in study.design.inputs.values()])
-    named["convergence"] = np.array([(c.n, *c.moving, *c.median, *c.upper) for c in study.convergence])
     return named | {f"sample_{k}": v for k, v in study.samples.items()}
 
 
-def _curve(rows: list[Row]) -> NDArray[np.float64]:
-    return np.array([(row.at, *row.estimate) for row in rows]).reshape(-1, 4)
-
-
-def _record(row: Row, at: str = "", value: str = "value") -> dict[str, Any]:
-    """An estimate as JSON holds it, with the place that it is of where that has a name."""
-    place = {at: row.at} if at else {}
-    return place | dict(zip((value, "low", "high"), map(_cell, row.estimate), strict=True))
+def _record(estimate: Estimate, value: str = "value") -> dict[str, Any]:
+    """An estimate as JSON holds it."""
+    return dict(zip((value, "low", "high"), map(_cell, estimate), strict=True))
 
 
 def _cell(value: float) -> float | str | None:

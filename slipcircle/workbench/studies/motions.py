@@ -21,31 +21,45 @@ def motions(scene: Scene, values: Mapping[str, Any], accuracy: float | None = No
         return solve(many, accuracy, invalid=invalid)
 
 
-def derivatives(
-    scene: Scene, at: Mapping[str, float], accuracy: float | None = None
-) -> tuple[dict[str, float], dict[str, dict[str, float]]]:
-    """Outcomes of a scene, and their derivatives by its numbers, SI: by outcome, by number.
+def derivatives(scene: Scene, at: Mapping[str, float], accuracy: float | None = None) -> tuple[Floats, Floats]:
+    """Outcomes of a scene, and their derivatives by its numbers, SI: (outcomes,) and (outcomes, numbers).
 
     Differences of four values beside each, or of two to one side where the motion is of another kind on the other, as
     at the end of what a value may be; NaN where it is on both, as next to where it begins to move.
     """
-    own = dict.fromkeys(lengths(scene.arc), float(scene.arc.depth))
-    own |= dict.fromkeys(("theta_1", "theta_2", "dip"), float(scene.arc.half_angle))
-    sizes = np.array([own.get(n, abs(v)) or 1.0 for n, v in at.items()])
+    sizes = _sizes(scene, at)
     slopes = np.full((len(OUTCOMES), len(at)), np.nan)
     for share in _STEPS:
-        values = np.tile(np.array([*at.values()])[:, None], (1, 1 + 4 * len(at)))
-        for k, step in enumerate(share * sizes):
-            values[k, 1 + 4 * k : 5 + 4 * k] += step * np.array([1.0, 2.0, -1.0, -2.0])
-        motion = motions(scene, dict(zip(at, values, strict=True)), min(accuracy or _FINE, _FINE))
-        same = (motion.status == motion.status[0]) & (motion.turnings == motion.turnings[0])
-        y = np.stack([motion.outcomes[n] for n in OUTCOMES])
-        off = np.where(same, y - y[:, :1], np.nan)[:, 1:].reshape(len(OUTCOMES), len(at), 4)
-        right, right_2, left, left_2 = np.moveaxis(off, 2, 0)
-        both = (8 * (right - left) - (right_2 - left_2)) / 12
-        for change in (both, (4 * right - right_2) / 2, (left_2 - 4 * left) / 2):
+        outcomes, changes = _changes(scene, at, share * sizes, min(accuracy or _FINE, _FINE))
+        ahead, ahead_2, behind, behind_2 = np.moveaxis(changes, 2, 0)
+        central = (8 * (ahead - behind) - (ahead_2 - behind_2)) / 12
+        for change in (central, (4 * ahead - ahead_2) / 2, (behind_2 - 4 * behind) / 2):
             slopes = np.where(np.isfinite(slopes), slopes, change / (share * sizes))
         if np.all(np.isfinite(slopes)):
             break
-    told = {n: dict(zip(at, row, strict=True)) for n, row in zip(OUTCOMES, slopes.tolist(), strict=True)}
-    return {n: float(motion.outcomes[n][0]) for n in OUTCOMES}, told
+    return outcomes, slopes
+
+
+def _sizes(scene: Scene, at: Mapping[str, float]) -> Floats:
+    """What steps are relative to: of places on a section its depth, of angles of an arc half of it, else the value."""
+    depth, half_angle = float(scene.arc.depth), float(scene.arc.half_angle)
+    of_arc = dict.fromkeys(lengths(scene.arc), depth) | dict.fromkeys(("theta_1", "theta_2", "dip"), half_angle)
+    return np.array([of_arc.get(n, abs(v)) or 1.0 for n, v in at.items()])
+
+
+def _changes(scene: Scene, at: Mapping[str, float], steps: Floats, accuracy: float) -> tuple[Floats, Floats]:
+    """Outcomes, and their changes with each number one and two steps ahead and behind, (outcomes, numbers, 4).
+
+    NaN where the motion is of another kind.
+    """
+    offsets = np.array([1.0, 2.0, -1.0, -2.0])
+    count = len(at) * offsets.size
+    values = np.tile(np.array([*at.values()])[:, None], (1, 1 + count))
+    for k, step in enumerate(steps):
+        first = 1 + k * offsets.size
+        values[k, first : first + offsets.size] += step * offsets
+    motion = motions(scene, dict(zip(at, values, strict=True)), accuracy)
+    same_kind = (motion.status == motion.status[0]) & (motion.turnings == motion.turnings[0])
+    outcomes = np.stack([motion.outcomes[n] for n in OUTCOMES])
+    changes = np.where(same_kind, outcomes - outcomes[:, :1], np.nan)[:, 1:]
+    return outcomes[:, 0], changes.reshape(len(OUTCOMES), len(at), offsets.size)

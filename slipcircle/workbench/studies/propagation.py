@@ -16,8 +16,8 @@ from slipcircle.workbench.studies.design import Design
 from slipcircle.workbench.studies.motions import derivatives
 from slipcircle.workbench.studies.statistics import Spread
 
-# Shares of the samples' standard deviation, and standard errors of theirs, up to which a difference is not told. What
-# is of second order moves the mean first, and little to what the mean is used for.
+# Shares of the samples' standard deviation, and standard errors of theirs, up to which there is no warning. What is of
+# second order moves the mean first, and little to what the mean is used for.
 _MEAN, _STD, _ERRORS = 0.25, 0.1, 3.0
 
 
@@ -38,30 +38,31 @@ def propagated(design: Design) -> dict[str, Linear]:
     """
     if not design.drawn:
         raise ValueError("values on a grid have no distribution")
-    known = {n: u.moments for n, u in design.drawn.items()}
-    if wrong := [design.inputs[n].key for n, (mean, std) in known.items() if not math.isfinite(mean + std)]:
-        raise ValueError(f"{', '.join(wrong)}: has no finite mean and standard deviation")
-    means = {n: float(design.inputs[n].to_si(mean)) for n, (mean, _) in known.items()}
-    at, slopes = derivatives(with_parameters(design.scene, means), means, design.accuracy)
-    if wrong := [design.inputs[n].key for n in means if not all(math.isfinite(s[n]) for s in slopes.values())]:
-        raise ValueError(f"{', '.join(wrong)}: the motion at the means has no derivative by it")
-    steps = {n: design.inputs[n].slope(mean) * std for n, (mean, std) in known.items()}  # of a standard deviation, SI
-    found = {}
-    for outcome, by in slopes.items():
-        shares = np.array([by[n] * step for n, step in steps.items()])
-        variance = float(shares @ design.correlation @ shares)
-        found[outcome] = Linear(abs(at[outcome]), math.sqrt(max(variance, 0.0)))
-    return found
+    moments = {n: u.moments for n, u in design.drawn.items()}
+    if unbounded := [design.inputs[n].key for n, (mean, std) in moments.items() if not math.isfinite(mean + std)]:
+        raise ValueError(f"{', '.join(unbounded)}: has no finite mean and standard deviation")
+    means = {n: float(design.inputs[n].to_si(mean)) for n, (mean, _) in moments.items()}
+    stds = np.array([design.inputs[n].slope(mean) * std for n, (mean, std) in moments.items()])  # SI
+    outcomes, slopes = derivatives(with_parameters(design.scene, means), means, design.accuracy)
+    without = [design.inputs[n].key for n, by in zip(means, slopes.T, strict=True) if not np.isfinite(by).all()]
+    if without:
+        raise ValueError(f"{', '.join(without)}: the motion at the means has no derivative by it")
+    changes = slopes * stds
+    variances = np.einsum("oi,ij,oj->o", changes, design.correlation, changes)
+    spreads = zip(np.abs(outcomes), np.sqrt(np.maximum(variances, 0.0)), strict=True)
+    return {name: Linear(float(mean), float(std)) for name, (mean, std) in zip(OUTCOMES, spreads, strict=True)}
 
 
 def disagreement(output: str, linear: Linear, sampled: Spread, accuracy: float) -> str:
-    """What to say where they differ by more than a share of the spread and by more than chance; empty elsewhere."""
-    said, unit, few = [], OUTCOMES[output].unit, accuracy * abs(sampled.mean)
-    pairs = (
+    """A sentence where they differ by more than a share of the spread and by more than chance; empty elsewhere."""
+    differences, unit = [], OUTCOMES[output].unit
+    for name, one, other, error, share in (
         ("mean", linear.mean, sampled.mean, sampled.mean_error, _MEAN),
         ("standard deviation", linear.std, sampled.std, sampled.std_error, _STD),
-    )
-    for what, here, there, error, share in pairs:
-        if abs(here - there) > max(share * sampled.std, _ERRORS * error, few):
-            said.append(f"a {what} of {here:.4g} {unit}, the samples {there:.4g} +- {error:.2g}")
-    return f"{words(output)}: linear propagation gives {' and '.join(said)}: trust the samples" if said else ""
+    ):
+        numerical = accuracy * abs(sampled.mean)
+        if abs(one - other) > max(share * sampled.std, _ERRORS * error, numerical):
+            differences.append(f"a {name} of {one:.4g} {unit}, the samples {other:.4g} +- {error:.2g}")
+    if not differences:
+        return ""
+    return f"{words(output)}: linear propagation gives {' and '.join(differences)}: trust the samples"

@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
 from slipcircle.workbench.studies.problem import Floats, Kinds, SearchProblem
@@ -59,11 +60,15 @@ def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) ->
         reachable = _STEEP * np.minimum(relative_width, 1.0) * target
         is_near = np.fmin(size[:, :-1], size[:, 1:]) <= reachable
         passes = opposite_sign | ((kind[:, :-1] != kind[:, 1:]) & is_near)
-        before, here, after = size[:, :-2], size[:, 1:-1], size[:, 2:]
-        is_dip = (here <= np.fmin(before, after)) & (2 * here <= np.fmax(before, after))
-        turns_back = is_dip & same_sign[:, :-1] & same_sign[:, 1:]
+        turns_back = _is_dip(size) & same_sign[:, :-1] & same_sign[:, 1:]
     starts = np.concatenate([left[passes], x[:, :-2][turns_back]])
     return starts, np.concatenate([right[passes], x[:, 2:][turns_back]])
+
+
+def _is_dip(size: Floats) -> NDArray[np.bool_]:
+    """Whether values within rows are less than both their neighbours, and than half of one."""
+    before, here, after = size[:, :-2], size[:, 1:-1], size[:, 2:]
+    return (here <= np.fmin(before, after)) & (2 * here <= np.fmax(before, after))
 
 
 def extreme(problem: SearchProblem, sign: float) -> float:

@@ -22,23 +22,18 @@ from slipcircle.workbench.studies.design import NO_RESULT, Design, Result
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.propagation import Linear, disagreement, propagated
 from slipcircle.workbench.studies.statistics import (
-    BINS,
     NOT_GIVEN,
     Estimate,
     Indices,
     Spread,
-    edges,
-    histogram_quantile,
     indices,
-    pooled,
     proportion,
     ranks,
-    spread,
-    standard_error,
     student,
     value_text,
     width,
 )
+from slipcircle.workbench.studies.tally import Tally
 
 Floats = NDArray[np.float64]
 
@@ -85,16 +80,18 @@ class Study:
         self.samples: Mapping[str, NDArray[Any]] = {}
         replicates = design.replicates
         self._counts = np.zeros((replicates, len(Status)), np.int64)
-        self._histograms = {n: np.zeros((replicates, BINS), np.int64) for n in OUTCOMES}
-        self._moments = {n: np.zeros((replicates, 5)) for n in OUTCOMES}
-        self._ends = dict.fromkeys(OUTCOMES, (math.inf, -math.inf))
+        self._tallies = {name: Tally(replicates) for name in OUTCOMES}
         self._failing: dict[str, NDArray[np.int64]] = {}
+        self._add_all(results)
+
+    def _add_all(self, results: Iterable[Result]) -> None:
+        """Add all blocks up, those of samples first."""
         samples, sums = dict[str, list[NDArray[Any]]](), list[Floats]()
         for index, result in enumerate(results):
-            if index >= design.sample_blocks:
+            if index >= self.design.sample_blocks:
                 sums.append(result["sums"])
                 continue
-            self._add(index % replicates, result)
+            self._add(index % self.design.replicates, result)
             for name, values in result.items():
                 if name.startswith("sample."):
                     samples.setdefault(name.removeprefix("sample."), []).append(values)
@@ -107,12 +104,8 @@ class Study:
     def _add(self, replicate: int, result: Result) -> None:
         """Add a block up."""
         self._counts[replicate] += result["status"]
-        for name in OUTCOMES:
-            self._histograms[name][replicate, result[f"{name}.bins"]] += result[f"{name}.counts"]
-            both = np.stack([self._moments[name][replicate], result[f"{name}.moments"]])
-            self._moments[name][replicate] = pooled(both)
-            (least, greatest), (low, high) = self._ends[name], result[f"{name}.ends"].tolist()
-            self._ends[name] = min(least, low), max(greatest, high)
+        for name, tally in self._tallies.items():
+            tally.add(replicate, {part: result[f"{name}.{part}"] for part in ("bins", "counts", "moments", "ends")})
         for name in result:
             if name.startswith("factor."):
                 method = name.removeprefix("factor.")
@@ -277,22 +270,19 @@ class Study:
             return NOT_GIVEN
         value = self._at_share(output, p)
         if self.design.replicates > 1:
-            histograms = [h for h in self._histograms[output] if h.any()]
-            each = np.array([histogram_quantile(h, p, self._ends[output]) for h in histograms])
+            each = self._tallies[output].quantiles(p)
             if np.all(each < np.inf):
                 half = float(student(each, self.confidence))
                 return Estimate(value, max(0.0, value - half), value + half)
         low, high = ranks(p, self.n, self.confidence)
-        ends = (self._at_share(output, (rank - 0.5) / self.n) for rank in (low, high))
-        return Estimate(value, *ends)
+        return Estimate(value, *(self._at_share(output, (rank - 0.5) / self.n) for rank in (low, high)))
 
     def _at_share(self, output: str, share: float) -> float:
         """The value that such a share of the samples does not exceed; NaN beyond all of them."""
         if not 0.0 <= share <= 1.0:
             return math.nan
         if output not in self.samples:
-            histogram = self._histograms[output].sum(axis=0)
-            return float(histogram_quantile(histogram, share, self._ends[output]))
+            return self._tallies[output].quantile(share)
         rank = max(0, math.ceil(share * self.n) - 1)
         in_order = self._in_order(output)
         return float(in_order[rank]) if rank < len(in_order) else math.inf
@@ -311,15 +301,9 @@ class Study:
         return self._interval(*self._sampled(output)[2:])
 
     def _sampled(self, output: str) -> Spread:
-        """Mean and standard deviation with their errors, from the replicates where there are several."""
         if self.without_result:
             return Spread(math.nan, math.nan, math.nan, math.nan)
-        each = self._moments[output]
-        together, filled = spread(pooled(each)), each[each[:, 0] > 1]
-        if len(filled) < 2:
-            return together
-        errors = standard_error(np.array([spread(m) for m in filled])).tolist()
-        return together._replace(mean_error=errors[0], std_error=errors[2])
+        return self._tallies[output].spread()
 
     def _interval(self, value: float, error: float) -> Estimate:
         half = error * width(self.confidence, self.design.replicates)
@@ -348,18 +332,12 @@ class Study:
         """Probability that an output is at least so large, at edges of bins, where it has no bin error."""
         if not self.n:
             return Exceedance(*np.empty((4, 0)))
-        greatest = max(self._ends[output][1], 0.0)
-        values = np.linspace(0.0, greatest, points)
-        places = np.unique(np.searchsorted(edges()[:-1], values, side="right") - 1)
-        places = places[places > 0]  # at the first edge the probability is 1
-        above = np.cumsum(self._histograms[output][:, ::-1], axis=1)[:, ::-1][:, places]
-        return Exceedance(edges()[places], *self._probability(above))
+        at, counts = self._tallies[output].exceeding(points)
+        return Exceedance(at, *self._probability(counts))
 
     def bins(self, output: str) -> Floats:
         """The histogram of an output: from, to and how many, in rows; only bins that hold any, infinity the last."""
-        counts = self._histograms[output].sum(axis=0)
-        filled = np.flatnonzero(counts)
-        return np.stack([edges()[filled], edges()[filled + 1], counts[filled]], axis=1)
+        return self._tallies[output].table()
 
     # -- what to know -------------------------------------------------------------------------------------------------
 

@@ -1,0 +1,339 @@
+"""From the fragments of a scene's effects and friction law to its flow program, in five passes.
+
+1. `declare` collects the definitions of the fragments in `generated.flow`, and sums what they add to the balance.
+2. `resolve` follows from what the integrator reads back to what it takes; what is zero is not computed.
+3. `select` keeps the operations that are needed, in order.
+4. `allocate` gives each cell its place.
+5. `encode` writes the operations with places instead of names.
+
+Names that fragments share: ``q_0`` is quantity q of the balance where a phase begins, ``q_size`` the size of its terms,
+``dq`` its increment since; ``t.VALUE`` is a cell of table t.
+"""
+
+from collections.abc import Iterable
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+from generated.flow import FRAGMENTS, INPUTS, QUANTITIES
+from generated.layout import CELLS, TABLE
+from slipcircle.core.flow.link import PRIME, ZERO, Linker, Operation, tangent
+from slipcircle.core.flow.program import OUTPUT_CELLS, READ_REGISTERS, Program, Table, Tangent
+
+Operations = list[tuple[Operation, tuple[str, ...]]]  # with their results
+
+
+class TableDeclaration(NamedTuple):
+    """A piecewise function: its name, what it is of, the register of its argument, and the degree of its pieces."""
+
+    name: str
+    kind: str
+    argument: str
+    degree: int
+
+    @property
+    def coefficients(self) -> list[str]:
+        """The cells of a piece's coefficients beyond its value."""
+        return [f"{self.name}.Q{k}" for k in range(1, self.degree + 1)]
+
+    @property
+    def cells(self) -> list[str]:
+        """All its cells, in order; Q1, the last of `TABLE`, is the first coefficient."""
+        return [f"{self.name}.{cell}" for cell in TABLE[:-1]] + self.coefficients
+
+    @property
+    def varied(self) -> list[str]:
+        """The cells whose tangents a program carries."""
+        return [f"{self.name}.VALUE", *self.coefficients]
+
+
+@lru_cache(maxsize=256)
+def build_program(
+    effects: tuple[str, ...],
+    laws: tuple[str, ...],
+    moving: tuple[str, ...] = (),
+    absent: tuple[str, ...] = (),
+    outputs: tuple[str, ...] = (),
+    directions: int = 0,
+) -> Program:
+    """The program of a scene.
+
+    Parameters
+    ----------
+    effects : tuple of str
+        Names, as in `generated.effects.EFFECTS`.
+    laws : tuple of str
+        The friction law, as in `generated.effects.LAWS` or "callable", and the law of speed that multiplies it, if any.
+    moving : tuple of str
+        Symbols of parameters that are functions of time, or of the rotation.
+    absent : tuple of str
+        Symbols of optional parameters that are not given, and not included.
+    outputs : tuple of str
+        What else to compute: registers, such as ``mu``, ``pressing`` or ``friction``, and "energy", which stands for
+        the states ``work`` and ``dissipation``.
+    directions : int
+        Number of derivatives that the program carries along: `Program.tangents`.
+
+    Returns
+    -------
+    Program
+    """
+    fragments = tuple(name for name in outputs if name in FRAGMENTS)
+    registers = tuple(name for name in outputs if name not in FRAGMENTS)
+    builder = _Builder(registers, directions)
+    builder.declare(effects, laws, fragments, moving, absent)
+    builder.resolve()
+    builder.select()
+    builder.allocate()
+    return builder.encode()
+
+
+class _Builder:
+    """A program on its way through the passes; each adds what the next ones take.
+
+    Attributes
+    ----------
+    link : Linker
+    inputs, tables, states : what the fragments declare: names of numbers that a scene gives, tables, and states with
+        the registers of their rates, tangents included.
+    varied, read : names of the cells and registers whose tangents the program carries.
+    registers : the registers that serve what is read, by name; None where that is zero or does not change.
+    outputs : the cells that serve `OUTPUT_CELLS`, by name.
+    scalar, series : the operations that are needed, with their results.
+    place : where each cell is.
+    """
+
+    def __init__(self, extra: tuple[str, ...], directions: int) -> None:
+        self.extra, self.directions = extra, range(directions)
+        self.link = Linker()
+        self.tables: list[TableDeclaration] = []
+        self.sums: dict[str, list[Any]] = {}  # what fragments add to each quantity: base, size, terms of its increment
+
+    # --- 1. definitions ----------------------------------------------------------------------------------------------
+
+    def declare(
+        self,
+        effects: tuple[str, ...],
+        laws: tuple[str, ...],
+        extra: tuple[str, ...],
+        moving: tuple[str, ...],
+        absent: tuple[str, ...],
+    ) -> None:
+        """Take the definitions of fragments, and sum what they add to the quantities of the balance."""
+        link, factors = self.link, ("slip_mu", "rate_mu") if len(laws) > 1 else ("mu",)
+        self._take("gravity")
+        for name in effects:
+            self._take(name)
+            self._effect_tables(name, moving)
+        for name, factor in zip(laws, factors, strict=True):
+            self._take(name, factor)
+            self.tables += [TableDeclaration(*table) for table in FRAGMENTS[name].tables]
+        for name in (*(["product"] if len(laws) > 1 else []), "balance", *extra):
+            self._take(name)
+        self._functions_of_time(moving)
+        for symbol in absent:
+            link.cell_definitions[symbol] = ("set", ZERO)
+        for quantity in dict.fromkeys((*QUANTITIES, "mu", *factors)):
+            self._sum(quantity)
+        chosen = [FRAGMENTS[name] for name in ("gravity", *effects, *laws, *extra)]
+        given = [x for fragment in chosen for x in fragment.inputs if x not in link.cell_definitions]
+        self.inputs = [*INPUTS, *given]
+        self.rates = {"x": "omega", "omega": "net"}
+        for fragment in chosen:
+            self.rates |= dict(fragment.states)
+        further = {tangent(s, j): tangent(rate, j) for j in self.directions for s, rate in self.rates.items()}
+        self.states = self.rates | further
+
+    def _take(self, name: str, friction: str = "mu") -> None:
+        """Take a fragment's definitions; the friction coefficient of a law may be one of two factors."""
+        fragment = FRAGMENTS[name]
+        self.link.define_cells(fragment.scalar)
+        self.link.define_series(fragment.series)
+        for quantity, added in fragment.adds.items():
+            self.sums.setdefault(friction if quantity == "mu" else quantity, []).append(added)
+
+    def _effect_tables(self, name: str, moving: tuple[str, ...]) -> None:
+        """An effect's tables where the scene gives functions; else their cells are zero."""
+        for declared in FRAGMENTS[name].tables:
+            table = TableDeclaration(*declared)
+            if table.name in moving:
+                self.tables.append(table)
+            else:
+                zeros = dict.fromkeys([table.name, *table.coefficients], ("set", ZERO))
+                self.link.cell_definitions |= zeros
+
+    def _functions_of_time(self, moving: tuple[str, ...]) -> None:
+        """Parameters that change with time: a value where the phase begins, and the increment since, a ramp."""
+        known = {table.name for table in self.tables}
+        for symbol in moving:
+            self.link.cell_definitions[symbol] = ("set", f"{symbol}.VALUE")
+            if symbol not in known:
+                self.tables.append(TableDeclaration(symbol, "time", f"d{symbol}", 0))
+        for table in self.tables:
+            if table.kind == "time":
+                self.link.series_definitions[table.argument] = ("ramp", table.argument, table.name)
+
+    def _sum(self, quantity: str) -> None:
+        """A quantity of the balance: its base, the size of its terms, and its increment."""
+        added, definitions = self.sums.get(quantity, []), self.link.cell_definitions
+        for name, part in ((f"{quantity}_0", 0), (f"{quantity}_size", 1)):
+            total = ZERO
+            for k, addend in enumerate(added):
+                definitions[f"{name}.{k}"] = ("add", total, addend[part])
+                total = f"{name}.{k}"
+            definitions[name] = ("set", total)
+        increment = tuple(term for addend in added for term in addend[2])
+        self.link.series_definitions[f"d{quantity}"] = ("lin", f"d{quantity}", "", increment)
+
+    # --- 2. what is read, back to what it takes ----------------------------------------------------------------------
+
+    def resolve(self) -> None:
+        """The registers and cells that serve what the integrator reads."""
+        link = self.link
+        table_cells = [cell for table in self.tables for cell in table.cells]
+        varied_of_tables = [cell for table in self.tables for cell in table.varied]
+        self.varied = [*self.rates, "ROTATION", "SLIP", *self.inputs, *varied_of_tables]
+        self.read = [*self.rates, *self.rates.values(), *READ_REGISTERS, *(table.argument for table in self.tables)]
+        tangents = [tangent(name, j) for j in self.directions for name in self.varied]
+        self.fixed = list(dict.fromkeys((*CELLS, *self.rates, *self.inputs, *table_cells, *tangents)))
+        roots = [*self.read, *self.extra, *(tangent(name, j) for j in self.directions for name in self.read)]
+        link.cells |= {name: name for name in self.fixed}
+        link.registers |= {name: name for name in self.states}
+        for j in self.directions:
+            link.cell_definitions[tangent("LIMIT", j)] = ("set", tangent("limit_0", j))
+        link.cell_definitions["departed"] = self._departed({*self.states, *table_cells})
+        link.mark_shared(dict.fromkeys(roots))
+        self.registers = {name: link.register(name) for name in dict.fromkeys(roots)}
+        self._drop_constants()
+        for name in (*self.states.values(), *self.extra):
+            if self.registers[name] is None:
+                self.registers[name] = link.zero_register(name)
+        names = (*OUTPUT_CELLS.values(), *(tangent("drive", j) for j in self.directions))
+        self.outputs = {name: link.cell(name) for name in names}
+
+    def _departed(self, moving: set[str]) -> Operation:
+        """What is zero as long as the limit friction is that of the start: whatever it depends on has not changed."""
+        origins = self.link.origins(("driving_0", "resisting_0", "normal_0"))
+        if origins & moving:
+            return ("set", "TIME")
+        if "SLIP" in origins:
+            return ("set", "SLIP")
+        return ("abs", "ROTATION") if "ROTATION" in origins else ("set", ZERO)
+
+    def _drop_constants(self) -> None:
+        """What presses or tips the mass is no event where it stays as it was where the phase began."""
+        operations = self.link.series.items()
+        constant = {results[0] for operation, results in operations if operation[0] == "lin" and not operation[2]}
+        for name in READ_REGISTERS[1:]:
+            if self.registers[name] in constant and name not in self.extra:
+                self.registers[name] = None
+
+    # --- 3. the operations that are needed ---------------------------------------------------------------------------
+
+    def select(self) -> None:
+        """Those on series that serve what is read, and those on cells that serve them."""
+        wanted = {register for register in self.registers.values() if register} | {*self.states}
+        self.series = _needed(self.link.series.items(), wanted)
+        self.lasting = {*self.outputs.values()}
+        for operation, _ in self.series:
+            self.lasting |= _names(operation)
+        scalar = [(operation, (result,)) for operation, result in self.link.scalar.items()]
+        self.scalar = _needed(scalar, self.lasting)
+
+    # --- 4. places ---------------------------------------------------------------------------------------------------
+
+    def allocate(self) -> None:
+        """A place for each cell: those that last, constants, and scratch that is used again when it is free."""
+        made = [result for _, (result,) in self.scalar if result in self.lasting]
+        used = self.lasting.union(*(operation[1:] for operation, _ in self.scalar))
+        self.constants = sorted(name for name in used if name.startswith("="))
+        self.held = [*self.fixed, *made]
+        kept = [*self.held, *self.constants]
+        self.place = _places(self.scalar, kept)
+        scratch = range(max(self.place.values()) + 1 - len(kept))
+        self.cells = (*kept, *(f"scratch{k}" for k in scratch))
+
+    # --- 5. names to places ------------------------------------------------------------------------------------------
+
+    def encode(self) -> Program:
+        """The program, in places of cells and registers."""
+        place, names = self.place, [*self.states, *(x for _, results in self.series for x in results)]
+        self.at = {name: k for k, name in enumerate(names)}
+        tables = [
+            Table(t.name, t.kind, self._register(t.argument), place[f"{t.name}.PIECE"], t.degree) for t in self.tables
+        ]
+        roles = {name: self._register(name) for name in ("x", "omega", *READ_REGISTERS, *self.extra)}
+        roles |= {role: place[self.outputs[name]] for role, name in OUTPUT_CELLS.items()}
+        return Program(
+            cells=self.cells,
+            given=len(self.fixed),
+            lasting=len(self.held),
+            registers=tuple(names),
+            scalar=tuple((op[0], place[result], *(place[x] for x in op[1:])) for op, (result,) in self.scalar),
+            series=tuple(self._encoded(operation, results) for operation, results in self.series),
+            states=tuple((place[s], self.at[s], self._register(rate)) for s, rate in self.states.items()),
+            tables=tuple(tables),
+            roles=roles,
+            constants={name: float(name[1:]) for name in self.constants},
+            tangents=tuple(self._tangent(j) for j in self.directions),
+        )
+
+    def _register(self, name: str) -> int:
+        """The place of the register that serves a name; -1 where there is none."""
+        return self.at.get(str(self.registers.get(name, name)), -1)
+
+    def _encoded(self, operation: Operation, results: tuple[str, ...]) -> tuple[Any, ...]:
+        """An operation on series: its results first, then registers, cells or a table."""
+        kind, *taken = operation
+        made = [self.at[x] for x in results]
+        if kind == "lin":
+            constant, terms = taken
+            start = -1 if constant == ZERO else self.place[constant]
+            return (kind, *made, start, tuple((self.place[cell], self.at[register]) for cell, register in terms))
+        if kind == "ramp":
+            arguments_of_tables = [table.argument for table in self.tables]
+            return (kind, *made, arguments_of_tables.index(taken[0].partition(PRIME)[0]))
+        return (kind, *made, *(self.at[x] if x in self.at else self.place[x] for x in taken))
+
+    def _tangent(self, direction: int) -> Tangent:
+        """Where the tangents of what varies and of what is read are."""
+        place, drive = self.place, self.outputs["drive"]
+        cells = {place[name]: place[tangent(name, direction)] for name in self.varied}
+        cells[place[drive]] = place[self.outputs[tangent("drive", direction)]]
+        pairs = [(self._register(name), self._register(tangent(name, direction))) for name in self.read]
+        return Tangent(cells, {own: derivative for own, derivative in pairs if own >= 0 and derivative >= 0})
+
+
+def _names(operation: Operation) -> set[str]:
+    """The cells and registers that an operation names, but for the registers of a sum."""
+    if operation[0] != "lin":
+        return {*operation[1:]}
+    _, constant, terms = operation
+    return {constant, *(cell for cell, _ in terms)}
+
+
+def _needed(operations: Iterable[tuple[Operation, tuple[str, ...]]], wanted: Iterable[str]) -> Operations:
+    """The operations whose results something needs, in order."""
+    selected, needed = list[tuple[Operation, tuple[str, ...]]](), set(wanted)
+    for operation, results in reversed(list(operations)):
+        if needed.isdisjoint(results):
+            continue
+        selected.append((operation, results))
+        if operation[0] == "lin":
+            needed |= {register for _, register in operation[2]}
+        else:
+            needed |= {*operation[1:]}
+    return selected[::-1]
+
+
+def _places(operations: Operations, kept: list[str]) -> dict[str, int]:
+    """Where each cell is: those that are kept in their order; the others take turns in what is free."""
+    place = {name: k for k, name in enumerate(kept)}
+    last_use = {name: k for k, (operation, _) in enumerate(operations) for name in operation[1:]}
+    free, end = list[int](), len(kept)
+    for k, (operation, (result,)) in enumerate(operations):
+        done = {place[name] for name in operation[1:] if last_use[name] == k}
+        free += sorted((p for p in done if p >= len(kept)), reverse=True)
+        if result not in place:
+            place[result] = free.pop() if free else end
+            end = max(end, place[result] + 1)
+    return place

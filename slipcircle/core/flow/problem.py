@@ -1,0 +1,295 @@
+"""The problem that the integrator is given: a scene's flow program, its tables, and the cells that lanes start with.
+
+Here the scene's SI numbers become dimensionless, by the declarations in `generated.effects`.
+"""
+
+import math
+from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import layout as ix
+from generated.effects import EFFECTS, LAWS
+from generated.flow import PIECES
+from slipcircle.base.checks import choose, plain
+from slipcircle.core.flow import tables
+from slipcircle.core.flow.build import build_program
+from slipcircle.core.flow.layered import rotation_tables
+from slipcircle.core.flow.program import Program
+from slipcircle.core.flow.tables import Data
+from slipcircle.core.scene.arc import Arc
+from slipcircle.core.scene.forcing import factor as factor_of
+from slipcircle.core.scene.friction import law_parts
+from slipcircle.core.scene.layers import LayeredSection, OfRotation
+from slipcircle.core.scene.section import Section
+
+Floats = NDArray[np.float64]
+Effects = Mapping[str, Mapping[str, Any]]  # by name, each with its parameters
+FINEST = 1e-14  # accuracy to which single scenes are solved
+LOWEST = 5  # order, as the radius of convergence is told by the last coefficients against the first five
+STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)
+
+
+class Problem(NamedTuple):
+    """What `walk.walk` takes, and what turns its numbers back into seconds and metres."""
+
+    program: Program
+    tables: list[Data]
+    cells: Floats
+    time_scale: Any
+    functions: Mapping[int, Callable[[Any], Any]]  # of slip, given in Python, by the place of their table
+    recipe: tuple[tuple[str, ...], ...]  # the arguments of `build_program`: effects, laws, moving, absent
+
+    def with_outputs(self, outputs: tuple[str, ...] = (), directions: int = 0) -> "Problem":
+        """The same lanes with further outputs, or with derivatives in so many directions."""
+        return self._with_program(build_program(*self.recipe, outputs, directions))
+
+    def with_steady_shaking(self) -> "Problem":
+        """The same lanes with a constant horizontal coefficient, at first 0, in the place of their shaking."""
+        effects, laws, moving, absent = self.recipe
+        shaking = {p.symbol for p in EFFECTS["shaking"].parameters}
+        effects = tuple(name for name in EFFECTS if name in (*effects, "shaking"))
+        moving = tuple(symbol for symbol in moving if symbol not in shaking)
+        absent = tuple(symbol for symbol in absent if symbol not in shaking)
+        return self._with_program(build_program(effects, laws, moving, (*absent, "k_v")))
+
+    def _with_program(self, program: Program) -> "Problem":
+        """The same numbers for another program."""
+        cells = program.blank(self.cells.shape[1])
+        there, here = _common_cells(program, self.program)
+        cells[there] = self.cells[here]
+        data = {table.name: data for table, data in zip(self.program.tables, self.tables, strict=True)}
+        return self._replace(program=program, cells=cells, tables=[data[table.name] for table in program.tables])
+
+    def extend_tables(self, cells: Floats) -> None:
+        """Sample Python functions of slip on, as far as lanes have slipped."""
+        for k, function in self.functions.items():
+            slip = float(np.max(cells[ix.SLIP] * cells[self.program.tables[k].cells + ix.SCALE]))
+            while (end := float(self.tables[k].breaks[-1])) <= slip * (1.0 + 1e-12):
+                self.tables[k] = tables.sampled(function, 2 * end, self.tables[k])
+
+    def initial_cells(self) -> Floats:
+        """A copy of the cells at the start."""
+        given = self.program.given
+        cells = self.program.blank(self.cells.shape[1])
+        cells[:given] = self.cells[:given]
+        return cells
+
+
+@lru_cache(maxsize=256)
+def _common_cells(program: Program, other: Program) -> tuple[Any, Any]:
+    """The places of the numbers that two programs are both given, in the one and in the other."""
+    names = [name for name in program.cells[: program.given] if name in other.places]
+    return np.array([program.places[name] for name in names]), np.array([other.places[name] for name in names])
+
+
+def order(accuracy: float) -> int:
+    """Order of the series that leaves less than an accuracy at steps of exp(-2) of the radius of convergence."""
+    return max(math.ceil(3.0 - math.log(max(accuracy, 1e-16)) / 2.0), LOWEST)
+
+
+def build_problem(
+    arc: Arc | Section, called: Effects, friction: Any, velocity: Any, end_time: Any, accuracy: float, lanes: int
+) -> Problem:
+    """The problem of scenes that share their effects and laws.
+
+    Parameters
+    ----------
+    arc : Arc or Section
+        Its fields, like all numbers here, are numbers or arrays of one value a lane.
+    called : mapping
+        Effects by name, each with its parameters; functions of time are `Series` or `Pulse`.
+    friction : float, array, mapping or callable
+        As a `Scene` takes it.
+    velocity, end_time : float or ndarray
+        m/s and s; infinite where there is no end.
+    accuracy : float
+        Relative error asked for.
+    lanes : int
+        Number of scenes.
+
+    Returns
+    -------
+    Problem
+    """
+    laws = law_parts(friction)
+    recipe = _recipe(called, tuple(name for name, _ in laws))
+    effects, program = recipe[0], build_program(*recipe)
+    numbers = _Numbers(arc)
+    for effect in effects:
+        numbers.add_effect(effect, called[effect], rotates(effects))
+    if "layered_strength" in effects:
+        upslope = "shaking" in effects or bool(np.any(velocity < 0.0))
+        numbers.add_layers(called["layered_strength"], rotates(effects), upslope, accuracy)
+    for name, parameters in laws:
+        numbers.add_law(name, parameters)
+    with np.errstate(over="ignore"):  # what overflows is refused where it is asked for
+        numbers.inputs |= {
+            "omega": velocity / numbers.radius * numbers.time_scale,
+            "END_TIME": end_time / numbers.time_scale,
+            "LIMIT": abs(arc.weights.static_limit),
+            # The steps of one scene cost next to nothing, whatever their order.
+            "ORDER": order(min(accuracy, FINEST) if lanes == 1 else accuracy),
+            "FACTOR": STEP,
+            "CLOSE": np.inf,
+            "LIFT_TIME": np.nan,
+            "ONE_WAY": _one_way(called.get("shaking", {})),
+            "FIRST_ONLY": choose(end_time == np.inf, _first_only({*effects, *recipe[2]}, laws, numbers.inputs), 0.0),
+        }
+    cells, places = program.blank(lanes), program.places
+    for name, value in numbers.inputs.items():
+        if name in places:
+            cells[places[name]] = value
+    data = list[Data]()
+    for table in program.tables:
+        function, scale, factor = numbers.tables[table.name]
+        data.append(function)
+        cells[table.cells + ix.SCALE], cells[table.cells + ix.SCALED_BY] = scale, factor
+    functions = {k: numbers.functions[t.name] for k, t in enumerate(program.tables) if t.name in numbers.functions}
+    return Problem(program, data, cells, numbers.time_scale, functions, recipe)
+
+
+def _recipe(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
+    """The arguments of `build_program`: effects, laws, symbols of functions, symbols of what is not given."""
+    effects = tuple(name for name in EFFECTS if name in called)
+    moving, absent = list[str](), list[str]()
+    for effect in effects:
+        for p in EFFECTS[effect].parameters:
+            value = called[effect].get(p.name)
+            if p.symbol and callable(value):
+                moving.append(p.symbol)
+            if p.symbol and value is None:
+                absent.append(p.symbol)
+    return effects, laws, tuple(moving), tuple(absent)
+
+
+@dataclass
+class _Numbers:
+    """The dimensionless numbers and tables of a scene, by the names that its program has for them."""
+
+    arc: Arc | Section
+    functions: dict[str, Callable[[Any], Any]] = field(default_factory=dict)
+    # Of each table: its data, the scale of its argument, the factor of its values.
+    tables: dict[str, tuple[Data, Any, Any]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.time_scale, self.radius = plain(self.arc.time_scale), plain(self.arc.radius)
+        self.inputs: dict[str, Any] = self.arc.weights._asdict()
+
+    def add_effect(self, effect: str, given: Mapping[str, Any], rotating: bool) -> None:
+        """What an effect gives: numbers by their symbols, functions of time or of the rotation as tables."""
+        symbols = [p for p in EFFECTS[effect].parameters if p.symbol]
+        if not symbols:
+            return
+        numbers = {p.name: given.get(p.name, 0.0) for p in EFFECTS[effect].parameters if p.kind == "number"}
+        scales = scales_of(self.arc) | numbers
+        for p in symbols:
+            value = given.get(p.name, 0.0)
+            if isinstance(value, OfRotation):
+                continue  # `add_layers` lays out all of these together
+            if not callable(value):
+                self.inputs[p.symbol] = p.dimensionless(value, scales)
+            elif p.kind == "rotation":
+                assert isinstance(self.arc, Section)
+                self.tables[p.symbol] = under_water(self.arc, rotating), 1.0, p.dimensionless(1.0, scales)
+            else:
+                factor = factor_of(effect, given, p.name)
+                self.tables[p.symbol] = tables.of_time(value), self.time_scale, p.dimensionless(factor, scales)
+
+    def add_layers(self, given: Mapping[str, Any], rotates: bool, upslope: bool, accuracy: float) -> None:
+        """What the soils of a layered section give that changes with the rotation."""
+        assert isinstance(self.arc, LayeredSection)
+        terms = {name: value for name, value in given.items() if isinstance(value, OfRotation)}
+        if not terms:
+            return
+        found = rotation_tables(self.arc, terms, rotates, upslope, accuracy)
+        symbols = {p.name: p.symbol for p in EFFECTS["layered_strength"].parameters}
+        self.tables |= {symbols[name]: (table, 1.0, 1.0) for name, table in found.items()}
+
+    def add_law(self, name: str, given: Mapping[str, Any]) -> None:
+        """What a friction law gives: a table, or dimensionless numbers under its own name."""
+        speed = self.radius / self.time_scale
+        if name == "callable":
+            self.functions[name] = given["function"]
+            first = tables.sampled(given["function"], float(np.max(self.radius)) / 256)
+            self.tables[name] = first, self.radius, 1.0
+        elif name in PIECES:
+            length = given[PIECES[name][0]]
+            self.tables[name] = tables.of_law(name, given), self.radius / length, 1.0
+        elif LAWS[name].parameters[0].kind == "list":
+            (argument,) = LAWS[name].depends_on
+            places, values = (np.asarray(given[p.name], dtype=np.float64) for p in LAWS[name].parameters)
+            scale = {"slip": self.radius, "speed": speed, "time": self.time_scale}[argument]
+            self.tables[name] = tables.of_list(argument, places, values), scale, 1.0
+        else:
+            unit = {"m": self.radius, "m/s": speed, "": 1.0}
+            self.inputs |= {f"{name}.{p.name}": given[p.name] / unit[p.unit] for p in LAWS[name].parameters}
+
+
+def scales_of(arc: Arc | Section) -> dict[str, Any]:
+    """The numbers of an arc by which parameters of effects are made dimensionless, SI."""
+    return {
+        "half_angle": arc.half_angle,
+        "gravity": arc.gravity,
+        "reference_stress": arc.reference_stress,
+        "Theta": arc.dimensionless.moment_of_inertia,
+        "radius": plain(arc.radius),
+        "density": plain(arc.mean_unit_weight) / plain(arc.gravity),
+        "cover": arc.weights.cover,
+    }
+
+
+def rotates(effects: Iterable[str]) -> bool:
+    """Whether an effect lets the mass rotate."""
+    return any(EFFECTS[effect].turns for effect in effects)
+
+
+def under_water(section: Section, rotating: bool, others: Any = None, count: int = 1) -> Data:
+    """The mean pore pressure under a section's water level, Pa, at all rotations until its weight presses no more.
+
+    Or, of a single section, so many other functions of the rotation that have the same kinks.
+    """
+    shape = section.shape or (count,)
+
+    def pressure(rotation: Any) -> Any:
+        if section.shape:
+            return section.mean_pressure(rotation)
+        return section.mean_pressure(rotation[..., 0])[..., None]
+
+    function = others or pressure
+    if rotating:
+        weights = section.weights
+        upright = np.arctan2(weights.press, weights.press_slope)  # J_r cos - J_r' sin falls to 0
+        last = np.broadcast_to(upright, shape)
+        kinks = np.moveaxis(section.pressure_kinks, -1, 0)
+        kinks = np.broadcast_to(kinks if section.shape else kinks[:, None], (len(kinks), *shape))
+        table = tables.turning(function, kinks, last - np.pi, last)
+    else:
+        constant = np.zeros((1, tables.TERMS, *shape))
+        constant[0, 0] = function(np.zeros(shape))
+        table = Data(np.zeros((1, *shape)), constant, np.zeros(1))
+    if section.shape or others:
+        return table
+    return table._replace(breaks=table.breaks[:, 0], coefficients=table.coefficients[..., 0])
+
+
+def _one_way(shaking: Mapping[str, Any]) -> float:
+    """1 where shaking may start the mass down-slope only."""
+    return float(callable(shaking.get("horizontal")) and not shaking.get("two_way", False))
+
+
+def _first_only(asked: Collection[str], laws: Any, inputs: Mapping[str, Any]) -> Any:
+    """1 where nothing ever brings the mass to rest, 2 where water or heat may carry it: it is followed to its stop.
+
+    Of effects and symbols of functions.
+    """
+    if not rotates(EFFECTS.keys() & asked) or ("layered_strength" in asked and "layered_cohesion" in asked):
+        return 0.0
+    (name, parameters), *others = laws
+    frictionless = parameters["coefficient"] == 0.0 if name == "constant" and not others else False
+    uplift = 2.0 if {"pore_pressure", "thermal_pressurisation", "layered_lift"} & {*asked} else 0.0
+    return choose(inputs.get("cohesion", 0.0) > 0.0, 0.0, choose(frictionless, 1.0, uplift))

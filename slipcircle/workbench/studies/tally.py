@@ -1,0 +1,80 @@
+"""One output of a study, added up block by block: a histogram, moments and extremes of each replicate."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from slipcircle.workbench.studies.statistics import (
+    BINS,
+    Floats,
+    Spread,
+    bins,
+    edges,
+    histogram_quantile,
+    moments,
+    pooled,
+    spread,
+    standard_error,
+)
+
+
+def counted(values: Floats) -> dict[str, Any]:
+    """What a block has of an output: bins that are not empty and their counts; of finite values moments, extremes."""
+    finite = values[values < np.inf]
+    filled, counts = np.unique(bins(values), return_counts=True)
+    ends = np.array([finite.min(initial=np.inf), finite.max(initial=-np.inf)])
+    return {"bins": filled, "counts": counts, "moments": moments(finite), "ends": ends}
+
+
+class Tally:
+    """An output of the samples that are scenes; infinite values are those beyond every other."""
+
+    def __init__(self, replicates: int) -> None:
+        self.histograms = np.zeros((replicates, BINS), np.int64)
+        self._moments = np.zeros((replicates, 5))
+        self.ends = math.inf, -math.inf
+
+    def add(self, replicate: int, block: Mapping[str, Any]) -> None:
+        """Add what a block has `counted`."""
+        self.histograms[replicate, block["bins"]] += block["counts"]
+        both = np.stack([self._moments[replicate], block["moments"]])
+        self._moments[replicate] = pooled(both)
+        least, greatest = block["ends"].tolist()
+        self.ends = min(self.ends[0], least), max(self.ends[1], greatest)
+
+    def quantile(self, p: float) -> float:
+        """Of all replicates together."""
+        return float(histogram_quantile(self.histograms.sum(axis=0), p, self.ends))
+
+    def quantiles(self, p: float) -> Floats:
+        """Of each replicate that has samples."""
+        filled = (histogram for histogram in self.histograms if histogram.any())
+        return np.array([histogram_quantile(histogram, p, self.ends) for histogram in filled])
+
+    def spread(self) -> Spread:
+        """Mean and standard deviation with their errors, from the replicates where there are several."""
+        together = spread(pooled(self._moments))
+        filled = self._moments[self._moments[:, 0] > 1]
+        if len(filled) < 2:
+            return together
+        errors = standard_error(np.array([spread(moments) for moments in filled]))
+        return together._replace(mean_error=float(errors[0]), std_error=float(errors[2]))
+
+    def exceeding(self, points: int) -> tuple[Floats, Any]:
+        """About so many edges of bins up to the greatest value, and how many values are not below, (replicates, ...).
+
+        Without the first edge, where the probability is 1.
+        """
+        values = np.linspace(0.0, max(self.ends[1], 0.0), points)
+        places = np.unique(np.searchsorted(edges()[:-1], values, side="right") - 1)
+        places = places[places > 0]
+        above = np.cumsum(self.histograms[:, ::-1], axis=1)[:, ::-1]
+        return edges()[places], above[:, places]
+
+    def table(self) -> Floats:
+        """Bins that hold any: from, to and how many, in rows."""
+        counts = self.histograms.sum(axis=0)
+        filled = np.flatnonzero(counts)
+        return np.stack([edges()[filled], edges()[filled + 1], counts[filled]], axis=1)
