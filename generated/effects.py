@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6055d16448c378294df8bf94785ee2d0070a8f60577003e53522507d0775967f
+# sha256 of the text below: d3ff3ad9ebda189dd16fc66e66e81b724690458f58c5a028007a890802907bdb
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -162,7 +162,7 @@ EFFECTS = {
         'cohesion* = cohesion/sigma_ref')),
     'layered_strength': Effect('layered_strength', '2.23', (
         Parameter('turning', '', -INFINITY, INFINITY,
-            "excess of the friction's normal force over the mean, of strength with the mass", '', 1.0, 'turning',
+            "excess of friction's normal force over the mean, of strength with the mass", '', 1.0, 'turning',
             lambda value, scales: value, True, 'number'),
         Parameter('turning_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'turning_slope',
             lambda value, scales: value, True, 'number'),

@@ -7,12 +7,13 @@ of I_p on the stretches of every soil, and prints the largest differences.
 import argparse
 from collections.abc import Iterator
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any
 
 import mpmath as mp
 import numpy as np
 
-from slipcircle.core.scene.layers import LayeredSection, Soil
+from slipcircle.core import LayeredSection, Soil
 
 DIGITS = 30
 NAMES = ("weight", "weight rho", "weight rho^2", "weight x/rho", "weight y/rho", "weight x", "weight y")
@@ -42,7 +43,10 @@ def random_section(rng: np.random.Generator, everything: bool = False, **given: 
             more: dict[str, Any] = {}
             if everything:
                 more = {"cohesion_gradient": rng.choice([0.0, 800.0]), "datum": float(rng.uniform(-5, 20))}
-                more |= {"pore_ratio": rng.choice([0.0, 0.0, 0.2]), "saturated_unit_weight": rng.choice([None, 23e3])}
+                more |= {
+                    "pore_ratio": rng.choice([0.0, 0.0, 0.2]),
+                    "saturated_unit_weight": 23e3 if rng.random() < 0.5 else None,
+                }
             strength = rng.uniform(0, 2e4), rng.uniform(0.0, 0.8)
             soils.append(Soil(rng.uniform(15e3, 22e3), *strength, name=f"soil {k}", **more))
         if everything:
@@ -69,7 +73,7 @@ def _line(points: Any) -> list[tuple[mp.mpf, mp.mpf]]:
 
 
 def _height(line: list[tuple[mp.mpf, mp.mpf]], x: mp.mpf) -> mp.mpf:
-    for (x1, y1), (x2, y2) in zip(line, line[1:], strict=False):
+    for (x1, y1), (x2, y2) in pairwise(line):
         if x1 <= x <= x2 and x2 > x1:
             return y1 + (y2 - y1) * (x - x1) / (x2 - x1)
     raise AssertionError(x)
@@ -77,7 +81,7 @@ def _height(line: list[tuple[mp.mpf, mp.mpf]], x: mp.mpf) -> mp.mpf:
 
 def _kinks(lines: list[Any], cx: mp.mpf, cy: mp.mpf, radius: mp.mpf) -> Iterator[mp.mpf]:
     """x of vertices, of crossings of lines with each other and with the circle."""
-    edges = [edge for line in lines for edge in zip(line, line[1:], strict=False)]
+    edges = [edge for line in lines for edge in pairwise(line)]
     for (x1, y1), (x2, y2) in edges:
         yield x1
         u, v = x2 - x1, y2 - y1
@@ -98,23 +102,23 @@ def _kinks(lines: list[Any], cx: mp.mpf, cy: mp.mpf, radius: mp.mpf) -> Iterator
                     yield x1 + s * u
 
 
-def reference(section: LayeredSection) -> tuple[list[mp.mpf], list[list[mp.mpf]]]:
-    """Moments `NAMES` about the centre, x down-slope, and for each layer the parts of J_r, its slope and I_p at its base.
+def reference(section: Any) -> tuple[list[mp.mpf], list[list[mp.mpf]]]:
+    """Moments `NAMES` about the centre, x down-slope; for each layer the parts of J_r, its slope and I_p at its base.
 
     Strips of no width: over x the integral of the weight's closed integral over y; in N, m and rad.
     """
     with mp.workdps(DIGITS + 5):
-        (cx, cy), radius = (mp.mpf(float(v)) for v in section.centre), mp.mpf(float(section.radius))  # type: ignore[union-attr]
+        (cx, cy), radius = (mp.mpf(float(v)) for v in section.centre), mp.mpf(float(section.radius))
         facing = int(section.facing)
         lines = [_line(section.ground), *(_line(top) for _, top in section.layers[1:])]
         weights = [mp.mpf(float(soil.unit_weight)) for soil, _ in section.layers]
         left, right = sorted((mp.mpf(float(section.entry[0])), mp.mpf(float(section.exit[0]))))
-        every = sorted({x for x in _kinks(lines, cx, cy, radius)})
+        every = sorted(set(_kinks(lines, cx, cy, radius)))
         left, right = (min(every, key=lambda x: abs(x - end)) for end in (left, right))
         cuts = [left, *(x for x in every if left < x < right), right]
         moments = [mp.mpf(0)] * 7
         parts = [[mp.mpf(0)] * 3 for _ in lines]
-        for a, b in zip(cuts, cuts[1:], strict=False):
+        for a, b in pairwise(cuts):
             if b - a < mp.mpf(10) ** -(DIGITS - 5):
                 continue
             middle = (a + b) / 2
@@ -170,30 +174,30 @@ def integrated(column: Any, a: mp.mpf, b: mp.mpf) -> list[mp.mpf]:
     return [x + y for x, y in zip(integrated(column, a, middle), integrated(column, middle, b), strict=True)]
 
 
-def computed(section: LayeredSection) -> tuple[list[float], list[list[float]]]:
+def computed(section: Any) -> tuple[list[float], list[list[float]]]:
     """The same by the package."""
-    radius, facing = float(section.radius), float(section.facing)  # type: ignore[arg-type]
+    radius, facing = float(section.radius), float(section.facing)
     powers, signs = np.array([2, 3, 4, 2, 2, 3, 3]), np.array([1, 1, 1, facing, 1, facing, 1])
     moments = section._weighted[:, 0] * radius**powers * signs
-    still = section._parts(np.zeros((1, 1)))[..., 0, 0]
+    still = section.arc_strength.parts(np.zeros((1, 1)))[..., 0, 0]
     parts = []
     for k in range(len(section.layers)):
         one = np.zeros((len(section.soils), 1))
         one[k] = 1.0
-        differences = section._stretches.differences(one)[:, 0]
+        differences = section.arc_strength.stretches.differences(one)[:, 0]
         sums = np.einsum("j,s,ijs->i", differences, section._surfaces[1][:, 0], still)
         parts.append([-sums[4] * radius**2, sums[3] * radius**2, sums[1] * radius**3])
     return moments.tolist(), parts
 
 
-def strength_by_quadrature(section: LayeredSection, rotation: float, omega_2: float) -> tuple[Any, Any]:
+def strength_by_quadrature(section: Any, rotation: float, omega_2: float) -> tuple[Any, Any]:
     """Friction, water's part of it, and cohesion after a rotation, and by Gauss' rule along 40,000 pieces of the arc.
 
     Over the weights towards the arc at rest; ``omega_2`` is omega*^2.
     """
-    radius, (cx, cy) = float(section.radius), map(float, section.centre)  # type: ignore[arg-type, union-attr]
+    radius, (cx, cy) = float(section.radius), map(float, section.centre)
     facing = float(section.facing)
-    span = [float(end[0]) for end in section._span]
+    span: Any = [float(end[0]) for end in section.arc_strength.span]
     lines = [np.asarray(section.ground), *(np.asarray(top) for _, top in section.layers[1:])]
     soils = [soil for soil, _ in section.layers]
 
@@ -209,9 +213,9 @@ def strength_by_quadrature(section: LayeredSection, rotation: float, omega_2: fl
         tops = np.minimum.accumulate([height(line, x) for line in lines], axis=0)
         return np.maximum(np.count_nonzero(tops > y, axis=0) - 1, 0)
 
-    joints = section._stretches.joint[0]
+    joints = section.arc_strength.stretches.joint[0]
     kinks = [*span, *joints, *(joints - rotation), *(facing * section._strips.beta[0])]
-    edges = np.unique(np.clip(np.concatenate([np.linspace(*span, 40_001), kinks]), *span))
+    edges = np.unique(np.clip(np.concatenate([np.linspace(span[0], span[1], 40_001), kinks]), *span))
     nodes, weights = np.polynomial.legendre.leggauss(4)
     half = np.diff(edges) / 2
     b = edges[:-1] + half * (1.0 + nodes[:, None])
@@ -234,9 +238,9 @@ def strength_by_quadrature(section: LayeredSection, rotation: float, omega_2: fl
     above, wet_above, top = 0.0, 0.0, np.full_like(x, np.inf)
     for soil, line in zip(soils, lines, strict=True):
         top = np.minimum(top, height(line, x))
-        add(soil.unit_weight - above, top)  # type: ignore[operator]
-        above = soil.unit_weight  # type: ignore[assignment]
-        wet = 0.0 if soil.saturated_unit_weight is None else soil.saturated_unit_weight - above  # type: ignore[operator]
+        add(soil.unit_weight - above, top)
+        above = soil.unit_weight
+        wet = 0.0 if soil.saturated_unit_weight is None else soil.saturated_unit_weight - above
         if level is not None:
             add(wet - wet_above, np.minimum(top, level))
         wet_above = wet
@@ -271,7 +275,7 @@ def strength_by_quadrature(section: LayeredSection, rotation: float, omega_2: fl
         radius * integral(cohesion),
     ]
 
-    moments, terms = section._per_mean_weight[:, 0], section.strength_terms
+    moments, terms = section._per_mean_weight[:, 0], section.arc_strength.terms
     at = np.array([[rotation]])
 
     def term(name: str) -> float:
@@ -284,7 +288,7 @@ def strength_by_quadrature(section: LayeredSection, rotation: float, omega_2: fl
         turning = terms.get("turning", 0.0) * np.cos(rotation) - terms.get("turning_slope", 0.0) * np.sin(rotation)
         beyond += theta * float(turning)
     unit = float(np.ravel(section.mean_unit_weight)[0]) * radius**2
-    mean = float(section.mean_peak[0])
+    mean = float(section.arc_strength.mean_peak[0])
     computed = [mean * (whole + beyond) * unit, mean * theta * term("lift") * unit, theta * term("strength") * unit]
     return np.array(computed) / scale, np.array(expected) / scale
 
@@ -313,5 +317,6 @@ if __name__ == "__main__":
     rng = np.random.default_rng(asked.seed)
     found = np.array([differences(random_section(rng)) for _ in range(asked.count)])
     print(
-        f"{asked.count} layered sections: moments within {found[:, 0].max():.1e}, stretches within {found[:, 1].max():.1e}"
+        f"{asked.count} layered sections: moments within {found[:, 0].max():.1e}, "
+        f"stretches within {found[:, 1].max():.1e}"
     )

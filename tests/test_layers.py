@@ -1,4 +1,4 @@
-"""Layered sections: weights and strength along the arc against their definitions, motions against other integrations."""
+"""Layered sections: weights and strength along the arc against their definitions, motions against other solvers."""
 
 from typing import Any
 
@@ -7,9 +7,9 @@ import pytest
 from layered_sections import differences, random_section, strength_by_quadrature
 
 from slipcircle import Scene, Section, solve
+from slipcircle.core import LayeredSection, Soil
 from slipcircle.core.flow import compiled
 from slipcircle.core.scene.coordinates import changed_fields, replace_unchecked
-from slipcircle.core.scene.layers import LayeredSection, Soil
 from slipcircle.core.scene.parameters import with_parameters
 
 TURNING = ["rotation", "centripetal"]
@@ -23,8 +23,8 @@ PROFILES: dict[str, tuple[Any, float]] = {
     "constant friction": ([(18, 0, 30, 30), (19, 0, 18, 18), (17, 0, 8, 8), (21, 0, 22, 22)], 0.0),
     "softening": ([(18, 3, 30, 24), (19, 2, 20, 15), (17, 1, 9, 6), (21, 0, 23, 20)], 0.8),
 }
-# Factor of safety, peak velocity, its time, run-out and duration, by DOP853 in time with rtol = 2e-13, of a program that
-# shares nothing with this one; peak and run-out of strength at the base also by integrating omega^2 over the rotation.
+# Factor of safety, peak velocity, its time, run-out and duration, by DOP853 in time with rtol = 2e-13, of a program
+# that shares nothing with this one; peak and run-out at the base also by integrating omega^2 over phi.
 MOTIONS = {
     ("one soil in four layers, under water", "base"): (0.596759692, 3.383403121, 3.2576491, 14.307542564, 6.646433899),
     ("one soil in four layers, under water", "mass"): (0.596759692, 3.383403121, 3.2576491, 14.307542564, 6.646433899),
@@ -147,7 +147,11 @@ def test_a_foreland_decides_how_far_a_mass_gets() -> None:
     ],
 )
 def test_mistakes_are_named(changes: dict[str, Any], message: str) -> None:
-    given = {"centre": (30, 45), "radius": 48.0, "layers": [(Soil(19e3, name="a"), None), (Soil(18e3, name="b"), 2.0)]}
+    given: dict[str, Any] = {
+        "centre": (30, 45),
+        "radius": 48.0,
+        "layers": [(Soil(19e3, name="a"), None), (Soil(18e3, name="b"), 2.0)],
+    }
     with pytest.raises(ValueError, match=message):
         LayeredSection(GROUND, **given | changes)
 

@@ -218,7 +218,7 @@ EFFECTS = (
                   _COHESION, VALUE / REFERENCE),), (),
            "the slip surface has strength without normal stress", resistance=LAMBDA * _COHESION),
     Effect("layered_strength", "2.23", (
-        _of_section("turning", "excess of the friction's normal force over the mean, of strength with the mass", TURNING),
+        _of_section("turning", "excess of friction's normal force over the mean, of strength with the mass", TURNING),
         _of_section("turning_slope", "its derivative by the dip", TURNING_SLOPE),
         _of_section("normal", "the same of strength with the base", _NORMAL, "rotation"),
         _of_section("inertia", "what the square of the angular velocity adds to it", _INERTIA, "rotation"),

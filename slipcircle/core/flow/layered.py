@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.core.flow.tables import TERMS, Data, between_kinks
-from slipcircle.core.scene.layers import LayeredSection, OfRotation
+from slipcircle.core.scene.layers import LayeredSection
+from slipcircle.core.scene.strength import OfRotation
 
 Floats = NDArray[np.float64]
 FINEST = 1e-11  # accuracy of tables for single scenes; their last coefficients are a hundredth of it
@@ -29,7 +30,7 @@ def rotation_tables(
     accuracy : float
         Relative error asked for.
     """
-    kinks = section.rotation_kinks
+    kinks = section.arc_strength.rotation_kinks
     circles = kinks.shape[1]
     lanes = max(function.coefficients.shape[1] for function in terms.values())
 

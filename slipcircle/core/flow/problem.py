@@ -24,8 +24,9 @@ from slipcircle.core.flow.tables import Data
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.forcing import factor as factor_of
 from slipcircle.core.scene.friction import law_parts
-from slipcircle.core.scene.layers import LayeredSection, OfRotation
+from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
+from slipcircle.core.scene.strength import OfRotation
 
 Floats = NDArray[np.float64]
 Effects = Mapping[str, Mapping[str, Any]]  # by name, each with its parameters

@@ -18,8 +18,9 @@ from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.core.scene.forcing import factor, resolved
 from slipcircle.core.scene.friction import law_mistakes, law_parts
-from slipcircle.core.scene.layers import LayeredSection, MeanFriction
+from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
+from slipcircle.core.scene.strength import MeanFriction
 
 One = float | str | Series | Pulse | Mapping[str, float | str]  # what a parameter is in one scene
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
@@ -105,7 +106,7 @@ class Scene(Generic[Numbers]):
         def __init__(
             self: Scene[Any],
             arc: Arc | Section,
-            friction: float | Mapping[str, Any] | Callable[[Any], Any],
+            friction: float | Mapping[str, Any] | Callable[[Any], Any] | None = None,
             effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = ...,
             initial_velocity: ArrayLike = ...,
             end_time: ArrayLike | None = None,

@@ -24,6 +24,7 @@ Integers = NDArray[np.intp]
 
 # Of a mass of unit weight below a surface: what `ring_integrals` gives, then the integral over beta of the height.
 INTEGRALS = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y", "head")
+AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y, HEAD = range(8)  # their rows
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(slopes.NODES)
 _GAUSS = [((1.0 + node) / 2, weight / 2) for node, weight in zip(_NODES, _WEIGHTS, strict=True)]
 _THIN = 1e-14  # narrower strips are rounding
@@ -109,7 +110,7 @@ class Strips:
                 share = (x - first) / (last - first)
                 pressure += np.where((middle > first) & (middle < last), q1 + share * (q2 - q1), 0.0)
             rho = np.hypot(x, y)
-            values = (1.0, rho, rho * rho, x / rho, y / rho, x, y, 0.0)
+            values: tuple[Any, ...] = (1.0, rho, rho * rho, x / rho, y / rho, x, y, 0.0)
             for row, value in zip(total, values, strict=True):
                 row += weight * (x2 - x1) * pressure * value
         return total[:, None]
@@ -160,7 +161,7 @@ def ring_integrals(x: Any, y: Any, e_x: Any, e_y: Any) -> Floats:
     return found
 
 
-# --- cutting -----------------------------------------------------------------------------------------------------------
+# --- cutting -----------------------------------------------------------------------------------------------------
 
 
 def cut_into_strips(

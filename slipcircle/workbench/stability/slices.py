@@ -47,7 +47,7 @@ class SlopeArrays(NamedTuple):
     pressure: Any = 0.0
     k_h: Any = 0.0
     pond: Any = None
-    surcharge: tuple[tuple[float, float, float, float], ...] = ()  # from x1 to x2, q1 and q2
+    surcharge: Any = ()  # from x1 to x2, q1 and q2
     crack: Any = 0.0
     crack_water: Any = 0.0
 
@@ -127,7 +127,7 @@ class _Slices(NamedTuple):
         on_ground = self.load * self.cosine * -self.ground / np.hypot(self.sine, self.ground)
         return self.sum_of_surfaces(by_surface) + on_ground - self.uplift
 
-    def integral(self, values: Floats) -> Floats:
+    def integral(self, values: Any) -> Floats:
         """Over each arc."""
         by_interval = (self.weight * values).sum(axis=0)
         return np.bincount(self.arc, by_interval, self.arcs).astype(np.float64)

@@ -143,7 +143,7 @@ class Slope:
     def arrays(self) -> SlopeArrays:
         """For `circle_factors`."""
         names = ("water_unit_weight", "pressure", "k_h", "pond", "crack", "crack_water")
-        numbers = {n: getattr(self, n) for n in names}
+        numbers: dict[str, Any] = {n: getattr(self, n) for n in names}
         ground = np.asarray(self.ground)[None]
         level = None if self.level is None else np.asarray(self.level)[None]
         if level is None and self.pond is not None:
@@ -154,7 +154,7 @@ class Slope:
             soils = tuple(soil_arrays(soil, lambda value: value) for soil, _ in self.layers)
             lines = (top_line(top, ground, lambda value, *_: np.asarray(value)) for _, top in self.layers[1:])
             tops = tuple(line.reshape(-1, *line.shape[-2:]) for line in lines)
-        return SlopeArrays(ground, soils, tops, level, surcharge=tuple(map(tuple, self.surcharge)), **numbers)
+        return SlopeArrays(ground, soils, tops, level, surcharge=self.surcharge, **numbers)
 
 
 _LAYERED = ("layers", "surcharge", "pond", "crack", "crack_water")
@@ -235,11 +235,11 @@ def _lanes(
         return whole.reshape(-1, *own)
 
     ground, level = by_lane(section.ground, 2), None if section.level is None else by_lane(section.level, 2)
-    general = {"level": level, "water_unit_weight": section.water_unit_weight, "k_h": by_lane(k_h)}
+    general: dict[str, Any] = {"level": level, "water_unit_weight": section.water_unit_weight, "k_h": by_lane(k_h)}
     if isinstance(section, LayeredSection):
         soils = tuple(soil_arrays(soil, by_lane) for soil, _ in section.layers)
         tops = tuple(top_line(top, ground, by_lane) for _, top in section.layers[1:])
-        slope = SlopeArrays(ground, soils, tops, surcharge=tuple(map(tuple, section.surcharge)), **general)
+        slope = SlopeArrays(ground, soils, tops, surcharge=section.surcharge, **general)
     else:
         numbers = {n: by_lane(strength[n]) for n in ("cohesion", "friction", "pore_ratio")}
         homogeneous = SoilArrays(**numbers, unit_weight=by_lane(section.unit_weight))
