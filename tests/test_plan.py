@@ -113,7 +113,7 @@ def test_ladders_on_the_command_line(name: str, said: Any) -> None:
 
 def test_on_the_command_line(said: Any, records: Any, asked: Any) -> None:
     text = said("plan vaiont")
-    assert all(word in text for word in (*plan(load("vaiont")).fragments, FLOW, "left out"))
+    assert all(word in text for word in (*plan(load("vaiont")).fragments, FLOW, "not included"))
     (found,) = records("plan --ladder vaiont")
     assert [r["added"] for r in found["ladder"]] == ["", "rotation", "centripetal"]
     assert found["ladder"][-1]["run_out"] == pytest.approx(677.3, abs=0.1)

@@ -73,7 +73,7 @@ def test_mean_pressure_and_cover_of_random_sections(seed: int) -> None:
             under: Any = exact.under(flint.arb_series([turn]), place)
             pressure = under[0] * exact.measured(arc)["reference_stress"]
             assert section.mean_pressure(turn) == pytest.approx(float(pressure), rel=2e-14, abs=1e-9)
-        assert section.weights.cover == pytest.approx(float(exact.cover), rel=2e-14)
+        assert section.moment_coefficients.cover == pytest.approx(float(exact.cover), rel=2e-14)
 
 
 def test_heights_of_any_arc_against_thirty_digits() -> None:

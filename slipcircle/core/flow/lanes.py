@@ -167,7 +167,7 @@ class Lanes:
     @property
     def stress_unit(self) -> Any:
         """Pa for one of normal force over Theta*: sigma_ref over lambda/Theta*."""
-        return plain(self.arc.reference_stress / self.arc.weights.level)
+        return plain(self.arc.reference_stress / self.arc.moment_coefficients.resistance_factor)
 
     @property
     def energy_unit(self) -> Any:

@@ -132,7 +132,7 @@ def build_problem(
         numbers.inputs |= {
             "omega": velocity / numbers.radius * numbers.time_scale,
             "END_TIME": end_time / numbers.time_scale,
-            "LIMIT": abs(arc.weights.static_limit),
+            "LIMIT": abs(arc.moment_coefficients.limit_friction),
             # The steps of one scene cost next to nothing, whatever their order.
             "ORDER": order(min(accuracy, FINEST) if lanes == 1 else accuracy),
             "FACTOR": STEP,
@@ -179,7 +179,7 @@ class _Numbers:
 
     def __post_init__(self) -> None:
         self.time_scale, self.radius = plain(self.arc.time_scale), plain(self.arc.radius)
-        self.inputs: dict[str, Any] = self.arc.weights._asdict()
+        self.inputs: dict[str, Any] = self.arc.moment_coefficients.inputs()
 
     def add_effect(self, effect: str, given: Mapping[str, Any], rotating: bool) -> None:
         """What an effect gives: numbers by their symbols, functions of time or of the rotation as tables."""
@@ -240,7 +240,7 @@ def scales_of(arc: Arc | Section) -> dict[str, Any]:
         "Theta": arc.dimensionless.moment_of_inertia,
         "radius": plain(arc.radius),
         "density": plain(arc.mean_unit_weight) / plain(arc.gravity),
-        "cover": arc.weights.cover,
+        "cover": arc.moment_coefficients.cover,
     }
 
 
@@ -263,8 +263,8 @@ def under_water(section: Section, rotating: bool, others: Any = None, count: int
 
     function = others or pressure
     if rotating:
-        weights = section.weights
-        upright = np.arctan2(weights.press, weights.press_slope)  # J_r cos - J_r' sin falls to 0
+        coefficients = section.moment_coefficients
+        upright = np.arctan2(coefficients.normal_load, coefficients.normal_load_slope)  # J_r cos - J_r' sin falls to 0
         last = np.broadcast_to(upright, shape)
         kinks = np.moveaxis(section.pressure_kinks, -1, 0)
         kinks = np.broadcast_to(kinks if section.shape else kinks[:, None], (len(kinks), *shape))

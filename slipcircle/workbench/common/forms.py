@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
 from slipcircle.workbench.common.markup import Raw, table, tag
-from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, results, words
+from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, end_words, results, words
 
 
 def library(name: str) -> Any:
@@ -29,7 +29,8 @@ def html(motion: Motion) -> str:
         counts = [[Status[name].words, str(count)] for name, count in motion.count().items()]
         rows = counts + [[words(name), _span(motion.outcomes[name], q.unit)] for name, q in OUTCOMES.items()]
     else:
-        rows = [[q.label, q.text(motion)] for q in results(motion) if q.key]
+        ends = end_words(motion)
+        rows = [[q.label, ends.get(q.label) or q.text(motion)] for q in results(motion) if q.key]
     return Raw(tag("b", motion.plan.scene.name or "motion") + table(rows))
 
 

@@ -116,6 +116,18 @@ def results(motion: Any) -> tuple[Quantity, ...]:
     return (*RESULTS, *JOURNEY) if hasattr(motion, "journey") else RESULTS
 
 
+def end_words(motion: Any) -> dict[str, str]:
+    """What stands for the end of a single motion and for its time, by label, where it does not come to rest."""
+    if not motion.moves:
+        return {"comes to rest": "does not move", "duration": "-"}
+    if motion.arrested:
+        return {}
+    time = OUTCOMES["duration"].text(motion)
+    if motion.plan.scene.end_time is None:
+        return {"comes to rest": "no, nothing holds it", "duration": f"first standstill at {time}"}
+    return {"comes to rest": "no", "duration": f"still moving at {time}"}
+
+
 # What an ensemble is drawn for, a derivative taken of, and a back-analysis is given: `Motion` has them of every scene.
 OUTCOMES: Mapping[str, Quantity] = {
     q.name: q for q in RESULTS if q.name in ("reach", "run_out", "peak_velocity", "duration")
