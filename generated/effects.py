@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d3ff3ad9ebda189dd16fc66e66e81b724690458f58c5a028007a890802907bdb
+# sha256 of the text below: 8bf82cc3b946f78eccb0245c8fcd38bb881dc7e6c4ba460891d5bf794c0de388
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -160,33 +160,6 @@ EFFECTS = {
             1000.0, 'cohesion', lambda value, scales: value/scales['reference_stress'], False, 'number'),
     ), (), 'the slip surface has strength without normal stress', False, (), ('adds cohesion* lambda to resistance',
         'cohesion* = cohesion/sigma_ref')),
-    'layered_strength': Effect('layered_strength', '2.23', (
-        Parameter('turning', '', -INFINITY, INFINITY,
-            "excess of friction's normal force over the mean, of strength with the mass", '', 1.0, 'turning',
-            lambda value, scales: value, True, 'number'),
-        Parameter('turning_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'turning_slope',
-            lambda value, scales: value, True, 'number'),
-        Parameter('normal', '', -INFINITY, INFINITY, 'the same of strength with the base', '', 1.0, 'layered_normal',
-            lambda value, scales: value, True, 'rotation'),
-        Parameter('inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it', '', 1.0,
-            'layered_inertia', lambda value, scales: value, True, 'rotation'),
-        Parameter('lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0, 'layered_lift', lambda value,
-            scales: value, True, 'rotation'),
-        Parameter('remaining', '', -INFINITY, INFINITY,
-            'excess of the friction that slip leaves, of strength with the mass', '', 1.0, 'remaining', lambda value,
-            scales: value, True, 'number'),
-        Parameter('remaining_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'remaining_slope',
-            lambda value, scales: value, True, 'number'),
-        Parameter('remaining_normal', '', -INFINITY, INFINITY, 'the same of strength with the base', '', 1.0,
-            'layered_remaining', lambda value, scales: value, True, 'rotation'),
-        Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it',
-            '', 1.0, 'layered_remaining_inertia', lambda value, scales: value, True, 'rotation'),
-        Parameter('strength', '', -INFINITY, INFINITY, 'strength without normal stress', '', 1.0, 'layered_cohesion',
-            lambda value, scales: value, True, 'rotation'),
-    ), (), 'soils along the arc have strengths of their own, by the weights of (2.23) straight above each', False, (),
-        ('adds Theta layered_lift/lambda to u',
-        'adds Theta (layered_cohesion + layered_remaining + layered_remaining_inertia omega^2 + remaining) to '
-        'resistance', 'adds Theta (layered_inertia omega^2 + layered_normal + turning) to J_r')),
     'drag': Effect('drag', '3.11', (
         Parameter('xi', 'm/s^2', 1e-13, 1000000000000000.0, 'turbulence coefficient of Voellmy', 'xi_m_s2', 1.0, 'drag',
             lambda value, scales: 2*scales['gravity']*scales['half_angle']/(scales['Theta']*value), False, 'number'),
@@ -264,4 +237,34 @@ EFFECTS = {
         'and adiabatic (no heat does), as in a slide of seconds to minutes on millimetres of clay or more; one mean '
         'pressure and temperature, constant Lambda, and all work of friction is heat', False, (), ('adds excess to u',
         "dexcess/dphi = kappa* mu sigma'", 'kappa* = R pressurisation/(heat_capacity thickness)')),
+}
+
+ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
+    'layered_strength': Effect('layered_strength', '2.23', (
+        Parameter('turning', '', -INFINITY, INFINITY,
+            "excess of friction's normal force over the mean, of strength with the mass", '', 1.0, 'turning',
+            lambda value, scales: value, True, 'number'),
+        Parameter('turning_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'turning_slope',
+            lambda value, scales: value, True, 'number'),
+        Parameter('normal', '', -INFINITY, INFINITY, 'the same of strength with the base', '', 1.0, 'layered_normal',
+            lambda value, scales: value, True, 'rotation'),
+        Parameter('inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it', '', 1.0,
+            'layered_inertia', lambda value, scales: value, True, 'rotation'),
+        Parameter('lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0, 'layered_lift', lambda value,
+            scales: value, True, 'rotation'),
+        Parameter('remaining', '', -INFINITY, INFINITY,
+            'excess of the friction that slip leaves, of strength with the mass', '', 1.0, 'remaining', lambda value,
+            scales: value, True, 'number'),
+        Parameter('remaining_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'remaining_slope',
+            lambda value, scales: value, True, 'number'),
+        Parameter('remaining_normal', '', -INFINITY, INFINITY, 'the same of strength with the base', '', 1.0,
+            'layered_remaining', lambda value, scales: value, True, 'rotation'),
+        Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it',
+            '', 1.0, 'layered_remaining_inertia', lambda value, scales: value, True, 'rotation'),
+        Parameter('strength', '', -INFINITY, INFINITY, 'strength without normal stress', '', 1.0, 'layered_cohesion',
+            lambda value, scales: value, True, 'rotation'),
+    ), (), 'soils along the arc have strengths of their own, by the weights of (2.23) straight above each', False, (),
+        ('adds Theta layered_lift/lambda to u',
+        'adds Theta (layered_cohesion + layered_remaining + layered_remaining_inertia omega^2 + remaining) to '
+        'resistance', 'adds Theta (layered_inertia omega^2 + layered_normal + turning) to J_r')),
 }

@@ -162,5 +162,5 @@ def test_what_soils_say_is_not_said_twice() -> None:
         Scene(section, 0.3, TURNING)
     with pytest.raises(ValueError, match=r"effects\.cohesion: is given by the soils"):
         Scene(section, effects={"cohesion": {"cohesion": 3e3}})
-    with pytest.raises(ValueError, match="is given by the soils"):
+    with pytest.raises(ValueError, match="'layered_strength' is unknown"):
         Scene(Section(GROUND, (30, 45), 48.0, 19e3), 0.3, {"layered_strength": {}})

@@ -217,21 +217,6 @@ EFFECTS = (
         Parameter("cohesion", "Pa", _BELOW_0, _INFINITY, "shear strength without normal stress", "cohesion_kPa", 1e3,
                   _COHESION, VALUE / REFERENCE),), (),
            "the slip surface has strength without normal stress", resistance=LAMBDA * _COHESION),
-    Effect("layered_strength", "2.23", (
-        _of_section("turning", "excess of friction's normal force over the mean, of strength with the mass", TURNING),
-        _of_section("turning_slope", "its derivative by the dip", TURNING_SLOPE),
-        _of_section("normal", "the same of strength with the base", _NORMAL, "rotation"),
-        _of_section("inertia", "what the square of the angular velocity adds to it", _INERTIA, "rotation"),
-        _of_section("lift", "what water takes from it", _LIFT, "rotation"),
-        _of_section("remaining", "excess of the friction that slip leaves, of strength with the mass", REMAINING),
-        _of_section("remaining_slope", "its derivative by the dip", REMAINING_SLOPE),
-        _of_section("remaining_normal", "the same of strength with the base", _REMAINING, "rotation"),
-        _of_section("remaining_inertia", "what the square of the angular velocity adds to it", _REMAINING_INERTIA,
-                    "rotation"),
-        _of_section("strength", "strength without normal stress", _COHESIVE, "rotation")), (),
-           "soils along the arc have strengths of their own, by the weights of (2.23) straight above each",
-           press=THETA * (_NORMAL + TURNING + _INERTIA * OMEGA_2), pressure=THETA / LAMBDA * _LIFT,
-           resistance=THETA * (_COHESIVE + REMAINING + _REMAINING + _REMAINING_INERTIA * OMEGA_2)),
     Effect("drag", "3.11", (
         Parameter("xi", "m/s^2", 0.0, _INFINITY, "turbulence coefficient of Voellmy", "xi_m_s2", 1.0,
                   _DRAG, 2 * ALPHA * GRAVITY / (VALUE * THETA)),), ("speed squared",),
@@ -277,6 +262,27 @@ EFFECTS = (
            "one mean pressure and temperature, constant Lambda, and all work of friction is heat",
            pressure=_EXCESS, given=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
 )  # fmt: skip
+
+
+# What a section adds to the balance by itself: no user and no file asks for it.
+SECTION_EFFECTS = (
+    Effect("layered_strength", "2.23", (
+        _of_section("turning", "excess of friction's normal force over the mean, of strength with the mass", TURNING),
+        _of_section("turning_slope", "its derivative by the dip", TURNING_SLOPE),
+        _of_section("normal", "the same of strength with the base", _NORMAL, "rotation"),
+        _of_section("inertia", "what the square of the angular velocity adds to it", _INERTIA, "rotation"),
+        _of_section("lift", "what water takes from it", _LIFT, "rotation"),
+        _of_section("remaining", "excess of the friction that slip leaves, of strength with the mass", REMAINING),
+        _of_section("remaining_slope", "its derivative by the dip", REMAINING_SLOPE),
+        _of_section("remaining_normal", "the same of strength with the base", _REMAINING, "rotation"),
+        _of_section("remaining_inertia", "what the square of the angular velocity adds to it", _REMAINING_INERTIA,
+                    "rotation"),
+        _of_section("strength", "strength without normal stress", _COHESIVE, "rotation")), (),
+           "soils along the arc have strengths of their own, by the weights of (2.23) straight above each",
+           press=THETA * (_NORMAL + TURNING + _INERTIA * OMEGA_2), pressure=THETA / LAMBDA * _LIFT,
+           resistance=THETA * (_COHESIVE + REMAINING + _REMAINING + _REMAINING_INERTIA * OMEGA_2)),
+)  # fmt: skip
+ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
 
 
 def formulas(effect: Effect) -> tuple[str, ...]:

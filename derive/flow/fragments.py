@@ -7,7 +7,7 @@ from sympy import Expr, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin,
 
 from derive.algebra.remainders import Select
 from derive.declare import effects as declared
-from derive.declare.effects import BY_PSI, DEGREE, EFFECTS, FALL, LAMBDA, LAWS, LEVEL, MU, OMEGA, PRESS, SLIP, THETA
+from derive.declare.effects import ALL_EFFECTS, BY_PSI, DEGREE, FALL, LAMBDA, LAWS, LEVEL, MU, OMEGA, PRESS, SLIP, THETA
 from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, cell, series, total, varying
 
 # What every scene gives, all over Theta*.
@@ -313,7 +313,9 @@ def energy() -> Fragment:
     return low.fragment(words, {}, states={"work": driving * omega, "dissipation": brakes * omega})
 
 
-def fragments(effects: Sequence[declared.Effect] = EFFECTS, laws: Sequence[declared.Law] = LAWS) -> dict[str, Fragment]:
+def fragments(
+    effects: Sequence[declared.Effect] = ALL_EFFECTS, laws: Sequence[declared.Law] = LAWS
+) -> dict[str, Fragment]:
     """All fragments by name, of these effects and laws."""
     every = {"gravity": gravity()}
     for effect in effects:

@@ -42,8 +42,8 @@ def rotation_tables(
 
     start = np.zeros(circles)
     if rotates:
-        weights = section.weights
-        upright = np.broadcast_to(np.arctan2(weights.press, weights.press_slope), (lanes,))
+        c = section.moment_coefficients
+        upright = np.broadcast_to(np.arctan2(c.normal_load, c.normal_load_slope), (lanes,))
         last = upright.max(keepdims=True) if circles == 1 else upright
         first = last - np.pi if upslope else start
         tolerance = accuracy / 100 if lanes > 1 else FINEST / 100

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
-from generated.effects import EFFECTS, LAWS
+from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import PIECES
 from slipcircle.base.checks import choose, plain
 from slipcircle.core.flow import tables
@@ -52,8 +52,8 @@ class Problem(NamedTuple):
     def with_steady_shaking(self) -> "Problem":
         """The same lanes with a constant horizontal coefficient, at first 0, in the place of their shaking."""
         effects, laws, moving, absent = self.recipe
-        shaking = {p.symbol for p in EFFECTS["shaking"].parameters}
-        effects = tuple(name for name in EFFECTS if name in (*effects, "shaking"))
+        shaking = {p.symbol for p in ALL_EFFECTS["shaking"].parameters}
+        effects = tuple(name for name in ALL_EFFECTS if name in (*effects, "shaking"))
         moving = tuple(symbol for symbol in moving if symbol not in shaking)
         absent = tuple(symbol for symbol in absent if symbol not in shaking)
         return self._with_program(build_program(effects, laws, moving, (*absent, "k_v")))
@@ -156,10 +156,10 @@ def build_problem(
 
 def _recipe(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
     """The arguments of `build_program`: effects, laws, symbols of functions, symbols of what is not given."""
-    effects = tuple(name for name in EFFECTS if name in called)
+    effects = tuple(name for name in ALL_EFFECTS if name in called)
     moving, absent = list[str](), list[str]()
     for effect in effects:
-        for p in EFFECTS[effect].parameters:
+        for p in ALL_EFFECTS[effect].parameters:
             value = called[effect].get(p.name)
             if p.symbol and callable(value):
                 moving.append(p.symbol)
@@ -183,10 +183,10 @@ class _Numbers:
 
     def add_effect(self, effect: str, given: Mapping[str, Any], rotating: bool) -> None:
         """What an effect gives: numbers by their symbols, functions of time or of the rotation as tables."""
-        symbols = [p for p in EFFECTS[effect].parameters if p.symbol]
+        symbols = [p for p in ALL_EFFECTS[effect].parameters if p.symbol]
         if not symbols:
             return
-        numbers = {p.name: given.get(p.name, 0.0) for p in EFFECTS[effect].parameters if p.kind == "number"}
+        numbers = {p.name: given.get(p.name, 0.0) for p in ALL_EFFECTS[effect].parameters if p.kind == "number"}
         scales = scales_of(self.arc) | numbers
         for p in symbols:
             value = given.get(p.name, 0.0)
@@ -208,7 +208,7 @@ class _Numbers:
         if not terms:
             return
         found = rotation_tables(self.arc, terms, rotates, upslope, accuracy)
-        symbols = {p.name: p.symbol for p in EFFECTS["layered_strength"].parameters}
+        symbols = {p.name: p.symbol for p in ALL_EFFECTS["layered_strength"].parameters}
         self.tables |= {symbols[name]: (table, 1.0, 1.0) for name, table in found.items()}
 
     def add_law(self, name: str, given: Mapping[str, Any]) -> None:
@@ -246,7 +246,7 @@ def scales_of(arc: Arc | Section) -> dict[str, Any]:
 
 def rotates(effects: Iterable[str]) -> bool:
     """Whether an effect lets the mass rotate."""
-    return any(EFFECTS[effect].turns for effect in effects)
+    return any(ALL_EFFECTS[effect].turns for effect in effects)
 
 
 def under_water(section: Section, rotating: bool, others: Any = None, count: int = 1) -> Data:
@@ -288,7 +288,7 @@ def _first_only(asked: Collection[str], laws: Any, inputs: Mapping[str, Any]) ->
 
     Of effects and symbols of functions.
     """
-    if not rotates(EFFECTS.keys() & asked) or ("layered_strength" in asked and "layered_cohesion" in asked):
+    if not rotates(ALL_EFFECTS.keys() & asked) or ("layered_strength" in asked and "layered_cohesion" in asked):
         return 0.0
     (name, parameters), *others = laws
     frictionless = parameters["coefficient"] == 0.0 if name == "constant" and not others else False

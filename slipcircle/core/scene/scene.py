@@ -237,8 +237,6 @@ def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
     if name not in EFFECTS:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     effect = EFFECTS[name]
-    if effect.parameters and not any(p.key for p in effect.parameters):
-        return [f"effects.{name}: is given by the soils of a layered section; leave it out"]
     lacks = effect.any_of and not {*effect.any_of} & {*parameters}
     found = [f"effects.{name}: one of {', '.join(effect.any_of)} is missing"] if lacks else []
     return found + parameter_mistakes(f"effects.{name}", parameters, effect.parameters)

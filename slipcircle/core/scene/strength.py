@@ -211,7 +211,7 @@ class ArcStrength:
         edges = np.where(down > 0.0, self.section._strips.beta, -self.section._strips.beta[:, ::-1])
         base = [self.stretches.joint, first[:, None], last[:, None]]
         if self.section.level is not None:
-            base += [self.section._water.low * down, self.section._water.high * down]
+            base.append(self.section._water.kinks * down)
         _, centre, radius = self.section._circle
         for s in self.section.soils:
             if s.datum is not None:
