@@ -36,7 +36,7 @@ STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order
 
 
 class Problem(NamedTuple):
-    """What `walk.walk` takes, and what turns its numbers back into seconds and metres."""
+    """What `integrate` takes, and what turns its numbers back into seconds and metres."""
 
     program: Program
     tables: list[Data]
@@ -44,10 +44,11 @@ class Problem(NamedTuple):
     time_scale: Any
     functions: Mapping[int, Callable[[Any], Any]]  # of slip, given in Python, by the place of their table
     recipe: tuple[tuple[str, ...], ...]  # the arguments of `build_program`: effects, laws, moving, absent
+    outputs: tuple[str, ...] = ()  # further ones of the program
 
     def with_outputs(self, outputs: tuple[str, ...] = (), directions: int = 0) -> "Problem":
         """The same lanes with further outputs, or with derivatives in so many directions."""
-        return self._with_program(build_program(*self.recipe, outputs, directions))
+        return self._with_program(build_program(*self.recipe, outputs, directions))._replace(outputs=outputs)
 
     def with_steady_shaking(self) -> "Problem":
         """The same lanes with a constant horizontal coefficient, at first 0, in the place of their shaking."""
@@ -61,7 +62,7 @@ class Problem(NamedTuple):
     def _with_program(self, program: Program) -> "Problem":
         """The same numbers for another program."""
         cells = program.blank(self.cells.shape[1])
-        there, here = _common_cells(program, self.program)
+        there, here = common_cells(program, self.program)
         cells[there] = self.cells[here]
         data = {table.name: data for table, data in zip(self.program.tables, self.tables, strict=True)}
         return self._replace(program=program, cells=cells, tables=[data[table.name] for table in program.tables])
@@ -82,7 +83,7 @@ class Problem(NamedTuple):
 
 
 @lru_cache(maxsize=256)
-def _common_cells(program: Program, other: Program) -> tuple[Any, Any]:
+def common_cells(program: Program, other: Program) -> tuple[Any, Any]:
     """The places of the numbers that two programs are both given, in the one and in the other."""
     names = [name for name in program.cells[: program.given] if name in other.places]
     return np.array([program.places[name] for name in names]), np.array([other.places[name] for name in names])

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import mistakes, raise_all
 from slipcircle.core.scene.friction import law_mistakes
-from slipcircle.core.scene.ground import FAR, line_mistakes
+from slipcircle.core.scene.ground import FAR, points_errors
 
 # The numbers of a soil that vary beside its friction, and all of them as one a lane.
 SOIL_NUMBERS = ("unit_weight", "cohesion", "saturated_unit_weight", "cohesion_gradient", "pore_ratio")
@@ -98,7 +98,7 @@ def layer_mistakes(
         if top is None:
             found.append(f"layers[{k}]: top is missing: a height in m, or points from left to right")
         elif np.ndim(top) > 1:
-            found += line_mistakes(f"layers[{k}]: top", top, True)
+            found += points_errors(f"layers[{k}]: top", top, True)
         else:
             found += mistakes({"top": top}, {"top": (-FAR, FAR, "a height in m, or points from left to right")})
     if strength not in ("base", "mass"):

@@ -152,6 +152,8 @@ def _inputs(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
     yield Part(["effect", "", "what it does", "equation of the paper"], effects)
     laws = (f"{name}: {LAWS[name].help}" if name in LAWS else name for name in law_names(plan.scene.friction))
     yield Part([], [["friction law", " times ".join(laws)]])
+    yield tag("h3", "Equation of motion")
+    yield tag("pre", str(plan.equation))
     yield tag("h3", "Assumptions")
     frozen = () if "rotation" in plan.effects else ("The geometry is frozen: the weight does not turn with the mass.",)
     left_out = f"Not included: {', '.join(plan.left_out) or 'nothing'}."
