@@ -131,7 +131,7 @@ class InputDerivatives:
                 for name, power in p.powers:
                     if name != "value":
                         growth = growth + power * growths[name]
-                self._add_parameter(effect, p, given, scales | numbers, growth)
+                self._add_parameter(effect, p, given, {**scales, **numbers}, growth)
 
     def _add_parameter(
         self, effect: str, p: Parameter, given: Mapping[str, Any], scales: Mapping[str, float], growth: Floats
