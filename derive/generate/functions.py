@@ -1,4 +1,4 @@
-"""What `generated` holds: its functions, each with its program, its domain and the words of its docstring."""
+"""The functions of `generated`, each with its program, its domain and the words of its docstring."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -38,12 +38,12 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
     for q in QUOTIENTS:
         formulas[q.name] = f"{q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish."
     quantities: tuple[Moment | Elementary | Quotient, ...] = (*MOMENTS, RESISTANCE, *QUOTIENTS)
-    found = []
+    every = []
     for x, (name, form) in zip(quantities, stable_forms(closed).items(), strict=True):
         # In its fitted tiers, or in its stable form where nothing is fitted (yet).
         symbol = x.kernel[1] if isinstance(x, Moment) else x.symbol
         tiers = _tiers(name)
-        found.append(
+        every.append(
             Function(
                 tiers.get("best") or program(name, ("alpha",), form, let=_CLIP),
                 f"{symbol}: {x.help}, dimensionless.",
@@ -67,7 +67,7 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
         "3.21",
         ACCURACY,
     )
-    return [*found, *(_weight(derive(m)) for m in MOMENTS if m.amplitude), friction]
+    return [*every, *(_weight(derive(m)) for m in MOMENTS if m.amplitude), friction]
 
 
 def _tiers(name: str) -> dict[str, Program]:
@@ -97,17 +97,17 @@ def _accuracy(name: str, proved: Sequence[Record]) -> str:
 
 
 def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tuple[str, str, str], str]:
-    """What stands above each compiled program: formula, interval, proved bound and certificate."""
+    """The comment above each compiled program: formula, interval, proved bound and certificate."""
     known = {f.program.name: f for f in kernels}
-    found = {}
+    texts = {}
     for r in proved:
         kernel = r["kernel"]
         tier = r["tier"]
         form = r["form"]
         bound = f"{r['bound']:.3g} {'relative' if tier[0] == '1' else 'ulp'} (certificates/{kernel}.json)"
         formula = known[kernel].formula.rstrip(".")
-        found[kernel, tier, form] = f"{formula}, 0 <= alpha <= pi/2, {tier}, {form}: proved within {bound}"
-    return found
+        texts[kernel, tier, form] = f"{formula}, 0 <= alpha <= pi/2, {tier}, {form}: proved within {bound}"
+    return texts
 
 
 def stable_forms(closed: Mapping[str, Expr]) -> dict[str, Expr]:
@@ -145,7 +145,7 @@ def _turned(function: type[sp.Function]) -> Expr:
     return function(theta_m) + _EPSILON * diff(function(theta_m), theta_m)
 
 
-# (C_theta/C_r) tan(psi); alpha's rounding error is left out, as the quotient is O(1) with a slope of O(alpha).
+# (C_theta/C_r) tan(psi); alpha's rounding error is neglected, as the quotient is O(1) with a slope of O(alpha).
 _LIMIT = _KERNEL * _turned(cos) / _turned(sin)
 
 
@@ -329,7 +329,16 @@ def _parameter(p: Parameter) -> str:
         convert = re.sub(rf"\b{name}\b", f"scales[{name!r}]", convert)
     bounds = f"{p.lower!r}, {p.upper!r}".replace("inf", "INFINITY")
     words = f"{p.name!r}, {p.unit!r}, {bounds}, {p.help!r}, {p.key!r}, {p.per_unit!r}"
-    return f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r})"
+    return (
+        f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r}, {_powers(p)!r})"
+    )
+
+
+def _powers(p: Parameter) -> tuple[tuple[str, float], ...]:
+    """The exponents of the value and of the scales in the product of powers that makes a parameter dimensionless."""
+    product = p.dimensionless
+    exponents = {x.name: sp.simplify(x * sp.diff(product, x) / product) for x in product.free_symbols}
+    return tuple((name, float(exponents[name])) for name in sorted(exponents))
 
 
 _EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for."""
@@ -344,7 +353,10 @@ INFINITY = float("inf")
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it."""
+    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it.
+
+    ``powers`` are the exponents of the value and of the scales in ``dimensionless``, a product of powers.
+    """
 
     name: str
     unit: str
@@ -356,7 +368,8 @@ class Parameter:
     symbol: str
     dimensionless: Callable[[float, Mapping[str, float]], float]
     optional: bool
-    kind: str = "number"
+    kind: str
+    powers: tuple[tuple[str, float], ...]
 
 
 @dataclass(frozen=True, slots=True)
