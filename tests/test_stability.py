@@ -12,7 +12,8 @@ from slipcircle import Scene
 from slipcircle.core.scene import circles
 from slipcircle.core.scene.ground import circle_through
 from slipcircle.core.scene.section import Section
-from slipcircle.workbench.stability.search import Search, critical
+from slipcircle.workbench.stability.family import Search
+from slipcircle.workbench.stability.search import critical
 from slipcircle.workbench.stability.slices import circle_factors
 from slipcircle.workbench.stability.stability import METHODS, Slope, factors_of_safety
 
@@ -137,6 +138,7 @@ def sliced(slope: Slope, centre: tuple[float, float], radius: float, found: Sect
     cosine = np.sqrt(1.0 - sine**2)
     base = centre[1] - radius * cosine
     height = np.interp(x, *np.asarray(slope.ground).T) - base
+    assert slope.unit_weight is not None
     pressure = slope.pore_ratio * slope.unit_weight * height
     if slope.level is not None:
         pressure = slope.water_unit_weight * np.maximum(np.interp(x, *np.asarray(slope.level).T) - base, 0.0)
@@ -298,10 +300,10 @@ def test_a_mass_is_one_piece() -> None:
     slope = Slope([(-60, 20), (-30, 20), (-20, 12), (-12, 12), (10, 0), (60, 0)], 10e3, 0.5, 19e3)
     search = Search(slope, "bishop", None, None, 0.0)
     crest, toe = search.along[1], search.along[4]
-    flat, deep = search.judged(np.array([[crest, toe, 0.05], [crest, toe, 0.9]])).tolist()
+    flat, deep = search.evaluate(np.array([[crest, toe, 0.05], [crest, toe, 0.9]])).tolist()
     assert math.isnan(flat)
     assert deep > 0.0
-    _, _, left, right = masses(slope.ground, *search.laid(np.array([[crest, toe, 0.05], [crest, toe, 0.9]]))[:2])
+    _, _, left, right = masses(slope.ground, *search.circles(np.array([[crest, toe, 0.05], [crest, toe, 0.9]]))[:2])
     assert left[0, 0] > -20.0  # the flat circle cuts off what lies below the bench alone
     assert left[1] == pytest.approx([-30, 20])
     assert right == pytest.approx(np.array([[10.0, 0.0], [10.0, 0.0]]))
@@ -310,7 +312,7 @@ def test_a_mass_is_one_piece() -> None:
 def test_circles_may_all_be_unwanted() -> None:
     slope = Slope(GROUND, 8e3, tangent(25), 19e3, level=LEVEL)
     search = Search(slope, "bishop", None, None, 50.0)  # all thinner, in a block that has a water level
-    assert np.isnan(search.judged(np.array([[10.0, 60.0, 0.3], [12.0, 70.0, 0.2]]))).all()
+    assert np.isnan(search.evaluate(np.array([[10.0, 60.0, 0.3], [12.0, 70.0, 0.2]]))).all()
 
 
 def test_a_circle_at_the_end_of_the_ground_is_told() -> None:
@@ -415,7 +417,7 @@ def test_a_search_without_an_answer_says_why(slope: Slope, more: dict[str, objec
         ({"unit_weight": math.nan}, "unit_weight"),
         ({"pore_ratio": 1.2}, "pore_ratio"),
         ({"k_h": 3.0}, "k_h"),
-        ({"base": 30.0}, "below the ground"),
+        ({"base": 35.0}, "below the highest point of the ground"),
         ({"level": [(0, 30), (90, 30)]}, "ponds"),
         ({"level": [(0, 20), (90, 30)], "pore_ratio": 0.2}, "exclude each other"),
         ({"level": [(200, 20), (300, 20)]}, "beside the ground"),

@@ -16,7 +16,7 @@ from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
 from derive.code.program import Program, program
-from derive.declare.effects import EFFECTS, LAWS, LIMITS, VALUE, Effect, Law, Parameter, formulas
+from derive.declare.effects import EFFECTS, LAWS, LIMITS, SECTION_EFFECTS, VALUE, Effect, Law, Parameter, formulas
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
 from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 
@@ -303,6 +303,10 @@ def effects_module() -> str:
             *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in EFFECTS),
             "}",
             "",
+            "ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself",
+            *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in SECTION_EFFECTS),
+            "}",
+            "",
         ]
     )
 
@@ -325,7 +329,16 @@ def _parameter(p: Parameter) -> str:
         convert = re.sub(rf"\b{name}\b", f"scales[{name!r}]", convert)
     bounds = f"{p.lower!r}, {p.upper!r}".replace("inf", "INFINITY")
     words = f"{p.name!r}, {p.unit!r}, {bounds}, {p.help!r}, {p.key!r}, {p.per_unit!r}"
-    return f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r})"
+    return (
+        f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r}, {_powers(p)!r})"
+    )
+
+
+def _powers(p: Parameter) -> tuple[tuple[str, float], ...]:
+    """The exponents of the value and of the scales in the product of powers that makes a parameter dimensionless."""
+    product = p.dimensionless
+    exponents = {x.name: sp.simplify(x * sp.diff(product, x) / product) for x in product.free_symbols}
+    return tuple((name, float(exponents[name])) for name in sorted(exponents))
 
 
 _EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for."""
@@ -340,7 +353,10 @@ INFINITY = float("inf")
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it."""
+    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it.
+
+    ``powers`` are the exponents of the value and of the scales in ``dimensionless``, a product of powers.
+    """
 
     name: str
     unit: str
@@ -352,7 +368,8 @@ class Parameter:
     symbol: str
     dimensionless: Callable[[float, Mapping[str, float]], float]
     optional: bool
-    kind: str = "number"
+    kind: str
+    powers: tuple[tuple[str, float], ...]
 
 
 @dataclass(frozen=True, slots=True)
