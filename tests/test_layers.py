@@ -190,10 +190,9 @@ def test_least_factors_of_published_slopes(case: dict[str, Any]) -> None:
 
 def test_a_drowned_slope_is_the_buoyant_one_in_all_methods() -> None:
     """Archimedes: with water level far above, weights less that of water and no water."""
-    circle = {"centre": (30, 45), "radius": 48.0}
     drowned = Slope(GROUND, 5e3, 0.4, 20e3, pond=40.0)
     buoyant = Slope(GROUND, 5e3, 0.4, 20e3 - 9810.0)
-    section = Section(GROUND, unit_weight=1.0, **circle)
+    section = Section(GROUND, (30, 45), 48.0, 1.0)
     for method, factor in at_circle(buoyant, section).factor_of_safety.items():
         assert at_circle(drowned, section).factor_of_safety[method] == pytest.approx(factor, rel=1e-13)
 
