@@ -7,10 +7,10 @@ from sympy import Expr, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin,
 
 from derive.algebra.remainders import Select
 from derive.declare.effects import (
+    ALL_EFFECTS,
     BY_PSI,
     DEGREE,
     EFFECTIVE,
-    EFFECTS,
     FALL,
     J_R,
     J_THETA,
@@ -23,9 +23,11 @@ from derive.declare.effects import (
     POLAR,
     PRESS,
     PRESS_SLOPE,
+    REMAINING_SLOPE,
     SLIP,
     SPEED,
     THETA,
+    TURNING_SLOPE,
     A,
     Effect,
     Law,
@@ -61,7 +63,8 @@ def seen(q: Symbol) -> Symbol:
 
 def sign(q: Symbol) -> Expr:
     """What a component is multiplied by to be seen so: J_theta and the slope of J_r are odd in psi."""
-    return DIRECTION if q in (FALL, PRESS_SLOPE) else ONE
+    odd_in_psi = (FALL, PRESS_SLOPE, TURNING_SLOPE, REMAINING_SLOPE)
+    return DIRECTION if q in odd_in_psi else ONE
 
 
 def position() -> dict[Symbol, tuple[Expr, Increment]]:
@@ -124,7 +127,7 @@ def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]
     odd_parameters = odd(effect)
     for p in effect.parameters:
         x = p.symbol
-        if x is None:
+        if x is None or x in BY_PSI:
             continue
         direction = DIRECTION if x in odd_parameters else ONE
         increment: Increment = {}
@@ -157,13 +160,13 @@ def of_effect(effect: Effect) -> Fragment:
     rate = rate.subs(EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
     inputs = []
     optional = []
-    table = None
+    tables = []
     for p in effect.parameters:
         name = str(p.symbol)
         if p.symbol is None:
             continue
         if p.kind == "rotation":
-            table = (name, "rotation", "x", DEGREE)
+            tables.append((name, "rotation", "x", DEGREE))
             continue
         inputs.append(name)
         if p.optional:
@@ -174,7 +177,7 @@ def of_effect(effect: Effect) -> Fragment:
         inputs=inputs,
         optional=optional,
         states={str(x): rate for x in effect.states},
-        table=table,
+        tables=tuple(tables),
     )
 
 
@@ -198,7 +201,7 @@ def of_law(law: Law) -> Fragment:
         of = "log(omega/omega_0)" if variable == "speed" else "x"
         words.append(f"mu = VALUE + Q1 y + Q2 y^2 + ..., y = {of}")
         low.moving = {value: (value, powers(law.name, argument, law.degree))}
-    return low.fragment(words, {"mu": value}, table=(law.name, variable, argument, law.degree))
+    return low.fragment(words, {"mu": value}, tables=((law.name, variable, argument, law.degree),))
 
 
 def _log_speed(law: Law, low: Lowering) -> None:
@@ -329,7 +332,7 @@ def energy() -> Fragment:
     return low.fragment(words, {}, states={"work": driving * omega, "dissipation": brakes * omega})
 
 
-def fragments(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> dict[str, Fragment]:
+def fragments(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> dict[str, Fragment]:
     """All fragments by name, of these effects and laws."""
     every = {"gravity": gravity()}
     for effect in effects:
