@@ -190,7 +190,7 @@ def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right
     first, second = _point(left), _point(right)
     entry, exit = (first, second) if facing >= 0 else (second, first)
     warning = ""
-    if slope.friction and negative > _PULLED:
+    if (slope.friction or slope.layers) and negative > _PULLED:
         warning = (
             f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on the "
             "method more than on the soil"
@@ -230,7 +230,7 @@ def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) ->
         mistakes += _limit_mistakes(name, pair, ground)
     if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
         mistakes.append("ground: is level; nothing drives a slide")
-    elif not depth and slope.cohesion == 0.0:
+    elif not depth and slope.cohesion == 0.0 and not slope.layers:
         mistakes.append(
             f"cohesion = 0: the least factor is that of an ever thinner skin{_skin(slope)}; give a least depth"
         )
@@ -266,11 +266,12 @@ def _skin(slope: Slope) -> str:
 def _refuse_bottomless(slope: Slope, least: float) -> None:
     """Raise a ValueError where, without friction and base, ever deeper circles are worse than the best one.
 
-    Beside their size all is small but the step H between level grounds: F = 4 a c/(gamma H sin(a)^2) of circles about it
-    with half the opening a, least where tan(a) = 2 a.
+    Beside their size all is small but the step H between level grounds: F = 4 a c/(gamma H sin(a)^2) of circles about
+    it with half the opening a, least where tan(a) = 2 a.
     """
-    if slope.friction or slope.base is not None:
+    if slope.layers or slope.friction or slope.base is not None:
         return
+    assert slope.unit_weight is not None
     ground = np.asarray(slope.ground)
     step = abs(float(ground[-1, 1] - ground[0, 1])) * slope.unit_weight
     deepest = 5.5199 * slope.cohesion / step if step and not slope.k_h else np.inf
