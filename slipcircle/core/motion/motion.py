@@ -22,7 +22,8 @@ from slipcircle.core.motion.states import Phase, State, Status
 from slipcircle.core.motion.trajectory import Trajectory
 from slipcircle.core.motion.warnings import collect_warnings
 from slipcircle.core.scene.parameters import with_parameters
-from slipcircle.core.scene.section import Journey, Section
+from slipcircle.core.scene.section import Section
+from slipcircle.core.scene.turning import Journey
 
 if TYPE_CHECKING:
     from slipcircle.core.motion.derivatives import Sensitivity
@@ -129,7 +130,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @property
     def stopped_at(self) -> Numbers:
         """Time at which the integration stopped, s, with a result or without."""
-        return self._shaped(self._final[ix.TIME] * self._lanes.time_scale)
+        time = self._final[ix.TIME] * self._lanes.time_scale
+        return self._shaped(time)
 
     @property
     def turnings(self) -> Any:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from generated.effects import EFFECTS
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan, step_operations
-from slipcircle.workbench.common.quantities import OUTCOMES, RESULTS, end_words, results, time_text, to_error, words
+from slipcircle.workbench.common.quantities import OUTCOMES, end_words, results, summary, time_text, to_error, words
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
@@ -58,13 +58,9 @@ COEFFICIENTS = {
 }
 
 
-SUMMARY = ("arrested", "run_out", "peak_velocity", "duration", "factor_of_safety")
-
-
 def motion_summary(motion: Motion) -> dict[str, str]:
-    """What happened, how far, how fast and how long, how safe the start was, and how well it is known, by label."""
-    values = {q.label: q.text(motion) for q in RESULTS if q.name in SUMMARY}
-    return values | end_words(motion) | {"estimated error": f"{motion.error_estimate:.1e}"}
+    """Its `summary`, and how well it is known."""
+    return summary(motion) | {"estimated error": f"{motion.error_estimate:.1e}"}
 
 
 def motion_column(motion: Motion) -> dict[str, str]:
