@@ -295,7 +295,7 @@ class Lanes:
         shaken = cells.copy()
         shaken[places["k_h"]] = downhill  # a unit of k_h, the way in which gravity drives
         for each in (cells, shaken):
-            engine().begin(program, problem.tables, each)
+            engine().begin_phase(program, problem.tables, each)
         mu, limit = cells[roles["cell_mu"]], cells[roles["cell_limit"]]
         with np.errstate(all="ignore"):
             return _equilibrium(_forces(program, cells), _forces(program, shaken), mu, limit)
