@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from generated.effects import EFFECTS
+from generated.effects import ALL_EFFECTS
 from generated.layout import MOST_TURNS
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.flow.lanes import BLOCK, lanes_of
@@ -81,7 +81,7 @@ def _refuse(motion: Motion) -> None:
     if math.isfinite(motion.run_out + motion.outcomes["peak_velocity"] + speed * speed):
         return  # without an answer they are NaN
     asked = f"initial_velocity = {scene.initial_velocity!r}, end_time = {scene.end_time!r}"
-    turns = any(EFFECTS[e].turns for e in motion.plan.effects)
+    turns = any(ALL_EFFECTS[e].turns for e in motion.plan.effects)
     if status == Status.UPRIGHT:
         time = motion.stopped_at
         raise ValueError(
