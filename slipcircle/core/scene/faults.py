@@ -20,19 +20,19 @@ def faults(section: Any) -> Iterator[Fault]:
 
     def no_stretch(k: int) -> str:
         (x, y), line = centre[k].tolist(), ground[k % len(ground)]
-        which = f"centre = [{x:.10g}, {y:.10g}], radius = {radius[k]:.10g}"
+        which = f"{{centre}} = [{x:.10g}, {y:.10g}], {{radius}} = {radius[k]:.10g}"
         if count[k] > 1 or (count[k] == 1 and held[k]):
             ends = zip(left[lane == k], right[lane == k], strict=True)
             shown = ", ".join(f"[{a:.6g}, {b:.6g}]" for a, b in ends)
             more = " besides one that an end of the ground cuts short" if held[k] else ""
-            return f"{which}: cuts off several stretches of the ground; choose one by between = {shown}{more}"
+            return f"{which}: cuts off several stretches of the ground; choose one by {{between}} = {shown}{more}"
         if held[k]:
             return (
                 f"{which}: an end of the ground lies inside the circle; the ground must go on beyond "
                 f"x = {x - radius[k]:.6g} or {x + radius[k]:.6g}"
             )
         if section.between is not None and circles.stretches(section._cut.only([k]))[0].size:
-            return f"between = {section.between!r}: no stretch of the ground inside the circle lies there"
+            return f"{{between}} = {section.between!r}: no stretch of the ground inside the circle lies there"
         return (
             f"{which}: misses the ground, which reaches from [{line[0, 0]:.6g}, {line[0, 1]:.6g}] to "
             f"[{line[-1, 0]:.6g}, {line[-1, 1]:.6g}]"
@@ -43,14 +43,15 @@ def faults(section: Any) -> Iterator[Fault]:
     reversed_ = section._angles[1] <= section._angles[0]  # the ground passes over the centre, outside the circle
     yield (
         circles.below_ground(section._cut, section._mine) | reversed_,
-        lambda k: f"centre = {centre[k].tolist()}: lies below the ground; a slip circle's lies above it",
+        lambda k: f"{{centre}} = {centre[k].tolist()}: lies below the ground; a slip circle's lies above it",
     )
     if section.base is not None:
         base, lowest = section.base, centre[:, 1] + radius * np.where((x1 < 0.0) & (x2 > 0.0), -1.0, np.minimum(y1, y2))
         yield (
             lowest < base - 1e-9 * radius,
             lambda k: (
-                f"radius = {radius[k]:.10g}: the circle goes down to y = {lowest[k]:.6g}, below base = {base:.10g}"
+                f"{{radius}} = {radius[k]:.10g}: the circle goes down to y = {lowest[k]:.6g}, below {{base}} = "
+                f"{base:.10g}"
             ),
         )
 

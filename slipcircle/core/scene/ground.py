@@ -1,12 +1,12 @@
 """Grounds and circles as people give them, and what is wrong with them."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.base.checks import INFINITY, Bounds, Fault, complaint, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import INFINITY, Bounds, Fault, InputError, complaint, mistakes, raise_all, shape_mistakes
 
 FAR = 1e9  # m; coordinates are smaller
 Floats = NDArray[np.float64]
@@ -19,18 +19,18 @@ def line_faults(name: str, lines: Floats) -> Iterator[Fault]:
 
     def at(bad: Any, words: str) -> Fault:
         places = np.argmax(bad, axis=1)
-        return bad.any(axis=1), lambda k: f"{name}[{places[k]}] = {lines[k, places[k]].tolist()}: {words}"
+        return bad.any(axis=1), lambda k: f"{{{name}}}[{places[k]}] = {lines[k, places[k]].tolist()}: {words}"
 
     yield at(~(np.abs(lines) < FAR).all(axis=2), "must be two finite numbers within 1e9 m")
     yield at(~step.any(axis=2), "is the point before it; leave one out")
     yield at(step[..., 0] < 0.0, "lies left of the point before it; order them by x")
     yield (
         lines[:, -1, 0] == lines[:, 0, 0],
-        lambda _: f"{name}: all points lie above each other; it must reach from left to right",
+        lambda _: f"{{{name}}}: all points lie above each other; it must reach from left to right",
     )
 
 
-def line_mistakes(name: str, given: Any, many: bool) -> list[str]:
+def line_mistakes(name: str, given: Any, many: bool) -> Sequence[str]:
     """What is wrong with points that should make a line from left to right, or with the first of many that is."""
     try:
         points = np.asarray(given)
@@ -38,7 +38,7 @@ def line_mistakes(name: str, given: Any, many: bool) -> list[str]:
         points = np.asarray(None)
     axes, shape = range(2, 16 if many else 3), points.shape
     if points.dtype.kind not in "iuf" or points.ndim not in axes or shape[-1] != 2 or shape[-2] < 2:
-        return [f"{name}: must be a list of at least two points [x, y] in m, from left to right"]
+        return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
     return complaint(line_faults(name, points.reshape(-1, *shape[-2:]).astype(np.float64)), shape[:-2])
 
 
@@ -62,8 +62,10 @@ def ponds(grounds: Floats, levels: Floats) -> Fault:
     def said(k: int) -> str:
         at = int(np.argmax(over[k]))
         if not both[k].any():
-            return "level: lies beside the ground; it must reach over it"
-        return f"level: stands {over[k, at]:.4g} m above the ground at x = {x[k, at]:.10g}; ponds are not yet possible"
+            return "{level}: lies beside the ground; it must reach over it"
+        return (
+            f"{{level}}: stands {over[k, at]:.4g} m above the ground at x = {x[k, at]:.10g}; ponds are not yet possible"
+        )
 
     return ~both.any(axis=1) | (over.max(axis=1) > 1e-9 * np.ptp(grounds, axis=(1, 2))), said
 
@@ -89,18 +91,18 @@ _BOUNDS: Mapping[str, Bounds] = {
 def field_mistakes(given: Mapping[str, Any], axes: Mapping[str, int] | None = None) -> list[str]:
     """What is wrong with the fields of a slope; or of sections, also as shapes in front of the axes of one."""
     bounds = {n: b for n, b in _BOUNDS.items() if n in given and (given[n] is not None or n not in ("base", "between"))}
-    found = mistakes(given, bounds, one=("base", "water_unit_weight") if axes else bounds)
+    found: list[str] = [*mistakes(given, bounds, one=("base", "water_unit_weight") if axes else bounds)]
     if not found and axes:  # all of them are numbers
         pair, odd = given["between"], [] if np.shape(given["centre"])[-1:] == (2,) else ["centre"]
         if pair is not None and not (np.shape(pair) == (2,) and pair[0] < pair[1]):
             odd.append("between")
-        found = [f"{n} = {given[n]!r}: must be {bounds[n][2]}" for n in odd]
+        found = [f"{{{n}}} = {given[n]!r}: must be {bounds[n][2]}" for n in odd]
     lines = [n for n in ("ground", "level") if n == "ground" or given[n] is not None]
     found += [m for n in lines for m in line_mistakes(n, given[n], bool(axes))]
     if axes and not found:
         held = {n: np.shape(given[n]) for n in axes if given[n] is not None}
         shaped = {n: np.empty(shape[: len(shape) - axes[n]]) for n, shape in held.items()}
-        found = shape_mistakes(shaped) or [f"{n}: is empty" for n, v in shaped.items() if not np.size(v)]
+        found += shape_mistakes(shaped) or [f"{{{n}}}: is empty" for n, v in shaped.items() if not np.size(v)]
     return found
 
 
@@ -122,7 +124,7 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
         "angle": (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)"),
     }
     given = {n: v for n, v in {"height": height, "run": run, "angle": angle}.items() if v is not None}
-    found = [] if len(given) == 2 else ["angle or run: give one of them"]
+    found = [] if len(given) == 2 else ["{angle} or {run}: give one of them"]
     raise_all("simple_slope", mistakes(given, {n: bounds[n] for n in given}) + found)
     if angle is not None:
         run = 0.0 if angle > 1.5707963 else height / float(np.tan(angle))
@@ -150,16 +152,16 @@ def circle_through(
     """
     p, q = _from_left(first, second)
     half = np.hypot(*np.moveaxis(q - p, -1, 0)) / 2
-    found = ["radius or depth: give one of them"] if (radius is None) == (depth is None) else []
+    found = ["{radius} or {depth}: give one of them"] if (radius is None) == (depth is None) else []
     if np.any(p[..., 0] == q[..., 0]):
         found.append("the two points lie above each other; a slip circle leads from one side to the other")
     elif radius is not None and np.any(np.asarray(radius) < half):
         found.append(
-            f"radius = {np.min(radius):.10g}: must be at least half the distance of the points, {np.max(half):.10g}"
+            f"{{radius}} = {np.min(radius):.10g}: must be at least half the distance of the points, {np.max(half):.10g}"
         )
     elif depth is not None and np.any((np.asarray(depth) <= 0.0) | (np.asarray(depth) > half)):
         found.append(
-            f"depth = {np.max(depth):.10g}: must be above 0 and at most half the distance of the points, "
+            f"{{depth}} = {np.max(depth):.10g}: must be above 0 and at most half the distance of the points, "
             f"{np.min(half):.10g}"
         )
     raise_all("circle_through", found)
@@ -187,10 +189,8 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     from_left, from_right, run = p[..., 1] - base, q[..., 1] - base, (q - p)[..., 0]
     high, low = np.maximum(from_left, from_right), np.minimum(from_left, from_right)
     if np.any((low < 0.0) | (high <= 0.0)) or np.any(run == 0.0):
-        raise ValueError(
-            f"circle_touching: level = {np.max(base):.10g}: must lie below both points or touch the lower one, "
-            "and the points must not lie above each other"
-        )
+        said = f"{{level}} = {np.max(base):.10g}: must lie below both points or touch the lower one, and the points "
+        raise InputError("circle_touching", [f"{said}must not lie above each other"])
     between = np.sqrt(high * low * (run**2 + (high - low) ** 2))
     away = high * (run**2 - low * (high - low)) / (high * run + between)
     radius = (away**2 + high**2) / (2 * high)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import raise_all
+from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.series import Floats
 from slipcircle.core import Section, circle_through, circle_touching
 from slipcircle.workbench.stability.slices import circle_factors
@@ -140,10 +140,9 @@ def critical(
     found = search.result(at[:1])
     least, deep = found.factor_of_safety[method] or np.inf, _bottomless(slope)
     if slope.friction == 0.0 and slope.base is None and entry is None and exit is None and least > deep:
-        raise ValueError(
-            f"critical: friction = 0 without a base: the critical circle runs infinitely deep, where the "
-            f"factor tends to {deep:.4g}; give the base of the soil, or where the circle comes out (exit)"
-        )
+        deepest = f"the critical circle runs infinitely deep, where the factor tends to {deep:.4g}"
+        advice = "give the base of the soil, or where the circle comes out (exit)"
+        raise InputError("critical", [f"{{friction}} = 0 without a base: {deepest}; {advice}"])
     tell(f"least factor {least:.6g} by {method}")
     return found
 
@@ -182,32 +181,32 @@ def _by_method(found: Mapping[str, float]) -> dict[str, float | None]:
 
 def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) -> list[str]:
     if not isinstance(slope, Slope):
-        return [f"slope = {slope!r}: must be a Slope; search finds that of a file"]
+        return [f"{{slope}} = {slope!r}: must be a Slope; search finds that of a file"]
     ground = np.asarray(slope.ground)
-    found = [] if method in [*METHODS] else [f"method = {method!r}: must be one of {', '.join(METHODS)}"]
+    found = [] if method in [*METHODS] else [f"{{method}} = {method!r}: must be one of {', '.join(METHODS)}"]
     if not isinstance(depth, int | float) or not 0.0 <= depth < float(np.ptp(ground)):
-        found.append(f"depth = {depth!r}: must be at least 0 and below the size of the ground, in m")
+        found.append(f"{{depth}} = {depth!r}: must be at least 0 and below the size of the ground, in m")
     for name, pair in limits.items():
         try:
             low, high = (-np.inf, np.inf) if pair is None else map(float, pair)
         except (TypeError, ValueError):
-            found.append(f"{name} = {pair!r}: must be two numbers, the least and the greatest x")
+            found.append(f"{{{name}}} = {pair!r}: must be two numbers, the least and the greatest x")
             continue
-        shown = f"{name} = [{low:.10g}, {high:.10g}]"
+        shown = f"{{{name}}} = [{low:.10g}, {high:.10g}]"
         if not low <= high:
             found.append(f"{shown}: must be the least and the greatest x, in this order")
         elif high < ground[0, 0] or low > ground[-1, 0]:
             reach = f"from {ground[0, 0]:.10g} to {ground[-1, 0]:.10g}"
             found.append(f"{shown}: lies beside the ground, which reaches {reach}")
     if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
-        found.append("ground: is level; nothing drives a slide")
+        found.append("{ground}: is level; nothing drives a slide")
     elif not depth and slope.cohesion == 0.0:
         steepest = float(np.max(np.abs(np.diff(ground[:, 1])) / np.maximum(np.diff(ground[:, 0]), 1e-300)))
         skin = f", tan(phi)/tan(slope) = {slope.friction / steepest:.4g} if dry" if steepest < 1e6 else ""
-        found.append(f"cohesion = 0: the least factor is that of an ever thinner skin{skin}; give a least depth")
+        found.append(f"{{cohesion}} = 0: the least factor is that of an ever thinner skin{skin}; give a least depth")
     elif not depth and slope.friction and slope.pressure:
         found.append(
-            "pressure: is the same along every circle, and lifts the thin ones; give a water level or a pore "
+            "{pressure}: is the same along every circle, and lifts the thin ones; give a water level or a pore "
             "pressure ratio, or a least depth"
         )
     return found
@@ -315,9 +314,8 @@ class Search:
         values = self.judged(q)
         order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
         if not order.size:
-            raise ValueError(
-                "critical: no circle is left that slides within the limits given; widen entry, exit, depth or base"
-            )
+            left = "no circle is left that slides within the limits given; widen entry, exit, depth or base"
+            raise InputError("critical", [left])
         chosen: list[int] = []
         while len(chosen) < _VALLEYS and order.size:
             chosen.append(best := order[0])

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
-from slipcircle.base.checks import raise_all
+from slipcircle.base.checks import InputError, raise_all
 from slipcircle.core import Section, field_mistakes, law_parts, ponds
 from slipcircle.workbench.stability.slices import Floats, SlopeArrays, circle_factors
 
@@ -102,7 +102,7 @@ class Slope:
     def __post_init__(self) -> None:
         found = field_mistakes(vars(self))
         if self.level is not None and self.pore_ratio != 0.0:
-            found.append(f"pore_ratio = {self.pore_ratio!r}: and level exclude each other; leave one out")
+            found.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; leave one out")
         if not found:
             ground = np.array(self.ground, dtype=np.float64)
             object.__setattr__(self, "ground", ground)
@@ -114,9 +114,8 @@ class Slope:
                 found.append("cohesion and friction are both 0: the slope has no strength")
             lowest = float(ground[:, 1].min())
             if self.base is not None and self.base > lowest:
-                found.append(
-                    f"base = {self.base:.10g}: must lie below the ground or touch it; its lowest point is {lowest:.10g}"
-                )
+                rule = "must lie below the ground or touch it; its lowest point is"
+                found.append(f"{{base}} = {self.base:.10g}: {rule} {lowest:.10g}")
         raise_all("Slope", found)
 
     def arrays(self) -> SlopeArrays:
@@ -131,10 +130,8 @@ def require_drive(section: Section) -> None:
     moment, area = float(section.moments["weight_moment"]), float(section.area / np.square(section.radius))
     if abs(moment) <= 1e-9 * area:
         left, right = sorted((float(section.entry[0]), float(section.exit[0])))
-        raise ValueError(
-            f"Section: centre: nothing drives the mass from x = {left:.6g} to {right:.6g}: it is in balance about "
-            "the centre, as below level ground; choose a circle that cuts the slope"
-        )
+        said = f"{{centre}}: nothing drives the mass from x = {left:.6g} to {right:.6g}: it is in balance about "
+        raise InputError("Section", [f"{said}the centre, as below level ground; choose a circle that cuts the slope"])
 
 
 def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:
