@@ -1,6 +1,29 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4bfebe7cbd7d6c2877ad7a50265eb7a4f9d0b8b211b601ac10a43083f67e0660
-"""Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
+# sha256 of the text below: b38d065758d95f2f6cdee27330fe1526a1a3b095786933de26a007595e71d028
+"""The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
+
+In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref:
+
+    Theta domega/dt = M - s (T + lambda mu max(0, sigma - u)),  s = sgn(omega)
+    M            += J_theta                                  gravity
+    sigma        += J_r/lambda                               gravity
+    J_theta      =  J_theta0 cos(phi) - J_theta0' sin(phi)   rotation
+    J_r          =  J_r0 cos(phi) - J_r0' sin(phi)           rotation
+    J_theta'     =  J_theta0 sin(phi) + J_theta0' cos(phi)   rotation
+    J_r'         =  J_r0 sin(phi) + J_r0' cos(phi)           rotation
+    sigma        += A omega^2                                centripetal
+    u            += pore_pressure                            pore_pressure
+    u            += water                                    pore_pressure
+    u            += J_r pore_ratio/lambda                    pore_pressure
+    T            += cohesion lambda                          cohesion
+    T            += Theta drag omega^2                       drag
+    T            += Theta omega viscosity                    viscosity
+    M            += -J_theta k_v                             shaking
+    M            += J_theta' k_h                             shaking
+    sigma        += -J_r k_v/lambda                          shaking
+    sigma        += J_r' k_h/lambda                          shaking
+    u            += excess                                   thermal_pressurisation
+    dexcess/dphi =  kappa max(0, sigma - u) mu               thermal_pressurisation
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
 began and ``d...`` the series of its increment since; ``=1.0`` is a constant.
@@ -726,3 +749,93 @@ FRAGMENTS: dict[str, Fragment] = {
 }
 
 QUANTITIES = ('driving', 'resisting', 'pressing', 'lifting')  # what fragments add to
+
+# The equation of motion: quantity, formula, LaTeX, and the symbols of the formula.
+BALANCE = ('Theta domega/dt', 'M - s (T + lambda mu max(0, sigma - u))',
+    'M - s \\left(T + \\lambda \\mu \\max\\left(0, \\sigma - u\\right)\\right)', ('M', 'T', 'lambda', 'mu', 's',
+    'sigma', 'u'))
+# Its quantities: what they are, and their LaTeX.
+EQUATION_QUANTITIES = {
+    'M': ('moment that drives', 'M'),
+    'sigma': ('mean normal stress on the slip surface', '\\sigma'),
+    'u': ('mean pore pressure on it', 'u'),
+    'mu': ('friction coefficient', '\\mu'),
+    'T': ('moment that resists beside friction', 'T'),
+}
+# Its numbers that every scene has.
+COEFFICIENTS = {
+    'Theta': 'moment of inertia (3.12)',
+    'lambda': 'resistance factor (3.14)',
+    'A': 'dynamic coefficient (2.24)',
+    'J_theta0': 'moment of the weight at the start (3.13)',
+    'J_r0': 'weight along the radius at the start (2.23)',
+    "J_theta0'": 'derivative of J_theta by the dip, at the start',
+    "J_r0'": 'derivative of J_r by the dip, at the start',
+}
+# What gravity, each effect and each law add to it.
+TERMS: dict[str, tuple[tuple[str, str, str, tuple[str, ...]], ...]] = {
+    'gravity': (('M', 'J_theta', 'J_\\theta', ('J_theta',)), ('sigma', 'J_r/lambda', '\\frac{J_{r}}{\\lambda}', ('J_r',
+        'lambda'))),
+    'frozen': (('J_theta', 'J_theta0', 'J_{\\theta 0}', ('J_theta0',)), ('J_r', 'J_r0', 'J_{r0}', ('J_r0',)),
+        ("J_theta'", "J_theta0'", "J_{\\theta 0}'", ("J_theta0'",)), ("J_r'", "J_r0'", "J_{r0}'", ("J_r0'",))),
+    'rotation': (('J_theta', "J_theta0 cos(phi) - J_theta0' sin(phi)",
+        "J_{\\theta 0} \\cos{\\left(\\varphi \\right)} - J_{\\theta 0}' \\sin{\\left(\\varphi \\right)}", ('J_theta0',
+        "J_theta0'", 'phi')), ('J_r', "J_r0 cos(phi) - J_r0' sin(phi)",
+        "J_{r0} \\cos{\\left(\\varphi \\right)} - J_{r0}' \\sin{\\left(\\varphi \\right)}", ('J_r0', "J_r0'", 'phi')),
+        ("J_theta'", "J_theta0 sin(phi) + J_theta0' cos(phi)",
+        "J_{\\theta 0} \\sin{\\left(\\varphi \\right)} + J_{\\theta 0}' \\cos{\\left(\\varphi \\right)}", ('J_theta0',
+        "J_theta0'", 'phi')), ("J_r'", "J_r0 sin(phi) + J_r0' cos(phi)",
+        "J_{r0} \\sin{\\left(\\varphi \\right)} + J_{r0}' \\cos{\\left(\\varphi \\right)}", ('J_r0', "J_r0'", 'phi'))),
+    'centripetal': (('sigma', 'A omega^2', 'A \\omega^{2}', ('A', 'omega')),),
+    'pore_pressure': (('u', 'pore_pressure', 'p', ('pore_pressure',)), ('u', 'water', 'w', ('water',)), ('u',
+        'J_r pore_ratio/lambda', '\\frac{J_{r} r_u}{\\lambda}', ('J_r', 'lambda', 'pore_ratio'))),
+    'cohesion': (('T', 'cohesion lambda', 'c \\lambda', ('cohesion', 'lambda')),),
+    'drag': (('T', 'Theta drag omega^2', '\\Theta d \\omega^{2}', ('Theta', 'drag', 'omega')),),
+    'viscosity': (('T', 'Theta omega viscosity', '\\Theta \\omega e', ('Theta', 'omega', 'viscosity')),),
+    'shaking': (('M', '-J_theta k_v', '- J_\\theta k_{v}', ('J_theta', 'k_v')), ('M', "J_theta' k_h",
+        "J_\\theta' k_{h}", ("J_theta'", 'k_h')), ('sigma', '-J_r k_v/lambda', '- \\frac{J_{r} k_{v}}{\\lambda}',
+        ('J_r', 'k_v', 'lambda')), ('sigma', "J_r' k_h/lambda", "\\frac{J_r' k_{h}}{\\lambda}", ("J_r'", 'k_h',
+        'lambda'))),
+    'thermal_pressurisation': (('u', 'excess', 'u_T', ('excess',)), ('dexcess/dphi', 'kappa max(0, sigma - u) mu',
+        '\\kappa \\max(0, \\sigma - u) \\mu', ('kappa', 'max(0, sigma - u)', 'mu'))),
+    'constant': (('mu', 'coefficient', '\\mu_0', ('coefficient',)),),
+    'exponential': (('mu', 'residual + (peak - residual) exp(-slip/length)',
+        '\\mu_r + \\left(\\mu_p - \\mu_r\\right) e^{- \\frac{S}{L}}', ('length', 'peak', 'residual', 'slip')),),
+    'linear': (('mu', 'peak + (-peak + residual) min(1, slip/length)',
+        '\\mu_p + \\left(- \\mu_p + \\mu_r\\right) \\min\\left(1, \\frac{S}{L}\\right)', ('length', 'peak', 'residual',
+        'slip')),),
+    'hyperbolic': (('mu', 'residual + (peak - residual)/(1 + slip/length)',
+        '\\mu_r + \\frac{\\mu_p - \\mu_r}{1 + \\frac{S}{L}}', ('length', 'peak', 'residual', 'slip')),),
+    'tabulated': (('mu', 'mu(slip)', '\\mu(\\mathrm{slip})', ('slip',)),),
+    'rate_weakening': (('mu', 'residual + (peak - residual)/(speed/velocity + 1)',
+        '\\mu_r + \\frac{\\mu_p - \\mu_r}{\\frac{v}{V} + 1}', ('peak', 'residual', 'speed', 'velocity')),),
+    'rate_tabulated': (('mu', 'mu(speed)', '\\mu(\\mathrm{speed})', ('speed',)),),
+    'prescribed': (('mu', 'mu(time)', '\\mu(\\mathrm{time})', ('time',)),),
+    'callable': (('mu', 'mu(slip)', '\\mu(\\mathrm{slip})', ('slip',)),),
+}
+LATEX = {
+    'J_theta': 'J_\\theta',
+    "J_theta'": "J_\\theta'",
+    "J_r'": "J_r'",
+    'J_theta0': 'J_{\\theta 0}',
+    "J_theta0'": "J_{\\theta 0}'",
+    'J_r0': 'J_{r0}',
+    "J_r0'": "J_{r0}'",
+    'phi': '\\varphi',
+    'cohesion': 'c',
+    'pore_ratio': 'r_u',
+    'pore_pressure': 'p',
+    'water': 'w',
+    'drag': 'd',
+    'viscosity': 'e',
+    'excess': 'u_T',
+    'max(0, sigma - u)': '\\max(0, \\sigma - u)',
+    'peak': '\\mu_p',
+    'residual': '\\mu_r',
+    'length': 'L',
+    'velocity': 'V',
+    'slip': 'S',
+    'speed': 'v',
+    'coefficient': '\\mu_0',
+}
+

@@ -23,7 +23,7 @@ from slipcircle.workbench.files.scenefile import find, shipped
 
 ROOT = Path(__file__).parents[1]
 NAMES = ["vaiont-as-printed", "vaiont-frozen"]
-COLOUR = re.compile(r"\x1b\[[0-9;]*\b(3[0-9]|4[0-9]|9[0-7]|10[0-7])\b[0-9;]*m")
+COLOUR = re.compile(r"\x1b\[(\d+;)*(3\d|4\d|9[0-7]|10[0-7])(;\d+)*m")
 LOOK = ("COLUMNS", "LINES", "NO_COLOR", "FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE", "CLICOLOR")
 VAIONT = find("vaiont-frozen").read_text("utf-8")
 SLOPE = "[arc]\nradius_m = 60\ntheta_1_deg = 215\ntheta_2_deg = 280\nunit_weight_kN_m3 = 19\n[friction]\nangle_deg = 12"
@@ -43,6 +43,7 @@ def fresh(*argv: str, **changes: Any) -> subprocess.CompletedProcess[str]:
 def test_run_prints_a_table(said: Any) -> None:
     """Printed and right coefficients side by side, each in its column; the right ones are those of `test_outputs`."""
     out = said("run", *NAMES)
+    assert len(out.partition("\n\n")[0].splitlines()) == 2 + 6
     assert max(map(len, out.splitlines())) <= 100
     assert out.split()[:2] == NAMES
     cells, text = columns(out), " ".join(out.split())
@@ -51,7 +52,7 @@ def test_run_prints_a_table(said: Any) -> None:
         assert f"{name}: {motion.plan.scene.note}" in text
         assert cells["peak velocity"][k] == f"{motion.peak.velocity:.2f} m/s"
         assert cells["run-out along the arc"][k] == f"{motion.run_out:.4g} m"
-    assert [*cells][:2] == ["moves", "comes to rest"]  # what matters most comes first
+    assert next(iter(cells)) == "comes to rest"  # what matters most comes first
     assert "Theta*" not in cells
     cells = columns(said("run --verbose", *NAMES))
     printed = {"Theta*": "0.43760", "A": "0.46800", "J_r": "0.08700", "lambda": "0.15230", "J_theta": "0.03870"}
@@ -83,7 +84,7 @@ def test_json_is_a_list_in_every_command(asked_for: str, records: Any) -> None:
 
 def test_scenes_of_different_lengths_stand_side_by_side(asked: Any) -> None:
     """With a friction that falls with the speed the slide of Vaiont turns back; the table and a warning say so."""
-    _, out, err = asked("run vaiont-rate wet-slope")
+    _, out, err = asked("run --verbose vaiont-rate wet-slope")
     cells = columns(out)
     assert cells["friction angle"] == ["10 deg, rate_weakening", "24 deg"]
     assert cells["greatest displacement"] == ["953 m", "7.708 m"]
@@ -201,7 +202,7 @@ def test_no_command_prints_a_negative_zero(name: str, tmp_path: Path, asked: Any
 
 @pytest.mark.parametrize(("width", "more"), [(80, {}), (160, {"NO_COLOR": "1"})], ids=["colour", "NO_COLOR"])
 def test_in_a_terminal(width: int, more: dict[str, str]) -> None:
-    """As wide as the terminal, up to 100 columns; no colour where none is wanted."""
+    """As wide as the terminal, up to 120 columns; in colour, but not where none is wanted."""
     pty = pytest.importorskip("pty")
     reader, writer = pty.openpty()
     shown, look = b"", {k: v for k, v in os.environ.items() if k not in LOOK} | {"TERM": "xterm-256color"} | more
@@ -215,10 +216,10 @@ def test_in_a_terminal(width: int, more: dict[str, str]) -> None:
             pass
     assert (done.returncode, done.stderr) == (0, "")
     text = shown.decode()
-    assert not (more and COLOUR.search(text))
+    assert bool(COLOUR.search(text)) == (not more)
     plain = re.sub(r"\x1b\[[0-9;]*m", "", text)
     assert "vaiont-frozen" in plain
-    assert max(len(row.rstrip("\r")) for row in plain.split("\n")) <= min(width, 100)
+    assert max(len(row.rstrip("\r")) for row in plain.split("\n")) <= min(width, 120)
 
 
 def test_no_environment_variable_makes_a_pipe_wide_or_narrow(monkeypatch: pytest.MonkeyPatch, said: Any) -> None:

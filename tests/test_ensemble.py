@@ -421,7 +421,7 @@ def test_sweep(file: Path, tmp_path: Path, asked: Any, said: Any, records: Any) 
     assert len(lines) == 1 + len(export.rows(found))
     out = " ".join(said(line).split())
     assert f"{found.quantile('run_out', 0.5).value:.4g} [" in out
-    assert "Which unknown matters" in out
+    assert "Sensitivity indices" in out
     (record,) = records("sweep vaiont --uncertain friction.angle_deg=normal:14:1 --samples 100 --seed 4")
     assert record["moving"] == json.loads(json.dumps(export.record(ensemble(ONE, 100, 4))))["moving"]
     assert "solved at the median of arc.radius_m, arc.theta_2_deg" in asked("run", file)[2]

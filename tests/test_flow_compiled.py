@@ -10,7 +10,7 @@ import pytest
 import slipcircle
 from generated import layout as ix
 from slipcircle.base.series import Pulse, Series
-from slipcircle.core.flow import compiled, walk
+from slipcircle.core.flow import compiled, integrate
 from slipcircle.core.flow.problem import Problem, build_problem
 from slipcircle.core.flow.program import Log, Samples
 
@@ -53,7 +53,7 @@ def lanes(name: str, accuracy: float = 1e-11) -> Problem:
 
 def run(bound: Problem, which: Any = slice(None), **options: Any) -> Any:
     cells = np.array(bound.cells[:, which], order="C")
-    compiled.walk(bound.program, bound.tables, cells, **options)
+    compiled.integrate(bound.program, bound.tables, cells, **options)
     return cells[RESULTS]
 
 
@@ -68,19 +68,24 @@ def test_a_lane_is_the_same_alone_in_any_order_and_when_interrupted(name: str, m
     assert np.array_equal(run(bound), whole, equal_nan=True)
 
 
+COUNTED = (ix.STATUS, ix.STEPS, ix.PHASES, ix.TURNS, ix.DIRECTION, ix.LAST_WAY, ix.LIFTED, ix.PASSED)
+
+
 def alike(one: Any, other: Any, within: float) -> None:
-    assert np.array_equal(one[[ix.STATUS, ix.PHASES]], other[[ix.STATUS, ix.PHASES]])
-    for cell in (ix.TIME, ix.PEAK_OMEGA, ix.END_ROTATION, ix.REACH_ROTATION, ix.REST_SINCE, ix.LIFT_TIME):
-        a, b = one[cell], other[cell]
-        assert np.array_equal(np.isnan(a), np.isnan(b))
-        assert np.nanmax(np.abs(a - b), initial=0.0) <= within * np.nanmax(np.abs(a), initial=1e-300), cell
+    """Every entry of the state: counts and decisions exactly, others to rounding beside the largest, rates beside 1."""
+    for row, (a, b) in enumerate(zip(one, other, strict=True)):
+        same = (a == b) | (np.isnan(a) & np.isnan(b))
+        if row in COUNTED:
+            assert np.all(same), row
+        size = np.max(np.abs(a[np.isfinite(a)]), initial=1.0 if row in (ix.PEAK_RATE, ix.END_RATE) else 1e-300)
+        assert np.all(np.abs(a[~same] - b[~same]) <= within * size), row
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_the_walk_in_numpy_is_the_same(name: str) -> None:
+def test_the_integrator_in_numpy_is_the_same(name: str) -> None:
     bound = lanes(name)
     cells = bound.cells.copy()
-    walk.walk(bound.program, bound.tables, cells)
+    integrate.integrate(bound.program, bound.tables, cells)
     alike(run(bound), cells[RESULTS], 1e-11)
 
 
@@ -94,7 +99,7 @@ def test_every_kind_of_processor_gives_the_same(name: str) -> None:
 def test_samples_and_notes_are_those_of_numpy() -> None:
     bound = lanes("record")
     found: list[Any] = []
-    for walker in (compiled.walk, walk.walk):
+    for walker in (compiled.integrate, integrate.integrate):
         times = np.tile(np.linspace(0.0, 30.0, 61)[:, None] / np.float64(bound.time_scale), (1, LANES))
         samples = Samples(times, np.full((4, 61, LANES), np.nan))
         log: Log = []
@@ -111,7 +116,7 @@ def test_samples_and_notes_are_those_of_numpy() -> None:
 def test_threads_walk_side_by_side() -> None:
     bound = lanes("softening")
     whole, halves = run(bound), [bound.cells[:, :18].copy(), bound.cells[:, 18:].copy()]
-    threads = [threading.Thread(target=compiled.walk, args=(bound.program, bound.tables, half)) for half in halves]
+    threads = [threading.Thread(target=compiled.integrate, args=(bound.program, bound.tables, half)) for half in halves]
     for thread in threads:
         thread.start()
     for thread in threads:

@@ -59,7 +59,7 @@ def run(said: Any, tmp_path: Path) -> Callable[..., dict[str, str]]:
     def told(text: str, *options: object) -> dict[str, str]:
         path = tmp_path / "my-slope.toml"
         path.write_text(text, encoding="utf-8")
-        return {label: "  ".join(cells) for label, cells in columns(said("run", path, *options)).items()}
+        return {label: "  ".join(cells) for label, cells in columns(said("run --verbose", path, *options)).items()}
 
     return told
 
@@ -150,7 +150,7 @@ def test_least_squares_of_the_readme() -> None:
     found = backanalyse(load("vaiont"), **asked)
     assert found.solutions[0].chi_square < 1.0
     assert solve(found.motion.plan.scene).run_out == pytest.approx(400.0, abs=20.0)
-    assert any("cohesion.cohesion_kPa" in w and "told" in w for w in found.warnings)
+    assert any("cohesion.cohesion_kPa" in w and "determined" in w for w in found.warnings)
     assert len(found.solutions) == 1
     with pytest.raises(Unattainable, match=r"the nearest is run_out = .* standard errors off"):
         backanalyse(load("wet-slope"), **asked)

@@ -86,7 +86,7 @@ def test_it_says_what_is_assumed_and_how_to_repeat_it() -> None:
     root = tree(page())
     said, cells = [e.text for e in root.iter("li")], rows(root)
     assert any("rigid" in s for s in said)
-    assert "Left out: drag, viscosity, shaking, thermal_pressurisation." in said
+    assert "Not included: drag, viscosity, shaking, thermal_pressurisation." in said
     assert not any("frozen" in s for s in said)
     assert any("Basic Geodynamics of Landslides: I. The Dynamic Slip Circle Method" in s for s in said)
     assert COMMAND in [pre.text for pre in root.iter("pre")]
@@ -129,7 +129,7 @@ def test_inputs_have_units_and_sources() -> None:
     assert cells["cohesion.cohesion_kPa"][1:3] == ["3", "kPa"]
     assert cells["arc.gravity_m_s2"][1:] == ["9.81", "m/s^2", "gravity", "default"]
     assert cells["rotation"][1] == "used"  # the table of effects, after the inputs
-    assert cells["drag"][1] == "left out"
+    assert cells["drag"][1] == "not included"
     assert "a cut slope of clay after long rain" in page()
 
 

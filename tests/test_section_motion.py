@@ -93,7 +93,7 @@ def test_from_a_file_to_the_slide(tmp_path: Path, said: Any, records: Any) -> No
     assert record["toe_x"] == pytest.approx(circle["exit"][0] - record["toe_run_out"], rel=1e-9)
     assert picture.read_bytes().startswith(b"\x89PNG")
     assert "real-slope" in report.read_text("utf-8")
-    assert "x of the toe at the end" in said("run real-slope --plot", film)
+    assert "x of the toe at the end" in said("run --verbose real-slope --plot", film)
     assert film.read_bytes().startswith(b"GIF")
 
 

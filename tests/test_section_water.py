@@ -15,7 +15,7 @@ import test_accuracy
 
 from generated import layout as ix
 from slipcircle import Motion, Scene, Section, solve
-from slipcircle.core.flow import compiled, walk
+from slipcircle.core.flow import compiled, integrate
 from slipcircle.core.scene import transport
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
 
@@ -53,7 +53,7 @@ def test_a_thin_mass_lands_where_it_leaves_the_water(wide: float, friction: floa
     assert motion.error_estimate < 1e-11
     bound = motion._lanes.problem
     cells = bound.cells.copy()
-    walk.walk(bound.program, bound.tables, cells)
+    integrate.integrate(bound.program, bound.tables, cells)
     assert cells[ix.END_ROTATION] == pytest.approx(motion.end.rotation, rel=1e-10)
 
 
@@ -73,7 +73,7 @@ def test_mean_pressure_and_cover_of_random_sections(seed: int) -> None:
             under: Any = exact.under(flint.arb_series([turn]), place)
             pressure = under[0] * exact.measured(arc)["reference_stress"]
             assert section.mean_pressure(turn) == pytest.approx(float(pressure), rel=2e-14, abs=1e-9)
-        assert section.weights.cover == pytest.approx(float(exact.cover), rel=2e-14)
+        assert section.moment_coefficients.cover == pytest.approx(float(exact.cover), rel=2e-14)
 
 
 def test_heights_of_any_arc_against_thirty_digits() -> None:
@@ -120,8 +120,8 @@ def test_energy_is_kept_and_both_walks_agree(velocity: float, effects: Any) -> N
         return
     bound = motion._lanes.problem
     one, other = bound.cells.copy(), bound.cells.copy()
-    walk.walk(bound.program, bound.tables, one)
-    compiled.walk(bound.program, bound.tables, other)
+    integrate.integrate(bound.program, bound.tables, one)
+    compiled.integrate(bound.program, bound.tables, other)
     for cell in (ix.STATUS, ix.PHASES, ix.TIME, ix.PEAK_OMEGA, ix.END_ROTATION, ix.REST_SINCE):
         assert one[cell] == pytest.approx(other[cell], rel=1e-12, nan_ok=True)
 

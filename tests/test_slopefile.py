@@ -84,13 +84,13 @@ FIXED = SCENE.replace('[circle]\ncritical = "bishop"\n', CIRCLE)
 @pytest.mark.usefixtures("unseen")
 def test_the_motion_has_the_factors_of_its_circle(write: Write, tmp_path: Path, said: Any, records: Any) -> None:
     path, page = write(SCENE), tmp_path / "slide.html"
-    table = columns(said("run", path, "--report", page))
+    table = columns(said("run --verbose", path, "--report", page))
     assert table["factor of safety by Bishop's simplified method"] == ["0.9850"]
     assert table["factor of safety by the ordinary method (Fellenius)"] == ["0.9502"]  # of Bishop's circle
     assert table["circle"] == ["least factor by bishop"]
     assert table.keys() >= {"peak velocity", "x of the toe at the end", "run-out along the arc", "centre",
                             "lower end of the slip surface, x and y"}  # fmt: skip
-    for label in ("Bishop&#x27;s simplified method", "circles tried, refused", "arc under negative normal stress"):
+    for label in ("Bishop&#x27;s simplified method", "circles evaluated, invalid", "arc under negative normal stress"):
         assert label in page.read_text("utf-8")
     (motion,), (alone,) = records("run", path), records("search", path)
     assert motion["stability"] == alone
@@ -104,9 +104,9 @@ def test_a_slide_along_an_arc_in_tension_is_told_of(write: Write, asked: Any) ->
 
 
 def test_a_given_circle_has_factors_with_its_motion(write: Write, tmp_path: Path, said: Any) -> None:
-    table = columns(said("run", write(FIXED)))
+    table = columns(said("run --verbose", write(FIXED)))
     assert table["factor of safety by Bishop's simplified method"] == ["0.9852"]
-    assert (table["circle"], table["circles tried, refused"]) == (["as given"], ["1, 0"])
+    assert (table["circle"], table["circles evaluated, invalid"]) == (["as given"], ["1, 0"])
     scene = slipcircle.load(write(FIXED))
     given = stability_of(scene)
     assert given is not None
@@ -280,7 +280,7 @@ def test_the_limits_of_a_file_hold(write: Write, said: Any, records: Any) -> Non
     assert still["factor_of_safety"]["bishop"] > record["factor_of_safety"]["bishop"] + 0.2
     assert record["factor_of_safety_without_k_h"]["bishop"] > record["factor_of_safety"]["bishop"]
     assert "factor_of_safety_without_k_h" not in still
-    table = columns(said("run", write(SCENE + limits)))
+    table = columns(said("run --verbose", write(SCENE + limits)))
     assert "factor of safety" not in table  # the motion's own is the paper's among those without k_h
     for words in ("k_h = 0.1", "without k_h"):
         assert f"factor of safety by Bishop's simplified method, {words}" in table

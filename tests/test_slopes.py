@@ -119,10 +119,12 @@ def test_one_chord_gives_the_arc(alpha: float, dip: float) -> None:
     fall, press = arc.amplitudes_per_inertia
     way = -1.0 if dip < 0 else 1.0
     expected = (way * fall * math.sin(dip), fall * math.cos(dip), press * math.cos(dip), -way * press * math.sin(dip))
-    assert found.weights[:4] == pytest.approx(expected, rel=1e-13 + loss, abs=1e-13 * fall)
-    assert found.weights.polar == pytest.approx(float(kernels.polar_moment_per_inertia(alpha)), rel=1e-13 + loss)
+    assert found.moment_coefficients[:4] == pytest.approx(expected, rel=1e-13 + loss, abs=1e-13 * fall)
+    assert found.moment_coefficients.polar_moment == pytest.approx(
+        float(kernels.polar_moment_per_inertia(alpha)), rel=1e-13 + loss
+    )
     lever = kernels.resistance_factor(alpha) / kernels.moment_of_inertia(alpha)
-    assert found.weights.level == pytest.approx(float(lever), rel=1e-13 + 10 * loss)
+    assert found.moment_coefficients.resistance_factor == pytest.approx(float(lever), rel=1e-13 + 10 * loss)
     for name in ("depth", "reference_stress", "time_scale", "half_angle"):
         assert getattr(found, name) == pytest.approx(float(getattr(arc, name)), rel=1e-13 + 10 * loss), name
     assert found.depth == pytest.approx(found.sagitta, rel=1e-12 + loss)
@@ -132,7 +134,7 @@ def test_one_chord_gives_the_arc(alpha: float, dip: float) -> None:
 def test_weights_of_the_turned_mass() -> None:
     ground, centre, radius = HARD["scarp"]
     found = Section(ground, centre, radius, 2e4)
-    w, turn = found.weights, 0.2
+    w, turn = found.moment_coefficients, 0.2
     cos, sin = math.cos(-turn), math.sin(-turn)  # facing right: counterclockwise
 
     def turned(p: tuple[float, float]) -> tuple[float, float]:
@@ -141,10 +143,10 @@ def test_weights_of_the_turned_mass() -> None:
 
     assert found.facing == 1
     other = moments([turned(p) for p in ground], centre, radius)
-    assert w.fall * math.cos(turn) - w.fall_slope * math.sin(turn) == pytest.approx(
+    assert w.driving_moment * math.cos(turn) - w.driving_moment_slope * math.sin(turn) == pytest.approx(
         -other["moment_x"] / other["inertia"]
     )
-    assert w.press * math.cos(turn) - w.press_slope * math.sin(turn) == pytest.approx(
+    assert w.normal_load * math.cos(turn) - w.normal_load_slope * math.sin(turn) == pytest.approx(
         -other["radial_y"] / other["inertia"]
     )
     assert found.placed(found.centroid, turn) == pytest.approx(
@@ -237,7 +239,7 @@ def test_lanes_are_single_sections() -> None:
         for name in ("area", "centroid", "entry", "exit", "half_angle", "depth", "facing", "mean_cover", "chord",
                      "dip"):  # fmt: skip
             assert np.array_equal(getattr(many, name)[k], getattr(one, name)), name
-        assert [v[k] for v in many.weights] == pytest.approx(list(one.weights), rel=1e-15)
+        assert [v[k] for v in many.moment_coefficients] == pytest.approx(list(one.moment_coefficients), rel=1e-15)
     common = Section(simple_slope(10.0, run=20.0), np.array([[[0.0, 20.0], [0.5, 20.0]], [[0.0, 21.0], [-1.0, 22.0]]]),
                      np.array([[20.0], [23.0]]), 2e4)  # fmt: skip
     assert common.area.shape == (2, 2)

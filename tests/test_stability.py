@@ -152,14 +152,14 @@ def sliced(slope: Slope, centre: tuple[float, float], radius: float, found: Sect
     # Effective normal forces: along the radius, and from the vertical balance of a slice.
     vertical = (weight - slope.cohesion * width * (sine / cosine) / bishop) / lever - pressure * length
     pulled = [(length * (n < 0.0)).sum() / length.sum() for n in (normal, vertical)]
-    w = found.weights
+    w = found.moment_coefficients
     stress = (
-        w.press
-        + slope.k_h * w.press_slope
-        - w.level * (pressure * length).sum() / length.sum() / found.reference_stress
+        w.normal_load
+        + slope.k_h * w.normal_load_slope
+        - w.resistance_factor * (pressure * length).sum() / length.sum() / found.reference_stress
     )
-    cohesion = w.level * slope.cohesion / found.reference_stress
-    paper = (cohesion + slope.friction * stress) / (w.fall + slope.k_h * w.fall_slope)
+    cohesion = w.resistance_factor * slope.cohesion / found.reference_stress
+    paper = (cohesion + slope.friction * stress) / (w.driving_moment + slope.k_h * w.driving_moment_slope)
     return {"ordinary": ordinary, "bishop": bishop, "paper": paper, "negative": max(pulled)}
 
 

@@ -7,11 +7,16 @@ from sympy import Expr, Float, cos, diff, exp, expand, log, sin, sstr
 
 from derive.algebra.remainders import Select
 from derive.declare.effects import EFFECTS, LAWS, Effect, Law
+from derive.flow import equation
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
 from derive.flow.lowering import ZERO, Fragment, Lowering, cell, series
 from derive.flow.operations import OPERATIONS, POWER, SCALARS, Operation
 
-_HEAD = '''"""Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
+_HEAD = '''"""The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
+
+In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref:
+
+{equation}
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
 began and ``d...`` the series of its increment since; ``=1.0`` is a constant.
@@ -50,11 +55,11 @@ def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> s
         ("operations that make the tangents of a register", "SERIES_TANGENTS: dict[str, Tangents]", registers),
         ("parts of programs", "FRAGMENTS: dict[str, Fragment]", parts),
     )
-    text = [_HEAD.format(fragment=inspect.getsource(Fragment))]
+    text = [_HEAD.format(fragment=inspect.getsource(Fragment), equation=equation.in_plain_text())]
     for comment, name, rows in blocks:
         lines = "".join(f"    {x!r}: {row},\n" for x, row in rows.items())
         text.append(f"# {comment[0].upper()}{comment[1:]}.\n{name} = {{\n{lines}}}\n\n")
-    return "".join(text) + f"QUANTITIES = {QUANTITIES!r}  # what fragments add to\n"
+    return "".join(text) + f"QUANTITIES = {QUANTITIES!r}  # what fragments add to\n\n{equation.text()}"
 
 
 def _pieces(law: Law) -> str:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from generated.series import DIGEST, SCALAR, SERIES
-from slipcircle.core.flow import walk as numpy_walk
+from slipcircle.core.flow import integrate as in_numpy
 from slipcircle.core.flow.link import RESULTS
 from slipcircle.core.flow.program import Log, Program, Samples
 from slipcircle.core.flow.tables import Data
@@ -64,8 +64,8 @@ def numpy_only() -> Iterator[bool]:
 
 
 def engine() -> Any:
-    """The module whose `walk`, `begin` and `registers` are the faster ones here: this one where there is a binary."""
-    return sys.modules[__name__] if module() and not _numpy_only else numpy_walk
+    """The module whose `integrate`, `begin_phase` and `registers` are the faster ones here."""
+    return sys.modules[__name__] if module() and not _numpy_only else in_numpy
 
 
 @lru_cache(maxsize=256)
@@ -114,7 +114,7 @@ def flat(program: Program) -> bytes:
     return np.array([i for part in parts for i in part], dtype=np.int32).tobytes()
 
 
-def walk(
+def integrate(
     program: Program,
     tables: Sequence[Data],
     cells: Floats,
@@ -122,7 +122,7 @@ def walk(
     log: Log | None = None,
     level: str | None = None,
 ) -> None:
-    """Walk every lane until it rests, ends or fails, as `walk.walk` does; other threads run meanwhile.
+    """Integrate every lane until it rests, ends or fails, as `integrate.integrate` does; other threads run meanwhile.
 
     Parameters
     ----------
@@ -145,13 +145,13 @@ def walk(
             log += [(int(kind), *at) for kind, *at in notes[:noted].tolist()]
 
 
-def begin(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
-    """As `slipcircle.core.flow.walk.begin`: the phases that begin where lanes are, and their registers there."""
+def begin_phase(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
+    """As `slipcircle.core.flow.integrate.begin_phase`: phases that begin where lanes are, and registers there."""
     return registers(program, tables, cells, 1)
 
 
 def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: int = 0) -> Floats:
-    """As `slipcircle.core.flow.walk.registers`: where lanes are within their phases."""
+    """As `slipcircle.core.flow.integrate.registers`: where lanes are within their phases."""
     binary, count = module(), cells.shape[1]
     found = np.zeros((len(program.registers), count))
     if count:

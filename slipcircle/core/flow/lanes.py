@@ -1,5 +1,6 @@
 """Lanes of scenes that share their effects and laws: integrated to their end, and asked for what they pass through."""
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
@@ -10,12 +11,13 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS, choose, plain
-from slipcircle.core.flow.columns import Columns
 from slipcircle.core.flow.compiled import engine
+from slipcircle.core.flow.lane_state import LaneState
 from slipcircle.core.flow.problem import Problem, build_problem
 from slipcircle.core.flow.program import Log, Program, Samples
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import replace_unchecked
+from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.section import Section
 
 Floats = NDArray[np.float64]
@@ -25,7 +27,7 @@ OUTPUTS = ("pressing", "normal", "mu")  # registers that a program is asked for 
 
 
 def integrate_all(
-    problem: Problem, samples: Samples | None = None, log: Log | None = None, walker: Any = None, cells: Any = None
+    problem: Problem, samples: Samples | None = None, log: Log | None = None, integrator: Any = None, cells: Any = None
 ) -> Floats:
     """Integrate all lanes to their end: their final cells.
 
@@ -36,15 +38,15 @@ def integrate_all(
         Times at which states are wanted; filled in place.
     log : list, optional
         Takes the events of the first lane.
-    walker : callable, optional
+    integrator : callable, optional
         The integrator, by default the fastest here.
     cells : ndarray, optional
         To start with and to overwrite; by default a copy of the problem's.
     """
-    walker = walker or engine().walk
+    integrator = integrator or engine().integrate
     while True:
         state = problem.initial_cells() if cells is None else cells
-        walker(problem.program, problem.tables, state, samples, log)
+        integrator(problem.program, problem.tables, state, samples, log)
         if state[ix.STATUS].max(initial=0.0) < ix.TOO_LONG:
             return state
         _integrate_stiff(problem, state, samples, log)
@@ -63,9 +65,9 @@ def _integrate_stiff(problem: Problem, cells: Floats, samples: Samples | None, l
     stopped = (cells[ix.STATUS] == ix.TOO_LONG) & (cells[ix.STEPS] > ix.MOST_STEPS)
     which = np.flatnonzero(stopped & (cells[ix.OMEGA] > 0.0))
     while which.size:
-        from slipcircle.core.flow import stiff  # only here
+        from slipcircle.core.flow import implicit  # only here
 
-        stiff.walk(problem.program, problem.tables, cells, samples, log, which)
+        implicit.integrate(problem, cells, samples, log, which)
         which = which[cells[ix.STATUS, which] == ix.NEED]
         if which.size:
             problem.extend_tables(cells[:, which])
@@ -78,7 +80,7 @@ def _extend_to_end(problem: Problem, cells: Floats, which: Any) -> None:
     while one[ix.STATUS, 0] == ix.NEED:
         problem.extend_tables(one)
         one[ix.OMEGA], one[ix.STATUS] = one[ix.DIRECTION] * one[ix.OMEGA], ix.START
-        engine().walk(problem.program, [table.lanes(which) for table in tables], one)
+        engine().integrate(problem.program, [table.lanes(which) for table in tables], one)
 
 
 class _States(NamedTuple):
@@ -167,7 +169,7 @@ class Lanes:
     @property
     def stress_unit(self) -> Any:
         """Pa for one of normal force over Theta*: sigma_ref over lambda/Theta*."""
-        return plain(self.arc.reference_stress / self.arc.weights.level)
+        return plain(self.arc.reference_stress / self.arc.moment_coefficients.resistance_factor)
 
     @property
     def energy_unit(self) -> Any:
@@ -231,7 +233,7 @@ class Lanes:
         for side in (1.0, -1.0):
             cells, _ = self._begin(states, side)
             driving, resisting, normal = _forces(program, cells)
-            free = Columns(program, (), cells, None, states.lane).may_start(side)
+            free = LaneState(program, self._with_outputs.tables, cells).may_start()
             with np.errstate(all="ignore"):
                 holding = np.where((normal > 0.0) & free, (driving - resisting) / normal, np.nan)
             greatest = np.fmax(greatest, np.maximum(holding, 0.0).reshape(greatest.shape))
@@ -265,7 +267,7 @@ class Lanes:
             for (cell, _, _), value in zip(problem.program.states[2:], states.further[1:], strict=True):
                 cells[cell] = value
         tables = [table.lanes(lane) for table in problem.tables]
-        return cells, engine().begin(problem.program, tables, cells)
+        return cells, engine().begin_phase(problem.program, tables, cells)
 
     # --- at the start --------------------------------------------------------------------------------------------
 
@@ -274,7 +276,7 @@ class Lanes:
         """q = 2 (lambda A mu + d)/Theta* at the start: what a unit of omega^2 takes from the rate, twice."""
         problem, cells = self.problem, self.problem.cells.copy()
         cells[ix.DIRECTION] = 1.0
-        engine().begin(problem.program, problem.tables, cells)
+        engine().begin_phase(problem.program, problem.tables, cells)
         cells[problem.program.roles["cell_drive"]], cells[ix.OMEGA] = 0.0, 1.0
         net = engine().registers(problem.program, problem.tables, cells)[problem.program.roles["net"]]
         return np.asarray(-2.0 * net)
@@ -291,8 +293,8 @@ class Lanes:
         cells[ix.OMEGA], cells[ix.DIRECTION] = 0.0, np.where(cells[places["fall"]] < 0.0, -1.0, 1.0)
         cells[places["k_h"]], shaken = 0.0, cells.copy()
         shaken[places["k_h"]] = cells[ix.DIRECTION]  # a unit of k_h, the way in which gravity drives
-        engine().begin(program, problem.tables, cells)
-        engine().begin(program, problem.tables, shaken)
+        engine().begin_phase(program, problem.tables, cells)
+        engine().begin_phase(program, problem.tables, shaken)
         driving, resisting, normal = _forces(program, cells)
         driving_shaken, resisting_shaken, normal_shaken = _forces(program, shaken)
         mu, limit = cells[roles["cell_mu"]], cells[roles["cell_limit"]]
@@ -317,3 +319,42 @@ def _forces(program: Program, cells: Floats) -> tuple[Any, Any, Any]:
     """What drives, what resists beside friction, and what presses, where phases begin, over Theta*."""
     driving, resisting, normal = (cells[program.roles[f"cell_{name}"]] for name in ("driving", "resisting", "normal0"))
     return driving, resisting, normal
+
+
+# --- lanes of a scene ------------------------------------------------------------------------------------------------
+
+
+def lanes_of(scene: Scene, accuracy: float, invalid: Any = False) -> Lanes:
+    """The lanes of a scene, all its arrays with one axis."""
+    end_time = np.inf if scene.end_time is None else scene.end_time
+    velocity, shape = scene.initial_velocity, scene.shape
+    if not shape:
+        return Lanes(scene.arc, scene.called, scene.friction, velocity, end_time, accuracy, 1, invalid)
+    quantities = scene.arc.quantities.items()
+    arc = replace_unchecked(scene.arc, {n: _flat(getattr(scene.arc, n), shape, axes) for n, axes in quantities})
+    called = {effect: _flat_numbers(scene, effect, given) for effect, given in scene.called.items()}
+    friction: Any = scene.friction
+    if isinstance(friction, Mapping):
+        friction = _flat_numbers(scene, "friction", friction)
+        if isinstance(rate := friction.get("rate"), Mapping):
+            friction["rate"] = _flat_numbers(scene, "friction.rate", rate)
+    elif not callable(friction):
+        friction = _flat(friction, shape)
+    count = math.prod(shape)
+    return Lanes(arc, called, friction, _flat(velocity, shape), _flat(end_time, shape), accuracy, count, invalid)
+
+
+def _flat(value: Any, shape: tuple[int, ...], axes: int = 0) -> Any:
+    """An array with one axis of lanes before its own axes; a value that all lanes share as it is."""
+    if np.ndim(value) <= axes:
+        return value
+    array = np.asarray(value, np.float64)
+    tail = array.shape[array.ndim - axes :]
+    if array.shape == (math.prod(shape), *tail):
+        return array
+    return np.broadcast_to(array, (*shape, *tail)).reshape(-1, *tail)
+
+
+def _flat_numbers(scene: Scene, path: str, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Parameters of an effect or a law, of which a scene's numbers may be arrays."""
+    return {n: _flat(v, scene.shape) if f"{path}.{n}" in scene.numbers else v for n, v in given.items()}

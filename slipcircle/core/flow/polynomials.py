@@ -1,20 +1,36 @@
-"""Polynomials of many lanes at once, as a step of the flow needs them: coefficients of shape (order + 1, lanes)."""
+"""Polynomials in the time of a step, of many lanes at once: values, roots, and the radius of convergence they suggest.
+
+Coefficients have the shape (order + 1, lanes). The compiled integrator has the same functions under `polynomials` in
+``_flow.c``, rounding apart, so that both take the same steps.
+"""
 
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.checks import EPS
+
 Floats = NDArray[np.float64]
+MOST_ITERATIONS = 200
 
 
 def value(series: Floats, at: Any) -> Floats:
-    """By Horner's scheme."""
-    found = series[-1] + 0.0 * np.asarray(at)
-    for c in series[-2::-1]:
-        found *= at
-        found += c
-    return found
+    """The value at a time, by Horner's scheme."""
+    total = series[-1] + 0.0 * np.asarray(at)
+    for coefficient in series[-2::-1]:
+        total *= at
+        total += coefficient
+    return total
+
+
+def value_and_slope(series: Floats, at: Floats) -> tuple[Floats, Floats]:
+    """The value and the derivative at a time."""
+    total, slope = series[-1].copy(), np.zeros_like(at)
+    for coefficient in series[-2::-1]:
+        slope = slope * at + total
+        total = total * at + coefficient
+    return total, slope
 
 
 def increment(series: Floats, at: Any) -> Floats:
@@ -22,73 +38,113 @@ def increment(series: Floats, at: Any) -> Floats:
     return at * value(series[1:], at)
 
 
-def slopes(series: Floats) -> Floats:
+def derivative(series: Floats) -> Floats:
     """The coefficients of the derivative."""
-    return series[1:] * np.arange(1.0, len(series))[:, None]
+    powers = np.arange(1.0, len(series))
+    return series[1:] * powers[:, None]
 
 
 def shifted(series: Floats, by: Floats) -> Floats:
     """The same polynomial about another point: Taylor's shift by Horner's scheme."""
-    found = np.array(series, dtype=np.float64)
-    for first in range(len(found) - 1):
-        for k in range(len(found) - 2, first - 1, -1):
-            found[k] += by * found[k + 1]
-    return found
+    coefficients = np.array(series, dtype=np.float64)
+    for first in range(len(coefficients) - 1):
+        for k in range(len(coefficients) - 2, first - 1, -1):
+            coefficients[k] += by * coefficients[k + 1]
+    return coefficients
 
 
-def divided(series: Floats, now: Any) -> Floats:
-    """Divided by the time, where a root that is now is not to be found again."""
-    return np.where(now, np.vstack([series[1:], 0.0 * series[:1]]), series) if np.any(now) else series
+def divided_by_time(series: Floats, where: Any) -> Floats:
+    """One order less in some lanes, where a root at time 0 is not to be found again."""
+    if not np.any(where):
+        return series
+    lowered = np.vstack([series[1:], 0.0 * series[:1]])
+    return np.where(where, lowered, series)
 
 
 def first_root(series: Floats, h: Floats) -> Floats:
-    """Where polynomials that are positive at first pass zero in (0, h]; infinity where they do not.
+    """The first zero in (0, h] of polynomials that are positive at first; infinity where there is none.
 
-    Within a step the terms fall like exp(-2 k), so a polynomial that neither has changed sign at h nor falls at first
-    and rises at last has no root there; where it falls and rises, its least value decides.
+    Within a step the terms fall like exp(-2 k): a polynomial that neither has changed its sign at h nor falls at first
+    and rises at last has no root there. Where it falls and rises, its least value decides.
     """
-    scaled, power = series.copy(), np.ones_like(h)
-    for c in scaled[1:]:  # on [0, 1]
-        power *= h
-        c *= power
-    last = scaled.sum(axis=0)
-    crosses = (last < 0.0) | ((last == 0.0) & (scaled[0] > 0.0))  # what is nothing has none
-    dips = ~crosses & (scaled[1] < 0.0) & (np.einsum("k,kl->l", np.arange(len(scaled)), scaled) > 0.0)
-    found = np.full(h.shape, np.inf)
-    upper = np.ones_like(h)
-    if np.any(dips):
-        k = np.flatnonzero(dips)
-        lowest = bracketed(-slopes(scaled[:, k]), np.zeros(k.size), np.ones(k.size))
-        noise = 2.0**-50 * np.abs(scaled[:, k]).sum(axis=0)  # what only touches does not cross
-        below = value(scaled[:, k], lowest) < -noise
-        upper[k[below]] = lowest[below]
-        crosses[k[below]] = True
+    last, slope = value_and_slope(series, h)
+    crosses = (last < 0.0) | ((last == 0.0) & (series[0] > 0.0))  # a polynomial that is zero has no root
+    end = h.copy()
+    dips = np.flatnonzero(~crosses & (series[1] < 0.0) & (slope > 0.0))
+    if dips.size:
+        dipping = series[:, dips]
+        slopes = derivative(dipping)
+        lowest = bracketed_root(slopes, np.zeros(dips.size), slopes[0], h[dips], slope[dips])
+        least = value(dipping, lowest)
+        noise = 4 * EPS * value(np.abs(dipping), h[dips])
+        below = least < -noise  # a polynomial that only touches zero does not cross it
+        crosses[dips[below]] = True
+        end[dips[below]], last[dips[below]] = lowest[below], least[below]
+    root = np.full(h.shape, np.inf)
     k = np.flatnonzero(crosses)
     if k.size:
-        found[k] = bracketed(scaled[:, k], np.zeros(k.size), upper[k]) * h[k]
-    return found
+        root[k] = bracketed_root(series[:, k], np.zeros(k.size), series[0, k], end[k], last[k])
+    return root
 
 
-def bracketed(series: Floats, low: Floats, high: Floats) -> Floats:
-    """Newton's method between bounds, from a value above zero at the lower to one at most zero at the upper.
+def bracketed_root(series: Floats, low: Floats, at_low: Floats, high: Floats, at_high: Floats) -> Floats:
+    """Newton's method between bounds where values have opposite signs.
 
-    It starts at the end with the smaller value and falls back to halving where a step would leave the bounds.
+    It starts where the chord crosses zero and halves where a step leaves the bounds. A step below 2^-30 of its place is
+    the last, as the next one would be below rounding.
     """
-    both = np.zeros((len(series), 2, *low.shape))  # and its derivative, at once
-    both[:, 0], both[:-1, 1] = series, slopes(series)
-    at_low, at_high = value(series, np.stack([low, high]))
-    at = np.where(np.abs(at_low) < np.abs(at_high), low, high)
-    going = np.ones(at.shape, dtype=bool)
-    for _ in range(200):
-        f, df = value(both, at)
-        low, high = np.where(f > 0.0, at, low), np.where(f > 0.0, high, at)
-        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            next_ = at - f / df
-        inside = (next_ > low) & (next_ < high)
-        next_ = np.where(inside, next_, 0.5 * (low + high))
-        next_ = np.where(f == 0.0, at, next_)
-        moved = np.abs(next_ - at) > 2.0**-53 * np.abs(next_)
-        at, going = np.where(going, next_, at), going & moved
-        if not np.any(going):
+    falls = at_low > 0.0
+    middle = 0.5 * (low + high)
+    root = low + (high - low) * (at_low / (at_low - at_high))
+    root = np.where((root >= low) & (root <= high), root, middle)
+    active = np.ones(root.shape, dtype=bool)
+    for _ in range(MOST_ITERATIONS):
+        residual, slope = value_and_slope(series, root)
+        beyond = (residual > 0.0) ^ falls
+        low, high = np.where(beyond, low, root), np.where(beyond, root, high)
+        newton = root - residual / slope
+        inside = (newton >= low) & (newton <= high)
+        next_root = np.where(inside, newton, 0.5 * (low + high))
+        next_root = np.where(residual == 0.0, root, next_root)
+        moves = np.abs(next_root - root) > 2.0**-30 * np.abs(next_root)
+        root = np.where(active, next_root, root)
+        active &= moves
+        if not np.any(active):
             break
-    return np.asarray(at)
+    return root
+
+
+# --- the radius of convergence ---------------------------------------------------------------------------------------
+
+COMPARED = 5  # coefficients at the start that the last ones are compared with
+LAST = 4  # coefficients at the end
+FIXED_POINT = 2.0**40
+LARGEST = 1000.0  # log2 of a radius
+
+
+def radius_of_convergence(series: Floats, order: Floats) -> Floats:
+    """The least radius that any of the last four coefficients suggests, against the largest of the first five.
+
+    |c_k/c_n|^(1/(n - k)), k < 5, n the last four orders of a lane; 2^1000 where these are zero.
+    """
+    first = _log2(series[:COMPARED])
+    known = np.any(series[:COMPARED] != 0.0, axis=0)
+    least = np.full(order.shape, LARGEST)
+    for n in range(max(COMPARED, int(order.min()) - LAST + 1), len(series)):
+        per_order = 1.0 / (n - np.arange(COMPARED))
+        suggested = ((first - _log2(series[n])) * per_order[:, None]).max(axis=0)
+        counts = known & (order >= n) & (order < n + LAST) & (series[n] != 0.0)
+        least = np.where(counts & (suggested < least), suggested, least)
+    return _power_of_two(least)
+
+
+def _log2(x: Floats) -> Floats:
+    """log2 |x|, linear between powers of two as in C: up to 0.09 too small, a hundredth of the radius."""
+    bits = np.abs(x).view(np.int64) >> 12
+    return np.asarray(bits / FIXED_POINT - 1023.0)
+
+
+def _power_of_two(y: Floats) -> Floats:
+    """The inverse of `_log2`."""
+    bits = np.rint((np.clip(y, -LARGEST, LARGEST) + 1023.0) * FIXED_POINT)
+    return (bits.astype(np.int64) << 12).view(np.float64)

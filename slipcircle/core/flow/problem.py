@@ -33,7 +33,7 @@ STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order
 
 
 class Problem(NamedTuple):
-    """What `walk.walk` takes, and what turns its numbers back into seconds and metres."""
+    """What `integrate` takes, and what turns its numbers back into seconds and metres."""
 
     program: Program
     tables: list[Data]
@@ -41,10 +41,11 @@ class Problem(NamedTuple):
     time_scale: Any
     functions: Mapping[int, Callable[[Any], Any]]  # of slip, given in Python, by the place of their table
     recipe: tuple[tuple[str, ...], ...]  # the arguments of `build_program`: effects, laws, moving, absent
+    outputs: tuple[str, ...] = ()  # further ones of the program
 
     def with_outputs(self, outputs: tuple[str, ...] = (), directions: int = 0) -> "Problem":
         """The same lanes with further outputs, or with derivatives in so many directions."""
-        return self._with_program(build_program(*self.recipe, outputs, directions))
+        return self._with_program(build_program(*self.recipe, outputs, directions))._replace(outputs=outputs)
 
     def with_steady_shaking(self) -> "Problem":
         """The same lanes with a constant horizontal coefficient, at first 0, in the place of their shaking."""
@@ -58,7 +59,7 @@ class Problem(NamedTuple):
     def _with_program(self, program: Program) -> "Problem":
         """The same numbers for another program."""
         cells = program.blank(self.cells.shape[1])
-        there, here = _common_cells(program, self.program)
+        there, here = common_cells(program, self.program)
         cells[there] = self.cells[here]
         data = {table.name: data for table, data in zip(self.program.tables, self.tables, strict=True)}
         return self._replace(program=program, cells=cells, tables=[data[table.name] for table in program.tables])
@@ -79,7 +80,7 @@ class Problem(NamedTuple):
 
 
 @lru_cache(maxsize=256)
-def _common_cells(program: Program, other: Program) -> tuple[Any, Any]:
+def common_cells(program: Program, other: Program) -> tuple[Any, Any]:
     """The places of the numbers that two programs are both given, in the one and in the other."""
     names = [name for name in program.cells[: program.given] if name in other.places]
     return np.array([program.places[name] for name in names]), np.array([other.places[name] for name in names])
@@ -126,7 +127,7 @@ def build_problem(
         numbers.inputs |= {
             "omega": velocity / numbers.radius * numbers.time_scale,
             "END_TIME": end_time / numbers.time_scale,
-            "LIMIT": abs(arc.weights.static_limit),
+            "LIMIT": abs(arc.moment_coefficients.limit_friction),
             # The steps of one scene cost next to nothing, whatever their order.
             "ORDER": order(min(accuracy, FINEST) if lanes == 1 else accuracy),
             "FACTOR": STEP,
@@ -173,7 +174,7 @@ class _Numbers:
 
     def __post_init__(self) -> None:
         self.time_scale, self.radius = plain(self.arc.time_scale), plain(self.arc.radius)
-        self.inputs: dict[str, Any] = self.arc.weights._asdict()
+        self.inputs: dict[str, Any] = self.arc.moment_coefficients.inputs()
 
     def add_effect(self, effect: str, given: Mapping[str, Any], rotating: bool) -> None:
         """What an effect gives: numbers by their symbols, functions of time or of the rotation as tables."""
@@ -222,7 +223,7 @@ def scales_of(arc: Arc | Section) -> dict[str, Any]:
         "Theta": arc.dimensionless.moment_of_inertia,
         "radius": plain(arc.radius),
         "density": plain(arc.unit_weight) / plain(arc.gravity),
-        "cover": arc.weights.cover,
+        "cover": arc.moment_coefficients.cover,
     }
 
 
@@ -245,8 +246,8 @@ def under_water(section: Section, rotating: bool, others: Any = None, count: int
 
     function = others or pressure
     if rotating:
-        weights = section.weights
-        upright = np.arctan2(weights.press, weights.press_slope)  # J_r cos - J_r' sin falls to 0
+        coefficients = section.moment_coefficients
+        upright = np.arctan2(coefficients.normal_load, coefficients.normal_load_slope)  # J_r cos - J_r' sin falls to 0
         last = np.broadcast_to(upright, shape)
         kinks = np.moveaxis(section.pressure_kinks, -1, 0)
         kinks = np.broadcast_to(kinks if section.shape else kinks[:, None], (len(kinks), *shape))

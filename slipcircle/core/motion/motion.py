@@ -129,7 +129,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @property
     def stopped_at(self) -> Numbers:
         """Time at which the integration stopped, s, with a result or without."""
-        return self._shaped(self._final[ix.TIME] * self._lanes.time_scale)
+        time = self._final[ix.TIME] * self._lanes.time_scale
+        return self._shaped(time)
 
     @property
     def turnings(self) -> Any:

@@ -9,6 +9,7 @@ from slipcircle.base.checks import raise_all
 from slipcircle.core.flow.build import build_program
 from slipcircle.core.flow.problem import order
 from slipcircle.core.flow.program import Program
+from slipcircle.core.motion.equation import Equation, equation_of
 from slipcircle.core.scene.friction import law_depends, law_names
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
 
@@ -51,6 +52,11 @@ class Plan:
     operations: str
     cost: int
     accuracy: float
+
+    @property
+    def equation(self) -> Equation:
+        """The equation of motion of exactly this scene: its terms, and the numbers of its coefficients."""
+        return equation_of(self.scene, self.accuracy)
 
 
 def plan(scene: Scene, accuracy: float | None = None) -> Plan:

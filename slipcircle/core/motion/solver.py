@@ -1,7 +1,14 @@
-"""From a scene to its motion, or to the motions of its lanes."""
+"""From a scene to its motion, or to the motions of its lanes.
+
+The equation of motion is the balance of momentum of a mass that turns about the centre of its arc, dimensionless:
+
+    Theta domega/dt = M - s (T + lambda mu max(0, sigma - u)),  s = sgn(omega)
+
+M drives, T resists, sigma presses, u lifts; `generated.flow` lists what each effect adds, and `plan(scene).equation` is
+that of one scene.
+"""
 
 import math
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -10,11 +17,10 @@ from generated.effects import EFFECTS
 from generated.layout import MOST_TURNS
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Numbers
-from slipcircle.core.flow.lanes import BLOCK, Lanes
+from slipcircle.core.flow.lanes import BLOCK, lanes_of
 from slipcircle.core.motion.motion import FINAL_ENTRIES, Motion, final_entries
 from slipcircle.core.motion.plan import Plan, plan
 from slipcircle.core.motion.states import Status
-from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.scene import Scene
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
@@ -59,7 +65,7 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
 
 def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     """The motion that a plan leads to, or its status where there is none; some lanes may be no scenes."""
-    lanes, single = lanes_of(chosen, invalid), not chosen.scene.shape
+    lanes, single = lanes_of(chosen.scene, chosen.accuracy, invalid), not chosen.scene.shape
     log: list[Any] = []
     if lanes.count <= BLOCK:
         return Motion(chosen, lanes, final_entries(lanes.solve(log if single else None), single), log)
@@ -67,39 +73,6 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     for which, part in lanes.parts():
         found[:, which] = part.solve()[list(FINAL_ENTRIES)]
     return Motion(chosen, lanes, dict(zip(FINAL_ENTRIES, found, strict=True)), log)
-
-
-def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
-    """The lanes of a scene, flat."""
-    scene = chosen.scene
-    if not scene.shape:
-        end = np.inf if scene.end_time is None else scene.end_time
-        return Lanes(scene.arc, scene.called, scene.friction, scene.initial_velocity, end, chosen.accuracy, 1, invalid)
-    count = math.prod(scene.shape)
-
-    def flat(given: Any, axes: int = 0) -> Any:
-        if np.ndim(given) <= axes:
-            return given
-        value = np.asarray(given, np.float64)
-        own = value.shape[value.ndim - axes :]
-        return value if value.shape == (count, *own) else np.broadcast_to(value, (*scene.shape, *own)).reshape(-1, *own)
-
-    numbers = scene.numbers
-    arc = replace_unchecked(
-        scene.arc, {n: flat(getattr(scene.arc, n), axes) for n, axes in scene.arc.quantities.items()}
-    )
-    called = {
-        e: {n: flat(v) if f"{e}.{n}" in numbers else v for n, v in given.items()} for e, given in scene.called.items()
-    }
-    law = scene.friction
-    if isinstance(law, Mapping):
-        law = {n: flat(v) if f"friction.{n}" in numbers else v for n, v in law.items()}
-        if isinstance(rate := law.get("rate"), Mapping):
-            law["rate"] = {n: flat(v) if f"friction.rate.{n}" in numbers else v for n, v in rate.items()}
-    elif not callable(law):
-        law = flat(law)
-    end = np.inf if scene.end_time is None else flat(scene.end_time)
-    return Lanes(arc, called, law, flat(scene.initial_velocity), end, chosen.accuracy, count, invalid)
 
 
 def _refuse(motion: Motion) -> None:

@@ -60,10 +60,10 @@ class Trajectory:
             status = STATUS_OF_END[np.asarray(ended, np.intp)]
         else:
             status = int(STATUS_OF_END[int(ended)])
-        turned = (status == RESTS) & (final[ix.TURNS] > 0.0)
-        status = choose(turned, TURNED, status)
-        never_moved = (status <= TURNED) & (ended != ix.STOPPED) & (final[ix.PHASES] == 0.0)
-        status = choose(never_moved, STAYS, status)
+        has_turned = final[ix.TURNS] > 0.0
+        status = choose((status == RESTS) & has_turned, TURNED, status)
+        never_moved = (ended != ix.STOPPED) & (final[ix.PHASES] == 0.0)
+        status = choose((status <= TURNED) & never_moved, STAYS, status)
         return choose(self._lanes.invalid, INVALID, status)
 
     @cached_property
@@ -100,13 +100,16 @@ class Trajectory:
         """
         time = self._checked(times)
         rotation, omega, rate = self._rows(time)[:3]
-        every_time = np.broadcast_to(time, (*self.shape, *time.shape))[()]
-        over_time, stress = partial(self._over_time, time), partial(self._stress_at, time)
+        shape = (*self.shape, *time.shape)
+        every_time = np.broadcast_to(time, shape)[()]
+        over_time = partial(self._over_time, time)
+        stress = partial(self._stress_at, time)
         return self._state(every_time, rotation, omega, rate, over_time, stress)
 
     def _state(self, time: Any, rotation: Any, omega: Any, rate: Any, shaped: Any, stress: Any) -> State:
         """A state in SI units from dimensionless numbers; `shaped` gives them the scene's shape."""
-        scale, radius = self._lanes.time_scale, self._lanes.radius
+        scale = self._lanes.time_scale
+        radius = self._lanes.radius
         with np.errstate(over="ignore"):  # an overflow is refused where it is asked for
             angular_velocity = omega / scale
             velocity = radius * angular_velocity
@@ -121,7 +124,8 @@ class Trajectory:
         time = np.asarray(times, dtype=np.float64)
         status = self._final[ix.STATUS]
         known_until = choose(status == ix.PAUSED, self._lanes.end_time, self._duration)
-        ends = choose((status != ix.ARRESTED) & self._solved, known_until, np.inf)
+        bounded = (status != ix.ARRESTED) & self._solved
+        ends = choose(bounded, known_until, np.inf)
         last = float(np.min(ends))
         late = time[time > last]
         if late.size:
@@ -135,24 +139,29 @@ class Trajectory:
     def _rows(self, time: Floats) -> Floats:
         """Rotation, omega, its rate, slip and further states, (rows, times, lanes); kept for the same times again."""
         key = time.tobytes()
-        if self._last_read is None or self._last_read[0] != key:
-            flat_times = np.ravel(time)
-            rows = self._lanes.read(flat_times)
-            ended = flat_times[:, None] >= self._duration  # whatever rounding makes of the time of the end
-            for row, entry in enumerate((ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)):
-                rows[row] = np.where(ended, self._final[entry], rows[row])
-            self._last_read = key, rows
-        return self._last_read[1]
+        if self._last_read is not None and self._last_read[0] == key:
+            return self._last_read[1]
+        flat_times = np.ravel(time)
+        rows = self._lanes.read(flat_times)
+        ended = flat_times[:, None] >= self._duration  # whatever rounding makes of the time of the end
+        at_end = (ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
+        for row, entry in enumerate(at_end):
+            rows[row] = np.where(ended, self._final[entry], rows[row])
+        self._last_read = key, rows
+        return rows
 
     def _over_time(self, time: Floats, values: Floats) -> Any:
         """Values (times, lanes) in the scene's shape followed by that of the times."""
-        return values.T.reshape(self.shape + time.shape)[()]
+        shape = self.shape + time.shape
+        return values.T.reshape(shape)[()]
 
     def _stresses(self, time: Floats) -> tuple[Floats, Floats, Floats]:
         """Mean normal stress with the water and without, Pa, and the law's friction, each (times, lanes)."""
-        outputs = self._lanes.outputs(np.ravel(time), self._rows(time))
         unit = self._lanes.stress_unit
-        return outputs["pressing"].T * unit, outputs["normal"].T * unit, outputs["mu"].T
+        outputs = self._lanes.outputs(np.ravel(time), self._rows(time))
+        total = outputs["pressing"].T * unit
+        effective = outputs["normal"].T * unit
+        return total, effective, outputs["mu"].T
 
     def _stress_at(self, time: Floats) -> Any:
         total, _, _ = self._stresses(time)
@@ -168,13 +177,15 @@ class Trajectory:
         """The mean normal stress on the slip surface less the pore pressure, 0 where that is more, Pa; as for `at`."""
         time = self._checked(times)
         _, effective, _ = self._stresses(time)
-        return self._over_time(time, np.maximum(effective, 0.0))
+        pressing = np.maximum(effective, 0.0)
+        return self._over_time(time, pressing)
 
     def friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient that the law gives, 0 where contact is lost; times as for `at`."""
         time = self._checked(times)
         _, effective, friction = self._stresses(time)
-        return self._over_time(time, np.where(effective > 0.0, friction, 0.0))
+        mobilised = np.where(effective > 0.0, friction, 0.0)
+        return self._over_time(time, mobilised)
 
     def holding_friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient at which the mass, brought to rest where it is, would just stay; times as for `at`.
@@ -182,22 +193,25 @@ class Trajectory:
         NaN where contact is lost.
         """
         time = self._checked(times)
-        holding = self._lanes.holding_friction(np.ravel(time), self._rows(time))
+        rows = self._rows(time)
+        holding = self._lanes.holding_friction(np.ravel(time), rows)
         return self._over_time(time, holding.T)
 
     def path_at(self, times: ArrayLike) -> Any:
         """The path travelled from the start, there and back, m; times as for `at`."""
         time = self._checked(times)
         slip = self._rows(time)[3]
-        return self._over_time(time, self._lanes.radius * slip)
+        path = self._lanes.radius * slip
+        return self._over_time(time, path)
 
     def energy_at(self, times: ArrayLike) -> Energy:
         """The energy balance from the start to any times, as for `at`; integrated beside the motion when asked for."""
         time = self._checked(times)
         flat_times, unit = np.ravel(time), self._lanes.energy_unit
         balance, kinetic_start = self._lanes.energies(flat_times)
-        at_rest = self._rests_at_end & (flat_times[:, None] >= self._duration)
-        kinetic = np.where(at_rest, 0.0, balance["kinetic"])
+        ended = flat_times[:, None] >= self._duration
+        kinetic = np.where(self._rests_at_end & ended, 0.0, balance["kinetic"])
         terms = (kinetic, balance["work"], balance["dissipation"])
         start = np.broadcast_to(unit * kinetic_start, self._lanes.count)
-        return Energy(self._shaped(start), *(self._over_time(time, unit * term) for term in terms))
+        in_joule = (self._over_time(time, unit * term) for term in terms)
+        return Energy(self._shaped(start), *in_joule)

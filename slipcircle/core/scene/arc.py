@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from generated import kernels
 from slipcircle.base.checks import EPS, INFINITY, Bounds, Fault, complaint, mistakes, raise_all, shape_mistakes, two_sum
 from slipcircle.base.kinds import Array, Numbers
-from slipcircle.core.scene.weights import Dimensionless, Mass, Weights
+from slipcircle.core.scene.weights import Dimensionless, MomentCoefficients, SlidingBody
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
     "radius": (1e-6, 1e20, "a positive length in m"),
@@ -34,7 +34,7 @@ GIVEN: Mapping[str, Bounds] = {f.name: (0.0, INFINITY, "a positive number") for 
 
 
 @dataclass(frozen=True)
-class Arc(Mass, Generic[Numbers]):
+class Arc(SlidingBody, Generic[Numbers]):
     """A circular slip surface with the mass above it, closed by its chord.
 
     Parameters
@@ -107,7 +107,7 @@ class Arc(Mass, Generic[Numbers]):
         values = {name: getattr(self, name) for name in ARC_BOUNDS}
         shape = np.broadcast_shapes
         found = mistakes(values, ARC_BOUNDS) or shape_mistakes(values)
-        found = found or complaint(self.faults(), shape(np.shape(self.theta_1), np.shape(self.theta_2)))
+        found = found or complaint(self.geometry_errors(), shape(np.shape(self.theta_1), np.shape(self.theta_2)))
         given: Any = self.given
         if not isinstance(given, Mapping | None):
             found.append(f"given = {given!r}: must be a mapping of coefficients, or None")
@@ -119,7 +119,7 @@ class Arc(Mass, Generic[Numbers]):
             object.__setattr__(self, "given", dict(self.given))
         raise_all("Arc", found)
 
-    def faults(self) -> Iterator[Fault]:
+    def geometry_errors(self) -> Iterator[Fault]:
         """Lanes that are no arcs, or press on nothing."""
         ends = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
         one, two = (np.degrees(np.ravel(end)) for end in ends)
@@ -179,7 +179,7 @@ class Arc(Mass, Generic[Numbers]):
         alpha = self.half_angle
         # Quotients come from reduced functions, so that thin arcs do not underflow.
         dynamic = kernels.dynamic_coefficient(alpha)
-        per_inertia = self.press()
+        per_inertia = self.normal_load()
         polar_per_inertia = kernels.polar_moment_per_inertia(alpha)
         return Dimensionless(
             moment_of_inertia=kernels.moment_of_inertia(alpha),
@@ -204,11 +204,11 @@ class Arc(Mass, Generic[Numbers]):
         return kernels.weight_moment_per_inertia(alpha), kernels.radial_weight_per_inertia(alpha)
 
     @cached_property
-    def weights(self) -> Weights:
+    def moment_coefficients(self) -> MomentCoefficients:
         """What the balance needs; r_u is a share of the static normal stress."""
-        d, (weight, radial), press = self.dimensionless, self.amplitudes_per_inertia, self.press()
+        d, (weight, radial), press = self.dimensionless, self.amplitudes_per_inertia, self.normal_load()
         limit = d.limit_friction
-        return Weights(
+        return MomentCoefficients(
             limit * press,
             weight * (press / radial),
             press,
@@ -219,7 +219,7 @@ class Arc(Mass, Generic[Numbers]):
             1.0,
         )
 
-    def press(self) -> Any:
+    def normal_load(self) -> Any:
         """J_r/Theta* at the start."""
         if self.given is not None:
             return self.dimensionless.radial_weight_per_inertia

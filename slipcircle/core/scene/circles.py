@@ -69,58 +69,90 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
 
     A vertex as near to a circle as rounding of its coordinates goes lies on it, and parts two stretches.
     """
+    edges = np.diff(points, axis=1)
+    x, y = (points[..., k] - centre[:, k, None] for k in (0, 1))
+    u, v = (np.broadcast_to(edges[..., k], (len(radius), edges.shape[1])) for k in (0, 1))
+    clear, inside = _clearances(points, centre, radius)
+    start, share = _shares_inside(points, centre, radius, clear, inside)
+
+    first_in, last_in = inside[:, :-1], inside[:, 1:]
+    through = ~first_in & ~last_in & (share > 0.0)
+    enters, leaves = (~first_in & last_in) | through, (first_in & ~last_in) | through
+    per_r = 1.0 / radius[:, None]
+    gap = np.where(inside, clear, 0.0) * per_r**2
+    return Cut(
+        x=(x[:, :-1] + start * u) * per_r,
+        y=(y[:, :-1] + start * v) * per_r,
+        e_x=share * u * per_r,
+        e_y=share * v * per_r,
+        first=gap[:, :-1],
+        second=gap[:, 1:],
+        stretch=np.cumsum(enters, axis=1) - 1,
+        enters=enters,
+        leaves=leaves,
+    )
+
+
+def _shares_inside(
+    points: Floats, centre: Floats, radius: Floats, clear: Floats, inside: NDArray[np.bool_]
+) -> tuple[Floats, Floats]:
+    """Where on each edge the part inside begins, and its length, as shares of the edge, (n, E)."""
+    first_in, last_in = inside[:, :-1], inside[:, 1:]
+    from_centre, edges = points - centre[:, None], np.diff(points, axis=1)
+    start, share = np.zeros(first_in.shape), (first_in & last_in).astype(np.float64)
+
+    at = np.nonzero(first_in != last_in)
+    start[at], share[at] = _with_one_end_inside(at, last_in[at], clear, from_centre, edges)
+
+    before_foot = (from_centre[:, :-1] * edges).sum(axis=2)  # negative where the foot of the perpendicular is ahead
+    foot_on_edge = (before_foot < 0.0) & (before_foot + (edges**2).sum(axis=2) > 0.0)
+    at = np.nonzero(~first_in & ~last_in & foot_on_edge)
+    if at[0].size:
+        start[at], share[at] = _with_both_ends_outside(at, points, centre, radius)
+    return start, share
+
+
+def _clearances(points: Floats, centre: Floats, radius: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+    """R^2 - rho^2 of each vertex, and whether it is inside by more than rounding of coordinates."""
     r = radius[:, None]
     x, y = (points[..., k] - centre[:, k, None] for k in (0, 1))
     clear = r * r - x * x - y * y
-    near = np.nonzero(np.abs(clear) < 0.1 * r * r)  # where a difference of near equals takes two doubles
-    some, about = np.broadcast_to(points, (*clear.shape, 2))[near].T, -centre[near[0]].T
-    clear[near] = _clearance(two_sum(some[0], about[0]), two_sum(some[1], about[1]), radius[near[0]])[0]
-    blur = 32 * EPS * r * (r + np.abs(points).max(axis=2) + np.abs(centre).max(axis=1)[:, None])
-    inside = clear > blur
-    in_1, in_2 = inside[:, :-1], inside[:, 1:]
-    edge = np.diff(points, axis=1)
-    u, v = (np.broadcast_to(edge[..., k], in_1.shape) for k in (0, 1))
-    g1, g2 = np.where(inside, clear, 0.0)[:, :-1], np.where(inside, clear, 0.0)[:, 1:]
-    x1, y1 = x[:, :-1], y[:, :-1]
-    start, share = np.zeros(in_1.shape), (in_1 & in_2).astype(np.float64)
-    # One end inside: the positive root of D s^2 + 2 b s = g, from the end that is inside.
-    lanes = np.nonzero(in_1 != in_2)
-    back = in_2[lanes]
-    sign, k = np.where(back, -1.0, 1.0), (lanes[0], lanes[1] + back)
-    b = sign * (x[k] * u[lanes] + y[k] * v[lanes])
-    d, g = u[lanes] ** 2 + v[lanes] ** 2, clear[k]
+    lane, vertex = np.nonzero(np.abs(clear) < 0.1 * r * r)  # where a difference of near equals takes two doubles
+    near = np.broadcast_to(points, (*clear.shape, 2))[lane, vertex]
+    from_centre = [two_sum(near[:, k], -centre[lane, k]) for k in (0, 1)]
+    clear[lane, vertex] = _clearance(from_centre[0], from_centre[1], radius[lane])[0]
+    size = np.abs(points).max(axis=2) + np.abs(centre).max(axis=1)[:, None]
+    return clear, clear > 32 * EPS * r * (r + size)
+
+
+def _with_one_end_inside(
+    at: Any, last_in: Any, clear: Floats, from_centre: Floats, edges: Floats
+) -> tuple[Floats, Floats]:
+    """From the end inside: s of D s^2 + 2 b s = g, by the form of the positive root that does not cancel."""
+    lane, edge = at
+    end = lane, edge + last_in
+    along = np.broadcast_to(edges, (len(clear), *edges.shape[1:]))[at]
+    b = np.where(last_in, -1.0, 1.0) * (from_centre[end] * along).sum(axis=1)
+    d, g = (along**2).sum(axis=1), clear[end]
     root = np.sqrt(b * b + d * g)
-    s = np.minimum(np.where(b > 0.0, g / (b + root), (root - b) / d), 1.0)
-    share[lanes], start[lanes] = s, np.where(back, 1.0 - s, 0.0)
-    # Both outside, the foot of the perpendicular between them: the discriminant may be small, and takes two doubles.
-    dot = x1 * u + y1 * v
-    lanes = np.nonzero(~in_1 & ~in_2 & (dot < 0.0) & (dot + u * u + v * v > 0.0))
-    if lanes[0].size:
-        row = np.broadcast_to(points, (len(radius), *points.shape[1:]))[lanes[0]]
-        p, q = row[np.arange(len(row)), lanes[1]], row[np.arange(len(row)), lanes[1] + 1]
-        e = [two_sum(q[:, k], -p[:, k]) for k in (0, 1)]
-        at = [two_sum(p[:, k], -centre[lanes[0], k]) for k in (0, 1)]
-        b2 = _plus(_times(at[0], e[0]), _times(at[1], e[1]))
-        d2 = _plus(_times(e[0], e[0]), _times(e[1], e[1]))
-        disc = _plus(_times(b2, b2), _times(d2, _clearance(at[0], at[1], radius[lanes[0]])))[0]
-        root, d = np.sqrt(np.maximum(disc, 0.0)), d2[0]
-        s = np.maximum((-b2[0] - root) / d, 0.0)
-        share[lanes], start[lanes] = np.minimum(2 * root / d, 1.0 - s), s
-    through = ~in_1 & ~in_2 & (share > 0.0)
-    enters, leaves = (~in_1 & in_2) | through, (in_1 & ~in_2) | through
-    stretch = np.cumsum(enters, axis=1) - 1
-    per_r, per_r2 = 1.0 / r, 1.0 / (r * r)
-    return Cut(
-        (x1 + start * u) * per_r,
-        (y1 + start * v) * per_r,
-        share * u * per_r,
-        share * v * per_r,
-        g1 * per_r2,
-        g2 * per_r2,
-        stretch,
-        enters,
-        leaves,
-    )
+    share = np.minimum(np.where(b > 0.0, g / (b + root), (root - b) / d), 1.0)
+    return np.where(last_in, 1.0 - share, 0.0), share
+
+
+def _with_both_ends_outside(at: Any, points: Floats, centre: Floats, radius: Floats) -> tuple[Floats, Floats]:
+    """Of edges that may pass through the circle: the discriminant may be small, and takes two doubles."""
+    lane, edge = at
+    line = np.broadcast_to(points, (len(radius), *points.shape[1:]))
+    p, q = line[lane, edge], line[lane, edge + 1]
+    along = [two_sum(q[:, k], -p[:, k]) for k in (0, 1)]
+    from_centre = [two_sum(p[:, k], -centre[lane, k]) for k in (0, 1)]
+    b = _plus(_times(from_centre[0], along[0]), _times(from_centre[1], along[1]))
+    d = _plus(_times(along[0], along[0]), _times(along[1], along[1]))
+    clear = _clearance(from_centre[0], from_centre[1], radius[lane])
+    discriminant = _plus(_times(b, b), _times(d, clear))[0]
+    root = np.sqrt(np.maximum(discriminant, 0.0))
+    start = np.maximum((-b[0] - root) / d[0], 0.0)
+    return start, np.minimum(2 * root / d[0], 1.0 - start)
 
 
 def stretches(parts: Cut) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.bool_]]:
@@ -155,40 +187,42 @@ def moments(parts: Cut, mine: NDArray[np.bool_]) -> dict[str, Floats]:
 
 
 def _moments(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
-    """The same of one block."""
+    """The same of one block: short edges by quadrature of their rings, long ones by sectors and triangles."""
     x, y = parts.x, parts.y
     u, v = np.where(mine, parts.e_x, 0.0), np.where(mine, parts.e_y, 0.0)
-    d2 = u * u + v * v
-    far = np.hypot(x, y) + np.hypot(x + u, y + v)
-    long = d2 > (slopes.REACH * far) ** 2
-    cross = np.where(long, 0.0, x * v - y * u)
-    near = np.where(long, 0.0, 1.0)
-    first, second, bulge = parts.first * near, parts.second * near, d2 * near
-    sums = [np.zeros(x.shape) for _ in range(7)]
-    for s, w in _GAUSS:
-        values = slopes.rings((1.0 - s) * first + s * second + (s * (1.0 - s)) * bulge)
-        for total, value in zip(sums, (*values, s * values[3], s * values[4]), strict=True):
-            total += w * value
-    area, polar, inertia, radial, moment, radial_s, moment_s = sums
-    by_edge = np.array(
-        [
-            area,
-            polar,
-            inertia,
-            radial * x + radial_s * u,
-            radial * y + radial_s * v,
-            moment * x + moment_s * u,
-            moment * y + moment_s * v,
-        ]
-    )
-    total = (by_edge * cross).sum(axis=2)
-    lanes = np.nonzero(long)
-    if lanes[0].size:
-        a, b, c, d = x[lanes], y[lanes], u[lanes], v[lanes]
-        angle = np.arctan2(a * d - b * c, a * (a + c) + b * (b + d))
-        for into, value in zip(total, slopes.closed(a, b, c, d, angle), strict=True):
-            into += np.bincount(lanes[0], value, len(into))
+    distances = np.hypot(x, y) + np.hypot(x + u, y + v)
+    long = u * u + v * v > (slopes.REACH * distances) ** 2
+    total = _ring_moments(parts, np.where(long, 0.0, u), np.where(long, 0.0, v))
+    lane, edge = np.nonzero(long)
+    if lane.size:
+        at = lane, edge
+        cross, dot = x[at] * v[at] - y[at] * u[at], x[at] * (x[at] + u[at]) + y[at] * (y[at] + v[at])
+        by_edge = slopes.closed(x[at], y[at], u[at], v[at], np.arctan2(cross, dot))
+        total += np.array([np.bincount(lane, values, len(x)) for values in by_edge])
     return total
+
+
+def _ring_moments(parts: Cut, u: Floats, v: Floats) -> Floats:
+    """Of the rings between edges (u, v) and arcs, with g = (1-s) g_1 + s g_2 + s (1-s) d^2 along an edge."""
+    used = (u != 0.0) | (v != 0.0)
+    first, second, square = np.where(used, parts.first, 0.0), np.where(used, parts.second, 0.0), u * u + v * v
+    totals = np.zeros((len(MEASURES), *u.shape))
+    for s, weight in _GAUSS:
+        rings = np.array(slopes.rings((1.0 - s) * first + s * second + (s * (1.0 - s)) * square))
+        totals[:5] += weight * rings
+        totals[5:] += (weight * s) * rings[3:]
+    area, polar, inertia, radial, moment, radial_s, moment_s = totals
+    x, y, cross = parts.x, parts.y, parts.x * v - parts.y * u
+    by_edge = [
+        area,
+        polar,
+        inertia,
+        radial * x + radial_s * u,
+        radial * y + radial_s * v,
+        moment * x + moment_s * u,
+        moment * y + moment_s * v,
+    ]
+    return np.array([(values * cross).sum(axis=1) for values in by_edge])
 
 
 def thickness(parts: Cut, mine: NDArray[np.bool_]) -> Floats:

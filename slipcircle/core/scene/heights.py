@@ -17,131 +17,121 @@ from numpy.typing import NDArray
 from generated import slopes
 from slipcircle.core.scene.circles import Cut, Floats, cut
 
+_TOGETHER = 1 << 14  # arcs times pieces at a time: their arrays stay in the caches
 
-class HeightIntegrals(NamedTuple):
-    """Pieces of the circles, in order of their angles, over which one edge of a line lies above the arc, (n, P)."""
+
+class _Pieces(NamedTuple):
+    """Pieces of circles over which one edge of a line lies above the arc, a column for each edge, (n, pieces)."""
 
     low: Floats  # angles of a piece's ends
     high: Floats
-    span: Floats  # high - low, to full precision
+    span: Floats  # high - low to full precision; 0 where there is no such piece
     sine: Floats  # at the low end
     cosine: Floats
     height: Floats
-    slope: Floats  # of the edge
-    edge: NDArray[np.int64]  # its number, (P,)
-    line: Floats  # vertices of the line with its continuations, (n, V, 2)
 
-    def reduced(self, first: Floats, last: Floats) -> tuple[Floats, Floats]:
-        """Both ends of arcs turned by whole turns to where the pieces are."""
-        turns = 2 * np.pi * np.floor((first + 1.5 * np.pi) / (2 * np.pi))
-        return first - turns, last - turns
+    def turned(self, angle: float) -> "_Pieces":
+        """The same a turn further on."""
+        return self._replace(low=self.low + angle, high=self.high + angle)
+
+
+class HeightIntegrals(NamedTuple):
+    """Pieces of circles, an edge of a line above each, over two turns from -3 pi/2 on."""
+
+    pieces: _Pieces
+    slope: Floats  # of the edge above each piece, (n, pieces)
+    edge: NDArray[np.int64]  # its number, (pieces,)
+    line: Floats  # vertices of the line with its continuations, over R from the centre, (n, V, 2)
+
+    @property
+    def kinks(self) -> Floats:
+        """Angles at which heights have kinks, (n, 2 pieces)."""
+        return np.concatenate([self.pieces.low, self.pieces.high], axis=1)
 
     def integral(self, first: Floats, last: Floats) -> Floats:
-        """Over arcs from one angle to another, (..., n): of whole pieces between, and of parts of the outer two."""
-        first, last = self.reduced(first, last)
-        lane, piece = np.arange(len(self.low)), np.arange(self.low.shape[1])
-        begin, end = (np.maximum(np.count_nonzero(self.low <= x[..., None], axis=-1) - 1, 0) for x in (first, last))
-        in_first, in_last = self._part(first, last, (lane, begin)), self._part(first, last, (lane, end))
-        whole = slopes.head(self.span, self.sine, self.cosine, self.height, self.slope)
-        between = (piece > begin[..., None]) & (piece < end[..., None])
-        return in_first + np.where(begin == end, 0.0, np.where(between, whole, 0.0).sum(axis=-1) + in_last)
+        """Over arcs from one angle to another, (..., n)."""
+        first, last = _first_turn(first, last)
+        total, together = np.zeros(np.shape(first)), max(1, _TOGETHER // np.size(first))
+        for k in range(0, len(self.edge), together):
+            total += self._parts(slice(k, k + together), first[..., None], last[..., None]).sum(axis=-1)
+        return total
 
-    def _part(self, first: Floats, last: Floats, of: Any) -> Any:
-        """Over what some pieces have between two angles, from its own beginning, so that nothing cancels."""
-        low, high, sine, cosine, slope = self.low[of], self.high[of], self.sine[of], self.cosine[of], self.slope[of]
-        start, stop = np.clip(first, low, high), np.clip(last, low, high)
-        angle = np.where((start <= low) & (stop >= high), self.span[of], stop - start)
+    def _parts(self, chosen: slice, first: Floats, last: Floats) -> Any:
+        """Over the parts of pieces between two angles, each from its own beginning, so that nothing cancels."""
+        low, high, span, sine, cosine, height = (column[:, chosen] for column in self.pieces)
+        start, stop, slope = np.clip(first, low, high), np.clip(last, low, high), self.slope[:, chosen]
+        if np.array_equal(start, stop):
+            return np.zeros(1)
+        angle = np.where((start <= low) & (stop >= high), span, stop - start)
         along, bent = np.sin(start - low), 2 * np.sin((start - low) / 2) ** 2
         more_sine, more_cosine = cosine * along - sine * bent, -sine * along - cosine * bent
-        height = self.height[of] + slope * more_sine + more_cosine
-        return slopes.head(angle, sine + more_sine, cosine + more_cosine, height, slope)
+        start_height = height + slope * more_sine + more_cosine
+        return slopes.head(angle, sine + more_sine, cosine + more_cosine, start_height, slope)
 
     def gradient(self, first: Floats, last: Floats) -> Floats:
         """Derivatives of the integral by the vertices of the line of a single circle, ends held, (..., V, 2).
 
         A vertex moves an edge's height by its hat function, (sin - x)/run for the second one, and, moving
-        horizontally, by minus the edge's slope times that.
+        horizontally, by minus the edge's slope times that. The line's ends take their continuations with them.
         """
-        first, last = self.reduced(first, last)
-        start = np.clip(first[..., None], self.low[0], self.high[0])
-        stop = np.clip(last[..., None], self.low[0], self.high[0])
-        vertex, run = self.line[0, self.edge, 0], np.diff(self.line[0, :, 0])[self.edge]
-        second = (np.cos(start) - np.cos(stop) - vertex * (stop - start)) / run
+        first, last = _first_turn(first, last)
+        start, stop = (np.clip(x[..., None], self.pieces.low[0], self.pieces.high[0]) for x in (first, last))
+        x, run = self.line[0, self.edge, 0], np.diff(self.line[0, :, 0])[self.edge]
+        second = (np.cos(start) - np.cos(stop) - x * (stop - start)) / run
         direction = np.stack([-self.slope[0], np.ones_like(run)], axis=1)
         by_vertex = np.zeros((*second.shape[:-1], *self.line.shape[1:]))
         for k, hat in ((0, stop - start - second), (1, second)):
             of_vertex: Any = (..., self.edge + k, slice(None))
             np.add.at(by_vertex, of_vertex, hat[..., None] * direction)
-        return by_vertex
+        by_vertex[..., 1, :] += by_vertex[..., 0, :]
+        by_vertex[..., -2, :] += by_vertex[..., -1, :]
+        return by_vertex[..., 1:-1, :]
 
     def at(self, angle: Floats) -> Floats:
-        """Height above the arcs of a single circle at angles, (...,)."""
-        angle, _ = self.reduced(angle, angle)
-        above = (self.low[0] <= angle[..., None]) & (angle[..., None] < self.high[0])
+        """Height above the arc of a single circle at angles, (...,)."""
+        angle, _ = _first_turn(angle, angle)
+        above = (self.pieces.low[0] <= angle[..., None]) & (angle[..., None] < self.pieces.high[0])
         x, y = self.line[0, self.edge].T
         height = y + self.slope[0] * (np.sin(angle)[..., None] - x) + np.cos(angle)[..., None]
         return np.where(above, height, 0.0).sum(axis=-1)
 
 
-class _Pieces(NamedTuple):
-    """As in `HeightIntegrals`, (n, pieces)."""
-
-    low: Floats
-    high: Floats
-    span: Floats
-    sine: Floats
-    cosine: Floats
-    height: Floats
-
-    def turned(self, angle: float) -> "_Pieces":
-        return self._replace(low=self.low + angle, high=self.high + angle)
-
-    def backwards(self) -> "_Pieces":
-        return _Pieces(*(columns[:, ::-1] for columns in self))
+def _first_turn(first: Floats, last: Floats) -> tuple[Floats, Floats]:
+    """Both ends of arcs turned by whole turns until the first one is within a turn from -3 pi/2."""
+    turns = 2 * np.pi * np.floor((first + 1.5 * np.pi) / (2 * np.pi))
+    return first - turns, last - turns
 
 
 def integral_inside(parts: Cut) -> Floats:
     """Of the heights of the parts of edges inside circles, (n, E), above arcs that do not overhang."""
     pieces = _inside(parts)
-    gradient = _gradient(parts.e_x, parts.e_y)
-    return np.asarray(slopes.head(pieces.span, pieces.sine, pieces.cosine, pieces.height, gradient))
+    slope = _slope(parts.e_x, parts.e_y)
+    return np.asarray(slopes.head(pieces.span, pieces.sine, pieces.cosine, pieces.height, slope))
 
 
 def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIntegrals:
     """Of lines (n or 1, V, 2) above circles (n, 2), (n,), m.
 
-    Each edge has three parts: before it enters the circle, inside, and after. Above the circle it is over the upper
-    half, which angles pass from right to left, as over the lower half.
+    Each edge has three parts: before it enters the circle, inside, and after; it may be all before. Outside and above
+    the circle, it is over the upper half, which angles pass from right to left, as over the lower half.
     """
     points = _continued(points, centre, radius)
     line = (points - centre[:, None]) / radius[:, None, None]
-    gradient = _gradient(*np.moveaxis(np.diff(points, axis=1), -1, 0))
+    slope = _slope(*np.moveaxis(np.diff(points, axis=1), -1, 0))
     parts = cut(points, centre, radius)
-    missed = (parts.e_x == 0.0) & (parts.e_y == 0.0)  # edges outside the circle: all of it before
-    enters = np.where(missed, line[:, 1:, 0], parts.x)
-    leaves = np.where(missed, line[:, 1:, 0], parts.x + parts.e_x)
-    before, before_upper = _outside(line[:, :-1], gradient, line[:, :-1, 0], enters)
-    after, after_upper = _outside(line[:, :-1], gradient, leaves, line[:, 1:, 0])
-    inside = _inside(parts)
-    none = inside._replace(low=before.high, high=before.high, span=np.zeros_like(before.span))
-    inside = _Pieces(*(np.where(missed, *pair) for pair in zip(none, inside, strict=True)))
+    outside = (parts.e_x == 0.0) & (parts.e_y == 0.0)
+    end = line[:, 1:, 0]
+    before = _outside(line[:, :-1], slope, line[:, :-1, 0], np.where(outside, end, parts.x))
+    after = _outside(line[:, :-1], slope, np.where(outside, end, parts.x + parts.e_x), end)
 
-    edge, turn = np.arange(gradient.shape[1]), 2 * np.pi
-    lower, of_lower = _interleaved(before, inside, after), np.repeat(edge, 3)
-    upper, of_upper = _interleaved(before_upper, after_upper).backwards(), np.repeat(edge, 2)[::-1]
-    twice = [upper.turned(-turn), lower, upper, lower.turned(turn)]
-    pieces = _Pieces(*(np.concatenate(columns, axis=1) for columns in zip(*twice, strict=True)))
-    of_piece = np.concatenate([of_upper, of_lower] * 2)
-    kept = np.flatnonzero((pieces.span > 0.0).any(axis=0))
-    kept = kept if kept.size else np.zeros(1, dtype=np.int64)
-    of_piece = of_piece[kept]
-    low, high, span, sine, cosine, height = (columns[:, kept] for columns in pieces)
-    return HeightIntegrals(low, high, span, sine, cosine, height, gradient[:, of_piece], of_piece, line)
-
-
-def _interleaved(*parts: _Pieces) -> _Pieces:
-    """Pieces of each edge beside each other."""
-    return _Pieces(*(np.stack(columns, axis=-1).reshape(len(columns[0]), -1) for columns in zip(*parts, strict=True)))
+    lower, upper = [_inside(parts), before[0], after[0]], [before[1], after[1]]
+    turn = 2 * np.pi
+    every = [*(p.turned(-turn) for p in upper), *lower, *upper, *(p.turned(turn) for p in lower)]
+    columns = (np.concatenate(same, axis=1) for same in zip(*every, strict=True))
+    pieces, edge = _Pieces(*columns), np.tile(np.arange(end.shape[1]), len(every))
+    used = np.flatnonzero((pieces.span > 0.0).any(axis=0))
+    edge = edge[used]
+    return HeightIntegrals(_Pieces(*(column[:, used] for column in pieces)), slope[:, edge], edge, line)
 
 
 def _continued(points: Floats, centre: Floats, radius: Floats) -> Floats:
@@ -153,7 +143,7 @@ def _continued(points: Floats, centre: Floats, radius: Floats) -> Floats:
     return np.concatenate([ends[:, :1], points, ends[:, 1:]], axis=1)
 
 
-def _gradient(run: Floats, rise: Floats) -> Floats:
+def _slope(run: Floats, rise: Floats) -> Floats:
     return np.divide(rise, run, out=np.zeros(run.shape), where=run > 0.0)
 
 
@@ -170,15 +160,15 @@ def _inside(parts: Cut) -> _Pieces:
     return _Pieces(low, high, _span(parts.e_x, cosine, cosine_2), parts.x, cosine, height)
 
 
-def _outside(start: Floats, gradient: Floats, first: Floats, last: Floats) -> tuple[_Pieces, _Pieces]:
+def _outside(start: Floats, slope: Floats, first: Floats, last: Floats) -> tuple[_Pieces, _Pieces]:
     """Of parts of edges outside circles from one x to another, over the lower and over the upper half."""
     x, x_2 = np.clip(first, -1.0, 1.0), np.clip(last, -1.0, 1.0)
-    y, y_2 = (start[..., 1] + gradient * (at - start[..., 0]) for at in (x, x_2))
+    y, y_2 = (start[..., 1] + slope * (at - start[..., 0]) for at in (x, x_2))
     cosine, cosine_2 = (np.sqrt((1.0 - at) * (1.0 + at)) for at in (x, x_2))
     above = (x_2 > x) & (y + y_2 > 0.0)
     span = np.where(above, _span(x_2 - x, cosine, cosine_2), 0.0)
-    low = np.arctan2(x, cosine)
-    high = np.where(above, np.arctan2(x_2, cosine_2), low)
+    low, high = np.arctan2(x, cosine), np.arctan2(x_2, cosine_2)
+    high = np.where(above, high, low)
     lower = _Pieces(low, high, span, x, cosine, y + cosine)
     return lower, _Pieces(np.pi - high, np.pi - low, span, x_2, -cosine_2, y_2 - cosine_2)
 

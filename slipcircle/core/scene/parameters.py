@@ -110,7 +110,7 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]
         stand_in = before if np.all(invalid) else {n: v[np.argmin(invalid)] for n, v in values.items()}
         changed = _fields_with(scene, {n: np.where(invalid, stand_in[n], v) for n, v in values.items()})
         arc = replace_unchecked(scene.arc, changed["arc"])
-        faults = arc.faults() if arc is not scene.arc and not np.all(invalid) else ()
+        faults = arc.geometry_errors() if arc is not scene.arc and not np.all(invalid) else ()
         impossible = next((lanes for lanes, _ in faults if np.any(lanes)), None)
         if impossible is None:
             break

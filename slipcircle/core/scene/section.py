@@ -14,10 +14,10 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import Fault, complaint, raise_all
 from slipcircle.core.scene import circles
 from slipcircle.core.scene.circles import Cut, Floats
-from slipcircle.core.scene.faults import faults, unmoved
+from slipcircle.core.scene.errors import geometry_errors, motion_errors
 from slipcircle.core.scene.ground import field_mistakes, line_faults
 from slipcircle.core.scene.heights import HeightIntegrals, height_integrals, integral_inside
-from slipcircle.core.scene.weights import Dimensionless, Mass, Weights
+from slipcircle.core.scene.weights import Dimensionless, MomentCoefficients, SlidingBody
 
 
 class Journey(NamedTuple):
@@ -38,7 +38,7 @@ class Journey(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Section(Mass):
+class Section(SlidingBody):
     """A slip circle through a ground of straight edges, with the mass between ground and arc.
 
     Parameters
@@ -106,7 +106,9 @@ class Section(Mass):
     given: ClassVar[None] = None
 
     def __post_init__(self) -> None:
-        raise_all("Section", field_mistakes(vars(self), self.quantities) or complaint(faults(self), self.shape))
+        raise_all(
+            "Section", field_mistakes(vars(self), self.quantities) or complaint(geometry_errors(self), self.shape)
+        )
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Section) and all(
@@ -274,15 +276,15 @@ class Section(Mass):
 
     # --- mechanics ---------------------------------------------------------------------------------------------------
 
-    def faults(self) -> Iterator[Fault]:
+    def geometry_errors(self) -> Iterator[Fault]:
         """Lanes that are no sections, or do not move."""
         levels = () if self.level is None else line_faults("level", self._level)
-        return chain(line_faults("ground", self._circle[0]), levels, faults(self), unmoved(self))
+        return chain(line_faults("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
 
     @cached_property
     def no_motion(self) -> str | None:
         """Why the method gives no motion, if it does not."""
-        return next(iter(complaint(unmoved(self), self.shape)), None)
+        return next(iter(complaint(motion_errors(self), self.shape)), None)
 
     @cached_property
     def moments(self) -> dict[str, Any]:
@@ -316,12 +318,12 @@ class Section(Mass):
         )
 
     @cached_property
-    def weights(self) -> Weights:
+    def moment_coefficients(self) -> MomentCoefficients:
         """What the balance needs; r_u is a share of the weight of the soil above, gamma h, in the mean over the arc."""
         m, d = self.moments, self.dimensionless
         theta = d.moment_of_inertia
         cover = self.mean_cover / (self.sagitta * d.static_normal_stress)
-        return Weights(
+        return MomentCoefficients(
             d.weight_moment / theta,
             m["weight_moment_slope"] / theta,
             d.radial_weight_per_inertia,
@@ -366,7 +368,7 @@ class Section(Mass):
         """Rotations at which the mean pressure is not smooth, rad, sorted, on a last axis."""
         if self.level is None:
             return self._shaped(np.empty((len(self._facing), 0)))
-        kinks = np.concatenate([self._water.low, self._water.high], axis=1)
+        kinks = self._water.kinks
         turns = np.concatenate([kinks - end[:, None] for end in self._angles], axis=1) * self._facing[:, None]
         return self._shaped(np.sort(turns, axis=1))
 

@@ -82,7 +82,7 @@ def section_derivatives(section: Section, names: Sequence[str]) -> SectionDeriva
 
     above, (first, last) = _ground_heights(section), np.concatenate(section._angles)
     at_ends = above.at(np.array([first, last]))
-    by_ground = chain(_folded(above.gradient(first, last)), ground, "ground")
+    by_ground = chain(above.gradient(first, last), ground, "ground")
     heights = by_ground + at_ends[1] * ends[1] - at_ends[0] * ends[0]
     of_scale = np.array([float(n == "radius") for n in names]) / radius
     return SectionDerivatives(moments, heights, ends, _pressure(section, ends, chain, of_scale))
@@ -167,14 +167,6 @@ def _ground_heights(section: Section) -> Any:
     return height_integrals(*section._circle)
 
 
-def _folded(by_vertex: Floats) -> Floats:
-    """Derivatives by the vertices of a line, of those with its continuations, which are as high as its ends."""
-    folded = by_vertex[..., 1:-1, :].copy()
-    folded[..., 0, :] += by_vertex[..., 0, :]
-    folded[..., -1, :] += by_vertex[..., -1, :]
-    return folded
-
-
 def _pressure(section: Section, ends: Floats, chain: _Chain, of_scale: Floats) -> Callable[[Any], Any]:
     """Of the mean pressure: the integral of heights over R, over the angle of the arc, times R gamma_w."""
     if section.level is None:
@@ -187,7 +179,7 @@ def _pressure(section: Section, ends: Floats, chain: _Chain, of_scale: Floats) -
 
     def pressure(turn: Any) -> Any:
         begin, end = first + way * turn[..., 0], last + way * turn[..., 0]
-        by_level = chain(_folded(water.gradient(begin, end)), line, "level")
+        by_level = chain(water.gradient(begin, end), line, "level")
         by_ends = water.at(end)[..., None] * ends[1] - water.at(begin)[..., None] * ends[0]
         mean = section.mean_pressure(turn[..., 0])[..., None]
         return (unit * (by_level + by_ends) - mean * (ends[1] - ends[0])) / (last - first) + mean * of_scale

@@ -34,24 +34,28 @@ class Dimensionless:
     polar_moment_per_inertia: Any
 
 
-class Weights(NamedTuple):
-    """J_theta, J_r, lambda and I_p* over Theta*, the limit friction J_theta/J_r, and what r_u is a share of.
+class MomentCoefficients(NamedTuple):
+    """Of the balance of moments about the centre: J_theta, J_r, lambda and I_p* over Theta*, and two stresses' scales.
 
-    After a rotation phi the first pair becomes fall cos(phi) - fall_slope sin(phi), and so does the second: the slopes
-    are the derivatives by the dip, which a rotation lowers.
+    After a rotation phi the driving moment is J_theta cos(phi) - J_theta' sin(phi), and so is the normal load: the
+    slopes are the derivatives by the dip, which a rotation lowers.
     """
 
-    fall: Any
-    fall_slope: Any
-    press: Any
-    press_slope: Any
-    level: Any
-    polar: Any
-    static_limit: Any
+    driving_moment: Any
+    driving_moment_slope: Any
+    normal_load: Any
+    normal_load_slope: Any
+    resistance_factor: Any
+    polar_moment: Any
+    limit_friction: Any  # J_theta/J_r at the start
     cover: Any  # the stress of which r_u is a share, over the static normal stress
 
+    def inputs(self) -> dict[str, Any]:
+        """By the names of the generated programs (`generated.flow.INPUTS`)."""
+        return dict(zip(("fall", "fall_slope", "press", "press_slope", "level", "polar"), self, strict=False))
 
-class Mass:
+
+class SlidingBody:
     """What follows from the fields and coefficients of a failed section, whatever its shape."""
 
     radius: Any

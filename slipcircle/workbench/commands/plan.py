@@ -29,9 +29,10 @@ def run(options: argparse.Namespace) -> Answer:
     if options.plot and not options.ladder:
         raise ValueError("plan: --plot: draws the ladder; give --ladder as well")
     chosen = plan(load(options.scene))
-    record = vars(chosen) | {"scene": chosen.scene.name}
+    equation = chosen.equation
+    record = vars(chosen) | {"scene": chosen.scene.name, "equation": equation.to_dict()}
     if not options.ladder:
-        return Answer(lambda: [record], [tables.plan_part(chosen)])
+        return Answer(lambda: [record], [tables.plan_part(chosen), f"\n{equation}"])
     from slipcircle.workbench.studies.ladder import ladder
 
     rungs = with_scene_context(chosen.scene, ladder)

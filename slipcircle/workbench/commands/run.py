@@ -23,7 +23,7 @@ HELP = "solve scenes and print their motion side by side"
 def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument("scenes", nargs="+", metavar="SCENE", help=SCENE)
-    parser.add_argument("--verbose", action="store_true", help="all numbers, the arc's coefficients too")
+    parser.add_argument("--verbose", action="store_true", help="all results, effects and coefficients of the arc")
     polarities = "each shaken scene also with its horizontal shaking turned around, and the mean of both"
     parser.add_argument("--polarities", action="store_true", help=polarities)
     picture = "section, motion and energy, and the slide itself as .gif; may be given more than once"
@@ -44,9 +44,11 @@ def run(options: argparse.Namespace) -> Answer:
     motions = [with_scene_context(scene, solve) for scene in scenes]
     _write_files(motions, sources, options)
     means = _polarity_means(motions) if options.polarities else {}
-    columns = [tables.motion_column(motion, options.verbose) for motion in motions]
+    tabulate = tables.motion_column if options.verbose else tables.motion_summary
+    columns = [tabulate(motion) for motion in motions]
     for mean in means.values():
-        columns.append({q.label: f"{shown(mean[name])} {q.unit}" for name, q in OUTCOMES.items()})
+        texts = {q.label: f"{shown(mean[name])} {q.unit}" for name, q in OUTCOMES.items()}
+        columns.append({label: text for label, text in texts.items() if label in columns[0]})
     notes = [f"{scene.name}: {scene.note}" for scene in scenes if scene.note]
     head = ["", *(scene.name for scene in scenes), *means]
     return Answer(

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
 from slipcircle.workbench.common.markup import Raw, table, tag
-from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, results, words
+from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, results, summary, words
 
 
 def library(name: str) -> Any:
@@ -25,12 +25,13 @@ def library(name: str) -> Any:
 
 def html(motion: Motion) -> str:
     """A table of the key results; of many lanes how many have each status, and the range of each outcome."""
+    rows = summary(motion) if not motion.shape else {}
     if motion.shape:
-        counts = [[Status[name].words, str(count)] for name, count in motion.count().items()]
-        rows = counts + [[words(name), _span(motion.outcomes[name], q.unit)] for name, q in OUTCOMES.items()]
-    else:
-        rows = [[q.label, q.text(motion)] for q in results(motion) if q.key]
-    return Raw(tag("b", motion.plan.scene.name or "motion") + table(rows))
+        for name, count in motion.count().items():
+            rows[Status[name].words] = str(count)
+        for name, quantity in OUTCOMES.items():
+            rows[words(name)] = _span(motion.outcomes[name], quantity.unit)
+    return Raw(tag("b", motion.plan.scene.name or "motion") + table([*rows.items()]))
 
 
 def _span(values: Any, unit: str) -> str:
@@ -48,11 +49,11 @@ def to_dict(motion: Motion, times: ArrayLike | None) -> dict[str, Any]:
     columns = {name: value for name, value in motion.plan.scene.numbers.items() if np.ndim(value)}
     for quantity in results(motion):
         columns |= quantity.columns(motion)
-    names = np.array([status.name for status in Status])[motion.status] if motion.shape else motion.status.name
-    columns |= {"status": names, "reason": motion.reason}
-    if motion.shape:
-        columns = {name: np.broadcast_to(value, motion.shape) for name, value in columns.items()}
-    return columns
+    if not motion.shape:
+        return columns | {"status": motion.status.name, "reason": motion.reason}
+    names = np.array([status.name for status in Status])
+    columns |= {"status": names[motion.status], "reason": motion.reason}
+    return {name: np.broadcast_to(value, motion.shape) for name, value in columns.items()}
 
 
 def to_pandas(motion: Motion, times: ArrayLike | None) -> Any:
@@ -72,8 +73,11 @@ def to_xarray(motion: Motion, times: ArrayLike | None) -> Any:
     """`to_dict` as an xarray.Dataset, with the dimensions that inputs had; numbers that vary are its coordinates."""
     xarray = library("xarray")
     axes, columns = _axes_and_columns(motion, times)
-    lane_dims, units = _dimensions(motion), _units(motion)
-    coordinates: dict[str, Any] = {"time": ("time", axes["time"], {"units": "s"})} if "time" in axes else {}
+    lane_dims = _dimensions(motion)
+    units = _units(motion)
+    coordinates: dict[str, Any] = {}
+    if times is not None:
+        coordinates["time"] = ("time", axes["time"], {"units": "s"})
     for name, value in motion.plan.scene.numbers.items():
         if not np.ndim(value):
             continue
@@ -81,7 +85,10 @@ def to_xarray(motion: Motion, times: ArrayLike | None) -> Any:
         dims = lane_dims[len(lane_dims) - np.ndim(value) :]
         varying = [dim for dim, size in zip(dims, np.shape(value), strict=True) if size > 1]
         coordinates[name] = (varying, np.squeeze(np.asarray(value)))
-    variables = {name: ([*axes], np.asarray(v), {"units": units.get(name, "")}) for name, v in columns.items()}
+    variables = {}
+    for name, values in columns.items():
+        attributes = {"units": units.get(name, "")}
+        variables[name] = ([*axes], np.asarray(values), attributes)
     return xarray.Dataset(variables, coordinates, {"scene": motion.plan.scene.name})
 
 
@@ -114,4 +121,5 @@ def _dimensions(motion: Motion) -> list[str]:
                     f"{name}: its dimension {dim!r} is on the axis of {named[axis]!r}, and NumPy pairs them element by "
                     "element; use xarray.broadcast before"
                 )
-    return [named.get(axis, "lane" if count == 1 else f"lane_{axis}") for axis in range(count)]
+    default = ["lane"] if count == 1 else [f"lane_{axis}" for axis in range(count)]
+    return [named.get(axis, default[axis]) for axis in range(count)]

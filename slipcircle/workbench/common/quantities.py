@@ -28,7 +28,7 @@ class Quantity:
     path: str  # the attribute of a `Motion`, with dots; over time its method, which takes times in s, and a part of it
     degrees: bool = False  # people read it as an angle in degrees: of radians, or of a friction coefficient
     solved: bool = False  # a result of the solution, which `Motion.error_estimate` is about
-    key: bool = False  # stands in every table; the others are asked for
+    key: bool = False  # stands in every summary; the others are asked for
     point: bool = False  # is x and y
 
     def read(self, motion: Any) -> Any:
@@ -75,18 +75,18 @@ class Quantity:
 
 
 RESULTS: tuple[Quantity, ...] = (
-    Quantity("moves", "", "moves", "moves", key=True),
+    Quantity("moves", "", "moves", "moves"),
     Quantity("arrested", "", "comes to rest", "arrested", key=True),
-    Quantity("reach", "m", "greatest displacement", "reach.displacement", solved=True, key=True),
+    Quantity("reach", "m", "greatest displacement", "reach.displacement", solved=True),
     Quantity("reach_time", "s", "time of the greatest displacement", "reach.time", solved=True),
     Quantity("run_out", "m", "run-out along the arc", "run_out", solved=True, key=True),
     Quantity("peak_velocity", "m/s", "peak velocity", "peak.velocity", solved=True, key=True),
     Quantity("peak_time", "s", "time of the peak velocity", "peak.time", solved=True),
     Quantity("duration", "s", "duration", "duration", solved=True, key=True),
     Quantity("factor_of_safety", "", "factor of safety", "factor_of_safety", key=True),
-    Quantity("yield_coefficient", "", "yield coefficient k_y", "yield_coefficient", key=True),
-    Quantity("friction", "", "friction angle", "friction", degrees=True, key=True),
-    Quantity("limit_friction", "", "limit friction angle", "limit_friction", degrees=True, key=True),
+    Quantity("yield_coefficient", "", "yield coefficient k_y", "yield_coefficient"),
+    Quantity("friction", "", "friction angle", "friction", degrees=True),
+    Quantity("limit_friction", "", "limit friction angle", "limit_friction", degrees=True),
     Quantity("end_rotation", "rad", "rotation at the end", "end.rotation", degrees=True, solved=True),
     Quantity("end_velocity", "m/s", "velocity at the end", "end.velocity", solved=True),
     Quantity("peak_displacement", "m", "displacement at the peak velocity", "peak.displacement", solved=True),
@@ -114,6 +114,23 @@ JOURNEY: tuple[Quantity, ...] = (
 def results(motion: Any) -> tuple[Quantity, ...]:
     """The quantities that a motion has."""
     return (*RESULTS, *JOURNEY) if hasattr(motion, "journey") else RESULTS
+
+
+def end_words(motion: Any) -> dict[str, str]:
+    """What stands for the end of a single motion and for its time, by label, where it does not come to rest."""
+    if not motion.moves:
+        return {"comes to rest": "does not move", "duration": "-"}
+    if motion.arrested:
+        return {}
+    time = OUTCOMES["duration"].text(motion)
+    if motion.plan.scene.end_time is None:
+        return {"comes to rest": "no, nothing holds it", "duration": f"first standstill at {time}"}
+    return {"comes to rest": "no", "duration": f"still moving at {time}"}
+
+
+def summary(motion: Any) -> dict[str, str]:
+    """What happened to a single mass, how far, how fast, how long, and how safe the start was, by label."""
+    return {q.label: q.text(motion) for q in RESULTS if q.key} | end_words(motion)
 
 
 # What an ensemble is drawn for, a derivative taken of, and a back-analysis is given: `Motion` has them of every scene.

@@ -16,14 +16,24 @@ from generated.effects import EFFECTS, LAWS
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan, Status, law_names, plan
 from slipcircle.workbench.common.markup import Raw, escaped, table, tag
-from slipcircle.workbench.common.quantities import OUTCOMES, RESULTS, Quantity, plain, prefixed, record, results, words
+from slipcircle.workbench.common.quantities import (
+    OUTCOMES,
+    RESULTS,
+    Quantity,
+    end_words,
+    plain,
+    prefixed,
+    record,
+    results,
+    words,
+)
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
 from slipcircle.workbench.outputs.provenance import inputs
-from slipcircle.workbench.outputs.tables import Part, end_words, interval, motion_column
+from slipcircle.workbench.outputs.tables import Part, interval, motion_column
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
@@ -56,27 +66,27 @@ _POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 
 def _page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes | None]], command: str) -> str:
     """A page of parts, and how to write it again: the command, scenes' files by name, versions."""
-    versions = [[f"scene file of {n}", f"sha256 {hashlib.sha256(f).hexdigest()}"] for n, f in files if f is not None]
-    cells = [[key, Raw(f"<code>{escaped(value)}</code>")] for key, value in [*versions, *facts().items()]]
-    said = (
-        [tag("p", "This command, with the versions and files below, writes this report again:"), tag("pre", command)]
-        if command
-        else []
-    )
+    digests = {f"scene file of {n}": f"sha256 {hashlib.sha256(f).hexdigest()}" for n, f in files if f is not None}
+    versions = [[key, Raw(f"<code>{escaped(value)}</code>")] for key, value in (digests | facts()).items()]
+    body = [tag("h1", title), *parts, tag("h2", "To repeat it")]
+    if command:
+        body.append(tag("p", "This command, with the versions and files below, writes this report again:"))
+        body.append(tag("pre", command))
+    body.append(table(versions))
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8" />\n'
         f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}" />\n'
         '<meta name="viewport" content="width=device-width" />\n'
         f"<title>{escaped(title)}</title>\n<style>{_STYLE}</style>\n</head>\n<body>\n"
-        + "\n".join([tag("h1", title), *parts, tag("h2", "To repeat it"), *said, table(cells)])
+        + "\n".join(body)
         + "\n</body>\n</html>\n"
     )
 
 
 def _chapter(
-    plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], found: Any, unit: str, file: bytes | None
+    plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], record: Any, unit: str, file: bytes | None
 ) -> Iterable[Raw]:
-    """What is said of a scene: its note and warnings, the parts, the result as JSON and the scene's file."""
+    """A scene's note and warnings, its parts, its result as JSON and its file."""
     if plan.scene.note:
         yield tag("p", plan.scene.note)
     for warning in warnings:
@@ -84,15 +94,23 @@ def _chapter(
     for part in parts:
         if isinstance(part, Raw):
             yield part
-            continue
-        yield from [tag("h3", part.title)] if part.title else []
-        yield table([[_estimate(c) if isinstance(c, Estimate) else c for c in row] for row in part.rows], part.head)
-        yield from [tag("p", part.note)] if part.note else []
-    texts = {f"All numbers, as JSON{unit}": json.dumps(plain(found), indent=2, allow_nan=False)}
+        else:
+            yield from _table(part)
+    texts = {f"All numbers, as JSON{unit}": json.dumps(plain(record), indent=2, allow_nan=False)}
     if file is not None:
         texts["The scene's file"] = file.decode("utf-8-sig")
-    for summary, text in texts.items():  # open when asked for
+    for summary, text in texts.items():  # folded
         yield Raw(f"<details><summary>{escaped(summary)}</summary>{tag('pre', text)}</details>")
+
+
+def _table(part: Part) -> Iterator[Raw]:
+    """A table with its title and its note."""
+    if part.title:
+        yield tag("h3", part.title)
+    rows = [[_estimate(cell) if isinstance(cell, Estimate) else cell for cell in row] for row in part.rows]
+    yield table(rows, part.head)
+    if part.note:
+        yield tag("p", part.note)
 
 
 def _figure(name: str, caption: str, drawing: bytes) -> Raw:
@@ -124,18 +142,22 @@ def _estimate(e: Estimate) -> Raw:
     return Raw(f"{_data(float(e.value), value)} {ends}".rstrip())
 
 
-def _given(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
-    """What a scene was given: inputs with units and sources, effects used and left out, the friction law, what for."""
-    found = inputs(plan.scene, None if file is None else file.decode("utf-8-sig"))
-    yield Part(["input", "value", "unit", "what it is", "source"], [[_path(i.path), *i[1:]] for i in found], "Inputs")
-    rows = [[n, "used" if n in plan.effects else "left out", e.help, e.equation] for n, e in EFFECTS.items()]
-    yield Part(["effect", "", "what it does", "equation of the paper"], rows)
-    laws = (f"{n}: {LAWS[n].help}" if n in LAWS else n for n in law_names(plan.scene.friction))
+def _inputs(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
+    """Inputs with units and sources, effects, the friction law, and what is assumed."""
+    given = inputs(plan.scene, None if file is None else file.decode("utf-8-sig"))
+    yield Part(["input", "value", "unit", "what it is", "source"], [[_path(i.path), *i[1:]] for i in given], "Inputs")
+    effects = []
+    for name, effect in EFFECTS.items():
+        effects.append([name, "used" if name in plan.effects else "not included", effect.help, effect.equation])
+    yield Part(["effect", "", "what it does", "equation of the paper"], effects)
+    laws = (f"{name}: {LAWS[name].help}" if name in LAWS else name for name in law_names(plan.scene.friction))
     yield Part([], [["friction law", " times ".join(laws)]])
+    yield tag("h3", "Equation of motion")
+    yield tag("pre", str(plan.equation))
     yield tag("h3", "Assumptions")
     frozen = () if "rotation" in plan.effects else ("The geometry is frozen: the weight does not turn with the mass.",)
-    left = f"Left out: {', '.join(plan.left_out) or 'nothing'}."
-    yield Raw("<ul>" + "".join(tag("li", said) for said in (*ASSUMED, *frozen, left, PAPER)) + "</ul>")
+    left_out = f"Not included: {', '.join(plan.left_out) or 'nothing'}."
+    yield Raw("<ul>" + "".join(tag("li", sentence) for sentence in (*ASSUMED, *frozen, left_out, PAPER)) + "</ul>")
 
 
 # --- motions ---------------------------------------------------------------------------------------------------------
@@ -144,63 +166,68 @@ def _given(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
 def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), command: str = "") -> str:
     """A report on motions as HTML, of each its scene's file, where there is one, and the command that writes it."""
     files = files or [None] * len(motions)
-    names = [m.plan.scene.name or f"scene {k + 1}" for k, m in enumerate(motions)]
+    names = [motion.plan.scene.name or f"scene {number}" for number, motion in enumerate(motions, 1)]
     parts = []
     if len(motions) > 1:
-        links = [Raw(f'<a href="#scene-{k + 1}">{escaped(name)}</a>') for k, name in enumerate(names)]
-        ends = [end_words(m) for m in motions]
-        rows = [
-            [q.label, *(_value(q, m, end.get(q.label, "")) for m, end in zip(motions, ends, strict=True))]
-            for q in RESULTS
-        ]
+        links = [Raw(f'<a href="#scene-{number}">{escaped(name)}</a>') for number, name in enumerate(names, 1)]
+        rows = [[quantity.label, *(_value(quantity, motion) for motion in motions)] for quantity in RESULTS]
         parts.append(table(rows, ["", *links]))
-    for k, (m, file) in enumerate(zip(motions, files, strict=True)):
-        told = _chapter(m.plan, warnings_of(m), _of_motion(m, file), record(m), " in SI units and radians", file)
-        parts += [Raw(f'<section id="scene-{k + 1}">'), tag("h2", names[k]), *told, Raw("</section>")]
+    for number, (motion, name, file) in enumerate(zip(motions, names, files, strict=True), 1):
+        warnings, about = warnings_of(motion), _of_motion(motion, file)
+        chapter = _chapter(motion.plan, warnings, about, record(motion), " in SI units and radians", file)
+        parts += [Raw(f'<section id="scene-{number}">'), tag("h2", name), *chapter, Raw("</section>")]
     return _page(f"Rotational slide: {', '.join(names)}", parts, zip(names, files, strict=True), command)
 
 
 def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
+    """The chapter of a motion: key results, pictures, inputs, method and accuracy, energy."""
     plan = motion.plan
     if plan.scene.uncertain:
         keys = ", ".join(u.key for u in uncertain_numbers(plan.scene).values())
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
-    known, told = {q.label: q for q in results(motion)}, motion_column(motion, verbose=True)
-    ends = end_words(motion)
-    rows = [
-        [label, _value(known[label], motion, ends.get(label, "")) if label in known else text]
-        for label, text in told.items()
-    ]
+    quantities = {q.label: q for q in results(motion)}
+    rows = []
+    for label, text in motion_column(motion).items():
+        rows.append([label, _value(quantities[label], motion, text) if label in quantities else text])
     yield Part([], rows, "Key results")
     yield tag("h3", "Pictures")
-    captions = {"section": "The section: the mass at the start, at its peak velocity and at the end."}
-    if where := toe_words(motion):
-        captions["section"] += f" Beyond the toe the method continues the circle; the toe ends {where}."
-    if motion.moves:
-        captions |= {
-            "histories": "The motion over time. Where the mobilised friction is below the friction needed to stand "
-            "still the mass tends to speed up, elsewhere to slow down.",
-            "phase plane": "Speed against displacement, and the energy: what is dissipated and what is kinetic make "
-            f"up the {work(motion)}.",
-        }
-    if "shaking" in plan.effects:
-        captions["shaking"] = (
-            "What shakes the scene, over gravity; at the start it would move as soon as k_h passes k_y."
-        )
-    for what, caption in captions.items():
+    for what, caption in _captions(motion).items():
         yield _figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
-    yield from _given(plan, file)
+    yield from _inputs(plan, file)
     error = motion.error_estimate
-    yield Part(
-        [],
-        [
-            ["program of", ", ".join(plan.fragments)],
-            ["relative error asked for", _number(plan.accuracy)],
-            ["relative error estimated, of peak, run-out and duration", _data(error, _number(error))],
-            ["warnings", "; ".join(warnings_of(motion)) or "none"],
-        ],
-        "Method and accuracy",
-    )
+    method = [
+        ["program of", ", ".join(plan.fragments)],
+        ["relative error asked for", _number(plan.accuracy)],
+        ["relative error estimated, of peak, run-out and duration", _data(error, _number(error))],
+        ["warnings", "; ".join(warnings_of(motion)) or "none"],
+    ]
+    yield Part([], method, "Method and accuracy")
+    yield _energy(motion)
+
+
+def _captions(motion: Motion) -> dict[str, str]:
+    """The pictures of a motion and what they show."""
+    captions = {"section": "The section: the mass at the start, at its peak velocity and at the end."}
+    if height := toe_words(motion):
+        captions["section"] += f" Beyond the toe the method continues the circle; the toe ends {height}."
+    if motion.moves:
+        captions["histories"] = (
+            "The motion over time. Where the mobilised friction is below the friction required for equilibrium the "
+            "mass tends to speed up, elsewhere to slow down."
+        )
+        captions["phase plane"] = (
+            "Speed against displacement, and the energy: what is dissipated and what is kinetic make up the "
+            f"{work(motion)}."
+        )
+    if "shaking" in motion.plan.effects:
+        captions["shaking"] = (
+            "Ground acceleration over gravity; at the start the mass would move as soon as k_h passes k_y."
+        )
+    return captions
+
+
+def _energy(motion: Motion) -> Part:
+    """The balance of energy, with what is left of it."""
     labels = {
         "kinetic_start": "kinetic energy at the start",
         "work": work(motion),
@@ -208,120 +235,121 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
         "kinetic_end": "kinetic energy at the end",
         "residual": "residual: start + work - dissipation - end",
     }
-    *energies, residual = (abs(float(getattr(motion.energy, name))) for name in labels)
+    energies = {name: float(getattr(motion.energy, name)) for name in labels}
     of_width, per = width(motion)
     rows = []
-    for name, label in labels.items():
-        energy = float(getattr(motion.energy, name))
+    for name, energy in energies.items():
         factor, unit = prefixed(energy, "J")
-        rows.append([label, _data(energy, f"{_number(factor * energy)} {unit}{per}")])
-    share = _number(residual / (max(energies) or 1.0))
-    yield Part([], rows, f"Energy check, {of_width}", f"The residual is {share} of the largest of them.")
+        rows.append([labels[name], _data(energy, f"{_number(factor * energy)} {unit}{per}")])
+    residual = abs(energies.pop("residual"))
+    share = residual / (max(map(abs, energies.values())) or 1.0)
+    note = f"The residual is {_number(share)} of the largest of them."
+    return Part([], rows, f"Energy check, {of_width}", note)
 
 
-def _value(quantity: Quantity, found: Any, told: str = "") -> str:
-    """A number of the result: in full in the attribute, with six digits in the text; else what is told of it."""
-    value = quantity.read(found)
+def _value(quantity: Quantity, motion: Motion, text: str = "") -> str:
+    """A number of the result: in full in the attribute, with six digits in the text; else as a table has it."""
+    value, end = quantity.read(motion), end_words(motion).get(quantity.label)
     if isinstance(value, bool) or np.ndim(value):
-        return told or quantity.text(found)
-    if told:
-        return _data(float(value), escaped(told))
-    seen, unit = quantity.seen(value)
-    return _data(float(value), f"{_number(seen)} {unit}".rstrip())
+        return end or text or quantity.text(motion)
+    if end:
+        return _data(float(value), escaped(end))
+    in_unit, unit = quantity.seen(value)
+    return _data(float(value), f"{_number(in_unit)} {unit}".rstrip())
 
 
 # --- studies ---------------------------------------------------------------------------------------------------------
 
 
-def parts(found: Study) -> Iterator[Part]:
-    """What is said of a study of samples, on the screen and in its report, in this order."""
+def parts(study: Study) -> Iterator[Part]:
+    """What there is to tell of a study of samples, on the screen and in its report, in this order."""
+    yield _probabilities(study)
     heads = [q.heading for q in OUTCOMES.values()]
-    failure = [[f"probability of F < 1, {METHODS[method][0]}", p] for method, p in found.failure.items()]
-    invalid = found.design.n - found.n
-    apart = f" of {found.design.n}, as {invalid} are no scene" if invalid else ""
-    yield Part(
-        [],
-        [["probability of moving", found.moving], *failure],
-        "Whether it moves",
-        f"{found.n} samples{apart}; in brackets the interval of {100 * found.confidence:g} % confidence from their "
-        "number",
-    )
-    yield Part(
-        ["exceeded with probability", *heads],
-        [[f"{1 - p:.2g}", *(found.quantile(n, p) for n in OUTCOMES)] for p in export.QUANTILES],
-        "How far and how fast",
-        "; ".join(_quantile_notes(found)),
-    )
-    rows = []
-    for k, (what, estimated) in enumerate((("mean", found.mean), ("std", found.std))):
-        rows.append([what, *map(estimated, OUTCOMES)])
-        if found.linear:
-            rows.append([f"linear {what}", *(shown(found.linear[n][k]) for n in OUTCOMES)])
-    linear = f"no linear propagation: {found.no_linear}" if found.no_linear else "linear: derivatives at the means"
-    yield Part(["", *heads], rows, "Mean and standard deviation", linear)
-    if found.sensitivity:
-        shares = [
-            [words(output), of.key, first, total]
-            for output, both in found.sensitivity.items()
-            for of, first, total in zip(found.design.inputs.values(), *both, strict=True)
-        ]
-        yield Part(
-            ["output", "input", "first-order index", "total index"],
-            shares,
-            "Which unknown matters",
-            "shares of the variance: what each explains on its own, and with all that it does together with "
-            f"others; from {found.design.base} base points",
-        )
+    quantiles = [[f"{1 - p:.2g}", *(study.quantile(name, p) for name in OUTCOMES)] for p in export.QUANTILES]
+    yield Part(["exceedance probability", *heads], quantiles, "How far and how fast", "; ".join(_quantile_notes(study)))
+    yield _moments(study, heads)
+    if study.sensitivity:
+        yield _indices(study)
     yield Part(
         ["samples", "probability of moving", "median reach (m)", "95 % quantile (m)"],
-        [[str(c.n), c.moving, c.median, c.upper] for c in found.convergence],
+        [[str(c.n), c.moving, c.median, c.upper] for c in study.convergence],
         "Convergence",
     )
 
 
-def _quantile_notes(found: Study) -> Iterator[str]:
-    if found.without_result:
-        yield f"{BEYOND}: among the {found.without_result} samples that slide without a result, so beyond any value"
-    if not found.samples:
+def _probabilities(study: Study) -> Part:
+    """The probability of moving, and those of a factor of safety below 1."""
+    rows = [["probability of moving", study.moving]]
+    rows += [[f"probability of F < 1, {METHODS[method][0]}", p] for method, p in study.failure.items()]
+    invalid = study.design.n - study.n
+    of_all = f" of {study.design.n}, as {invalid} are no scene" if invalid else ""
+    confidence = f"in brackets the interval of {100 * study.confidence:g} % confidence from their number"
+    return Part([], rows, "Whether it moves", f"{study.n} samples{of_all}; {confidence}")
+
+
+def _moments(study: Study, heads: Sequence[str]) -> Part:
+    """Mean and standard deviation of each outcome, and beside them those of a linear propagation."""
+    rows: list[list[Any]] = []
+    for moment, (name, estimate) in enumerate((("mean", study.mean), ("std", study.std))):
+        rows.append([name, *map(estimate, OUTCOMES)])
+        if study.linear:
+            rows.append([f"linear {name}", *(shown(study.linear[outcome][moment]) for outcome in OUTCOMES)])
+    note = f"no linear propagation: {study.no_linear}" if study.no_linear else "linear: derivatives at the means"
+    return Part(["", *heads], rows, "Mean and standard deviation", note)
+
+
+def _indices(study: Study) -> Part:
+    """The sensitivity indices of each outcome."""
+    rows = []
+    for output, (first, total) in study.sensitivity.items():
+        for unknown, alone, together in zip(study.design.inputs.values(), first, total, strict=True):
+            rows.append([words(output), unknown.key, alone, together])
+    return Part(
+        ["output", "input", "first-order index", "total index"],
+        rows,
+        "Sensitivity indices",
+        "shares of the variance: what each input explains on its own, and together with all others; from "
+        f"{study.design.base} base points",
+    )
+
+
+def _quantile_notes(study: Study) -> Iterator[str]:
+    if study.without_result:
+        yield f"{BEYOND}: among the {study.without_result} samples that slide without a result, so beyond any value"
+    if not study.samples:
         yield f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"
 
 
-def study_report(found: Study, file: bytes | None = None, command: str = "") -> str:
+def study_report(study: Study, file: bytes | None = None, command: str = "") -> str:
     """A report on an ensemble of samples as HTML, as `report` is one; the command gets the seed where it has none."""
-    name, planned = found.scene.name or "scene", plan(found.scene, found.design.accuracy)
+    name, way = study.scene.name or "scene", plan(study.scene, study.design.accuracy)
     if command and "--seed" not in command:
-        command += f" --seed {found.seed}"
-    told = _chapter(planned, found.warnings, _of_study(found, planned, file), export.record(found), "", file)
-    return _page(f"Uncertain slide: {name}", told, [(name, file)], command)
+        command += f" --seed {study.seed}"
+    chapter = _chapter(way, study.warnings, _of_study(study, way, file), export.record(study), "", file)
+    return _page(f"Uncertain slide: {name}", chapter, [(name, file)], command)
 
 
-def _of_study(found: Study, planned: Plan, file: bytes | None) -> Iterable[Part | Raw]:
-    study = found.design
-    yield from parts(found)
+def _of_study(study: Study, way: Plan, file: bytes | None) -> Iterable[Part | Raw]:
+    """The chapter of a study: its parts, the picture, inputs and their distributions, method and accuracy."""
+    design = study.design
+    yield from parts(study)
     yield tag("h3", "Pictures")
-    caption = "The probability that greatest displacement and peak velocity are at least so large"
-    caption += "; below, which unknown matters." if found.sensitivity else "."
-    yield _figure(f"Exceedance of {found.scene.name}", caption, pictures.picture("study", found, "svg"))
-    yield from _given(planned, file)
-    drawn = [(u.key, {k: v for k, v in u.record.items() if k != "key"}) for u in study.drawn.values()]
-    yield Part(
-        ["input", "distribution, independent of the others"],
-        [[_path(key), ", ".join(f"{k} {v}" for k, v in of.items())] for key, of in drawn],
-        "What is uncertain",
-    )
-    ends = {Status(s).words: int(count) for s, count in enumerate(found.counts) if count}
-    yield Part(
-        [],
-        [
-            ["samples", f"{study.n}, {study.method}"],
-            ["seed", str(found.seed)],
-            ["samples of a block", str(found.size)],
-            ["samples by how they ended", ", ".join(f"{count} {ending}" for ending, count in ends.items())],
-            ["relative error asked for, of each solution", _number(study.accuracy)],
-            [
-                "relative error of quantiles from bins",
-                "none: samples were kept" if found.samples else _number(BIN_ERROR),
-            ],
-        ],
-        "Method and accuracy",
-    )
+    caption = "Exceedance probability of greatest displacement and peak velocity"
+    caption += "; below, sensitivity indices." if study.sensitivity else "."
+    yield _figure(f"Exceedance of {study.scene.name}", caption, pictures.picture("study", study, "svg"))
+    yield from _inputs(way, file)
+    uncertain = []
+    for unknown in design.drawn.values():
+        distribution = [f"{name} {value}" for name, value in unknown.record.items() if name != "key"]
+        uncertain.append([_path(unknown.key), ", ".join(distribution)])
+    yield Part(["input", "distribution, independent of the others"], uncertain, "What is uncertain")
+    ends = [f"{count} {Status(status).words}" for status, count in enumerate(study.counts) if count]
+    method = [
+        ["samples", f"{design.n}, {design.method}"],
+        ["seed", str(study.seed)],
+        ["samples of a block", str(study.size)],
+        ["samples by how they ended", ", ".join(ends)],
+        ["relative error asked for, of each solution", _number(design.accuracy)],
+        ["relative error of quantiles from bins", "none: samples were kept" if study.samples else _number(BIN_ERROR)],
+    ]
+    yield Part([], method, "Method and accuracy")

@@ -5,14 +5,14 @@ Every function draws one of `OUTCOMES` on a given matplotlib axis, or on one of 
 
 from collections.abc import Iterable, Mapping, Sequence
 from textwrap import shorten
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.files.numbers import Number, by_name, lengths, number_in, uncertain_numbers
+from slipcircle.workbench.files.numbers import Number, by_name, number_in, uncertain_numbers
 from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, axis, empty, known, legend, lines, mark, number
-from slipcircle.workbench.studies.motions import motions
+from slipcircle.workbench.studies.motions import motions, scales
 from slipcircle.workbench.studies.statistics import BEYOND
 
 if TYPE_CHECKING:
@@ -133,14 +133,6 @@ def _index_bars(ax: Any, estimates: Any, offset: float, label: str, style: str) 
 # --- derivatives -----------------------------------------------------------------------------------------------------
 
 
-class _Change(NamedTuple):
-    """By how much a number changes: the number, in its key's unit the step, and what stands beside its bar."""
-
-    number: Number
-    step: float
-    text: str
-
-
 def tornado(
     table: "Sensitivity",
     output: str = "run_out",
@@ -152,14 +144,17 @@ def tornado(
 
     ``changes`` is by how much each number changes, in the unit of its key in a scene file,
     ``{"friction.angle_deg": 2.0}``, and only these are drawn. By default the uncertain numbers of the scene change by
-    one standard deviation; where it has none, all numbers by 1 %, ends of the arc and points of a section by 1 % of
-    the radius. ``named`` is whether the axis has a legend.
+    one standard deviation; where it has none, all numbers by 1 %, ends of the arc by 1 % of its half angle and points
+    of a section by 1 % of its depth. ``named`` is whether the axis has a legend.
     """
     known("tornado: output", output, table.outputs)
-    steps, how = _changes(table, changes)
-    bars = sorted((_bar(table, output, name, change) for name, change in steps.items()), key=lambda bar: -abs(bar[0]))
-    if changes is None:
-        bars = [bar for bar in bars if bar[0]]
+    steps, how = _steps(table, changes)
+    bars = []
+    for name, (key, step) in steps.items():
+        value = float(key.from_si(table.at[name]))
+        change = table.derivative(output, name) * key.slope(value) * step
+        bars.append((change, f"{key.key} = {number(value)} ± {step:.3g}"))
+    bars = sorted((bar for bar in bars if bar[0] or changes is not None), key=lambda bar: -abs(bar[0]))
     ax = axis(ax, (7.0, 1.6 + 0.4 * max(2, len(bars))))
     unit, at = table.outputs[output], table.at[output]
     ax.set(xlabel=f"change of {OUTCOMES[output].label} from {number(at)} {unit}{how} ({unit})")
@@ -176,39 +171,22 @@ def tornado(
     return ax
 
 
-def _bar(table: "Sensitivity", output: str, name: str, change: _Change) -> tuple[float, str]:
-    """By how much an output changes, and what stands beside it."""
-    number_of = change.number
-    per_key = number_of.slope(float(number_of.from_si(table.at[name])))
-    return table.derivative(output, name) * per_key * change.step, f"{number_of.key} = {change.text}"
-
-
-def _changes(table: "Sensitivity", given: Mapping[str, float] | None) -> tuple[dict[str, _Change], str]:
-    """The changes of numbers by name, all measured alike, and how, in words."""
-    known_numbers = by_name(table.scene)
-    keys = {name: known_numbers[name] for name in table.parameters}
-    uncertain = {name: u for name, u in uncertain_numbers(table.scene).items() if name in table.parameters}
-    if given is not None:
-        for key in given:
-            known("tornado: changes", key, [n.key for n in keys.values()])
-        steps = {name: (n, given[n.key]) for name, n in keys.items() if given.get(n.key)}
-        how = ""
-    elif uncertain:
-        steps = {name: (u.number, u.moments[1]) for name, u in uncertain.items() if np.isfinite(u.moments[1])}
-        how = ", by a standard deviation of each"
-    else:
-        steps = {name: (n, _SHARE * _size(table, n)) for name, n in keys.items() if _size(table, n)}
-        how = f", by {100 * _SHARE:g} % of each"
-    texts = {name: f"{number(float(n.from_si(table.at[name])))} ± {step:.3g}" for name, (n, step) in steps.items()}
-    return {name: _Change(n, step, texts[name]) for name, (n, step) in steps.items()}, how
-
-
-def _size(table: "Sensitivity", key: Number) -> float:
-    """What a relative change of a number is of, in the key's unit: of a place the radius, else itself."""
-    is_end = key.name in ("theta_1", "theta_2")
-    is_point = key.name in lengths(table.scene.arc) and key.name != "radius"
-    si = 1.0 if is_end else table.at["radius"] if is_point else table.at[key.name]
-    return abs(float(key.from_si(si)))
+def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Number, float]], str]:
+    """By how much numbers change, each in the unit of its key, all measured alike; and how, in words."""
+    by_names = by_name(table.scene)
+    keys = {name: by_names[name] for name in table.parameters}
+    uncertain = {name: u for name, u in uncertain_numbers(table.scene).items() if name in keys}
+    if changes is not None:
+        for changed in changes:
+            known("tornado: changes", changed, [key.key for key in keys.values()])
+        return {name: (key, changes[key.key]) for name, key in keys.items() if changes.get(key.key)}, ""
+    if uncertain:
+        return {name: (u.number, u.moments[1]) for name, u in uncertain.items()}, ", by a standard deviation of each"
+    slopes = {name: key.slope(float(key.from_si(table.at[name]))) for name, key in keys.items()}
+    values = {name: float(key.from_si(table.at[name])) * slopes[name] for name, key in keys.items()}
+    sizes = dict(zip(keys, scales(table.scene, values).tolist(), strict=True))
+    steps = {name: (key, _SHARE * sizes[name] / slopes[name]) for name, key in keys.items()}
+    return steps, f", by {100 * _SHARE:g} % of each"
 
 
 def tornados(table: "Sensitivity", figure: Any) -> None:

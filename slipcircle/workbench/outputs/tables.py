@@ -1,10 +1,10 @@
 """What commands say: tables of motions, slopes, plans, ladders and derivatives, on the screen without any library."""
 
 import math
+import os
 import shutil
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import asdict
 from itertools import chain, combinations, zip_longest
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from generated.effects import EFFECTS
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan, step_operations
-from slipcircle.workbench.common.quantities import JOURNEY, OUTCOMES, results, time_text, to_error, words
+from slipcircle.workbench.common.quantities import OUTCOMES, end_words, results, summary, time_text, to_error, words
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
@@ -24,7 +24,9 @@ from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 if TYPE_CHECKING:
     from slipcircle.core import Sensitivity
 
-WIDTH, _LEAST, _GAP = 100, 22, 2  # of a table, of a column of long cells, between columns
+WIDTH, WIDEST = 100, 120  # of a table in files and pipes, in a terminal
+_LEAST, _GAP = 22, 2  # of a column of long cells, between columns
+BOLD, PLAIN = "\x1b[1;36m", "\x1b[0m"  # of the head of a table in a terminal
 Rows = Iterable[Sequence[Any]]
 
 
@@ -56,41 +58,32 @@ COEFFICIENTS = {
 }
 
 
-def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
+def motion_summary(motion: Motion) -> dict[str, str]:
+    """Its `summary`, and how well it is known."""
+    return summary(motion) | {"estimated error": f"{motion.error_estimate:.1e}"}
+
+
+def motion_column(motion: Motion) -> dict[str, str]:
     """The table of one motion: each value by its label, key results first."""
-    chosen = [q for q in results(motion) if verbose or q.key or (q in JOURNEY and motion.moves)]
-    found = {q.label: q.text(motion) for q in chosen} | end_words(motion)
-    if words_of_toe := toe_words(motion):
-        found["toe at the end"] = f"{words_of_toe}: the method continues the circle there"
-    if (circle := stability_of(motion.plan.scene)) is not None:
-        if (circle.factor_of_safety_without_k_h or circle.factor_of_safety)["paper"] is not None:
-            del found["factor of safety"]  # the paper's, which stands among these
-        told = ("entry", "exit")  # as ends of the slip surface
-        found |= {label: value for label, value in stability_column(circle).items() if label not in told}
-    if motion.plan.law != "constant":
-        found["friction angle"] += f", {motion.plan.law}"
-    found |= {
-        "effects": ", ".join(motion.plan.effects) or "none",
-        "left out": ", ".join(motion.plan.left_out) or "none",
-        "method": motion.plan.method,
+    plan, critical = motion.plan, stability_of(motion.plan.scene)
+    column = {q.label: q.text(motion) for q in results(motion)} | end_words(motion)
+    if height := toe_words(motion):
+        column["toe at the end"] = f"{height}: the method continues the circle there"
+    if critical is not None:
+        if (critical.factor_of_safety_without_k_h or critical.factor_of_safety)["paper"] is not None:
+            del column["factor of safety"]  # which the paper's method has among these
+        of_circle = stability_column(critical)
+        column |= {label: text for label, text in of_circle.items() if label not in ("entry", "exit")}
+    if plan.law != "constant":
+        column["friction angle"] += f", {plan.law}"
+    coefficients = plan.scene.arc.dimensionless
+    return column | {
+        "effects": ", ".join(plan.effects) or "none",
+        "not included": ", ".join(plan.left_out) or "none",
+        "method": plan.method,
         "estimated error": f"{motion.error_estimate:.1e}",
+        **{symbol: f"{float(getattr(coefficients, name)):z.5f}" for symbol, name in COEFFICIENTS.items()},
     }
-    if verbose:
-        d = asdict(motion.plan.scene.arc.dimensionless)
-        found |= {symbol: f"{float(d[name]):z.5f}" for symbol, name in COEFFICIENTS.items()}
-    return found
-
-
-def end_words(motion: Motion) -> dict[str, str]:
-    """What stands for the end and its time, by label, where a motion does not come to rest."""
-    if not motion.moves:
-        return {"comes to rest": "does not move", "duration": "-"}
-    if motion.arrested:
-        return {}
-    time = OUTCOMES["duration"].text(motion)
-    if motion.plan.scene.end_time is None:
-        return {"comes to rest": "no, nothing holds it", "duration": f"first standstill at {time}"}
-    return {"comes to rest": "no", "duration": f"still moving at {time}"}
 
 
 def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
@@ -101,42 +94,40 @@ def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
 # --- slopes ----------------------------------------------------------------------------------------------------------
 
 
-def stability_column(found: Critical) -> dict[str, str]:
-    """What is said of a slip circle of a slope: each value by its label."""
+def stability_column(critical: Critical) -> dict[str, str]:
+    """A slip circle of a slope with its factors of safety: each value by its label."""
+    k_h = critical.slope.k_h
+    column = _factors(critical.factor_of_safety, f", k_h = {shown(k_h)}" if k_h else "")
+    if critical.factor_of_safety_without_k_h:
+        column |= _factors(critical.factor_of_safety_without_k_h, ", without k_h")
+        column["motion starts from"] = "that without k_h by the paper's method"
+    column |= {
+        "circle": f"least factor by {critical.method}" if critical.method else "as given",
+        "centre": _point(critical.centre),
+        "radius": f"{shown(critical.radius)} m",
+        "entry": _point(critical.entry),
+        "exit": _point(critical.exit),
+        "circles evaluated, invalid": f"{critical.tried}, {critical.refused}",
+    }
+    if not math.isnan(critical.negative):  # as it is of a circle that overhangs
+        sides = {1: "right", -1: "left"}
+        column["slides to the"] = sides.get(critical.facing, "neither side: nothing drives it")
+        column["arc under negative normal stress"] = f"{100 * critical.negative:.1f} %"
+    return column
 
-    def point(xy: Sequence[float]) -> str:
-        return ", ".join(map(shown, xy)) + " m"
 
-    def factors(by_method: Mapping[str, float | None], words: str) -> dict[str, str]:
-        return {
-            f"factor of safety by {METHODS[m][0]}{words}": "refused" if v is None else f"{v:.4f}"
-            for m, v in by_method.items()
-        }
+def _factors(by_method: Mapping[str, float | None], condition: str) -> dict[str, str]:
+    """Factors of safety by labels that name the method."""
+    column = {}
+    for method, factor in by_method.items():
+        column[f"factor of safety by {METHODS[method][0]}{condition}"] = (
+            "refused" if factor is None else f"{factor:.4f}"
+        )
+    return column
 
-    rows = factors(found.factor_of_safety, f", k_h = {shown(found.slope.k_h)}" if found.slope.k_h else "")
-    if found.factor_of_safety_without_k_h:
-        rows |= factors(found.factor_of_safety_without_k_h, ", without k_h")
-        rows["motion starts from"] = "that without k_h by the paper's method"
-    sense = (
-        {}
-        if math.isnan(found.negative)
-        else {  # as of a circle that overhangs
-            "slides to the": {1: "right", -1: "left"}.get(found.facing, "neither side: nothing drives it"),
-            "arc under negative normal stress": f"{100 * found.negative:.1f} %",
-        }
-    )
-    return (
-        rows
-        | {
-            "circle": f"least factor by {found.method}" if found.method else "as given",
-            "centre": point(found.centre),
-            "radius": f"{shown(found.radius)} m",
-            "entry": point(found.entry),
-            "exit": point(found.exit),
-            "circles tried, refused": f"{found.tried}, {found.refused}",
-        }
-        | sense
-    )
+
+def _point(xy: Sequence[float]) -> str:
+    return ", ".join(map(shown, xy)) + " m"
 
 
 # --- plans and ladders -----------------------------------------------------------------------------------------------
@@ -144,65 +135,70 @@ def stability_column(found: Critical) -> dict[str, str]:
 
 def plan_part(plan: Plan) -> Part:
     """A plan as a table."""
-    rows = [
-        ("effects", ", ".join(plan.effects) or "none"),
-        ("left out", ", ".join(plan.left_out) or "none"),
-        ("friction law", plan.law),
-        ("method", plan.method),
-        *([("because", plan.why)] if plan.why else []),
-        ("program of", ", ".join(plan.fragments)),
-        ("a step's operations", plan.operations),
-        ("expected cost", f"about {plan.cost} floating-point operations"),
-        ("error asked for", f"{plan.accuracy:.1e}"),
-    ]
-    return Part(["", plan.scene.name], rows)
+    rows = {
+        "effects": ", ".join(plan.effects) or "none",
+        "not included": ", ".join(plan.left_out) or "none",
+        "friction law": plan.law,
+        "method": plan.method,
+        "because": plan.why,
+        "program of": ", ".join(plan.fragments),
+        "a step's operations": plan.operations,
+        "expected cost": f"about {plan.cost} floating-point operations",
+        "accuracy asked for": f"{plan.accuracy:.1e}",
+    }
+    return Part(["", plan.scene.name], [row for row in rows.items() if row[1]])
 
 
 def combinations_part() -> Part:
     """Operations of every combination of effects, with a constant friction."""
-    every = chain.from_iterable(combinations(EFFECTS, n) for n in range(len(EFFECTS) + 1))
     shaken = tuple(p.symbol for p in EFFECTS["shaking"].parameters if p.kind == "series")
     rows = []
-    for effects in every:
-        moving = shaken if "shaking" in effects else ()
-        rows.append([", ".join(effects) or "none", step_operations(effects, ("constant",), moving)])
+    for count in range(len(EFFECTS) + 1):
+        for effects in combinations(EFFECTS, count):
+            of_time = shaken if "shaking" in effects else ()
+            rows.append([", ".join(effects) or "none", step_operations(effects, ("constant",), of_time)])
     return Part(["effects", "operations on series of one step"], rows)
 
 
 def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
     """A ladder as a table; how far each rung differs from the fullest."""
-    told = [q for q in OUTCOMES.values() if q.name in Rung.__dataclass_fields__]
-    rows = [
-        [
-            f"+ {r.added}" if r.added else "none",
-            time_text(1e9 * r.seconds),
-            f"{r.cost}",
-            *(f"{shown(getattr(r, q.name))} {q.unit}" for q in told),
-            "moving" if not r.arrested else "yes" if r.peak_velocity else "does not move",
-            f"{100 * r.difference:.3g} %",
-        ]
-        for r in rungs
-    ]
-    head = ["effect added", "time", "operations", *(words(q.name) for q in told), "rests", "differs"]
+    outcomes = [q for q in OUTCOMES.values() if q.name in Rung.__dataclass_fields__]
+    rows = []
+    for rung in rungs:
+        values = [f"{shown(getattr(rung, q.name))} {q.unit}" for q in outcomes]
+        end = "yes" if rung.peak_velocity else "does not move"
+        rows.append(
+            [
+                f"+ {rung.added}" if rung.added else "none",
+                time_text(1e9 * rung.seconds),
+                f"{rung.cost}",
+                *values,
+                end if rung.arrested else "moving",
+                f"{100 * rung.difference:.3g} %",
+            ]
+        )
+    head = ["effect added", "time", "operations", *(words(q.name) for q in outcomes), "rests", "differs"]
     return Part(head, rows, name)
 
 
 # --- derivatives -----------------------------------------------------------------------------------------------------
 
 
-def sensitivity_part(found: "Sensitivity", name: str) -> Part:
+def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
     """Derivatives as a table, per unit of the key that a scene file has for each parameter."""
-    rows, keys = [["", "", *(shown(found.at[n]) for n in found.distinct)]], by_name(found.scene)
-    for parameter in found.parameters:
-        of = keys[parameter]
-        value = of.from_si(found.at[parameter])
+    rows = [["", "", *(shown(sensitivity.at[output]) for output in sensitivity.distinct)]]
+    keys = by_name(sensitivity.scene)
+    for parameter in sensitivity.parameters:
+        key = keys[parameter]
+        value = key.from_si(sensitivity.at[parameter])
         cells = []
-        for output in found.distinct:
-            at, slope = found.at[output], found.derivative(output, parameter) * of.slope(value)
-            per_cent = f" ({slope * value / at:+.2g})" if at and slope * value else ""
-            cells.append(f"{shown(float(slope))}{per_cent}")
-        rows.append([of.key, shown(value, 6), *cells])
-    head = ["by", "value", *(words(n, unit) for n, unit in found.distinct.items())]
+        for output in sensitivity.distinct:
+            at = sensitivity.at[output]
+            per_unit = float(sensitivity.derivative(output, parameter) * key.slope(value))
+            relative = per_unit * value / at if at else 0.0
+            cells.append(shown(per_unit) + (f" ({relative:+.2g})" if relative else ""))
+        rows.append([key.key, shown(value, 6), *cells])
+    head = ["by", "value", *(words(n, unit) for n, unit in sensitivity.distinct.items())]
     return Part(head, rows, name, "change per unit of the key, and in brackets in per cent per per cent of it")
 
 
@@ -215,29 +211,41 @@ def say(message: str) -> None:
 
 
 def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> None:
-    """Print a table on stdout, as wide as the terminal and at most `WIDTH` columns.
+    """Print a table on stdout: in a terminal as wide as that and at most `WIDEST` columns, its head in colour.
 
-    Long cells are wrapped; columns for which there is no room follow below the others.
+    Long cells are wrapped; columns for which there is no room follow below the others. There is no colour where
+    ``NO_COLOR`` is set or the terminal is dumb.
     """
-    width = min(shutil.get_terminal_size().columns, WIDTH) if sys.stdout.isatty() else WIDTH
-    for line in _layout(head, rows, title, note, width):
-        print(line)
+    terminal = sys.stdout.isatty()
+    width = min(shutil.get_terminal_size().columns, WIDEST) if terminal else WIDTH
+    lines = [*_layout(head, rows, title, note, width)]
+    coloured = terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+    for line, after in zip(lines, [*lines[1:], ""], strict=True):
+        headed = coloured and after.startswith("--")
+        print(f"{BOLD}{line}{PLAIN}" if headed else line)
 
 
 def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) -> Iterator[str]:
-    columns = zip(*([head] if head else []), *rows, strict=True)
-    first, *rest = ([clean(interval(c) if isinstance(c, Estimate) else c) for c in column] for column in columns)
+    """Lines of a table: the first column and as many others as there is room for, again and again until all stand."""
+    columns = []
+    for column in zip(*([head] if head else []), *rows, strict=True):
+        columns.append([clean(interval(cell) if isinstance(cell, Estimate) else cell) for cell in column])
+    first, *rest = columns
     yield from wrap(clean(title), width)
     lead = _widths([first], max(width * 6 // 10, _LEAST))[0]
     while rest:
-        room, shown = width - lead, 1
-        while shown < len(rest) and sum(_widths(rest[: shown + 1], _LEAST)) + _GAP * (shown + 1) <= room:
-            shown += 1
-        part, rest = rest[:shown], rest[shown:]
-        most = next((m for m in range(width, _LEAST, -1) if sum(_widths(part, m)) + _GAP * shown <= room), _LEAST)
-        yield from _lines([first, *part], [lead, *_widths(part, most)], bool(head))
+        room = width - lead
+        count = next((n for n in range(len(rest), 1, -1) if _total(rest[:n], _LEAST) <= room), 1)
+        beside, rest = rest[:count], rest[count:]
+        most = next((most for most in range(width, _LEAST, -1) if _total(beside, most) <= room), _LEAST)
+        yield from _lines([first, *beside], [lead, *_widths(beside, most)], bool(head))
         yield ""
     yield from wrap(clean(note), width, break_on_hyphens=False)
+
+
+def _total(columns: Sequence[Sequence[str]], most: int) -> int:
+    """Width of columns that are wrapped at some width, with the gaps before them."""
+    return sum(_widths(columns, most)) + _GAP * len(columns)
 
 
 def interval(e: Estimate) -> str:
@@ -259,13 +267,15 @@ def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
 
 
 def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool) -> Iterator[str]:
+    """Lines of columns beside each other, their cells wrapped; without the rows that none of the columns has."""
     for number, row in enumerate(zip(*columns, strict=True)):
-        if not any(row[1:]) and len(row) > 1 and row[0]:
-            continue  # which only columns above or below have
-        cells = (wrap(c, w, break_on_hyphens=False) for c, w in zip(row, widths, strict=True))
-        for parts in zip_longest(*(c or [""] for c in cells), fillvalue=""):
-            yield "  ".join(p.ljust(w) for p, w in zip(parts, widths, strict=True)).rstrip()
-        if not number and headed:
+        if row[0] and not any(row[1:]):
+            continue
+        cells = [wrap(cell, width, break_on_hyphens=False) or [""] for cell, width in zip(row, widths, strict=True)]
+        for parts in zip_longest(*cells, fillvalue=""):
+            padded = [part.ljust(width) for part, width in zip(parts, widths, strict=True)]
+            yield (_GAP * " ").join(padded).rstrip()
+        if headed and number == 0:
             yield "-" * (sum(widths) + _GAP * (len(widths) - 1))
 
 

@@ -1,14 +1,15 @@
-"""Back-analysis of several numbers: least squares by Levenberg and Marquardt's method, from many starts at once."""
+"""Back-analysis of several numbers: least squares, from the best of many starts."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slipcircle.workbench.studies.problem import Floats, SearchProblem
 
-_STARTS, _APART = 48, 0.03  # of fits, and shares of the ranges between them
-_STEPS, _LONGEST = 80, 0.25  # of a fit, and share of a range that one may take
+_STARTS, _APART = 12, 0.1  # of fits, and shares of the ranges between them
+_EVALUATIONS = 60  # of a fit
+_FLAT = 1e-3  # cosine of residuals and what changes with a field, below which no step makes them smaller
+_MET = 1e-7  # norm of residuals that are met exactly
 
 
 class Fit(NamedTuple):
@@ -21,69 +22,56 @@ class Fit(NamedTuple):
 
 def fits(problem: SearchProblem, shares: Floats) -> list[Fit]:
     """All different minima that are reached from the best of these shares, (fields, count), the best first."""
-    starts = _starts(problem, shares)
-    if not starts.size:
-        return []
-    shares, r, jacobian = levenberg_marquardt(problem, starts)
-    is_settled = _is_settled(shares, r, jacobian)
-    chi_square = np.sum(r**2, axis=0)
+    results = [_minimum(problem, start) for start in _starts(problem, shares)]
     same_below = 1.0 if problem.is_weighted else 1e-3  # change of the residuals, in standard errors or shares
     found: list[Fit] = []
-    for k in np.argsort(chi_square):
-        steps = [shares[:, k] - other.shares for other in found]
-        if not any(np.max(np.abs(s)) < 1e-5 or np.max(np.abs(jacobian[:, :, k] @ s)) < same_below for s in steps):
-            found.append(Fit(shares[:, k], float(chi_square[k]), bool(is_settled[k])))
+    for result in sorted(results, key=lambda result: result.cost):
+        steps = [result.x - other.shares for other in found]
+        if not any(np.max(np.abs(s)) < 1e-5 or np.max(np.abs(result.jac @ s)) < same_below for s in steps):
+            found.append(Fit(result.x, 2.0 * float(result.cost), _is_settled(result)))
     return [fit for fit in found if fit.is_settled] or found
 
 
-def _starts(problem: SearchProblem, shares: Floats) -> Floats:
+def _starts(problem: SearchProblem, shares: Floats) -> list[Floats]:
     """The best points of those, apart from each other."""
     r = problem.residuals(shares)
-    chosen = list[int]()
+    chosen: list[Floats] = []
     for k in np.argsort(np.sum(r**2, axis=0)):  # NaN comes last
+        point = shares[:, k]
         if len(chosen) == _STARTS or np.isnan(r[0, k]):
             break
-        if all(np.max(np.abs(shares[:, k] - shares[:, other])) > _APART for other in chosen):
-            chosen.append(int(k))
-    return shares[:, chosen]
+        if all(np.max(np.abs(point - other)) > _APART for other in chosen):
+            chosen.append(point)
+    return chosen
 
 
-def levenberg_marquardt(problem: SearchProblem, shares: Floats) -> tuple[Floats, Floats, Floats]:
-    """Shares of the ranges, residuals and Jacobian at the minima that starts, (fields, count), lead to."""
-    damping = np.full(shares.shape[1], 1e-3)
-    r, jacobian = problem.linearised(shares)
-    for _ in range(_STEPS):
-        step = _damped_step(shares, r, jacobian, damping)
-        trial = np.clip(shares + np.clip(step, -_LONGEST, _LONGEST), 0.0, 1.0)
-        trial_r, trial_jacobian = problem.linearised(trial)
-        is_better = np.sum(trial_r**2, axis=0) < np.sum(r**2, axis=0)  # not where nothing moves
-        shares, r = np.where(is_better, trial, shares), np.where(is_better, trial_r, r)
-        jacobian = np.where(is_better, trial_jacobian, jacobian)
-        damping = np.clip(np.where(is_better, damping / 8, damping * 4), 1e-15, 1e12)
-        if np.all(~is_better & (damping > 1e8)) or np.max(np.abs(step)) < 1e-14:
-            break
-    return shares, r, jacobian
+def _minimum(problem: SearchProblem, start: Floats) -> Any:
+    """SciPy's result of a fit within the ranges; where nothing moves it takes a shorter step."""
+    from scipy.optimize import least_squares
+
+    latest: list[Floats] = []  # the Jacobian, which comes with the residuals and is asked for after them
+
+    def residuals(shares: Floats) -> Floats:
+        r, jacobian = problem.linearised(shares[:, None])
+        latest[:] = [jacobian[:, :, 0]]
+        return r[:, 0]
+
+    return least_squares(
+        residuals,
+        start,
+        lambda _: latest[0],
+        (0.0, 1.0),
+        method="dogbox",
+        x_scale="jac",
+        ftol=None,
+        xtol=1e-14,
+        gtol=None,
+        max_nfev=_EVALUATIONS,
+    )
 
 
-def _damped_step(shares: Floats, r: Floats, jacobian: Floats, damping: Floats) -> Floats:
-    """The step of each start, from (J'J + damping diag J'J) step = -J'r; a field at the end of its range is held."""
-    normal = np.einsum("ofn,ogn->nfg", jacobian, jacobian)
-    downhill = -np.einsum("ofn,on->nf", jacobian, r)
-    held = _is_held(shares.T, downhill)
-    damped = np.einsum("nff->nf", normal) * (1.0 + damping[:, None]) + 1e-30
-    normal[held[:, :, None] | held[:, None, :]] = 0.0
-    np.einsum("nff->nf", normal)[...] = np.where(held, 1.0, damped)
-    return np.linalg.solve(normal, np.where(held, 0.0, downhill)[..., None])[..., 0].T
-
-
-def _is_held(shares: Floats, downhill: Floats) -> NDArray[np.bool_]:
-    """Whether a field is at an end of its range, and downhill lies beyond."""
-    return ((shares <= 0.0) & (downhill < 0.0)) | ((shares >= 1.0) & (downhill > 0.0))
-
-
-def _is_settled(shares: Floats, r: Floats, jacobian: Floats) -> NDArray[np.bool_]:
-    """Whether no residuals are left, or they are normal to what changes with each field that is not held."""
-    lengths = np.linalg.norm(jacobian, axis=0) * np.linalg.norm(r, axis=0)
-    cosine = -np.einsum("ofn,on->fn", jacobian, r) / np.where(lengths > 0.0, lengths, 1.0)
-    is_flat = (np.abs(cosine) < 1e-3) | _is_held(shares, cosine)
-    return np.all(is_flat, axis=0) | (np.linalg.norm(r, axis=0) < 1e-7)
+def _is_settled(result: Any) -> bool:
+    """Whether no residuals are left, or they are normal to what changes with each field that is not at an end."""
+    lengths = np.linalg.norm(result.jac, axis=0) * np.linalg.norm(result.fun)
+    is_flat = np.abs(result.grad) <= _FLAT * lengths
+    return bool(np.all(is_flat | (result.active_mask != 0)) or np.linalg.norm(result.fun) < _MET)

@@ -27,7 +27,7 @@ def derivatives(scene: Scene, at: Mapping[str, float], accuracy: float | None = 
     Differences of four values beside each, or of two to one side where the motion is of another kind on the other, as
     at the end of what a value may be; NaN where it is on both, as next to where it begins to move.
     """
-    sizes = _sizes(scene, at)
+    sizes = scales(scene, at)
     slopes = np.full((len(OUTCOMES), len(at)), np.nan)
     for share in _STEPS:
         outcomes, changes = _changes(scene, at, share * sizes, min(accuracy or _FINE, _FINE))
@@ -40,8 +40,11 @@ def derivatives(scene: Scene, at: Mapping[str, float], accuracy: float | None = 
     return outcomes, slopes
 
 
-def _sizes(scene: Scene, at: Mapping[str, float]) -> Floats:
-    """What steps are relative to: of places on a section its depth, of angles of an arc half of it, else the value."""
+def scales(scene: Scene, at: Mapping[str, float]) -> Floats:
+    """What small changes are relative to, SI: of places on a section its depth, of angles of an arc half of it.
+
+    Of all others their values.
+    """
     depth, half_angle = float(scene.arc.depth), float(scene.arc.half_angle)
     of_arc = dict.fromkeys(lengths(scene.arc), depth) | dict.fromkeys(("theta_1", "theta_2", "dip"), half_angle)
     return np.array([of_arc.get(n, abs(v)) or 1.0 for n, v in at.items()])

@@ -19,6 +19,7 @@ from slipcircle.base.series import Pulse
 from slipcircle.core.flow.lanes import Lanes
 from slipcircle.core.flow.problem import rotates, scales_of, under_water
 from slipcircle.core.flow.tables import Data, of_law
+from slipcircle.core.flow.tangents import InputGrowth, TableGrowth
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.forcing import factor
 from slipcircle.core.scene.friction import law_parts
@@ -31,7 +32,7 @@ _COMPONENTS = ("fall", "press", "fall_slope", "press_slope")
 _Geometry = tuple[dict[str, Floats], Floats, Floats, Floats]
 
 
-class Seeds:
+class InputDerivatives:
     """How the numbers of a program change with each parameter of the scene."""
 
     def __init__(self, lanes: Lanes, names: Sequence[str]) -> None:
@@ -54,10 +55,10 @@ class Seeds:
             "density": unit_weight - gravity,
             "cover": cover,
         }
-        self.tables: dict[str, tuple[Any, Any, list[Data] | None]] = {}  # growth of scale, of factor; data by parameter
+        self.tables: dict[str, TableGrowth] = {}
         self._effects()
         self._laws(c, at)
-        self.end_dot = self.one("end_time") / float(lanes.time_scale)
+        self.growth = InputGrowth(self.time_growth, self.one("end_time") / float(lanes.time_scale), self.tables)
         self.omega = c[ix.OMEGA] * (self.relative("initial_velocity", lanes.velocity) - self.speed_growth)
 
     def _arc(self, arc: Arc, held: Mapping[str, float]) -> "_Geometry":
@@ -120,10 +121,12 @@ class Seeds:
                 amount = given.get(p.name, 0.0)
                 if callable(amount) and p.kind == "rotation":
                     data = [self.pressure.lanes(k) for k in range(len(self.names))]
-                    self.tables[p.symbol] = (0.0 * growth, growth, data)
+                    self.tables[p.symbol] = TableGrowth(0.0 * growth, growth, data)
                     continue
                 if callable(amount):
-                    self.tables[p.symbol] = (self.time_growth, growth + self._factor(effect, given, p.name), None)
+                    self.tables[p.symbol] = TableGrowth(
+                        self.time_growth, growth + self._factor(effect, given, p.name), None
+                    )
                     continue
                 power = 1.0 if not amount else round(2 * math.log2(p.dimensionless(2.0, scales | numbers) / unit)) / 2
                 value_dot = growth * p.dimensionless(amount, scales | numbers) if amount else 0.0 * growth
@@ -141,7 +144,7 @@ class Seeds:
     def _laws(self, c: Floats, at: Mapping[str, int]) -> None:
         for path, (name, given) in zip(("friction", "friction.rate"), law_parts(self.lanes.friction), strict=False):
             if name == "callable":
-                self.tables[name] = (self.radius_growth, 0.0 * self.time_growth, None)
+                self.tables[name] = TableGrowth(self.radius_growth, 0.0 * self.time_growth, None)
                 continue
             law = LAWS[name]
             growth = {"m": self.radius_growth, "m/s": self.speed_growth, "": 0.0 * self.time_growth}
@@ -150,10 +153,10 @@ class Seeds:
                 length = self.radius_growth - self.relative(f"{path}.{over}", given[over])
                 plain = [n.removeprefix(f"{path}.") for n in self.names]
                 data = [_changed(name, given, n if n in given and n != over else "") for n in plain]
-                self.tables[name] = (length, 0.0 * length, data)
+                self.tables[name] = TableGrowth(length, 0.0 * length, data)
             elif law.parameters[0].kind == "list":
                 scale = {"slip": self.radius_growth, "speed": self.speed_growth, "time": self.time_growth}
-                self.tables[name] = (scale[law.depends_on[0]], 0.0 * self.time_growth, None)
+                self.tables[name] = TableGrowth(scale[law.depends_on[0]], 0.0 * self.time_growth, None)
             else:
                 for p in law.parameters:
                     cell = c[at[f"{name}.{p.name}"]] if f"{name}.{p.name}" in at else 0.0

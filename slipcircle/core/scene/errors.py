@@ -10,7 +10,7 @@ from slipcircle.core.scene import circles
 from slipcircle.core.scene.ground import ponds
 
 
-def faults(section: Any) -> Iterator[Fault]:
+def geometry_errors(section: Any) -> Iterator[Fault]:
     """Lanes that are no sections, a kind of mistake at a time; a kind is looked for where the ones before are not."""
     ground, centre, radius = section._circle
     if section.level is not None:
@@ -56,7 +56,7 @@ def faults(section: Any) -> Iterator[Fault]:
         )
 
 
-def unmoved(section: Any) -> Iterator[Fault]:
+def motion_errors(section: Any) -> Iterator[Fault]:
     """Lanes to which the method gives no motion."""
     yield (
         np.ravel(section.half_angle) > np.pi / 2 * (1 + 8e-16),
@@ -66,6 +66,6 @@ def unmoved(section: Any) -> Iterator[Fault]:
         ),
     )
     yield (
-        np.ravel(section.weights.press) <= 0.0,
+        np.ravel(section.moment_coefficients.normal_load) <= 0.0,
         lambda _: "the mass presses on nothing: its weight has no component towards the arc",
     )

@@ -1,0 +1,334 @@
+"""The integrator of lanes in NumPy: steps, events, phases of slip and of stick; the same as the compiled ``_flow.c``.
+
+The balance of momentum about the centre of the arc, made dimensionless with t* = t sqrt(g/R) and divided by the
+dimensionless moment of inertia Theta*, in the direction of travel:
+
+    d omega*/dt* = drive - mu (press + polar omega*^2 - water) - other resistance,    d phi/dt* = omega*
+
+drive     weight and shaking along the arc: W (sin(psi) + k_h cos(psi)), psi the dip of the chord, which turns with phi
+press     their normal force on it, from which the centripetal term and water pressure add and take
+mu        friction, of slip, speed or time; no friction where contact is lost, that is where the bracket is below zero
+other     cohesion, drag, viscosity
+
+A scene's program (`slipcircle.core.flow.program`) has the terms of its effects only, as increments since its phase
+began. A step is a Taylor series in time, as long as its radius of convergence allows. Events are roots of series that
+the step has anyway: standstill, lift-off and landing, an upright chord, edges of tables. A round makes one step of
+every lane: of a moving one along its series, of a resting one to the next break of what changes with time.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import layout as ix
+from slipcircle.base.checks import EPS
+from slipcircle.core.flow.lane_state import LaneState
+from slipcircle.core.flow.pieces import Piece
+from slipcircle.core.flow.polynomials import (
+    divided_by_time,
+    first_root,
+    increment,
+    radius_of_convergence,
+    value,
+    value_and_slope,
+)
+from slipcircle.core.flow.program import Log, Program, Samples
+from slipcircle.core.flow.stick_slip import StickPhase
+from slipcircle.core.flow.tables import Data
+
+Floats = NDArray[np.float64]
+ROUNDS = 10_000  # after which lanes that have ended make room
+FAR = 1e300  # a bound that is never reached
+
+
+def integrate(
+    program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None = None, log: Log | None = None
+) -> None:
+    """Integrate every lane until it rests, ends or fails.
+
+    Parameters
+    ----------
+    program : Program
+    tables : sequence of Data
+        For each table of the program.
+    cells : ndarray
+        (cells, lanes), changed in place: where each lane begins and, then, where it is. Its status says how it ended.
+    samples : Samples, optional
+        What to read off on the way.
+    log : list, optional
+        Takes the events of the first lane: kind, time, rotation, direction.
+    """
+    live = np.flatnonzero(cells[ix.STATUS] <= ix.RESTING)
+    with np.errstate(all="ignore"):
+        while live.size:
+            of_live = [table.lanes(live) for table in tables]
+            lanes = Integrator(program, of_live, np.ascontiguousarray(cells[:, live]), live, samples, log)
+            for _ in range(ROUNDS):
+                lanes.round()
+                active = lanes.status <= ix.RESTING
+                if np.count_nonzero(active) <= live.size // 2:
+                    break
+            cells[:, live] = lanes.cells
+            live = live[active]
+
+
+def begin_phase(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
+    """The numbers of the phase that would begin where each lane is, in the direction set, without integrating.
+
+    Parameters
+    ----------
+    program, tables, cells
+        As `integrate` takes them; the cells of a phase are filled in place.
+
+    Returns
+    -------
+    ndarray
+        Registers there, (registers, lanes).
+    """
+    lanes = LaneState(program, tables, cells)
+    with np.errstate(all="ignore"):
+        lanes.find_pieces()
+        lanes.begin_phase()
+    return registers(program, tables, cells)
+
+
+def registers(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
+    """Registers where lanes are within their phases, (registers, lanes)."""
+    with np.errstate(all="ignore"):
+        return LaneState(program, tables, cells).registers()
+
+
+class Integrator(StickPhase):
+    """Lanes on their way."""
+
+    stiff_step: float = ix.STIFF_STEP  # steps that one counts for which what decays at once holds short
+
+    def round(self) -> None:
+        """One step of every lane that has not ended."""
+        status = self.status.copy()
+        self.apply_to(status == ix.START, "start")
+        self.apply_to(status == ix.MOVING, "step")
+        self.apply_to(status == ix.RESTING, "wait")
+        active = self.status <= ix.RESTING
+        most_steps = np.where(self.omega > 0.0, ix.MOST_STEPS, 2 * ix.MOST_STEPS)  # at rest it can wait
+        many_turns = (self.turns > ix.MOST_TURNS) & (not self.timed)
+        self.status[active & ((self.steps > most_steps) | many_turns)] = ix.TOO_LONG
+        finite = np.isfinite(self.time + self.x + self.omega + self.rotation)
+        self.status[active & ~finite] = ix.FAILED
+
+    def start(self) -> None:
+        """A lane that moves at first begins its first phase; one that rests sticks or slips."""
+        self.direction = np.where(self.omega < 0.0, -1.0, 1.0)
+        self.omega = np.abs(self.omega)
+        self.x = self.lifted = 0.0
+        self.find_pieces()
+        moves = self.omega > 0.0
+        self.apply_to(moves, "start_with_velocity")
+        self.apply_to(~moves, "resolve_stick_or_slip")
+
+    # --- one step ----------------------------------------------------------------------------------------------------
+
+    def step(self) -> None:
+        """One step of lanes that move, up to their next event."""
+        roles = self.program.roles
+        limit = np.minimum(self.next_break(), self.end_time)
+        room = limit - self.time
+        series, order = self.expand(room)
+        net, omega = series[roles["net"], :-1], series[roles["omega"]]
+        h = self._step_size(series, order, room)
+        tau, event = self.find_event(series, h)
+        uneventful = event == ix.EVENT_NONE
+        endless = uneventful & self._endless(net, omega, tau, room)
+        tau = np.where(endless, 0.0, tau)
+        at_limit = uneventful & (h >= room) & ~endless
+        until = np.where(at_limit, limit, self.time + tau)
+        self.update_peak_within(series, tau)
+        self.read_samples(self.time, until, series)
+        stiff = uneventful & (np.abs(net[0]) * tau < ix.STIFF_CHANGE * omega[0])
+        self.steps += np.where(at_limit, 0.0, np.where(stiff, self.stiff_step, 1.0))
+        if self.tangents:
+            self.tangents.end_step(series, tau)
+        self._advance(series, tau)
+        self.time = until
+        self.status[endless] = ix.TOO_LONG
+        self.settle(event, value(net, tau), at_limit)
+
+    def _step_size(self, series: Floats, order: Floats, room: Floats) -> Floats:
+        """A share of the least radius of convergence of the states, or the room where their series end early."""
+        radius = np.full(self.count, np.inf)
+        for _, register, _ in self.program.states:
+            radius = np.minimum(radius, radius_of_convergence(series[register], order))
+        if self.tangents:
+            radius = np.full(self.count, radius.min())  # directions go together
+        return np.where(order < self.order, room, np.minimum(self.factor * radius, room))
+
+    def _endless(self, net: Floats, omega: Floats, tau: Floats, room: Floats) -> Any:
+        """Where nothing will end the motion: a rate that depends on the speed alone never falls below zero again."""
+        settled = net[0] * tau >= -ix.SETTLED * omega[0]
+        return self.program.autonomous & settled & np.isinf(room) & (self.lifted == 0.0)
+
+    def _advance(self, series: Floats, tau: Floats) -> None:
+        """Add what the step changes to the states and to functions of time."""
+        for cell, register, _ in self.program.states:
+            self.cells[cell] += increment(series[register], tau)
+        for piece in self.timed:
+            piece.increment += increment(series[piece.register], tau)
+
+    def settle(self, event: NDArray[np.intp], rate: Floats, at_limit: Any) -> None:
+        """What follows from where a step has ended: an event, a break of what changes with time, the end."""
+        self.passed = ix.NOTHING
+        self.update_peak(rate)
+        self.apply_to(event == ix.EVENT_STANDSTILL, "on_standstill", rate)
+        self.apply_to(event == ix.EVENT_LIFT_OFF, "on_contact_change", event, rate)
+        self.apply_to(event >= ix.EVENT_BREAKPOINT, "on_breakpoint", event, rate)
+        self.apply_to(event == ix.EVENT_CHORD_UPRIGHT, "end", rate, np.full(self.count, ix.UPRIGHT))
+        ended = at_limit & (self.time >= self.end_time)
+        self.apply_to(ended, "end", rate, np.full(self.count, ix.ENDED))
+        self.apply_to(at_limit & ~ended, "on_break_in_time")
+
+    # --- events ------------------------------------------------------------------------------------------------------
+
+    def find_event(self, series: Floats, h: Floats) -> tuple[Floats, NDArray[np.intp]]:
+        """When the first event of the step happens, and which; of equal times the last one looked for."""
+        roles = self.program.roles
+        first = _FirstEvent(h)
+        first.consider(ix.EVENT_STANDSTILL, self._standstill(series, h))
+        if roles.get("upright", -1) >= 0:
+            first.consider_root(ix.EVENT_CHORD_UPRIGHT, series[roles["upright"], :-1])
+        for number, piece in enumerate(self.pieces):
+            self._find_edges(first, ix.EVENT_BREAKPOINT + 2 * number, piece, series)
+        if roles["normal"] >= 0:
+            # Water may change faster than the motion for which the step was chosen: the normal force is a function of
+            # the position until the first other event only, and may pass zero twice beyond it.
+            contact = series[roles["normal"], :-1] * np.where(self.lifted > 0.0, -1.0, 1.0)
+            first.consider_root(ix.EVENT_LIFT_OFF, contact, self.passed == ix.LIFT)
+        return first.time, first.event
+
+    def _standstill(self, series: Floats, h: Floats) -> Floats:
+        """When the speed falls to zero; at once where, from rest, the drive points backwards or is rounding."""
+        omega, net = series[self.program.roles["omega"]], series[self.program.roles["net"], :-1]
+        last, slope = value_and_slope(omega, h)
+        from_rest = omega[0] == 0.0
+        backwards = from_rest & ((net[0] < 0.0) | ((net[0] == 0.0) & (net[1] <= 0.0)))
+        possible = (last <= 0.0) | ((net[0] < 0.0) & (slope > 0.0)) | backwards
+        speed = divided_by_time(omega, from_rest)  # from rest its first root is now: divided as often as it is zero
+        for _ in range(2):
+            speed = divided_by_time(speed, from_rest & (speed[0] == 0.0))
+        at_once = (speed[0] < 0.0) | (from_rest & (speed[0] == 0.0) & (last == 0.0))
+        return np.where(possible, np.where(at_once, 0.0, first_root(speed, h)), np.inf)
+
+    def _find_edges(self, first: "_FirstEvent", event: int, piece: Piece, series: Floats) -> None:
+        """Where slip, speed or rotation passes the upper edge of a piece, or speed the lower one."""
+        if piece.kind == "time":
+            return
+        of_speed = piece.kind == "speed"
+        argument = series[self.program.roles["omega" if of_speed else "x"]]
+        below = -argument
+        below[0] += np.minimum(piece.upper, FAR)
+        first.consider_root(event, below, of_speed & (self.passed == ix.SLOWER))
+        if of_speed:
+            above = argument.copy()
+            above[0] = np.where(piece.lower > 0.0, above[0] - piece.lower, FAR)
+            first.consider_root(event + 1, above, self.passed == ix.FASTER)
+
+    def on_standstill(self, rate: Floats) -> None:
+        """The lane comes to a standstill: it turns back or rests."""
+        if self.tangents:
+            self.tangents.leave_standstill(self)  # t' = -omega'/(d omega/dt)
+        self.advance_origin()
+        self.update_reach()
+        self.rest_since = self.time
+        self.note(ix.NOTE_STANDS)
+        self.direction *= -1.0
+        self.resolve_last_direction()
+        if self.tangents:
+            self.tangents.enter_or_rest(self)
+
+    def on_contact_change(self, event: NDArray[np.intp], rate: Floats) -> None:
+        """Contact with the slip surface is lost, or made again."""
+        self.lifted = 1.0 - self.lifted
+        self.apply_to(self.lifted > 0.0, "note_lift_off")
+        if self.lifted[0] == 0.0:
+            self.note(ix.NOTE_LANDS)
+        if self.tangents:
+            self.tangents.leave_contact(self)  # t' = -n'/(dn/dt), n the normal force
+        self._enter_phase(rate)
+        self.passed = ix.LIFT
+
+    def on_breakpoint(self, event: NDArray[np.intp], rate: Floats) -> None:
+        """An edge of a table of slip, speed or rotation is passed."""
+        number, lower = np.divmod(event - ix.EVENT_BREAKPOINT, 2)
+        if self.tangents:
+            self.tangents.leave_edge(self, self.pieces[number[0]], bool(lower[0]), float(rate[0]))
+        for k in np.unique(number):
+            here = number == k
+            self.apply_to(here, "_pass_edge", np.where(here, k, 0), lower)
+        self._enter_phase(rate)
+
+    def _pass_edge(self, number: NDArray[np.intp], lower: NDArray[np.intp]) -> None:
+        """Lanes pass an edge of the same table: they are exactly there now, in the next piece."""
+        piece = self.pieces[number[0]]
+        edge = np.where(lower, piece.lower, piece.upper)
+        self.advance_origin()
+        if piece.kind == "rotation":
+            self.rotation = piece.data.begins(piece.index + (self.direction > 0.0))
+            return
+        piece.number += 1.0 - 2.0 * lower
+        if piece.kind == "slip":
+            self.slip = piece.data.breaks[piece.index] / piece.scale
+        else:
+            self.omega, self.passed = edge, np.where(lower, ix.SLOWER, ix.FASTER)
+        if piece.data.open:
+            self.status[(piece.number == piece.last) & (lower == 0)] = ix.NEED
+
+    def _enter_phase(self, rate: Floats) -> None:
+        """Begin another phase on the way; its drive is fresh or carried over, whichever is known better."""
+        drive, scale = self.role("drive").copy(), self.role("drive_scale").copy()
+        pieces_before = [piece.number.copy() for piece in self.timed]
+        self.advance_origin()
+        self.begin_phase()
+        for piece, before in zip(self.timed, pieces_before, strict=True):
+            scale[piece.number != before] = np.inf  # at a break of a function of time, which may leap there
+        self.carry_net_moment(rate, drive, scale)
+        if self.tangents:
+            self.tangents.enter(self)
+
+    def carry_net_moment(self, rate: Floats, drive: Floats, scale: Floats) -> None:
+        """Keep the net moment through an event where its rounding is less than that of computing the drive anew."""
+        net = self.registers()[self.program.roles["net"]]
+        fresh, fresh_scale = self.role("drive"), self.role("drive_scale")
+        carried_scale = scale + EPS * (np.abs(rate) + np.abs(net - fresh) + np.abs(drive))
+        better = carried_scale < fresh_scale
+        fresh[better] += (rate - net)[better]
+        fresh_scale[better] = carried_scale[better]
+
+    def on_break_in_time(self) -> None:
+        """A function of time breaks; where its value leaps, contact may change."""
+        leaps = self.pass_breaks()
+        if self.tangents and np.any(leaps):
+            self.tangents.pass_break(self)
+        self.apply_to(leaps, "on_discontinuity")
+
+    def end(self, rate: Floats, status: Floats) -> None:
+        """What is asked for ends while the lane moves."""
+        self.status = status
+        self.end_rotation = self.rotation + self.direction * self.x
+        self.end_omega, self.end_rate = self.direction * self.omega, self.direction * rate
+        self.update_reach()
+
+
+class _FirstEvent:
+    """The first event of a step in each lane, found by looking for one after the other in what is left of the step."""
+
+    def __init__(self, h: Floats) -> None:
+        self.time, self.event = h, np.full(h.shape, ix.EVENT_NONE)
+
+    def consider(self, event: int, at: Floats) -> None:
+        self.event = np.where(at <= self.time, event, self.event)
+        self.time = np.minimum(at, self.time)
+
+    def consider_root(self, event: int, series: Floats, passed: Any = False) -> None:
+        """An event where a series that is positive at first falls to zero, not counting a root that is now."""
+        self.consider(event, first_root(divided_by_time(series, passed), self.time))

@@ -1,0 +1,221 @@
+"""Lanes in NumPy: the entries of their states by name, the phase each is in, and the series of its motion.
+
+A lane is one motion among many that share a program. All of it is in a column of ``cells``, so that it may be left and
+taken up again after any step; `generated.layout` says what stands where.
+"""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import layout as ix
+from generated.series import scalar_ops, series_ops
+from slipcircle.core.flow.entries import Entry
+from slipcircle.core.flow.pieces import Piece
+from slipcircle.core.flow.polynomials import increment
+from slipcircle.core.flow.program import Log, Program, Samples
+from slipcircle.core.flow.tables import Data
+
+if TYPE_CHECKING:
+    from slipcircle.core.flow.tangents import Tangents
+
+Floats = NDArray[np.float64]
+Lanes = NDArray[np.intp]
+NEGLIGIBLE = 2.0**-56  # of the largest term of a series, which a term has to be below to end the series early
+
+
+class LaneState:
+    """Some lanes of a program, each by itself; attributes are entries of the state, one number of each lane.
+
+    Parameters
+    ----------
+    program : Program
+    tables : sequence of Data
+        For each table of the program, of these lanes.
+    cells : ndarray
+        (cells, lanes), changed in place.
+    lanes : ndarray of int, optional
+        Which lanes of an ensemble these are; by default the first.
+    samples, log : Samples, list, optional
+        What to read off on the way, and where events of lane 0 are written.
+    tangents : Tangents, optional
+        Derivatives carried along, one direction in each lane; the lanes are alike otherwise.
+    """
+
+    time, rotation, slip, direction = Entry(ix.TIME), Entry(ix.ROTATION), Entry(ix.SLIP), Entry(ix.DIRECTION)
+    lifted, status, steps, phases = Entry(ix.LIFTED), Entry(ix.STATUS), Entry(ix.STEPS), Entry(ix.PHASES)
+    order, factor, end_time = Entry(ix.ORDER), Entry(ix.FACTOR), Entry(ix.END_TIME)
+    one_way, first_only, passed = Entry(ix.ONE_WAY), Entry(ix.FIRST_ONLY), Entry(ix.PASSED)
+    peak_time, peak_rotation = Entry(ix.PEAK_TIME), Entry(ix.PEAK_ROTATION)
+    peak_omega, peak_rate = Entry(ix.PEAK_OMEGA), Entry(ix.PEAK_RATE)
+    reach_time, reach_rotation = Entry(ix.REACH_TIME), Entry(ix.REACH_ROTATION)
+    end_rotation, end_omega, end_rate = Entry(ix.END_ROTATION), Entry(ix.END_OMEGA), Entry(ix.END_RATE)
+    close, lift_time, rest_since = Entry(ix.CLOSE), Entry(ix.LIFT_TIME), Entry(ix.REST_SINCE)
+    turns, last_way = Entry(ix.TURNS), Entry(ix.LAST_WAY)
+    x, omega = Entry(ix.X), Entry(ix.OMEGA)  # rotation since the phase began, and its rate, in the direction of travel
+
+    def __init__(
+        self,
+        program: Program,
+        tables: Sequence[Data],
+        cells: Floats,
+        lanes: Lanes | None = None,
+        samples: Samples | None = None,
+        log: Log | None = None,
+        tangents: "Tangents | None" = None,
+    ) -> None:
+        self.program, self.tables, self.cells = program, tables, cells
+        self.lanes = np.arange(cells.shape[1]) if lanes is None else lanes
+        self.samples, self.log, self.tangents = samples, log, tangents
+        self.pieces = [Piece(self, slot, data) for slot, data in zip(program.tables, tables, strict=True)]
+        self.timed = [piece for piece in self.pieces if piece.kind == "time"]
+
+    @property
+    def count(self) -> int:
+        return self.cells.shape[1]
+
+    def role(self, name: str) -> Floats:
+        """A cell that the prologue of a phase fills, by what it is for."""
+        return np.asarray(self.cells[self.program.roles[f"cell_{name}"]])
+
+    def part(self, mask: Any) -> Self:
+        """Some of the lanes: copies, but for the lanes themselves where it is all of them."""
+        chosen = np.flatnonzero(mask)
+        if chosen.size == self.count:
+            return self
+        tables = [table.lanes(chosen) for table in self.tables]
+        cells, lanes = self.cells[:, chosen], self.lanes[chosen]
+        return type(self)(self.program, tables, cells, lanes, self.samples, self.log, self.tangents)
+
+    def apply_to(self, mask: Any, method: str, *arguments: Any) -> None:
+        """Call a method for some of the lanes, with their share of the arguments, and take over what it changed."""
+        if np.any(mask):
+            part = self.part(mask)
+            getattr(part, method)(*(argument[mask] for argument in arguments))
+            if part is not self:
+                self.cells[:, mask] = part.cells
+
+    # --- phases ------------------------------------------------------------------------------------------------------
+
+    def find_pieces(self) -> None:
+        """The pieces of tables in which the lanes' slips and speeds lie, wherever they came from."""
+        for piece in self.pieces:
+            piece.find()
+
+    def begin_phase(self) -> None:
+        """The numbers of a phase that begins where the lane is: pieces of tables, and the program's prologue."""
+        self.x = 0.0
+        for piece in self.pieces:
+            piece.begin()
+        if self.tangents:
+            self.tangents.begin_pieces(self)
+        scalar_ops(self.program.scalar, self.cells)
+
+    def advance_origin(self) -> None:
+        """Count rotation and slip from where the lane is now, where another phase begins."""
+        self.rotation += self.direction * self.x
+        self.slip += self.x
+        self.x = 0.0
+
+    def next_break(self) -> Floats:
+        """The next time at which a function of time breaks; infinite where none does."""
+        time = np.full(self.count, np.inf)
+        for piece in self.timed:
+            time = np.minimum(time, piece.upper)
+        return time
+
+    def still_changes(self) -> Any:
+        """Whether something will still change while the lane rests."""
+        return np.isfinite(self.next_break())
+
+    def pass_breaks(self) -> Any:
+        """Enter the next piece of each function of time that breaks now; whether a value leaps there."""
+        leaps = np.zeros(self.count, dtype=bool)
+        for k, piece in enumerate(self.timed):
+            breaks = piece.upper <= self.time
+            if np.any(breaks):
+                part = self.part(breaks)
+                leaps[breaks] |= part.timed[k].pass_break()
+                self.cells[:, breaks] = part.cells
+        return leaps
+
+    def may_start(self) -> Any:
+        """Whether a mass at rest may start the way it faces: shaking starts a one-way mass only as gravity pulls."""
+        pull = self.role("f0")
+        down_slope = (pull > 0.0) | ((pull == 0.0) & (self.direction > 0.0))
+        return (self.one_way == 0.0) | down_slope
+
+    # --- series ------------------------------------------------------------------------------------------------------
+
+    def registers(self) -> Floats:
+        """All registers where the lanes are, (registers, lanes)."""
+        series = self._started(0)
+        series_ops(self.program.series, series, self.cells, 0)
+        return series[:, 0]
+
+    def contact(self) -> Floats:
+        """Normal force on the slip surface now, over that of reference; lost below zero."""
+        normal = self.program.roles["normal"]
+        return self.role("normal0") if normal < 0 else self.registers()[normal]
+
+    def expand(self, room: Floats, at_rest: bool = False) -> tuple[Floats, Floats]:
+        """Taylor series of all registers in the time from now, and their order in each lane.
+
+        States have one order more than their rates. Where a function of time cuts the step short after ``room``, a
+        series ends early, as soon as two terms in a row do not count there. At rest states stay as they are.
+
+        Returns
+        -------
+        series : ndarray
+            (registers, orders, lanes); zero beyond a lane's order.
+        order : ndarray
+        """
+        program, roles, order = self.program, self.program.roles, self.order.copy()
+        highest = int(order.max())
+        series = self._started(highest)
+        watched = [roles["net"]] if at_rest else [roles["x"], roles["omega"]]
+        largest = np.zeros((len(watched), self.count)) if at_rest else np.abs(series[watched, 0])
+        negligible_terms = np.zeros(self.count)
+        for n in range(highest):
+            series_ops(program.series, series, self.cells, n)
+            if not at_rest:
+                for _, register, rate in program.states:
+                    series[register, n + 1] = np.where(n < order, series[rate, n] / (n + 1), 0.0)
+            if not self.timed:
+                continue
+            power = n if at_rest else n + 1
+            term = np.abs(series[watched, power]) * room**power
+            counts = (term > NEGLIGIBLE * largest) | (largest == 0.0) | ~np.isfinite(largest)
+            largest = np.where(term > largest, term, largest)
+            negligible_terms = np.where(np.any(counts, axis=0), 0.0, negligible_terms + 1.0)
+            ends = (negligible_terms >= 2.0) & (n < order) & (n >= 2)
+            order = np.where(ends, np.minimum(order, n + 1), order)
+            if np.all(order <= n + 1):
+                series = series[:, : n + 2]
+                break
+        within = np.arange(series.shape[1])[:, None] < order
+        for name in ("net", "normal", "upright"):
+            if roles.get(name, -1) >= 0:
+                series[roles[name]] *= within
+        return series, order
+
+    def _started(self, order: int) -> Floats:
+        """Order 0 of the registers of states, and the series of functions of time, as increments since the phase."""
+        series = np.zeros((len(self.program.registers), order + 1, self.count))
+        for cell, register, _ in self.program.states:
+            series[register, 0] = self.cells[cell]
+        for piece in self.timed:
+            if order:
+                terms = piece.taylor(order)
+                series[piece.register, : len(terms)] = terms
+            series[piece.register, 0] = piece.increment
+        if self.tangents:
+            self.tangents.start_series(self, series)
+        return series
+
+    def advance_functions_of_time(self, tau: Floats) -> None:
+        """Add to the increments of functions of time what a step adds."""
+        for piece in self.timed:
+            piece.increment += increment(piece.taylor(int(self.order.max())), tau)

@@ -1,0 +1,165 @@
+"""The pieces of its tables in which a lane is: where they end, and their coefficients about where the phase began.
+
+A table is a function in pieces of slip, speed, rotation or time (`slipcircle.core.flow.tables`). Of the first three a
+phase holds the coefficients in powers of what is beyond its start; of time the increment since.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import layout as ix
+from slipcircle.base.checks import EPS
+from slipcircle.core.flow.entries import Entry
+from slipcircle.core.flow.polynomials import shifted
+from slipcircle.core.flow.program import Table
+from slipcircle.core.flow.tables import Data
+
+if TYPE_CHECKING:
+    from slipcircle.core.flow.lane_state import LaneState
+
+Floats = NDArray[np.float64]
+
+
+class Piece:
+    """The pieces of one table in which lanes are.
+
+    Attributes
+    ----------
+    number, value, increment, upper, lower, scale, factor, way : ndarray
+        Entries of the state, as `generated.layout` says; of a function of time ``lower`` is its increment at ``upper``.
+    """
+
+    number, value, increment, way = Entry(ix.PIECE), Entry(ix.VALUE), Entry(ix.INC), Entry(ix.WAY)
+    upper, lower, scale, factor = Entry(ix.UPPER), Entry(ix.LOWER), Entry(ix.SCALE), Entry(ix.SCALED_BY)
+
+    def __init__(self, state: "LaneState", slot: Table, data: Data) -> None:
+        self.state, self.slot, self.data = state, slot, data
+        self.kind, self.register, self.last = slot.kind, slot.register, len(data.breaks) - 1
+
+    @property
+    def cells(self) -> Floats:
+        return self.state.cells[self.slot.cells :]
+
+    @property
+    def index(self) -> NDArray[np.intp]:
+        return self.number.astype(np.intp)
+
+    def find(self) -> None:
+        """The piece in which the lane's slip or speed lies."""
+        if self.kind in ("slip", "speed"):
+            argument = self.state.slip if self.kind == "slip" else self.state.omega
+            passed = np.searchsorted(self.data.breaks, argument * self.scale, side="right")
+            self.number = np.maximum(passed - 1, 0)
+
+    def begin(self) -> None:
+        """Where a phase begins: the bounds of the piece, its value there and the coefficients of what is beyond."""
+        if self.kind == "time":
+            self._begin_time()
+            return
+        if self.kind == "rotation":
+            local, per = self._enter_rotation()
+        elif self.kind == "slip":
+            local, per = self._enter_slip()
+        else:
+            local, per = self._enter_speed()
+        terms = shifted(self.data.polynomial(self.index), local)
+        self.value = self.factor * terms[0]
+        coefficients = self.cells[ix.Q1 : ix.Q1 + self.slot.degree]
+        coefficients[:] = 0.0
+        for power in range(1, min(len(terms), self.slot.degree + 1)):
+            coefficients[power - 1] = self.factor * terms[power] * per**power
+
+    def _enter_rotation(self) -> tuple[Floats, Floats]:
+        """The piece ahead, in the direction of travel, of a function of the rotation, which goes either way."""
+        rotation, direction = self.state.rotation, self.state.direction
+        down_slope = direction > 0.0
+        self.number = self.data.entered(rotation, down_slope)
+        edge, next_edge = self.data.begins(self.index), self.data.begins(np.minimum(self.index + 1, self.last))
+        above = np.where(self.number < self.last, next_edge, np.inf)
+        below = np.where(self.number > 0, edge, -np.inf)
+        self.upper = direction * (np.where(down_slope, above, below) - rotation)
+        return rotation - edge, direction
+
+    def _edges(self) -> tuple[Floats, Floats]:
+        """Where the piece begins and ends."""
+        edge, next_edge = self.data.breaks[self.index], self.data.breaks[np.minimum(self.index + 1, self.last)]
+        return edge, np.where(self.number < self.last, next_edge, np.inf)
+
+    def _enter_slip(self) -> tuple[Floats, Floats]:
+        edge, next_edge = self._edges()
+        local = np.maximum(self.state.slip * self.scale - edge, 0.0)
+        self.upper = (next_edge - edge - local) / self.scale
+        return local, self.scale
+
+    def _enter_speed(self) -> tuple[Floats, Floats]:
+        """Polynomials of the logarithm of the speed; piece 0, below the first speed, is constant."""
+        edge, next_edge = self._edges()
+        speed, inside = self.state.omega * self.scale, self.number > 0
+        self.upper, self.lower = next_edge / self.scale, np.where(inside, edge / self.scale, 0.0)
+        ratio = np.where(inside & (speed > 0.0), speed / np.where(inside, edge, 1.0), 1.0)
+        return np.log(ratio), np.ones_like(ratio)
+
+    # --- functions of time -------------------------------------------------------------------------------------------
+
+    def _begin_time(self) -> None:
+        now = self.state.time * self.scale * (1.0 + 2 * EPS)
+        passed = np.searchsorted(self.data.breaks, now, side="right") - 1
+        self.number = np.maximum(np.maximum(passed, self.number), 0)
+        self.increment = self.way = 0.0
+        self.value = self.taylor(1)[0]
+        self._find_end()
+
+    def _find_end(self) -> None:
+        """The end of the piece, and the increment there, by one rounding however many steps lie between."""
+        next_edge = self.data.breaks[np.minimum(self.index + 1, self.last)]
+        self.upper = np.where(self.number < self.last, next_edge / self.scale, np.inf)
+        past = np.where(self.number < self.last, self.upper - self.state.time, 0.0)
+        if self.data.sine:  # A (sin(angle + r) - sin(angle)) = 2 A sin(r/2) cos(angle + r/2)
+            amplitude, rate, phase = self.data.polynomial(self.index)
+            half = 0.5 * rate * past * self.scale
+            angle = rate * self._local() + phase
+            rise = 2.0 * self.factor * amplitude * np.sin(half) * np.cos(angle + half)
+        else:
+            rise = np.zeros_like(past)
+            for term in self.taylor(1)[:0:-1]:
+                rise = (rise + term) * past
+        self.lower = self.increment + rise
+        self.way += np.abs(rise)
+
+    def _local(self) -> Floats:
+        """The time since the piece began, in its own unit."""
+        return np.asarray(self.state.time * self.scale - self.data.breaks[self.index])
+
+    def taylor(self, order: int) -> Floats:
+        """Taylor coefficients of a function of time about now, in the dimensionless time; as many as it has."""
+        polynomial, local = self.data.polynomial(self.index), self._local()
+        if not self.data.sine:
+            powers = np.arange(len(polynomial))
+            return shifted(polynomial, local) * self.scale ** powers[:, None] * self.factor
+        amplitude, rate, phase = polynomial
+        angle = rate * local + phase
+        waves = (np.sin(angle), np.cos(angle), -np.sin(angle), -np.cos(angle))
+        size, terms = amplitude * self.factor, []
+        for power in range(order + 1):
+            terms.append(size * waves[power % 4])
+            size = size * (rate * self.scale / (power + 1))
+        return np.array(terms)
+
+    def pass_break(self) -> Any:
+        """Enter the next piece of a function of time; whether its value leaps there.
+
+        Increments add their roundings up along a record: beyond some way the difference of two values is better known.
+        """
+        self.number = np.minimum(self.number + 1.0, self.last)
+        jump = self.data.jumps[self.index] * self.factor
+        terms = self.data.polynomial(self.index)
+        value = self.factor * terms[0] * (np.sin(terms[2]) if self.data.sine else 1.0)
+        rounding = np.abs(value) + np.abs(self.value)
+        way = self.way + np.abs(jump)
+        long = way > rounding
+        self.increment = np.where(long, value - self.value, self.lower + jump)
+        self.way = np.where(long, rounding, way)
+        self._find_end()
+        return jump != 0.0

@@ -1,0 +1,218 @@
+"""Lanes at rest, in NumPy: stick or slip at a standstill, and until when a mass sticks.
+
+At rest the net moment is a series of time alone. Its root, in the direction faced, is where slip begins.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import layout as ix
+from slipcircle.base.checks import EPS
+from slipcircle.core.flow.polynomials import divided_by_time, first_root, radius_of_convergence
+from slipcircle.core.flow.recorder import Recorder
+
+Floats = NDArray[np.float64]
+TOUCHES = 2.0  # units of rounding of the drive, within which the net moment at rest is zero
+TOGETHER = 1e-9  # relative times of lift-off and start that are the same
+STRETCH, STARTS, DIRECTION, SUDDEN, LIFTS = range(5)  # rows of what lies ahead of a mass at rest
+
+
+class StickPhase(Recorder):
+    """Lanes between their phases of slip."""
+
+    # --- slip begins -------------------------------------------------------------------------------------------------
+
+    def start_moving(self, rate: Floats) -> None:
+        """A phase of motion begins, in the direction faced."""
+        self.status, self.passed = ix.MOVING, ix.NOTHING
+        self.phases += 1.0
+        self.turns += self.last_way * self.direction < 0.0
+        self.last_way = self.direction
+        self.note(ix.NOTE_BEGINS)
+        self.apply_to(self.lifted > 0.0, "note_lift_off")
+        self.update_peak(rate)
+
+    def start_with_velocity(self) -> None:
+        """A lane that is given a velocity moves; its normal force, velocity included, says whether it has contact."""
+        self.lifted = 0.0
+        self.begin_phase()
+        self.lifted = self.contact() < 0.0
+        self.apply_to(self.lifted > 0.0, "begin_phase")
+        self.start_moving(self.registers()[self.program.roles["net"]])
+
+    def start_again(self, sudden: Floats) -> None:
+        """A phase begins where the net moment at rest passes zero: the drive is zero then, but after a sudden leap."""
+        self.face()
+        if self.tangents:
+            # t' = -drive'/(d drive/dt); a leap comes with a break of what changes with time
+            self.tangents.leave_rest(self, bool(sudden[0]))
+            self.face()
+        drive = self.role("drive")
+        drive[sudden == 0.0] = 0.0
+        self.start_moving(drive)
+        if self.tangents:
+            self.tangents.enter_from_rest(self, bool(sudden[0]))
+
+    # --- stick or slip at a standstill -------------------------------------------------------------------------------
+
+    def face(self) -> None:
+        """The numbers of a phase from rest in the direction that is set."""
+        self.x = self.omega = self.lifted = 0.0
+        self.begin_phase()
+        self.lifted = self.role("normal0") <= 0.0
+        self.apply_to(self.lifted > 0.0, "begin_phase")
+
+    def reverse(self) -> None:
+        """Face the other way, in contact or lifted as before."""
+        self.direction *= -1.0
+        self.begin_phase()
+
+    def resolve_stick_or_slip(self) -> None:
+        """At rest: slip in the direction faced, else in the other one, else stick."""
+        slips = self._slips()
+        reverses = ~slips & ~(self.may_start() & (self.one_way > 0.0)) & (self.status != ix.STOPPED)
+        sticks = ~slips & ~reverses & (self.status != ix.STOPPED)
+        self.apply_to(slips, "slip_from_rest")
+        self.direction[reverses] *= -1.0
+        self.apply_to(reverses, "resolve_last_direction")
+        self.apply_to(sticks, "stick")
+
+    def resolve_last_direction(self) -> None:
+        """Slip in the direction faced, else stick: what has just stopped does not go on the way it came."""
+        slips = self._slips()
+        sticks = ~slips & (self.status != ix.STOPPED)
+        self.apply_to(slips, "slip_from_rest")
+        self.apply_to(sticks, "stick")
+
+    def slip_from_rest(self) -> None:
+        self.start_moving(self.role("drive"))
+
+    def _slips(self) -> Any:
+        """Whether the drive exceeds the resistance in the direction set; lanes that nothing brings to rest stop."""
+        self.face()
+        never = (self.first_only > 0.0) & (self.phases > 0.0) & self._never_rests()
+        self.apply_to(never, "stay", np.full(self.count, ix.STOPPED))
+        allowed, drive = self.may_start() & ~never, self.role("drive")
+        terms = np.abs(self.role("driving")) + self.role("resisting")
+        rounding = EPS * (terms + self.role("mu") * np.abs(self.role("normal0")))
+        margin = np.abs(drive) / np.maximum(rounding, 1e-300)
+        self.close = np.where(allowed, np.fmin(self.close, margin), self.close)
+        return allowed & (drive > 0.0)
+
+    def _never_rests(self) -> Any:
+        """Whether a mass swings on for ever: at its lowest next to nothing presses on it, and that will not change."""
+        press = self.role("p0")
+        greatest = np.hypot(press, self.role("ps0"))
+        carried = self.role("normal0") + (greatest - press) <= ix.CARRIED * greatest
+        return (self.first_only == 1.0) | (carried & ~self.still_changes())
+
+    def stick(self) -> None:
+        """Nothing moves the lane now: it waits for another time, or stays."""
+        changes = self.still_changes()
+        self.apply_to(~changes, "stay", np.full(self.count, ix.ARRESTED))
+        self.status[changes] = ix.RESTING
+        self.apply_to(changes & (self.lifted > 0.0), "note_lift_off")
+        self.apply_to(changes & ~self.may_start(), "reverse")
+
+    def stay(self, status: Floats) -> None:
+        """The lane stays where it is, until its end."""
+        self.status = status
+        self.end_rotation, self.end_omega, self.end_rate = self.rotation, 0.0, 0.0
+        self.direction = 0.0
+        self.rest_since = np.minimum(self.rest_since, self.end_time)  # later by rounding at most
+        self.read_samples(self.time, np.full(self.count, np.inf))
+
+    # --- at rest -----------------------------------------------------------------------------------------------------
+
+    def wait(self) -> None:
+        """One step of lanes at rest: to the next break of what changes with time, or to where the mass starts."""
+        limit = self.next_break()
+        room = np.where(np.isfinite(limit), limit - self.time, 1.0)
+        ahead = np.zeros((5, self.count))
+        ahead[STRETCH], ahead[[STARTS, LIFTS]] = room, np.inf
+        self._look_ahead(room, ahead)
+        both_ways = self.one_way == 0.0
+        if np.any(both_ways):
+            self.apply_to(both_ways, "reverse")
+            part, part_ahead = self.part(both_ways), ahead[:, both_ways]
+            part._look_ahead(room[both_ways], part_ahead)
+            ahead[:, both_ways] = part_ahead
+        self.advance_functions_of_time(ahead[STRETCH])
+        self._go_on(limit, room, ahead)
+
+    def _look_ahead(self, room: Floats, ahead: Floats) -> None:
+        """When slip begins in the direction faced, and when contact is lost or made again, if that is sooner."""
+        series, order = self.expand(room, at_rest=True)
+        self._look_for_start(series[self.program.roles["net"], :-1], order, room, ahead)
+        normal = self.program.roles["normal"]
+        if normal >= 0:
+            contact = series[normal, :-1] * np.where(self.lifted > 0.0, -1.0, 1.0)
+            at = first_root(divided_by_time(contact, self.passed == ix.LIFT), ahead[STRETCH])
+            ahead[LIFTS] = np.minimum(at, ahead[LIFTS])
+            ahead[STRETCH] = np.minimum(at, ahead[STRETCH])
+
+    def _look_for_start(self, net: Floats, order: Floats, room: Floats, ahead: Floats) -> None:
+        """When the net moment passes zero: at once where it touches it and rises, or has leapt above it."""
+        touches = np.abs(net[0]) <= TOUCHES * self.role("drive_scale")
+        sudden = ~touches & (net[0] > 0.0)
+        whole = order < self.order
+        step = np.minimum(self.factor * radius_of_convergence(net, order - 1.0), room)
+        ahead[STRETCH] = np.minimum(np.where(whole, room, step), ahead[STRETCH])
+        resistance = divided_by_time(-net, touches)
+        at = np.where(sudden, 0.0, first_root(resistance, ahead[STRETCH]))
+        at = np.where(touches & (resistance[0] < 0.0), 0.0, at)
+        sooner = at < ahead[STARTS]
+        for row, values in ((STARTS, at), (DIRECTION, self.direction), (SUDDEN, sudden)):
+            ahead[row] = np.where(sooner, values, ahead[row])
+
+    def _go_on(self, limit: Floats, room: Floats, ahead: Floats) -> None:
+        """Take lanes at rest to what lies ahead first: a start, a change of contact, a break, or nothing ever."""
+        stretch, start, direction, sudden, lift = ahead
+        lifts = (lift <= stretch) & (lift <= start * (1.0 + TOGETHER))  # where both pass zero it does not start
+        starts = ~lifts & (start <= stretch)
+        breaks = ~lifts & ~starts & (stretch >= room)
+        until = np.where(starts, self.time + start, np.where(breaks, limit, self.time + stretch))
+        for_ever = ~starts & np.isinf(until)
+        paused = ~for_ever & (until >= self.end_time)  # what happens after its end time decides nothing
+        self.read_samples(self.time, np.minimum(until, self.end_time))
+        self.steps += ~breaks
+        self.passed = ix.NOTHING
+        self.time = np.where(for_ever, self.time, np.minimum(until, self.end_time))
+        stays = for_ever | paused
+        self.apply_to(stays, "stay", np.where(paused, ix.PAUSED, ix.ARRESTED))
+        starts, lifts, breaks = (mask & ~stays for mask in (starts, lifts, breaks))
+        self.direction[starts] = direction[starts]
+        self.apply_to(starts, "start_again", sudden)
+        self.apply_to(lifts, "change_contact_at_rest")
+        self.apply_to(breaks, "pass_breaks_at_rest")
+
+    def change_contact_at_rest(self) -> None:
+        """Contact is lost, or made again, while the mass rests."""
+        self.lifted, self.passed = 1.0 - self.lifted, ix.LIFT
+        self.apply_to(self.lifted > 0.0, "note_lift_off")
+        self.begin_phase()
+
+    def pass_breaks_at_rest(self) -> None:
+        self.apply_to(self.pass_breaks(), "on_discontinuity")
+
+    # --- leaps of what changes with time -----------------------------------------------------------------------------
+
+    def on_discontinuity(self) -> None:
+        """Where forces have leapt, contact is decided again; if it changes, the phase goes on from where it is."""
+        loses = self.contact() < 0.0
+        changes = loses != (self.lifted > 0.0)
+        self.apply_to(changes & loses, "note_lift_off")
+        self.lifted = loses
+        self.apply_to(changes, "restart_phase")
+
+    def restart_phase(self) -> None:
+        """The phase goes on, with numbers of where it is now."""
+        moves = self.tangents and self.status[0] == ix.MOVING
+        if self.tangents and moves:
+            self.tangents.leave_now(self)
+        self.advance_origin()
+        self.begin_phase()
+        if self.tangents and moves:
+            self.tangents.enter(self)

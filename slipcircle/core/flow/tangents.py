@@ -1,0 +1,269 @@
+"""Derivatives of a motion by the numbers of its scene, carried along by the integrator: how they begin, jump and end.
+
+The program differentiates itself; here is what it does not know: the derivatives of what a phase begins with, and how
+derivatives jump at an event. A name with ``_dot`` holds derivatives, one for each direction, those of states at a fixed
+time. At an event g = 0 the time of the event has
+
+    t_dot = -g_dot/(dg/dt).
+
+What begins there begins with total derivatives, value_dot + rate t_dot, and goes on at fixed times, less the new rate
+times t_dot (Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, section II.6).
+"""
+
+import math
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import layout as ix
+from slipcircle.core.flow.pieces import Piece
+from slipcircle.core.flow.polynomials import derivative, shifted, value
+from slipcircle.core.flow.program import Program
+from slipcircle.core.flow.tables import Data
+
+if TYPE_CHECKING:
+    from slipcircle.core.flow.lane_state import LaneState
+
+Floats = NDArray[np.float64]
+
+
+class TableGrowth(NamedTuple):
+    """Relative derivatives of a table's scale and factor, and its own derivative by each parameter."""
+
+    scale: Floats
+    factor: Floats
+    by_parameter: list[Data] | None
+
+
+class InputGrowth(NamedTuple):
+    """How what lanes are given changes with each parameter.
+
+    ``time`` is the relative derivative of the unit of time, ``end`` that of the end time over this unit, ``tables``
+    those of the program's tables by name.
+    """
+
+    time: Floats
+    end: Floats
+    tables: dict[str, TableGrowth]
+
+
+class Tangents:
+    """Derivatives of one motion, of which each lane carries one direction."""
+
+    def __init__(self, program: Program, cells: Floats, growth: InputGrowth) -> None:
+        (tangent,), own = program.tangents, len(program.states) // 2
+        self.cells_of, self.registers_of = tangent.cells, tangent.registers
+        self.states = program.states[:own]
+        self.growth, self.none = growth, np.zeros(cells.shape[1])
+        self.event_dot = self.none  # of the time at which the phase that is being begun begins
+        self.peak_dot = self.rest_dot = self.reach_dot = self.none
+        end = cells[ix.END_TIME, 0]
+        self.end_dot = growth.end - end * growth.time if np.isfinite(end) else self.none
+        self.rates = [0.0] * own  # of the states, before the event
+        self.totals: dict[int, Floats] = {}
+        self.series = np.zeros((0, 0, 0))
+        self.tau = 0.0
+
+    def dot(self, state: "LaneState", cell: int) -> Floats:
+        """Derivatives of a cell."""
+        return state.cells[self.cells_of[cell]].copy() if cell in self.cells_of else self.none
+
+    def put(self, state: "LaneState", cell: int, dots: Any) -> None:
+        if cell in self.cells_of:
+            state.cells[self.cells_of[cell]] = dots
+
+    def along(self, register: int, series: Floats, tau: float) -> Floats:
+        """Derivatives of a register at a time since the step began."""
+        tangent = self.registers_of.get(register)
+        return self.none if tangent is None else value(series[tangent], tau + self.none)
+
+    # --- what a phase begins with ------------------------------------------------------------------------------------
+
+    def begin_pieces(self, state: "LaneState") -> None:
+        """Derivatives of the values and coefficients of tables where a phase begins."""
+        for piece in state.pieces:
+            if piece.kind == "time":
+                _, dots = self._taylor(state, piece, 1)
+                slope = piece.taylor(1)[1:, 0].sum()
+                self.put(state, piece.slot.cells + ix.VALUE, dots[0] + slope * self.event_dot)
+            else:
+                self._begin_piece(state, piece)
+
+    def _begin_piece(self, state: "LaneState", piece: Piece) -> None:
+        """Of the coefficients f c_j(u) p^j: f the factor, u the argument within the piece, p its unit.
+
+        Their derivative is f p^j (c_j (f'/f + j p'/p) + (j + 1) c_(j+1) u' + c_j'), c_j' those of the table itself.
+        """
+        scale_growth, factor_growth, by_parameter = self.growth.tables[piece.slot.name]
+        number, cells = piece.index[:1], piece.slot.cells
+        local, local_dot, unit = self._argument(state, piece)
+        unit_growth = scale_growth if piece.kind == "slip" else self.none
+        degree = piece.slot.degree
+        terms = np.zeros(degree + 2)
+        shifted_terms = shifted(piece.data.polynomial(number), np.array([local]))[:, 0]
+        terms[: len(shifted_terms)] = shifted_terms[: degree + 2]
+        for power in range(degree + 1):
+            growth = factor_growth + power * unit_growth
+            dots = terms[power] * growth + (power + 1) * terms[power + 1] * local_dot
+            if by_parameter is not None:
+                dots = dots + _of_table(by_parameter, number, local, power)
+            cell = ix.VALUE if power == 0 else ix.Q1 + power - 1
+            self.put(state, cells + cell, piece.factor[0] * unit**power * dots)
+
+    def _argument(self, state: "LaneState", piece: Piece) -> tuple[float, Floats, float]:
+        """The argument of a table within its piece, its derivatives, and the unit of the program's argument."""
+        scale = float(piece.scale[0])
+        growth = self.growth.tables[piece.slot.name].scale
+        edge = float(piece.data.begins(piece.index)[0])
+        if piece.kind == "rotation":
+            return float(state.rotation[0]) - edge, self.dot(state, ix.ROTATION), float(state.direction[0])
+        if piece.kind == "slip":
+            slip = float(state.slip[0]) * scale
+            return max(slip - edge, 0.0), self.dot(state, ix.SLIP) * scale + slip * growth, scale
+        if piece.number[0] == 0.0:  # constant, below the first speed
+            return 0.0, self.none, 1.0
+        omega = float(state.omega[0])
+        return math.log(omega * scale / edge), self.dot(state, ix.OMEGA) / omega + growth, 1.0
+
+    def _taylor(self, state: "LaneState", piece: Piece, order: int) -> tuple[Floats, Floats]:
+        """Taylor coefficients about now of a function of time, and their derivatives at a fixed time, (terms, ...)."""
+        growth = self.growth.tables[piece.slot.name]
+        terms, known = np.zeros(order + 2), piece.taylor(order + 1)[: order + 2, 0]
+        terms[: len(known)] = known
+        n = np.arange(order + 1)
+        by_scale = state.time[0] * (n + 1) * terms[1:] + n * terms[:-1]
+        return terms[:-1], terms[:-1, None] * growth.factor + by_scale[:, None] * growth.scale
+
+    def start_series(self, state: "LaneState", series: Floats) -> None:
+        """The tangents of functions of time, as increments since the phase began."""
+        for piece in state.timed:
+            if piece.register in self.registers_of:
+                _, dots = self._taylor(state, piece, series.shape[1] - 1)
+                dots[0] -= self.dot(state, piece.slot.cells + ix.VALUE)
+                series[self.registers_of[piece.register]] = dots
+
+    # --- events ------------------------------------------------------------------------------------------------------
+
+    def end_step(self, series: Floats, tau: Floats) -> None:
+        """Keep the series of a step, and the rates of the states at its end, before anything jumps."""
+        self.series, self.tau = series, float(tau[0])
+        self.rates = [float(value(series[rate][:, 0], self.tau)) for _, _, rate in self.states]
+
+    def leave_standstill(self, state: "LaneState") -> None:
+        """g = omega."""
+        self.rest_dot = -self.dot(state, ix.OMEGA) / self.rates[1]
+        state.omega = 0.0
+        self._leave(state, self.rest_dot)
+
+    def leave_contact(self, state: "LaneState") -> None:
+        """g = n, the normal force."""
+        register = state.program.roles["normal"]
+        slope = float(value(derivative(self.series[register])[:, 0], self.tau))
+        self._leave(state, -self.along(register, self.series, self.tau) / slope)
+
+    def leave_edge(self, state: "LaneState", piece: Piece, lower: bool, rate: float) -> None:
+        """g = the argument of a table less its edge, which goes with the table's scale."""
+        growth = self.growth.tables[piece.slot.name].scale
+        edge = float(piece.data.breaks[piece.index[0] + (not lower)].flat[0]) / float(piece.scale[0])
+        if piece.kind == "rotation":  # a pressure and its derivatives go on smoothly
+            event_dot = self.none
+        elif piece.kind == "slip":
+            slip_dot = self.dot(state, ix.SLIP) + self.dot(state, ix.X)
+            event_dot = -(edge * growth + slip_dot) / state.omega[0]
+        else:
+            event_dot = -(edge * growth + self.dot(state, ix.OMEGA)) / rate
+        self._leave(state, event_dot)
+
+    def leave_rest(self, state: "LaneState", sudden: bool) -> None:
+        """g = the drive at rest; where it has leapt, the break, of which the time in s is given."""
+        self.event_dot = self.none
+        drive, net = state.program.roles["cell_drive"], state.program.roles["net"]
+        if sudden:
+            event_dot = -state.time[0] * self.growth.time
+        else:
+            at_rest, _ = state.expand(np.ones(state.count), at_rest=True)
+            event_dot = -self.dot(state, drive) / at_rest[net, 1, 0]
+        self.rates = [0.0 for _ in self.states]
+        self._leave(state, event_dot)
+
+    def leave_now(self, state: "LaneState") -> None:
+        """A time that is given in s."""
+        self.rates = self._rates_now(state)
+        self._leave(state, -state.time[0] * self.growth.time)
+
+    def _rates_now(self, state: "LaneState") -> list[float]:
+        registers = state.registers()
+        return [float(registers[rate, 0]) for _, _, rate in self.states]
+
+    def _leave(self, state: "LaneState", event_dot: Floats) -> None:
+        """Total derivatives where the lane is now, for a phase that begins here."""
+        omega = state.omega[0]
+        moved = self.dot(state, ix.X) + omega * event_dot
+        self.put(state, ix.ROTATION, self.dot(state, ix.ROTATION) + state.direction[0] * moved)
+        self.put(state, ix.SLIP, self.dot(state, ix.SLIP) + moved)
+        self.put(state, ix.X, -omega * event_dot)
+        self.totals = {
+            cell: self.dot(state, cell) + rate * event_dot
+            for (cell, _, _), rate in zip(self.states[1:], self.rates[1:], strict=True)
+        }
+        self.event_dot = event_dot
+
+    def enter(self, state: "LaneState") -> None:
+        """At fixed times again, now that the rates of what begins are known."""
+        for (cell, _, _), rate in zip(self.states[1:], self._rates_now(state)[1:], strict=True):
+            self.put(state, cell, self.totals[cell] - rate * self.event_dot)
+        self.event_dot = self.none
+
+    def enter_or_rest(self, state: "LaneState") -> None:
+        if state.status[0] == ix.MOVING:
+            self.enter(state)
+        else:
+            self.put(state, ix.OMEGA, 0.0)
+            self.event_dot = self.none
+
+    def enter_from_rest(self, state: "LaneState", sudden: bool) -> None:
+        """Where the drive passes zero smoothly, it and its derivatives are zero."""
+        if sudden:
+            self.enter(state)
+        else:
+            self.put(state, state.program.roles["cell_drive"], 0.0)
+            self.put(state, ix.OMEGA, 0.0)
+            self.event_dot = self.none
+
+    def pass_break(self, state: "LaneState") -> None:
+        """A function of time has leapt, at a time that is given in s, and the phase goes on."""
+        event_dot = -state.time[0] * self.growth.time
+        after = self._rates_now(state)
+        for (cell, _, _), before, now in zip(self.states[1:], self.rates[1:], after[1:], strict=True):
+            self.put(state, cell, self.dot(state, cell) + (before - now) * event_dot)
+
+    # --- outcomes ----------------------------------------------------------------------------------------------------
+
+    def rotation_dot(self, state: "LaneState") -> Floats:
+        """Derivatives of the rotation where the lane is, or where it is at its end time."""
+        travelled = self.dot(state, ix.X) + state.omega[0] * self.end_dot
+        return self.dot(state, ix.ROTATION) + state.direction[0] * travelled
+
+    def keep_reach(self, state: "LaneState") -> None:
+        self.reach_dot = self.rotation_dot(state)
+
+    def keep_peak(self, state: "LaneState", time: float, rate: float, series: Floats | None) -> None:
+        """Of the greatest speed: within a step, at the end, where a force leaps, or where a phase begins."""
+        if series is not None:
+            self.peak_dot = self.along(state.program.roles["omega"], series, time - float(state.time[0]))
+        elif np.any(self.event_dot):
+            self.peak_dot = self.totals[ix.OMEGA]
+        else:
+            moved = self.none
+            if time >= state.end_time[0]:
+                moved = self.end_dot
+            elif time >= state.next_break()[0]:
+                moved = -time * self.growth.time
+            self.peak_dot = self.dot(state, ix.OMEGA) + rate * moved
+
+
+def _of_table(by_parameter: list[Data], number: NDArray[np.intp], local: float, power: int) -> Floats:
+    """One coefficient of the derivative of a table by each parameter, about a place within a piece."""
+    terms = [shifted(data.polynomial(number), np.array([local]))[:, 0] for data in by_parameter]
+    return np.array([t[power] if power < len(t) else 0.0 for t in terms])

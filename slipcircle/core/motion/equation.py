@@ -1,0 +1,244 @@
+"""The equation of motion of one scene, in plain symbols and in LaTeX, with the numbers of its coefficients.
+
+Its terms come from `generated.flow.TERMS`, which is derived from the declarations of effects and laws; its numbers are
+those that the integrator is given.
+"""
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from generated.effects import EFFECTS, LAWS
+from generated.flow import BALANCE, COEFFICIENTS, EQUATION_QUANTITIES, LATEX, TERMS
+from slipcircle.core.flow.lanes import Lanes, lanes_of
+from slipcircle.core.scene.friction import law_parts
+from slipcircle.core.scene.scene import Scene
+
+VARIABLES = {
+    "phi": "rotation since the start, rad",
+    "omega": "angular velocity times sqrt(R/g)",
+    "s": "its sign",
+    "slip": "path travelled, m",
+    "speed": "in m/s",
+    "time": "in s",
+}
+
+
+class EquationTerm(NamedTuple):
+    """A term of the equation of motion, or a number in it.
+
+    Attributes
+    ----------
+    symbol : str
+        Of the quantity that the term belongs to ("M", "sigma", "u", "mu", "T", "J_theta", ...), or of the number.
+    formula : str
+        The term; of a number what it is.
+    effect : str
+        What asks for it: "gravity", an effect, a friction law, or "frozen" geometry.
+    value : float, ndarray or None
+        Of a number; None of a term, and of what changes with time or the rotation.
+    unit : str
+        SI; "" where dimensionless.
+    latex : str
+    """
+
+    symbol: str
+    formula: str
+    effect: str
+    value: Any = None
+    unit: str = ""
+    latex: str = ""
+
+
+@dataclass(frozen=True)
+class Equation:
+    """The equation of motion of one scene, dimensionless: time over sqrt(R/g), stresses over the reference stress.
+
+    Attributes
+    ----------
+    balance : EquationTerm
+        The balance of momentum (3.11) with (2.20).
+    sums : tuple of EquationTerm
+        What its quantities are sums of (friction of two laws: a product).
+    numbers : tuple of EquationTerm
+        The coefficients.
+    """
+
+    balance: EquationTerm
+    sums: tuple[EquationTerm, ...]
+    numbers: tuple[EquationTerm, ...]
+
+    @property
+    def terms(self) -> tuple[EquationTerm, ...]:
+        """Sums, then numbers."""
+        return self.sums + self.numbers
+
+    def __str__(self) -> str:
+        lines = [f"{self.balance.symbol} = {self.balance.formula}", *self._lines(), "with", *self._values()]
+        used = {word for term in self.sums for word in _symbols(term.formula)} | {"omega", "s"}
+        lines.append("  " + "; ".join(f"{name}: {words}" for name, words in VARIABLES.items() if name in used))
+        return "\n".join(lines)
+
+    def _lines(self) -> Iterator[str]:
+        """A line for each term; a quantity to which nothing adds is 0."""
+        last = ""
+        for term in self.sums:
+            start = f"{term.symbol} =" if term.symbol != last else "+"
+            yield f"  {start:>14} {term.formula:42} {term.effect}"
+            last = term.symbol
+        for name in sorted(EQUATION_QUANTITIES.keys() - {term.symbol for term in self.sums}):
+            yield f"  {name:>12} = 0"
+
+    def _values(self) -> Iterator[str]:
+        """A line for each number."""
+        for number in self.numbers:
+            text = f"{number.symbol} = {_shown(number.value)} {number.unit}".rstrip()
+            yield f"  {text:34} {number.formula}"
+
+    @property
+    def latex(self) -> str:
+        """The equation in LaTeX, aligned, without the numbers."""
+        rows = [f"{_latex(self.balance.symbol)} &= {self.balance.latex}"]
+        sums: dict[str, list[str]] = {}
+        for term in self.sums:
+            sums.setdefault(term.symbol, []).append(term.latex)
+        rows += [f"{_latex(symbol)} &= {' + '.join(addends).replace('+ - ', '- ')}" for symbol, addends in sums.items()]
+        return "\\begin{aligned}\n" + " \\\\\n".join(rows) + "\n\\end{aligned}"
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex}$"
+
+    def to_dict(self) -> dict[str, Any]:
+        """For JSON: the balance, its terms and its numbers."""
+        keys = ("symbol", "formula", "effect", "value", "unit")
+        return {
+            "balance": f"{self.balance.symbol} = {self.balance.formula}",
+            "terms": [{key: getattr(term, key) for key in keys} for term in self.terms],
+            "latex": self.latex,
+        }
+
+
+def equation_of(scene: Scene, accuracy: float) -> Equation:
+    """The equation of motion of a scene."""
+    lanes = lanes_of(scene, accuracy)
+    effects, laws, moving, absent = lanes.problem.recipe
+    terms = _terms_of_effects(effects, absent) + _terms_of_friction(laws)
+    terms = _used(terms)
+    terms.sort(key=_place)
+    numbers = _numbers(scene, lanes, moving)
+    words = {word for term in terms for word in _symbols(term.formula)} | {*_symbols(BALANCE[0] + BALANCE[1])}
+    balance = EquationTerm(BALANCE[0], BALANCE[1], "balance", latex=BALANCE[2])
+    return Equation(balance, tuple(terms), tuple(n for n in numbers if n.symbol in words))
+
+
+def _terms_of_effects(effects: tuple[str, ...], absent: tuple[str, ...]) -> list[EquationTerm]:
+    """What gravity and effects add, without what an effect is not given, and how the weight turns or does not."""
+    position = next((name for name in effects if EFFECTS[name].turns), "frozen")
+    terms = list[EquationTerm]()
+    for name in dict.fromkeys(("gravity", *effects, position)):
+        for quantity, formula, latex, symbols in TERMS[name]:
+            if not {*absent} & {*symbols}:
+                terms.append(EquationTerm(quantity, formula, name, latex=latex))
+    return terms
+
+
+def _terms_of_friction(laws: tuple[str, ...]) -> list[EquationTerm]:
+    """The friction coefficient of a law, or the product of a law of slip and one of speed."""
+    if len(laws) == 1:
+        _, formula, latex, _ = TERMS[laws[0]][0]
+        return [EquationTerm("mu", formula, laws[0], latex=latex)]
+    terms = [EquationTerm("mu", "mu_slip mu_rate", "friction", latex=r"\mu_{slip} \mu_{rate}")]
+    for factor, law in zip(("slip", "rate"), laws, strict=True):
+        _, formula, latex, _ = TERMS[law][0]
+        if factor == "rate" and law in LAWS:
+            names = "|".join(p.name for p in LAWS[law].parameters)
+            formula = re.sub(rf"\b({names})\b", r"rate_\1", formula)
+        terms.append(EquationTerm(f"mu_{factor}", formula, law, latex=latex))
+    return terms
+
+
+def _symbols(formula: str) -> list[str]:
+    return re.findall(r"[A-Za-z_]\w*'?", formula)
+
+
+def _used(terms: list[EquationTerm]) -> list[EquationTerm]:
+    """Without components of the weight that no other term takes."""
+    taken = {word for term in terms if not term.symbol.startswith("J_") for word in _symbols(term.formula)}
+    return [term for term in terms if not term.symbol.startswith("J_") or term.symbol in taken]
+
+
+def _place(term: EquationTerm) -> int:
+    """Terms in the order of the quantities, then what they are made of."""
+    order = [*EQUATION_QUANTITIES, "mu_slip", "mu_rate"]
+    return order.index(term.symbol) if term.symbol in order else len(order)
+
+
+def _numbers(scene: Scene, lanes: Lanes, moving: tuple[str, ...]) -> Iterator[EquationTerm]:
+    """Every number that a formula may name, with its value."""
+    for symbol, value in _of_the_arc(lanes).items():
+        yield EquationTerm(symbol, COEFFICIENTS[symbol], "gravity", _per_lane(value, scene))
+    problem = lanes.problem
+    for effect in problem.recipe[0]:
+        for p in EFFECTS[effect].parameters:
+            if p.symbol in moving:
+                of = "the rotation" if p.kind == "rotation" else "time"
+                yield EquationTerm(p.symbol, f"{p.help.partition(',')[0]}, a function of {of}", effect)
+            elif p.symbol in problem.program.places:
+                value = problem.cells[problem.program.places[p.symbol]]
+                yield EquationTerm(p.symbol, _definition(effect, p), effect, _per_lane(value, scene))
+    for (name, given), prefix in zip(law_parts(scene.friction), ("", "rate_"), strict=False):
+        for p in LAWS[name].parameters if name in LAWS else ():
+            if p.kind == "number":
+                yield EquationTerm(prefix + p.name, p.help, name, given[p.name], p.unit)
+
+
+def _definition(effect: str, p: Any) -> str:
+    """How a number is made of the scene's, or what it is."""
+    start = f"{p.symbol}* = "
+    made = [text.removeprefix(start) for text in EFFECTS[effect].formulas if text.startswith(start)]
+    return made[0] if made else str(p.help).partition(",")[0]
+
+
+def _of_the_arc(lanes: Lanes) -> Mapping[str, Any]:
+    """The numbers in `COEFFICIENTS`, from what the integrator is given, which is over Theta."""
+    given, theta = lanes.arc.moment_coefficients, lanes.arc.dimensionless.moment_of_inertia
+    return {
+        "Theta": theta,
+        "lambda": given.resistance_factor * theta,
+        "A": given.polar_moment / given.resistance_factor,
+        "J_theta0": given.driving_moment * theta,
+        "J_r0": given.normal_load * theta,
+        "J_theta0'": given.driving_moment_slope * theta,
+        "J_r0'": given.normal_load_slope * theta,
+    }
+
+
+def _per_lane(value: Any, scene: Scene) -> Any:
+    """A number of a single scene; an array of the scene's shape where it has one."""
+    if scene.shape:
+        return np.broadcast_to(np.ravel(value), (int(np.prod(scene.shape)),)).reshape(scene.shape)
+    return float(np.ravel(value)[0])
+
+
+def _shown(value: Any) -> str:
+    """A value to six digits; the range of an array."""
+    if value is None:
+        return "..."
+    if np.ndim(value):
+        return f"{np.min(value):.6g} to {np.max(value):.6g}"
+    return f"{value:.6g}"
+
+
+def _latex(symbol: str) -> str:
+    """The LaTeX of a quantity's symbol."""
+    if symbol == BALANCE[0]:
+        return r"\Theta\,\frac{d\omega}{dt}"
+    if symbol in EQUATION_QUANTITIES:
+        return EQUATION_QUANTITIES[symbol][1]
+    if symbol.endswith("/dphi"):
+        return rf"\frac{{d {_latex(symbol[1:-5])}}}{{d\varphi}}"
+    name, underscore, index = symbol.partition("_")
+    return LATEX.get(symbol, rf"\{name}_{{{index}}}" if underscore and name == "mu" else symbol)
