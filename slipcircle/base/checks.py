@@ -94,7 +94,7 @@ def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
 def shown(value: Any) -> str:
     """A value in one line, of a long one its type and beginning."""
     text = " ".join(repr(value).split())
-    return text if len(text) <= 80 or isinstance(value, int | float) else f"{type(value).__name__} {text[:60]}..."
+    return text if len(text) <= 80 else f"{type(value).__name__} {text[:60]}..."
 
 
 def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> list[str]:

@@ -107,7 +107,9 @@ def parse(quantity: Quantity, name: str, path: Path, column: int | str | None, s
         if header:
             for what, given in (("column", column), ("step", step)):
                 if given is not None:
-                    raise InputError("", [f"{name}: {{{what}}} = {given!r}: {kind} has one column and its own step; leave it out"])
+                    raise InputError(
+                        "", [f"{name}: {{{what}}} = {given!r}: {kind} has one column and its own step; leave it out"]
+                    )
             found = _wrapped(name, text, header)
             break
     else:
@@ -226,7 +228,9 @@ def _table(quantity: Quantity, name: str, text: str, column: int | str | None, s
     names = [re.sub(suffix, "", f) for f in fields]
     clock = next((k for k, n in enumerate(names) if re.fullmatch(r"t|time\w*|zeit|temps|tempo", n.lower())), None)
     if step is not None and clock is not None:
-        raise InputError("", [f"{name}: {{step}} = {step!r}: its column {names[clock]!r} holds the times; leave it out"])
+        raise InputError(
+            "", [f"{name}: {{step}} = {step!r}: its column {names[clock]!r} holds the times; leave it out"]
+        )
     if step is None and width == 1:
         raise InputError("", [f"{name}: has one column and no times; give {{step}}, the time between samples in s"])
     if step is None:
