@@ -37,9 +37,9 @@ if TYPE_CHECKING:
     from slipcircle.core.scene.friction import may_have_rate as may_have_rate
     from slipcircle.core.scene.ground import circle_through as circle_through
     from slipcircle.core.scene.ground import circle_touching as circle_touching
-    from slipcircle.core.scene.ground import field_mistakes as field_mistakes
-    from slipcircle.core.scene.ground import ponds as ponds
+    from slipcircle.core.scene.ground import pond_errors as pond_errors
     from slipcircle.core.scene.ground import simple_slope as simple_slope
+    from slipcircle.core.scene.ground import slope_errors as slope_errors
     from slipcircle.core.scene.parameters import DIP as DIP
     from slipcircle.core.scene.parameters import Parameter as Parameter
     from slipcircle.core.scene.parameters import parameter_value as parameter_value
@@ -64,7 +64,7 @@ _PUBLIC = {
     "core.scene.coordinates": "arc_numbers",
     "core.scene.forcing": "STRONGEST in_time",
     "core.scene.friction": "RATE_LAWS law_depends law_mistakes law_names law_parts may_have_rate",
-    "core.scene.ground": "circle_through circle_touching field_mistakes ponds simple_slope",
+    "core.scene.ground": "circle_through circle_touching pond_errors simple_slope slope_errors",
     "core.scene.parameters": "DIP Parameter parameter_value parameters with_parameter_arrays with_parameters",
     "core.scene.scene": "Scene checked",
     "core.scene.section": "Section",

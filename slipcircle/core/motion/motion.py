@@ -22,7 +22,8 @@ from slipcircle.core.motion.states import Phase, State, Status
 from slipcircle.core.motion.trajectory import Trajectory
 from slipcircle.core.motion.warnings import collect_warnings
 from slipcircle.core.scene.parameters import with_parameters
-from slipcircle.core.scene.section import Journey, Section
+from slipcircle.core.scene.section import Section
+from slipcircle.core.scene.turning import Journey
 
 if TYPE_CHECKING:
     from slipcircle.core.motion.derivatives import Sensitivity

@@ -24,7 +24,8 @@ ARC_BOUNDS: Mapping[str, Bounds] = {
     "width": (1e-6, 1e9, "a positive length in m"),
 }
 QUANTITIES = tuple(ARC_BOUNDS)
-GRAVITY, WIDTH = 9.81, 1.0  # by default
+GRAVITY = 9.81
+WIDTH = 1.0  # by default
 
 
 # What `Arc(given=...)` holds; the other coefficients are their quotients.
@@ -197,7 +198,8 @@ class Arc(SlidingBody, Generic[Numbers]):
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
         """C_theta/Theta* and C_r/Theta*, of which the weights over Theta* are made at any dip."""
-        alpha, dip = self.half_angle, self.dip
+        alpha = self.half_angle
+        dip = self.dip
         if self.given is not None and dip != 0.0:  # J_theta = C_theta sin(psi), J_r = C_r cos(psi)
             press = self.dimensionless.radial_weight_per_inertia
             return self.dimensionless.limit_friction * press / np.sin(dip), press / np.cos(dip)
@@ -206,7 +208,9 @@ class Arc(SlidingBody, Generic[Numbers]):
     @cached_property
     def moment_coefficients(self) -> MomentCoefficients:
         """What the balance needs; r_u is a share of the static normal stress."""
-        d, (weight, radial), press = self.dimensionless, self.amplitudes_per_inertia, self.normal_load()
+        d = self.dimensionless
+        weight, radial = self.amplitudes_per_inertia
+        press = self.normal_load()
         limit = d.limit_friction
         return MomentCoefficients(
             limit * press,

@@ -26,7 +26,9 @@ def _halves(a: Any) -> DoubleDouble:
 
 
 def _product(a: Any, b: Any) -> DoubleDouble:
-    value, (a1, a2), (b1, b2) = a * b, _halves(a), _halves(b)
+    value = a * b
+    a1, a2 = _halves(a)
+    b1, b2 = _halves(b)
     return value, ((a1 * b1 - value) + a1 * b2 + a2 * b1) + a2 * b2
 
 
@@ -75,9 +77,11 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
     clear, inside = _clearances(points, centre, radius)
     start, share = _shares_inside(points, centre, radius, clear, inside)
 
-    first_in, last_in = inside[:, :-1], inside[:, 1:]
+    first_in = inside[:, :-1]
+    last_in = inside[:, 1:]
     through = ~first_in & ~last_in & (share > 0.0)
-    enters, leaves = (~first_in & last_in) | through, (first_in & ~last_in) | through
+    enters = (~first_in & last_in) | through
+    leaves = (first_in & ~last_in) | through
     per_r = 1.0 / radius[:, None]
     gap = np.where(inside, clear, 0.0) * per_r**2
     return Cut(
@@ -97,9 +101,12 @@ def _shares_inside(
     points: Floats, centre: Floats, radius: Floats, clear: Floats, inside: NDArray[np.bool_]
 ) -> tuple[Floats, Floats]:
     """Where on each edge the part inside begins, and its length, as shares of the edge, (n, E)."""
-    first_in, last_in = inside[:, :-1], inside[:, 1:]
-    from_centre, edges = points - centre[:, None], np.diff(points, axis=1)
-    start, share = np.zeros(first_in.shape), (first_in & last_in).astype(np.float64)
+    first_in = inside[:, :-1]
+    last_in = inside[:, 1:]
+    from_centre = points - centre[:, None]
+    edges = np.diff(points, axis=1)
+    start = np.zeros(first_in.shape)
+    share = (first_in & last_in).astype(np.float64)
 
     at = np.nonzero(first_in != last_in)
     start[at], share[at] = _with_one_end_inside(at, last_in[at], clear, from_centre, edges)
@@ -133,7 +140,8 @@ def _with_one_end_inside(
     end = lane, edge + last_in
     along = np.broadcast_to(edges, (len(clear), *edges.shape[1:]))[at]
     b = np.where(last_in, -1.0, 1.0) * (from_centre[end] * along).sum(axis=1)
-    d, g = (along**2).sum(axis=1), clear[end]
+    d = (along**2).sum(axis=1)
+    g = clear[end]
     root = np.sqrt(b * b + d * g)
     share = np.minimum(np.where(b > 0.0, g / (b + root), (root - b) / d), 1.0)
     return np.where(last_in, 1.0 - share, 0.0), share
@@ -143,7 +151,8 @@ def _with_both_ends_outside(at: Any, points: Floats, centre: Floats, radius: Flo
     """Of edges that may pass through the circle: the discriminant may be small, and takes two doubles."""
     lane, edge = at
     line = np.broadcast_to(points, (len(radius), *points.shape[1:]))
-    p, q = line[lane, edge], line[lane, edge + 1]
+    p = line[lane, edge]
+    q = line[lane, edge + 1]
     along = [two_sum(q[:, k], -p[:, k]) for k in (0, 1)]
     from_centre = [two_sum(p[:, k], -centre[lane, k]) for k in (0, 1)]
     b = _plus(_times(from_centre[0], along[0]), _times(from_centre[1], along[1]))
@@ -167,8 +176,10 @@ def stretches(parts: Cut) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray
 
 def ends(parts: Cut, number: Any) -> tuple[Floats, Floats]:
     """The left and the right crossing of one stretch for each circle, (2, n) each."""
-    mine, each = parts.stretch == np.asarray(number)[:, None], np.arange(len(parts.x))
-    i, j = (each, np.argmax(parts.enters & mine, axis=1)), (each, np.argmax(parts.leaves & mine, axis=1))
+    mine = parts.stretch == np.asarray(number)[:, None]
+    each = np.arange(len(parts.x))
+    i = (each, np.argmax(parts.enters & mine, axis=1))
+    j = (each, np.argmax(parts.leaves & mine, axis=1))
     return np.stack([parts.x[i], parts.y[i]]), np.stack([parts.x[j] + parts.e_x[j], parts.y[j] + parts.e_y[j]])
 
 
@@ -188,15 +199,18 @@ def moments(parts: Cut, mine: NDArray[np.bool_]) -> dict[str, Floats]:
 
 def _moments(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
     """The same of one block: short edges by quadrature of their rings, long ones by sectors and triangles."""
-    x, y = parts.x, parts.y
-    u, v = np.where(mine, parts.e_x, 0.0), np.where(mine, parts.e_y, 0.0)
+    x = parts.x
+    y = parts.y
+    u = np.where(mine, parts.e_x, 0.0)
+    v = np.where(mine, parts.e_y, 0.0)
     distances = np.hypot(x, y) + np.hypot(x + u, y + v)
     long = u * u + v * v > (slopes.REACH * distances) ** 2
     total = _ring_moments(parts, np.where(long, 0.0, u), np.where(long, 0.0, v))
     lane, edge = np.nonzero(long)
     if lane.size:
         at = lane, edge
-        cross, dot = x[at] * v[at] - y[at] * u[at], x[at] * (x[at] + u[at]) + y[at] * (y[at] + v[at])
+        cross = x[at] * v[at] - y[at] * u[at]
+        dot = x[at] * (x[at] + u[at]) + y[at] * (y[at] + v[at])
         by_edge = slopes.closed(x[at], y[at], u[at], v[at], np.arctan2(cross, dot))
         total += np.array([np.bincount(lane, values, len(x)) for values in by_edge])
     return total
@@ -205,14 +219,18 @@ def _moments(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
 def _ring_moments(parts: Cut, u: Floats, v: Floats) -> Floats:
     """Of the rings between edges (u, v) and arcs, with g = (1-s) g_1 + s g_2 + s (1-s) d^2 along an edge."""
     used = (u != 0.0) | (v != 0.0)
-    first, second, square = np.where(used, parts.first, 0.0), np.where(used, parts.second, 0.0), u * u + v * v
+    first = np.where(used, parts.first, 0.0)
+    second = np.where(used, parts.second, 0.0)
+    square = u * u + v * v
     totals = np.zeros((len(MEASURES), *u.shape))
     for s, weight in _GAUSS:
         rings = np.array(slopes.rings((1.0 - s) * first + s * second + (s * (1.0 - s)) * square))
         totals[:5] += weight * rings
         totals[5:] += (weight * s) * rings[3:]
     area, polar, inertia, radial, moment, radial_s, moment_s = totals
-    x, y, cross = parts.x, parts.y, parts.x * v - parts.y * u
+    x = parts.x
+    y = parts.y
+    cross = parts.x * v - parts.y * u
     by_edge = [
         area,
         polar,

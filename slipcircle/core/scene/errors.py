@@ -1,4 +1,8 @@
-"""What keeps lanes of sections from being any, or from moving: a kind of mistake at a time, of all lanes at once."""
+"""What keeps lanes of sections from being any, or from moving: one kind of error at a time, of all lanes at once.
+
+Each is a pair: which lanes have it, and the sentence for one of them. A kind is looked for where the ones before it are
+not, since it may need them.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -7,53 +11,69 @@ import numpy as np
 
 from slipcircle.base.checks import Fault
 from slipcircle.core.scene import circles
-from slipcircle.core.scene.ground import ponds
+from slipcircle.core.scene.ground import pond_errors
 
 
 def geometry_errors(section: Any) -> Iterator[Fault]:
-    """Lanes that are no sections, a kind of mistake at a time; a kind is looked for where the ones before are not."""
-    ground, centre, radius = section._circle
+    """Lanes that are no sections."""
     if section.level is not None:
-        yield ponds(ground, section._level)
+        yield pond_errors(section._circle[0], section._level)
+    yield _not_one_stretch(section)
+    yield _below_ground(section)
+    if section.base is not None:
+        yield _below_base(section)
+
+
+def _not_one_stretch(section: Any) -> Fault:
+    """Circles that cut off no stretch of ground, or several, or one that an end of the ground cuts short."""
+    ground, centre, radius = section._circle
     lane, _, left, right, held = section._candidates
     count = np.bincount(lane, minlength=len(radius))
 
-    def no_stretch(k: int) -> str:
-        (x, y), line = centre[k].tolist(), ground[k % len(ground)]
-        which = f"{{centre}} = [{x:.10g}, {y:.10g}], {{radius}} = {radius[k]:.10g}"
+    def sentence(k: int) -> str:
+        x, y = centre[k].tolist()
+        r = radius[k]
+        line = ground[k % len(ground)]
+        which = f"{{centre}} = [{x:.10g}, {y:.10g}], {{radius}} = {r:.10g}"
         if count[k] > 1 or (count[k] == 1 and held[k]):
             ends = zip(left[lane == k], right[lane == k], strict=True)
-            shown = ", ".join(f"[{a:.6g}, {b:.6g}]" for a, b in ends)
-            more = " besides one that an end of the ground cuts short" if held[k] else ""
-            return f"{which}: cuts off several stretches of the ground; choose one by {{between}} = {shown}{more}"
+            stretches = ", ".join(f"[{a:.6g}, {b:.6g}]" for a, b in ends)
+            short = " besides one that an end of the ground cuts short" if held[k] else ""
+            return f"{which}: cuts off several stretches of the ground; choose one by {{between}} = {stretches}{short}"
         if held[k]:
-            return (
-                f"{which}: an end of the ground lies inside the circle; the ground must go on beyond "
-                f"x = {x - radius[k]:.6g} or {x + radius[k]:.6g}"
-            )
+            beyond = f"x = {x - r:.6g} or {x + r:.6g}"
+            return f"{which}: an end of the ground lies inside the circle; the ground must go on beyond {beyond}"
         if section.between is not None and circles.stretches(section._cut.only([k]))[0].size:
             return f"{{between}} = {section.between!r}: no stretch of the ground inside the circle lies there"
-        return (
-            f"{which}: misses the ground, which reaches from [{line[0, 0]:.6g}, {line[0, 1]:.6g}] to "
-            f"[{line[-1, 0]:.6g}, {line[-1, 1]:.6g}]"
-        )
+        (first_x, first_y), (last_x, last_y) = line[[0, -1]].tolist()
+        reach = f"from [{first_x:.6g}, {first_y:.6g}] to [{last_x:.6g}, {last_y:.6g}]"
+        return f"{which}: misses the ground, which reaches {reach}"
 
-    yield (count != 1) | held, no_stretch
-    (x1, y1), (x2, y2) = section._ends
-    reversed_ = section._angles[1] <= section._angles[0]  # the ground passes over the centre, outside the circle
-    yield (
-        circles.below_ground(section._cut, section._mine) | reversed_,
+    return (count != 1) | held, sentence
+
+
+def _below_ground(section: Any) -> Fault:
+    """Centres below the ground; also where the ground passes over the centre outside the circle."""
+    centre = section._circle[1]
+    first, last = section._angles
+    return (
+        circles.below_ground(section._cut, section._mine) | (last <= first),
         lambda k: f"{{centre}} = {centre[k].tolist()}: lies below the ground; a slip circle's lies above it",
     )
-    if section.base is not None:
-        base, lowest = section.base, centre[:, 1] + radius * np.where((x1 < 0.0) & (x2 > 0.0), -1.0, np.minimum(y1, y2))
-        yield (
-            lowest < base - 1e-9 * radius,
-            lambda k: (
-                f"{{radius}} = {radius[k]:.10g}: the circle goes down to y = {lowest[k]:.6g}, below {{base}} = "
-                f"{base:.10g}"
-            ),
-        )
+
+
+def _below_base(section: Any) -> Fault:
+    """Arcs whose lowest point, of the circle or an end, is below the firm layer."""
+    _, centre, radius = section._circle
+    (x, y), (x_2, y_2) = section._ends
+    lowest = centre[:, 1] + radius * np.where((x < 0.0) & (x_2 > 0.0), -1.0, np.minimum(y, y_2))
+    base = section.base
+    return (
+        lowest < base - 1e-9 * radius,
+        lambda k: (
+            f"{{radius}} = {radius[k]:.10g}: the circle goes down to y = {lowest[k]:.6g}, below {{base}} = {base:.10g}"
+        ),
+    )
 
 
 def motion_errors(section: Any) -> Iterator[Fault]:

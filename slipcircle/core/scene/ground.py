@@ -1,18 +1,18 @@
 """Grounds and circles as people give them, and what is wrong with them."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.base.checks import INFINITY, Bounds, Fault, InputError, complaint, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import INFINITY, Bounds, Fault, complaint, mistakes, raise_all, shape_mistakes
 
 FAR = 1e9  # m; coordinates are smaller
 Floats = NDArray[np.float64]
 
 
-def line_faults(name: str, lines: Floats) -> Iterator[Fault]:
+def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
     """Which of many lines (n, V, 2) do not lead from left to right."""
     with np.errstate(invalid="ignore"):
         step = np.diff(lines, axis=1, prepend=lines[:, :1] - 1.0)
@@ -30,47 +30,56 @@ def line_faults(name: str, lines: Floats) -> Iterator[Fault]:
     )
 
 
-def line_mistakes(name: str, given: Any, many: bool) -> Sequence[str]:
+def points_errors(name: str, given: Any, many: bool) -> list[str]:
     """What is wrong with points that should make a line from left to right, or with the first of many that is."""
     try:
         points = np.asarray(given)
     except (ValueError, RuntimeError):  # ragged, or nested too deep
         points = np.asarray(None)
-    axes, shape = range(2, 16 if many else 3), points.shape
+    axes = range(2, 16 if many else 3)
+    shape = points.shape
     if points.dtype.kind not in "iuf" or points.ndim not in axes or shape[-1] != 2 or shape[-2] < 2:
         return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
-    return complaint(line_faults(name, points.reshape(-1, *shape[-2:]).astype(np.float64)), shape[:-2])
+    lines = points.reshape(-1, *shape[-2:]).astype(np.float64)
+    return complaint(line_errors(name, lines), shape[:-2])
 
 
 def _upper(lines: Floats, x: Floats) -> Floats:
     """Heights of lines (n, V, 2) at x (n, M), the upper one on a scarp; -inf beyond their ends."""
-    (x1, y1), (x2, y2) = (np.moveaxis(ends[:, None], -1, 0) for ends in (lines[:, :-1], lines[:, 1:]))
+    x_1, y_1 = np.moveaxis(lines[:, None, :-1], -1, 0)
+    x_2, y_2 = np.moveaxis(lines[:, None, 1:], -1, 0)
     at = x[..., None]
     with np.errstate(divide="ignore", invalid="ignore"):
-        share = np.where(x2 > x1, (at - x1) / (x2 - x1), y2 > y1)
-    return np.asarray(np.where((x1 <= at) & (at <= x2), y1 + share * (y2 - y1), -np.inf).max(axis=-1))
+        share = np.where(x_2 > x_1, (at - x_1) / (x_2 - x_1), y_2 > y_1)
+    heights = y_1 + share * (y_2 - y_1)
+    on_edge = (x_1 <= at) & (at <= x_2)
+    return np.asarray(np.where(on_edge, heights, -np.inf).max(axis=-1))
 
 
-def ponds(grounds: Floats, levels: Floats) -> Fault:
+def pond_errors(grounds: Floats, levels: Floats) -> Fault:
     """Where water levels (n or 1, W, 2) stand above grounds (n or 1, V, 2), or beside them; and what to say of one."""
     n = max(len(grounds), len(levels))
     x = np.concatenate([np.broadcast_to(line[..., 0], (n, line.shape[1])) for line in (grounds, levels)], axis=1)
-    ground, level = _upper(grounds, x), _upper(levels, x)
+    ground = _upper(grounds, x)
+    level = _upper(levels, x)
     both = np.isfinite(ground) & np.isfinite(level)
-    over = np.where(both, level, -np.inf) - np.where(both, ground, 0.0)
+    excess = np.where(both, level, -np.inf) - np.where(both, ground, 0.0)
+    size = np.ptp(grounds, axis=(1, 2))
 
-    def said(k: int) -> str:
-        at = int(np.argmax(over[k]))
+    def sentence(k: int) -> str:
         if not both[k].any():
             return "{level}: lies beside the ground; it must reach over it"
+        at = int(np.argmax(excess[k]))
         return (
-            f"{{level}}: stands {over[k, at]:.4g} m above the ground at x = {x[k, at]:.10g}; ponds are not yet possible"
+            f"{{level}}: stands {excess[k, at]:.4g} m above the ground at x = {x[k, at]:.10g}; ponds are not yet "
+            "possible"
         )
 
-    return ~both.any(axis=1) | (over.max(axis=1) > 1e-9 * np.ptp(grounds, axis=(1, 2))), said
+    return ~both.any(axis=1) | (excess.max(axis=1) > 1e-9 * size), sentence
 
 
-_WEIGHT, _STRESS = "a positive unit weight in N/m^3", "a stress of at least 0 in Pa"
+_WEIGHT = "a positive unit weight in N/m^3"
+_STRESS = "a stress of at least 0 in Pa"
 _BOUNDS: Mapping[str, Bounds] = {
     "radius": (0.0, FAR, "a positive length below 1e9 m"),
     "unit_weight": (0.0, 1e6, _WEIGHT),
@@ -88,22 +97,38 @@ _BOUNDS: Mapping[str, Bounds] = {
 }
 
 
-def field_mistakes(given: Mapping[str, Any], axes: Mapping[str, int] | None = None) -> list[str]:
-    """What is wrong with the fields of a slope; or of sections, also as shapes in front of the axes of one."""
-    bounds = {n: b for n, b in _BOUNDS.items() if n in given and (given[n] is not None or n not in ("base", "between"))}
-    found: list[str] = [*mistakes(given, bounds, one=("base", "water_unit_weight") if axes else bounds)]
-    if not found and axes:  # all of them are numbers
-        pair, odd = given["between"], [] if np.shape(given["centre"])[-1:] == (2,) else ["centre"]
-        if pair is not None and not (np.shape(pair) == (2,) and pair[0] < pair[1]):
-            odd.append("between")
-        found = [f"{{{n}}} = {given[n]!r}: must be {bounds[n][2]}" for n in odd]
-    lines = [n for n in ("ground", "level") if n == "ground" or given[n] is not None]
-    found += [m for n in lines for m in line_mistakes(n, given[n], bool(axes))]
-    if axes and not found:
-        held = {n: np.shape(given[n]) for n in axes if given[n] is not None}
-        shaped = {n: np.empty(shape[: len(shape) - axes[n]]) for n, shape in held.items()}
-        found += shape_mistakes(shaped) or [f"{{{n}}}: is empty" for n, v in shaped.items() if not np.size(v)]
-    return found
+def slope_errors(given: Mapping[str, Any]) -> list[str]:
+    """What is wrong with the fields of one slope, all numbers but for its lines."""
+    bounds = _bounds_of(given)
+    return mistakes(given, bounds, one=bounds) + _lines_errors(given, many=False)
+
+
+def section_errors(given: Mapping[str, Any], axes: Mapping[str, int]) -> list[str]:
+    """What is wrong with the fields of sections, also as shapes in front of the axes of one."""
+    bounds = _bounds_of(given)
+    errors = mistakes(given, bounds, one=("base", "water_unit_weight"))
+    if not errors:  # all of them are numbers
+        pair = given["between"]
+        is_pair = pair is None or (np.shape(pair) == (2,) and pair[0] < pair[1])
+        right = {"centre": np.shape(given["centre"])[-1:] == (2,), "between": is_pair}
+        errors = [f"{{{n}}} = {given[n]!r}: must be {bounds[n][2]}" for n in right if not right[n]]
+    errors += _lines_errors(given, many=True)
+    if errors:
+        return errors
+    shapes = {n: np.shape(given[n]) for n in axes if given[n] is not None}
+    leading = {n: np.empty(shape[: len(shape) - axes[n]]) for n, shape in shapes.items()}
+    return shape_mistakes(leading) or [f"{{{n}}}: is empty" for n, lanes in leading.items() if not np.size(lanes)]
+
+
+def _bounds_of(given: Mapping[str, Any]) -> dict[str, Bounds]:
+    optional = ("base", "between")
+    return {n: bounds for n, bounds in _BOUNDS.items() if n in given and not (n in optional and given[n] is None)}
+
+
+def _lines_errors(given: Mapping[str, Any], many: bool) -> list[str]:
+    """Of the ground, and of a level if there is one."""
+    errors = points_errors("ground", given["ground"], many)
+    return errors if given["level"] is None else errors + points_errors("level", given["level"], many)
 
 
 def simple_slope(height: float, *, angle: float | None = None, run: float | None = None) -> Floats:
@@ -135,7 +160,8 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
 
 def _from_left(first: ArrayLike, second: ArrayLike) -> tuple[Floats, Floats]:
     """Two points, or many pairs of them, each from left to right."""
-    p, q = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
+    p = np.asarray(first, dtype=np.float64)
+    q = np.asarray(second, dtype=np.float64)
     swap = p[..., :1] > q[..., :1]
     return np.where(swap, q, p), np.where(swap, p, q)
 
@@ -151,25 +177,28 @@ def circle_through(
         For points above each other, a radius below half their distance, or a depth above it (beyond a half disc).
     """
     p, q = _from_left(first, second)
-    half = np.hypot(*np.moveaxis(q - p, -1, 0)) / 2
-    found = ["{radius} or {depth}: give one of them"] if (radius is None) == (depth is None) else []
-    if np.any(p[..., 0] == q[..., 0]):
-        found.append("the two points lie above each other; a slip circle leads from one side to the other")
-    elif radius is not None and np.any(np.asarray(radius) < half):
-        found.append(
-            f"{{radius}} = {np.min(radius):.10g}: must be at least half the distance of the points, {np.max(half):.10g}"
-        )
-    elif depth is not None and np.any((np.asarray(depth) <= 0.0) | (np.asarray(depth) > half)):
-        found.append(
-            f"{{depth}} = {np.max(depth):.10g}: must be above 0 and at most half the distance of the points, "
-            f"{np.min(half):.10g}"
-        )
-    raise_all("circle_through", found)
+    chord = q - p
+    half = np.hypot(chord[..., 0], chord[..., 1]) / 2
+    raise_all("circle_through", _through_errors(chord, half, radius, depth))
     if depth is not None:
         radius = (half**2 + np.square(depth)) / (2 * np.asarray(depth))
-    rise = np.sqrt((np.asarray(radius) - half) * (np.asarray(radius) + half))
-    up = np.stack([-(q - p)[..., 1], (q - p)[..., 0]], axis=-1) / (2 * half)[..., None]
-    return (p + q) / 2 + up * rise[..., None], np.asarray(radius)[()]
+    size = np.asarray(radius)
+    above_chord = np.sqrt((size - half) * (size + half))
+    normal = np.stack([-chord[..., 1], chord[..., 0]], axis=-1) / (2 * half)[..., None]
+    return (p + q) / 2 + normal * above_chord[..., None], size[()]
+
+
+def _through_errors(chord: Floats, half: Floats, radius: Any, depth: Any) -> list[str]:
+    errors = ["{radius} or {depth}: give one of them"] if (radius is None) == (depth is None) else []
+    if np.any(chord[..., 0] == 0.0):
+        errors.append("the two points lie above each other; a slip circle leads from one side to the other")
+    elif radius is not None and np.any(np.asarray(radius) < half):
+        least = f"at least half the distance of the points, {np.max(half):.10g}"
+        errors.append(f"{{radius}} = {np.min(radius):.10g}: must be {least}")
+    elif depth is not None and np.any((np.asarray(depth) <= 0.0) | (np.asarray(depth) > half)):
+        most = f"at most half the distance of the points, {np.min(half):.10g}"
+        errors.append(f"{{depth}} = {np.max(depth):.10g}: must be above 0 and {most}")
+    return errors
 
 
 def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tuple[Any, Any]:
@@ -185,12 +214,18 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     At heights h >= l of the points above the level, and a run between them, the circle touches the level at a distance
     u = h (run^2 - l (h - l))/(h run + sqrt(h l (run^2 + (h - l)^2))) from the higher point, towards the lower one.
     """
-    (p, q), base = _from_left(first, second), np.asarray(level, dtype=np.float64)
-    from_left, from_right, run = p[..., 1] - base, q[..., 1] - base, (q - p)[..., 0]
-    high, low = np.maximum(from_left, from_right), np.minimum(from_left, from_right)
+    p, q = _from_left(first, second)
+    base = np.asarray(level, dtype=np.float64)
+    from_left = p[..., 1] - base
+    from_right = q[..., 1] - base
+    run = (q - p)[..., 0]
+    high = np.maximum(from_left, from_right)
+    low = np.minimum(from_left, from_right)
     if np.any((low < 0.0) | (high <= 0.0)) or np.any(run == 0.0):
-        said = f"{{level}} = {np.max(base):.10g}: must lie below both points or touch the lower one, and the points "
-        raise InputError("circle_touching", [f"{said}must not lie above each other"])
+        raise ValueError(
+            f"circle_touching: level = {np.max(base):.10g}: must lie below both points or touch the lower one, "
+            "and the points must not lie above each other"
+        )
     between = np.sqrt(high * low * (run**2 + (high - low) ** 2))
     away = high * (run**2 - low * (high - low)) / (high * run + between)
     radius = (away**2 + high**2) / (2 * high)

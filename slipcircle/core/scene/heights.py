@@ -51,7 +51,8 @@ class HeightIntegrals(NamedTuple):
     def integral(self, first: Floats, last: Floats) -> Floats:
         """Over arcs from one angle to another, (..., n)."""
         first, last = _first_turn(first, last)
-        total, together = np.zeros(np.shape(first)), max(1, _TOGETHER // np.size(first))
+        total = np.zeros(np.shape(first))
+        together = max(1, _TOGETHER // np.size(first))
         for k in range(0, len(self.edge), together):
             total += self._parts(slice(k, k + together), first[..., None], last[..., None]).sum(axis=-1)
         return total
@@ -59,12 +60,16 @@ class HeightIntegrals(NamedTuple):
     def _parts(self, chosen: slice, first: Floats, last: Floats) -> Any:
         """Over the parts of pieces between two angles, each from its own beginning, so that nothing cancels."""
         low, high, span, sine, cosine, height = (column[:, chosen] for column in self.pieces)
-        start, stop, slope = np.clip(first, low, high), np.clip(last, low, high), self.slope[:, chosen]
+        start = np.clip(first, low, high)
+        stop = np.clip(last, low, high)
+        slope = self.slope[:, chosen]
         if np.array_equal(start, stop):
             return np.zeros(1)
         angle = np.where((start <= low) & (stop >= high), span, stop - start)
-        along, bent = np.sin(start - low), 2 * np.sin((start - low) / 2) ** 2
-        more_sine, more_cosine = cosine * along - sine * bent, -sine * along - cosine * bent
+        along = np.sin(start - low)
+        bent = 2 * np.sin((start - low) / 2) ** 2
+        more_sine = cosine * along - sine * bent
+        more_cosine = -sine * along - cosine * bent
         start_height = height + slope * more_sine + more_cosine
         return slopes.head(angle, sine + more_sine, cosine + more_cosine, start_height, slope)
 
@@ -76,7 +81,8 @@ class HeightIntegrals(NamedTuple):
         """
         first, last = _first_turn(first, last)
         start, stop = (np.clip(x[..., None], self.pieces.low[0], self.pieces.high[0]) for x in (first, last))
-        x, run = self.line[0, self.edge, 0], np.diff(self.line[0, :, 0])[self.edge]
+        x = self.line[0, self.edge, 0]
+        run = np.diff(self.line[0, :, 0])[self.edge]
         second = (np.cos(start) - np.cos(stop) - x * (stop - start)) / run
         direction = np.stack([-self.slope[0], np.ones_like(run)], axis=1)
         by_vertex = np.zeros((*second.shape[:-1], *self.line.shape[1:]))
@@ -124,11 +130,13 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     before = _outside(line[:, :-1], slope, line[:, :-1, 0], np.where(outside, end, parts.x))
     after = _outside(line[:, :-1], slope, np.where(outside, end, parts.x + parts.e_x), end)
 
-    lower, upper = [_inside(parts), before[0], after[0]], [before[1], after[1]]
+    lower = [_inside(parts), before[0], after[0]]
+    upper = [before[1], after[1]]
     turn = 2 * np.pi
     every = [*(p.turned(-turn) for p in upper), *lower, *upper, *(p.turned(turn) for p in lower)]
     columns = (np.concatenate(same, axis=1) for same in zip(*every, strict=True))
-    pieces, edge = _Pieces(*columns), np.tile(np.arange(end.shape[1]), len(every))
+    pieces = _Pieces(*columns)
+    edge = np.tile(np.arange(end.shape[1]), len(every))
     used = np.flatnonzero((pieces.span > 0.0).any(axis=0))
     edge = edge[used]
     return HeightIntegrals(_Pieces(*(column[:, used] for column in pieces)), slope[:, edge], edge, line)
@@ -153,21 +161,26 @@ def _inside(parts: Cut) -> _Pieces:
     With g = 1 - rho^2 of a point, which does not cancel near the circle, the arc below it has cos = sqrt(y^2 + g), and
     the point's height above it is cos + y = g/(cos - y).
     """
-    x_2, y_2 = parts.x + parts.e_x, parts.y + parts.e_y
-    cosine, cosine_2 = np.sqrt(parts.y**2 + parts.first), np.sqrt(y_2**2 + parts.second)
+    x_2 = parts.x + parts.e_x
+    y_2 = parts.y + parts.e_y
+    cosine = np.sqrt(parts.y**2 + parts.first)
+    cosine_2 = np.sqrt(y_2**2 + parts.second)
     height = np.divide(parts.first, cosine - parts.y, out=cosine + parts.y, where=parts.y < 0.0)
-    low, high = np.arctan2(parts.x, cosine), np.arctan2(x_2, cosine_2)
+    low = np.arctan2(parts.x, cosine)
+    high = np.arctan2(x_2, cosine_2)
     return _Pieces(low, high, _span(parts.e_x, cosine, cosine_2), parts.x, cosine, height)
 
 
 def _outside(start: Floats, slope: Floats, first: Floats, last: Floats) -> tuple[_Pieces, _Pieces]:
     """Of parts of edges outside circles from one x to another, over the lower and over the upper half."""
-    x, x_2 = np.clip(first, -1.0, 1.0), np.clip(last, -1.0, 1.0)
+    x = np.clip(first, -1.0, 1.0)
+    x_2 = np.clip(last, -1.0, 1.0)
     y, y_2 = (start[..., 1] + slope * (at - start[..., 0]) for at in (x, x_2))
     cosine, cosine_2 = (np.sqrt((1.0 - at) * (1.0 + at)) for at in (x, x_2))
     above = (x_2 > x) & (y + y_2 > 0.0)
     span = np.where(above, _span(x_2 - x, cosine, cosine_2), 0.0)
-    low, high = np.arctan2(x, cosine), np.arctan2(x_2, cosine_2)
+    low = np.arctan2(x, cosine)
+    high = np.arctan2(x_2, cosine_2)
     high = np.where(above, high, low)
     lower = _Pieces(low, high, span, x, cosine, y + cosine)
     return lower, _Pieces(np.pi - high, np.pi - low, span, x_2, -cosine_2, y_2 - cosine_2)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import chain
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,30 +15,14 @@ from slipcircle.base.checks import Fault, complaint, raise_all
 from slipcircle.core.scene import circles
 from slipcircle.core.scene.circles import Cut, Floats
 from slipcircle.core.scene.errors import geometry_errors, motion_errors
-from slipcircle.core.scene.ground import field_mistakes, line_faults
+from slipcircle.core.scene.ground import line_errors, section_errors
 from slipcircle.core.scene.heights import HeightIntegrals, height_integrals, integral_inside
+from slipcircle.core.scene.turning import TurningMass
 from slipcircle.core.scene.weights import Dimensionless, MomentCoefficients, SlidingBody
 
 
-class Journey(NamedTuple):
-    """Where a rotation brings the mass, m and rad."""
-
-    toe: Any
-    run_out: Any
-    fall: Any
-    travel_angle: Any
-
-    @property
-    def toe_x(self) -> Any:
-        return self.toe[..., 0][()]
-
-    @property
-    def toe_y(self) -> Any:
-        return self.toe[..., 1][()]
-
-
 @dataclass(frozen=True)
-class Section(SlidingBody):
+class Section(SlidingBody, TurningMass):
     """A slip circle through a ground of straight edges, with the mass between ground and arc.
 
     Parameters
@@ -107,7 +91,7 @@ class Section(SlidingBody):
 
     def __post_init__(self) -> None:
         raise_all(
-            "Section", field_mistakes(vars(self), self.quantities) or complaint(geometry_errors(self), self.shape)
+            "Section", section_errors(vars(self), self.quantities) or complaint(geometry_errors(self), self.shape)
         )
 
     def __eq__(self, other: object) -> bool:
@@ -120,24 +104,25 @@ class Section(SlidingBody):
     @cached_property
     def shape(self) -> tuple[int, ...]:
         """Of the results."""
-        level = () if self.level is None else np.shape(self.level)[:-2]
-        return np.broadcast_shapes(np.shape(self.radius), np.shape(self.centre)[:-1], np.shape(self.ground)[:-2], level)
+        one = {name: axes for name, axes in self.quantities.items() if name in ("radius", "centre", "ground", "level")}
+        shapes = [np.shape(getattr(self, name)) for name in one]
+        leading = (shape[: len(shape) - axes] for shape, axes in zip(shapes, one.values(), strict=True))
+        return np.broadcast_shapes(*leading)
 
     @cached_property
     def _circle(self) -> tuple[Floats, Floats, Floats]:
         """Ground, centre and radius with one axis of lanes."""
-        return (
-            self._lines(self.ground),
-            np.broadcast_to(np.asarray(self.centre, dtype=np.float64), (*self.shape, 2)).reshape(-1, 2),
-            np.broadcast_to(np.asarray(self.radius, dtype=np.float64), self.shape).reshape(-1),
-        )
+        centre = np.broadcast_to(np.asarray(self.centre, dtype=np.float64), (*self.shape, 2))
+        radius = np.broadcast_to(np.asarray(self.radius, dtype=np.float64), self.shape)
+        return self._lines(self.ground), centre.reshape(-1, 2), radius.reshape(-1)
 
     def _lines(self, points: Any) -> Floats:
         """Lines with one axis of lanes; of one for all that is 1."""
         points = np.asarray(points, dtype=np.float64)
+        own = points.shape[-2:]
         if points.ndim > 2:
-            points = np.broadcast_to(points, (*self.shape, *points.shape[-2:]))
-        return points.reshape(-1, *points.shape[-2:])
+            points = np.broadcast_to(points, (*self.shape, *own))
+        return points.reshape(-1, *own)
 
     @cached_property
     def _cut(self) -> Cut:
@@ -148,15 +133,17 @@ class Section(SlidingBody):
         """Lane, number and both x of the stretches that may be meant; and which circles hold an end of the ground."""
         _, centre, radius = self._circle
         lane, number, held = circles.stretches(self._cut)
-        left, right = (centre[lane, 0] + radius[lane] * end[0] for end in circles.ends(self._cut.only(lane), number))
-        if self.between is not None:
-            blur, (low, high) = 1e-9 * radius[lane], self.between
-            keep = (left >= low - blur) & (right <= high + blur)
-            without = np.bincount(lane, keep, len(radius))[lane] == 0
-            keep |= without & (left + right >= 2 * low) & (left + right <= 2 * high)
-            lane, number, left, right = lane[keep], number[keep], left[keep], right[keep]
-            held = np.zeros(len(held), dtype=bool)
-        return lane, number, left, right, held
+        ends = circles.ends(self._cut.only(lane), number)
+        left, right = (centre[lane, 0] + radius[lane] * end[0] for end in ends)
+        if self.between is None:
+            return lane, number, left, right, held
+        low, high = self.between
+        rounding = 1e-9 * radius[lane]
+        keep = (left >= low - rounding) & (right <= high + rounding)
+        without = np.bincount(lane, keep, len(radius))[lane] == 0
+        middle = (left + right) / 2
+        keep |= without & (middle >= low) & (middle <= high)
+        return lane[keep], number[keep], left[keep], right[keep], np.zeros(len(held), dtype=bool)
 
     @cached_property
     def _ends(self) -> tuple[Floats, Floats]:
@@ -180,9 +167,10 @@ class Section(SlidingBody):
 
     @cached_property
     def _facing(self) -> Floats:
-        (_, y1), (_, y2) = self._ends
+        (_, left_y), (_, right_y) = self._ends
         by_weight = -np.sign(self._moments["moment_x"])
-        return np.where(by_weight != 0.0, by_weight, np.where(y1 < y2, -1.0, 1.0))
+        by_height = np.where(left_y < right_y, -1.0, 1.0)
+        return np.where(by_weight != 0.0, by_weight, by_height)
 
     @cached_property
     def facing(self) -> Any:
@@ -198,7 +186,8 @@ class Section(SlidingBody):
     @cached_property
     def _chord(self) -> Floats:
         """From the left to the right end, over R, (2, n)."""
-        return np.stack([np.where(self._mine, e, 0.0).sum(axis=1) for e in (self._cut.e_x, self._cut.e_y)])
+        parts = self._cut.e_x, self._cut.e_y
+        return np.stack([np.where(self._mine, part, 0.0).sum(axis=1) for part in parts])
 
     @cached_property
     def chord(self) -> Any:
@@ -208,15 +197,17 @@ class Section(SlidingBody):
     @cached_property
     def half_angle(self) -> Any:
         """alpha, half the opening angle of the arc, rad."""
+        left, right = self._angles
+        by_ends = (right - left) / 2
         sine = np.minimum(np.hypot(*self._chord) / 2, 1.0)
-        whole = self._angles[1] - self._angles[0]
-        small = np.where(whole <= np.pi, np.arcsin(sine), np.pi - np.arcsin(sine))
-        return self._shaped(np.where(sine > 0.7, whole / 2, small))  # each where it keeps its digits
+        by_chord = np.where(by_ends <= np.pi / 2, np.arcsin(sine), np.pi - np.arcsin(sine))
+        return self._shaped(np.where(sine > 0.7, by_ends, by_chord))  # each where it keeps its digits
 
     @cached_property
     def dip(self) -> Any:
         """psi, the dip of the chord, rad, positive down-slope."""
-        return self._shaped(np.arctan2(-self._facing * self._chord[1], self._chord[0]))
+        run, rise = self._chord
+        return self._shaped(np.arctan2(-self._facing * rise, run))
 
     def _end(self, way: float) -> Any:
         """The left end where the mass faces this way, else the right."""
@@ -248,8 +239,9 @@ class Section(SlidingBody):
     def centroid(self) -> Any:
         """Of the mass, x and y in m."""
         _, centre, radius = self._circle
-        m = self._moments
-        return self._shaped(centre + np.stack([m["moment_x"], m["moment_y"]], 1) * (radius / m["area"])[:, None])
+        first_moments = np.stack([self._moments["moment_x"], self._moments["moment_y"]], axis=1)
+        from_centre = first_moments * (radius / self._moments["area"])[:, None]
+        return self._shaped(centre + from_centre)
 
     @cached_property
     def arc_length(self) -> Any:
@@ -278,8 +270,8 @@ class Section(SlidingBody):
 
     def geometry_errors(self) -> Iterator[Fault]:
         """Lanes that are no sections, or do not move."""
-        levels = () if self.level is None else line_faults("level", self._level)
-        return chain(line_faults("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
+        levels = () if self.level is None else line_errors("level", self._level)
+        return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
 
     @cached_property
     def no_motion(self) -> str | None:
@@ -289,8 +281,9 @@ class Section(SlidingBody):
     @cached_property
     def moments(self) -> dict[str, Any]:
         """Theta*, I_p*, J_r, J_theta (3.12), (2.17), (2.23), (3.13), and the derivatives of the last two by the dip."""
-        m, way = self._moments, self._facing
-        found = {
+        m = self._moments
+        way = self._facing
+        moments = {
             "moment_of_inertia": m["inertia"],
             "polar_moment": m["polar"],
             "radial_weight": -m["radial_y"],
@@ -298,40 +291,44 @@ class Section(SlidingBody):
             "radial_weight_slope": way * m["radial_x"],
             "weight_moment_slope": -m["moment_y"],
         }
-        return {name: self._shaped(value) for name, value in found.items()}
+        return {name: self._shaped(value) for name, value in moments.items()}
 
     @cached_property
     def dimensionless(self) -> Dimensionless:
         """Coefficients of the equation of motion, positive down-slope; lambda = 2 alpha f/R (3.14)."""
-        m, alpha = self.moments, self.half_angle
-        theta, radial, factor = m["moment_of_inertia"], m["radial_weight"], 4 * alpha * np.sin(alpha / 2) ** 2
+        m = self.moments
+        alpha = self.half_angle
+        inertia = m["moment_of_inertia"]
+        radial = m["radial_weight"]
+        moment = m["weight_moment"]
+        factor = 4 * alpha * np.sin(alpha / 2) ** 2
         return Dimensionless(
-            theta,
-            radial,
-            m["weight_moment"],
-            factor,
-            m["polar_moment"] / factor,
-            radial / factor,
-            m["weight_moment"] / radial,
-            radial / theta,
-            m["polar_moment"] / theta,
+            moment_of_inertia=inertia,
+            radial_weight=radial,
+            weight_moment=moment,
+            resistance_factor=factor,
+            dynamic_coefficient=m["polar_moment"] / factor,
+            static_normal_stress=radial / factor,
+            limit_friction=moment / radial,
+            radial_weight_per_inertia=radial / inertia,
+            polar_moment_per_inertia=m["polar_moment"] / inertia,
         )
 
     @cached_property
     def moment_coefficients(self) -> MomentCoefficients:
         """What the balance needs; r_u is a share of the weight of the soil above, gamma h, in the mean over the arc."""
-        m, d = self.moments, self.dimensionless
-        theta = d.moment_of_inertia
-        cover = self.mean_cover / (self.sagitta * d.static_normal_stress)
+        m = self.moments
+        d = self.dimensionless
+        inertia = d.moment_of_inertia
         return MomentCoefficients(
-            d.weight_moment / theta,
-            m["weight_moment_slope"] / theta,
-            d.radial_weight_per_inertia,
-            m["radial_weight_slope"] / theta,
-            d.resistance_factor / theta,
-            d.polar_moment_per_inertia,
-            d.limit_friction,
-            cover,
+            driving_moment=d.weight_moment / inertia,
+            driving_moment_slope=m["weight_moment_slope"] / inertia,
+            normal_load=d.radial_weight_per_inertia,
+            normal_load_slope=m["radial_weight_slope"] / inertia,
+            resistance_factor=d.resistance_factor / inertia,
+            polar_moment=d.polar_moment_per_inertia,
+            limit_friction=d.limit_friction,
+            cover=self.mean_cover / (self.sagitta * d.static_normal_stress),
         )
 
     # --- water -------------------------------------------------------------------------------------------------------
@@ -356,60 +353,19 @@ class Section(SlidingBody):
         """
         if self.level is None:
             return 0.0 * np.add(rotation, np.zeros(self.shape))
-        first, last = self._angles
         turn = np.asarray(rotation, dtype=np.float64)
-        turn = np.broadcast_to(turn, np.broadcast_shapes(turn.shape, self.shape))
-        turned = turn.reshape(*turn.shape[: turn.ndim - len(self.shape)], -1) * self._facing
-        mean = self._water.integral(first + turned, last + turned) / (last - first)
-        return (mean.reshape(turn.shape) * np.multiply(self.radius, self.water_unit_weight))[()]
+        shape = np.broadcast_shapes(turn.shape, self.shape)
+        by_lane = np.broadcast_to(turn, shape).reshape(*shape[: len(shape) - len(self.shape)], -1)
+        turned = by_lane * self._facing
+        first, last = self._angles
+        mean_height = self._water.integral(first + turned, last + turned) / (last - first)
+        return (mean_height.reshape(shape) * np.multiply(self.radius, self.water_unit_weight))[()]
 
     @cached_property
     def pressure_kinks(self) -> Any:
         """Rotations at which the mean pressure is not smooth, rad, sorted, on a last axis."""
         if self.level is None:
             return self._shaped(np.empty((len(self._facing), 0)))
-        kinks = self._water.kinks
-        turns = np.concatenate([kinks - end[:, None] for end in self._angles], axis=1) * self._facing[:, None]
+        until_kink = [self._water.kinks - end[:, None] for end in self._angles]
+        turns = np.concatenate(until_kink, axis=1) * self._facing[:, None]
         return self._shaped(np.sort(turns, axis=1))
-
-    @cached_property
-    def surface(self) -> Floats:
-        """The ground over the mass of one section, from its left to its right end, m."""
-        ends = np.array(sorted([tuple(self.entry), tuple(self.exit)]))
-        ground = np.asarray(self.ground, dtype=np.float64)
-        inner = ground[(ground[:, 0] > ends[0, 0]) & (ground[:, 0] < ends[1, 0])]
-        return np.concatenate([ends[:1], inner, ends[1:]])
-
-    def drowned(self, *rotations: float) -> float:
-        """How far below the water level the ground over one section's mass comes, where it is deepest, m."""
-        deepest, level = 0.0, np.asarray(self.level, dtype=np.float64)
-        for rotation in rotations if self.level is not None else ():
-            points = self.placed(self.surface, rotation)
-            (x, y), (dx, dy) = points[:-1].T, np.diff(points, axis=0).T
-            with np.errstate(divide="ignore", invalid="ignore"):
-                share = (level[:, :1] - x) / dx  # of each edge, where a vertex of the level is
-            depth = np.where((share > 0.0) & (share < 1.0), level[:, 1:] - (y + share * dy), 0.0)
-            deepest = max(deepest, depth.max(), (np.interp(points[:, 0], *level.T) - points[:, 1]).max())
-        return float(deepest)
-
-    # --- where it goes -----------------------------------------------------------------------------------------------
-
-    def placed(self, points: Any, rotation: Any) -> Any:
-        """Points (..., 2) of the mass after a rotation, m."""
-        turn = np.multiply(rotation, self.facing)
-        x, y = np.moveaxis(np.subtract(points, self.centre), -1, 0)
-        turned = np.stack(
-            np.broadcast_arrays(x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)), -1
-        )
-        return np.asarray(self.centre) + turned
-
-    def journey(self, rotation: Any) -> Journey:
-        """Toe, its horizontal run-out, fall of the centroid, and travel angle: of the centroid's way, fall over run."""
-        toe, centroid = self.placed(self.exit, rotation), self.placed(self.centroid, rotation)
-        way = centroid - self.centroid
-        return Journey(
-            toe,
-            (toe - self.exit)[..., 0] * self.facing,
-            -way[..., 1],
-            np.arctan2(-way[..., 1], way[..., 0] * self.facing),
-        )

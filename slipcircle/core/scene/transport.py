@@ -80,7 +80,8 @@ def section_derivatives(section: Section, names: Sequence[str]) -> SectionDeriva
     moments = {name: chain(by, ground, "ground") for name, by in _moments_by_vertex(surface, len(ground)).items()}
     ends = chain(_ends_by_vertex(surface, np.concatenate(section._angles), len(ground)), ground, "ground")
 
-    above, (first, last) = _ground_heights(section), np.concatenate(section._angles)
+    above = _ground_heights(section)
+    first, last = np.concatenate(section._angles)
     at_ends = above.at(np.array([first, last]))
     by_ground = chain(above.gradient(first, last), ground, "ground")
     heights = by_ground + at_ends[1] * ends[1] - at_ends[0] * ends[0]
@@ -103,7 +104,8 @@ def _chain_rule(section: Section, names: Sequence[str]) -> _Chain:
 
 
 def _surface(section: Section, edges: Floats) -> _Surface:
-    cut, (vertex,) = section._cut, np.nonzero(_over_mass(section))
+    cut = section._cut
+    (vertex,) = np.nonzero(_over_mass(section))
     edge = edges[vertex]
     start = np.stack([cut.x[0], cut.y[0]], axis=1)[vertex]
     part = np.stack([cut.e_x[0], cut.e_y[0]], axis=1)[vertex]
@@ -174,11 +176,15 @@ def _pressure(section: Section, ends: Floats, chain: _Chain, of_scale: Floats) -
     if np.any(np.diff(section._level[0, :, 0]) == 0.0):
         raise ValueError("sensitivity: level: has points above each other, where the pressure has no derivative")
     water = section._water
-    (first, last), (way,), (radius,) = np.concatenate(section._angles), section._facing, section._circle[2]
-    unit, line = radius * section.water_unit_weight, water.line[0, 1:-1]
+    first, last = np.concatenate(section._angles)
+    (way,) = section._facing
+    (radius,) = section._circle[2]
+    unit = radius * section.water_unit_weight
+    line = water.line[0, 1:-1]
 
     def pressure(turn: Any) -> Any:
-        begin, end = first + way * turn[..., 0], last + way * turn[..., 0]
+        begin = first + way * turn[..., 0]
+        end = last + way * turn[..., 0]
         by_level = chain(water.gradient(begin, end), line, "level")
         by_ends = water.at(end)[..., None] * ends[1] - water.at(begin)[..., None] * ends[0]
         mean = section.mean_pressure(turn[..., 0])[..., None]

@@ -75,7 +75,7 @@ def options(parser: argparse.ArgumentParser) -> None:
         help="of a running Dask cluster, tcp://10.0.0.1:8786; without it --engine dask starts one on this machine",
     )
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
-    picture = "exceedance curves and which unknown matters, or a grid of one or two numbers"
+    picture = "exceedance curves and sensitivity indices, or a grid of one or two numbers"
     arrays = "all results as NumPy arrays, the samples where kept"
     add_files(parser, picture, report=REPORT, csv="one table of all results", npz=arrays)
     add_scene(parser)

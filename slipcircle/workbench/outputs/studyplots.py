@@ -50,20 +50,31 @@ def exceedance(study: "Study", output: str = "reach", ax: Any = None, rare: bool
     curve, moving = study.exceedance(output, _POINTS), study.moving
     if not curve.at.size:
         return empty(_nothing_to_draw(study), ax, "x")
-    at = np.concatenate([[0.0], curve.at])  # whatever moves has a run-out, a velocity and a duration above 0
-    value, low, high = (np.concatenate([[first], rest]) for first, rest in zip(moving, curve[1:], strict=True))
-    ax.fill_between(at, low, high, label=f"{100 * study.confidence:g} % confidence at each place", **AREAS["band"])
+    # Whatever moves has a run-out, a velocity and a duration above 0.
+    at = np.concatenate([[0.0], curve.at])
+    value = np.concatenate([[moving.value], curve.probability])
+    low = np.concatenate([[moving.low], curve.low])
+    high = np.concatenate([[moving.high], curve.high])
+    band = f"{100 * study.confidence:g} % confidence at each place"
+    ax.fill_between(at, low, high, label=band, **AREAS["band"])
     ax.plot(at, value, label=_samples(study), **LINES["main"])
     _mark_quantiles(study, output, ax)
-    greatest = float(at[-1])
-    certain = float(at[np.flatnonzero(value == 1.0)[-1]]) if moving.value == 1.0 else 0.0
-    left = max(0.0, certain - 0.05 * (greatest - certain)) if certain > 0.4 * greatest else 0.0
-    ax.set_xlim(left, greatest + 0.02 * (greatest - certain))
+    ax.set_xlim(*_limits(at, value))
     if rare:
         ax.set(yscale="log", ylim=(0.5 / study.n, 1.5))
     else:
         legend(ax)
     return ax
+
+
+def _limits(at: Any, probability: Any) -> tuple[float, float]:
+    """Ends of an axis from 0, or from where the probability begins to fall if that is far from there."""
+    greatest, certain = float(at[-1]), 0.0
+    if probability[0] == 1.0:
+        certain = float(at[np.flatnonzero(probability == 1.0)[-1]])
+    width = greatest - certain
+    left = certain - 0.05 * width if certain > 0.4 * greatest else 0.0
+    return max(0.0, left), greatest + 0.02 * width
 
 
 def _mark_quantiles(study: "Study", output: str, ax: Any) -> None:
@@ -160,15 +171,22 @@ def tornado(
     ax.set(xlabel=f"change of {OUTCOMES[output].label} from {number(at)} {unit}{how} ({unit})")
     if not at or not bars:
         return empty("nothing changes it" if at else "does not move", ax, "x", "y")
-    lines(ax, [text for _, text in bars])
-    for sign, label, style in ((1.0, "larger", "kinetic"), (-1.0, "smaller", "rests")):
-        ax.barh(range(len(bars)), [sign * x for x, _ in bars], height=0.62, label=label, **AREAS[style])
-    widest = 1.08 * abs(bars[0][0])
-    ax.set_xlim(-widest, widest)
-    ax.axvline(0.0, color="0.25", lw=0.8)
+    _two_sided_bars(ax, bars)
     if named:
         legend(ax)
     return ax
+
+
+def _two_sided_bars(ax: Any, bars: Sequence[tuple[float, str]]) -> None:
+    """A bar to both sides for each change and its text, the widest one first."""
+    changes = np.array([change for change, _ in bars])
+    lines(ax, [text for _, text in bars])
+    places = np.arange(len(bars))
+    ax.barh(places, changes, height=0.62, label="larger", **AREAS["kinetic"])
+    ax.barh(places, -changes, height=0.62, label="smaller", **AREAS["rests"])
+    widest = 1.08 * abs(changes[0])
+    ax.set_xlim(-widest, widest)
+    ax.axvline(0.0, color="0.25", lw=0.8)
 
 
 def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Number, float]], str]:
@@ -231,15 +249,15 @@ def explained(analysis: "BackAnalysis", figure: Any) -> Any:
 
 def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> None:
     """The observations over one field, an axis each."""
-    scene, best = analysis.motion.plan.scene, analysis.solutions[0]
-    field = number_in(scene, key)
+    field = number_in(analysis.motion.plan.scene, key)
     solved = [s.values[key] for s in analysis.solutions]
-    error = (best.standard_errors or {}).get(key, 0.0)
+    error = (analysis.solutions[0].standard_errors or {}).get(key, 0.0)
     error = error if np.isfinite(error) else 0.0
     margin = max(4 * error, 0.3 * max(map(abs, solved)), np.ptp(solved))
-    low, high = max(min(solved) - margin, field.low), min(max(solved) + margin, field.high)
+    low = max(min(solved) - margin, field.low)
+    high = min(max(solved) + margin, field.high)
     at = np.linspace(low, high, _POINTS // 2)[1:-1]
-    curves = motions(scene, {field.name: field.to_si(at)}).outcomes
+    curves = motions(analysis.motion.plan.scene, {field.name: field.to_si(at)}).outcomes
     for ax, (name, (seen, sigma)) in zip(axes, analysis.observed.items(), strict=True):
         ax.plot(at, curves[name], label="computed", **LINES["main"])
         ax.axhline(seen, label="observed", **LINES["total"])

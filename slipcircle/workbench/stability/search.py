@@ -13,13 +13,20 @@ from slipcircle.core import Section, circle_through, circle_touching
 from slipcircle.workbench.stability.slices import circle_factors
 from slipcircle.workbench.stability.stability import METHODS, Slope
 
-_PLACES, _LEAST, _EDGES = 40, 7, 12  # of the ground; on each edge, where there are few edges
+_PLACES = 40
+_LEAST = 7
+_EDGES = 12  # of the ground; on each edge, where there are few edges
 _VERTICES = 48  # beyond, those nearest to even places
 _SHARES = np.array([0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.64, 0.76, 0.88, 1.0])
-_VALLEYS, _APART = 12, 2.5  # that are followed, and spacings of the coarse family between them
-_ROUNDS, _SHRINK, _FINE = 150, 0.6, 1e-5  # a valley is done at this step over its first
-_HOPE, _AGAIN = 1.2, 3  # far above the best, a circle is left; the best of all are followed twice
-_SENSE, _PIECES = 0.2, 50  # of an arc that may be under negative stress, without a warning; in which it is found
+_VALLEYS = 12
+_APART = 2.5  # that are followed, and spacings of the coarse family between them
+_ROUNDS = 150
+_SHRINK = 0.6
+_FINE = 1e-5  # a valley is done at this step over its first
+_HOPE = 1.2
+_AGAIN = 3  # far above the best, a circle is left; the best of all are followed twice
+_SENSE = 0.2
+_PIECES = 50  # of an arc that may be under negative stress, without a warning; in which it is found
 _SIZE = 1 << 13  # ground vertices times circles at a time: what fits into the caches
 _OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
 Range = tuple[float, float]
@@ -138,7 +145,8 @@ def critical(
     for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
         at, step = search.refined(at, share * step)
     found = search.result(at[:1])
-    least, deep = found.factor_of_safety[method] or np.inf, _bottomless(slope)
+    least = found.factor_of_safety[method] or np.inf
+    deep = _bottomless(slope)
     if slope.friction == 0.0 and slope.base is None and entry is None and exit is None and least > deep:
         deepest = f"the critical circle runs infinitely deep, where the factor tends to {deep:.4g}"
         advice = "give the base of the soil, or where the circle comes out (exit)"
@@ -161,7 +169,8 @@ def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right
     without = _by_method(_numbers(circle_factors(still, centre, radius, left, right))) if slope.k_h else None
     middle, first, second = ((float(p[0, 0]), float(p[0, 1])) for p in (centre, left, right))
     entry, exit = (first, second) if found["facing"] >= 0.0 else (second, first)
-    facing, negative = int(found["facing"]), found["negative"]
+    facing = int(found["facing"])
+    negative = found["negative"]
     words = (
         f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on the "
         "method more than on the soil"
@@ -228,8 +237,12 @@ class Search:
     """
 
     def __init__(self, slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> None:
-        self.slope, self.method, self.depth, self.ends = slope, method, depth, {"entry": entry, "exit": exit}
-        self.ground, self.arrays = np.asarray(slope.ground), slope.arrays()
+        self.slope = slope
+        self.method = method
+        self.depth = depth
+        self.ends = {"entry": entry, "exit": exit}
+        self.ground = np.asarray(slope.ground)
+        self.arrays = slope.arrays()
         self.along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(self.ground, axis=0).T))])
         self.blur = 1e-9 * float(self.along[-1])
         self.centres: list[Floats] = []
@@ -251,14 +264,16 @@ class Search:
 
     def laid(self, q: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """Centres, radii, left and right ends of circles."""
-        left, right = self.points(q[:, 0]), self.points(q[:, 1])
+        left = self.points(q[:, 0])
+        right = self.points(q[:, 1])
         half = np.hypot(*(right - left).T) / 2
         return *circle_through(left, right, radius=half / np.sin(q[:, 2] * self.greatest(left, right))), left, right
 
     def judged(self, q: Floats) -> Floats:
         """The factor of each circle, NaN where there is none, or none that is wanted."""
         values = np.full(len(q), np.nan)
-        left, right = self.points(q[:, 0]), self.points(q[:, 1])
+        left = self.points(q[:, 0])
+        right = self.points(q[:, 1])
         apart = right[:, 0] - left[:, 0] > self.blur
         if self.slope.base is not None:  # between points on the base there is no circle above it
             apart &= np.maximum(left[:, 1], right[:, 1]) - self.slope.base > self.blur
@@ -284,7 +299,8 @@ class Search:
         inside = np.all(np.hypot(line[..., 0], line[..., 1]) <= (1 + 1e-12) * radius[:, None], axis=1)
         if not self.depth:
             return np.where(inside, 0.0, -1.0)
-        start, edge = line[:, :-1], np.diff(line, axis=1)
+        start = line[:, :-1]
+        edge = np.diff(line, axis=1)
         square = np.sum(edge**2, axis=2)
         share = np.clip(-np.sum(start * edge, axis=2) / np.where(square > 0.0, square, 1.0), 0.0, 1.0)
         nearest = np.sqrt(np.sum((start + share[..., None] * edge) ** 2, axis=2).min(axis=1))
@@ -292,7 +308,8 @@ class Search:
 
     def places(self) -> Floats:
         """Lengths along the ground of the coarse family."""
-        vertices, total = self.along, self.along[-1]
+        vertices = self.along
+        total = self.along[-1]
         if len(vertices) > _VERTICES:
             vertices = vertices[np.unique(np.searchsorted(vertices, np.linspace(0.0, total, _VERTICES)))]
         given = [vertices]
@@ -333,7 +350,8 @@ class Search:
             near = at[live, None] + _OFFSETS * now[live, None]
             near = np.clip(near, [0.0, 0.0, 0.005], [self.along[-1], self.along[-1], 1.0])
             values = np.nan_to_num(self.judged(near.reshape(-1, 3)), nan=np.inf).reshape(len(live), -1)
-            k, rows = np.argmin(values, axis=1), np.arange(len(live))
+            k = np.argmin(values, axis=1)
+            rows = np.arange(len(live))
             better = values[rows, k] < best[live] * (1.0 - 1e-13)
             at[live[better]], best[live[better]] = near[rows, k][better], values[rows, k][better]
             now[live[~better | np.all(_OFFSETS[k] == 0.0, axis=1)]] *= _SHRINK
@@ -343,7 +361,8 @@ class Search:
 
     def result(self, q: Floats) -> Critical:
         """All that is said of the best circle."""
-        found, values = _described(self.slope, *self.laid(q)), np.concatenate(self.values)
+        found = _described(self.slope, *self.laid(q))
+        values = np.concatenate(self.values)
         warnings = [found.warning] if found.warning else []
         for x in self.ground[[0, -1], 0]:
             if min(abs(found.entry[0] - x), abs(found.exit[0] - x)) < 1e3 * self.blur:
@@ -362,7 +381,8 @@ class Search:
 
     def _reached_limits(self, q: Floats, found: Critical) -> list[str]:
         """A sentence for each limit of the search that the best circle stands on."""
-        near, sentences = 1e-4 * float(self.along[-1]), []
+        near = 1e-4 * float(self.along[-1])
+        sentences = []
         for name, limit in self.ends.items():
             x = getattr(found, name)[0]
             if limit is not None and limit[1] > limit[0] and min(abs(x - limit[0]), abs(x - limit[1])) < near:

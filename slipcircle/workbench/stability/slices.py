@@ -18,7 +18,9 @@ from generated import slopes
 Floats = NDArray[np.float64]
 METHOD_NAMES = ("paper", "ordinary", "bishop")
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is meaningless
-_LEAST_FACTOR, _NEWTON_STEPS, _CLOSE = 5e-3, 20, 1e-9  # Bishop's: smallest factor, iterations, relative change
+_LEAST_FACTOR = 5e-3
+_NEWTON_STEPS = 20
+_CLOSE = 1e-9  # Bishop's: smallest factor, iterations, relative change
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
 
 
@@ -143,10 +145,14 @@ def _slices(
         kinks += [_vertex_angles(slope.level, centre, radius), _crossing_angles(slope.level, centre, radius)]
     angles = np.sort(np.clip(np.concatenate(kinks, axis=1), first[:, None], last[:, None]), axis=1)
     arc, k = np.nonzero((np.diff(angles, axis=1) > 0.0) & valid[:, None])
-    low, high = angles[arc, k], angles[arc, k + 1]
-    half, middle = (high - low) / 2, (low + high) / 2
+    low = angles[arc, k]
+    high = angles[arc, k + 1]
+    half = (high - low) / 2
+    middle = (low + high) / 2
     angle = middle + half * _NODES[:, None]  # points first: sums over them are sums of rows
-    sine, cosine, scale = np.sin(angle), np.cos(angle), radius[arc]
+    sine = np.sin(angle)
+    cosine = np.cos(angle)
+    scale = radius[arc]
     at_middle = centre[arc, 0] + scale * np.sin(middle)
 
     def above_centre(lines: Floats) -> Floats:
@@ -165,7 +171,8 @@ def _slices(
         depth = np.maximum(above_centre(slope.level) + cosine, 0.0)
         pressure += of_interval(slope.water_unit_weight) / of_interval(slope.unit_weight) * depth
     ends = np.array([np.sin([low, high]), np.cos([low, high])])
-    cohesion, friction = of_interval(slope.cohesion) / stress_scale, of_interval(slope.friction)
+    cohesion = of_interval(slope.cohesion) / stress_scale
+    friction = of_interval(slope.friction)
     weight = half * _WEIGHTS[:, None]
     return _Slices(
         count, arc, ends, weight, sine, cosine, top, height, pressure, cohesion, friction, of_interval(slope.k_h)
@@ -186,7 +193,8 @@ def _crossing_angles(lines: Floats, centre: Floats, radius: Floats) -> Floats:
     x, y = ((lines[..., k] - centre[:, k, None]) / radius[:, None] for k in (0, 1))
     with np.errstate(divide="ignore", invalid="ignore"):
         slope = np.diff(y, axis=1) / np.diff(x, axis=1)
-        middle, half = np.arctan(slope), np.arccos((slope * x[:, :-1] - y[:, :-1]) / np.hypot(1.0, slope))
+        middle = np.arctan(slope)
+        half = np.arccos((slope * x[:, :-1] - y[:, :-1]) / np.hypot(1.0, slope))
         angles = np.concatenate([middle - half, middle + half], axis=1)
         sine = np.sin(angles)
     on_edge = (sine >= np.tile(x[:, :-1], 2)) & (sine <= np.tile(x[:, 1:], 2))
@@ -203,7 +211,8 @@ def _edges(lines: Floats, line: Any, x: Floats) -> tuple[Floats, Floats, Floats]
     """Of the edge of a line (1 or n, V, 2) at each x: a point, x and y, and its gradient, 0 beyond the line's ends."""
     vertices = lines.shape[1]
     if len(lines) == 1:
-        passed, line = np.searchsorted(lines[0, :, 0], x), np.zeros(1, dtype=np.int64)
+        passed = np.searchsorted(lines[0, :, 0], x)
+        line = np.zeros(1, dtype=np.int64)
     else:
         passed = np.count_nonzero(lines[line, :, 0] < x[:, None], axis=1)
     left = np.clip(passed - 1, 0, vertices - 1)
@@ -233,7 +242,8 @@ def _bishop(slices: _Slices, driving: Floats, start: Floats) -> Floats:
     By Newton's steps for all arcs at once, within the range of y in which m_alpha = cos - y mu sin is at least
     ``LEAST_LEVER`` at all ends of intervals, between which it has no minimum.
     """
-    arc, friction = slices.arc, slices.friction
+    arc = slices.arc
+    friction = slices.friction
     lowest, highest = _lever_range(slices)
     strength = slopes.bishop_strength(slices.cosine, slices.height, slices.pressure, slices.cohesion, friction)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -253,12 +263,15 @@ def _bishop(slices: _Slices, driving: Floats, start: Floats) -> Floats:
 
 def _lever_range(slices: _Slices) -> tuple[Floats, Floats]:
     """Least and greatest 1/F for which m_alpha stays above its least value, of each arc."""
-    (sine, cosine), most = slices.ends, 1.0 / _LEAST_FACTOR
-    sine, room = slices.friction * sine, cosine - LEAST_LEVER
+    sine, cosine = slices.ends
+    most = 1.0 / _LEAST_FACTOR
+    sine = slices.friction * sine
+    room = cosine - LEAST_LEVER
     with np.errstate(divide="ignore", invalid="ignore"):
         above = np.where(sine > 0.0, np.maximum(room, 0.0) / sine, most)
         below = np.where((sine < 0.0) & (room < 0.0), room / sine, 0.0)
-    lowest, highest = np.zeros(slices.arcs), np.full(slices.arcs, most)
+    lowest = np.zeros(slices.arcs)
+    highest = np.full(slices.arcs, most)
     for k in (0, 1):
         np.minimum.at(highest, slices.arc, above[k])
         np.maximum.at(lowest, slices.arc, below[k])

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
 from slipcircle.base.checks import InputError, raise_all
-from slipcircle.core import Section, field_mistakes, law_parts, ponds
+from slipcircle.core import Section, law_parts, pond_errors, slope_errors
 from slipcircle.workbench.stability.slices import Floats, SlopeArrays, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
@@ -100,7 +100,7 @@ class Slope:
     base: float | None = None
 
     def __post_init__(self) -> None:
-        found = field_mistakes(vars(self))
+        found = slope_errors(vars(self))
         if self.level is not None and self.pore_ratio != 0.0:
             found.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; leave one out")
         if not found:
@@ -108,7 +108,7 @@ class Slope:
             object.__setattr__(self, "ground", ground)
             if self.level is not None:
                 object.__setattr__(self, "level", np.array(self.level, dtype=np.float64))
-                (pond,), said = ponds(ground[None], np.asarray(self.level)[None])
+                (pond,), said = pond_errors(ground[None], np.asarray(self.level)[None])
                 found += [said(0)] if pond else []
             if self.cohesion == 0.0 and self.friction == 0.0:
                 found.append("cohesion and friction are both 0: the slope has no strength")
@@ -127,11 +127,13 @@ class Slope:
 
 def require_drive(section: Section) -> None:
     """Raise a ValueError where gravity does not turn a single section's mass, as that over level ground."""
-    moment, area = float(section.moments["weight_moment"]), float(section.area / np.square(section.radius))
+    moment = float(section.moments["weight_moment"])
+    area = float(section.area / np.square(section.radius))
     if abs(moment) <= 1e-9 * area:
         left, right = sorted((float(section.entry[0]), float(section.exit[0])))
-        said = f"{{centre}}: nothing drives the mass from x = {left:.6g} to {right:.6g}: it is in balance about "
-        raise InputError("Section", [f"{said}the centre, as below level ground; choose a circle that cuts the slope"])
+        where = f"{{centre}}: nothing drives the mass from x = {left:.6g} to {right:.6g}"
+        why = "it is in balance about the centre, as below level ground; choose a circle that cuts the slope"
+        raise InputError("Section", [f"{where}: {why}"])
 
 
 def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:
@@ -192,8 +194,10 @@ def _lanes(
     level = None if section.level is None else by_lane(section.level, 2)
     slope = SlopeArrays(by_lane(section.ground, 2), level, **{n: by_lane(value) for n, value in numbers.items()})
     rightward = by_lane(section.facing)[:, None] > 0.0
-    entry, exit_ = by_lane(section.entry, 1), by_lane(section.exit, 1)
-    left, right = np.where(rightward, entry, exit_), np.where(rightward, exit_, entry)
+    entry = by_lane(section.entry, 1)
+    exit_ = by_lane(section.exit, 1)
+    left = np.where(rightward, entry, exit_)
+    right = np.where(rightward, exit_, entry)
     return slope, (by_lane(section.centre, 1), by_lane(section.radius), left, right)
 
 
@@ -216,7 +220,8 @@ def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, A
         value = parameters["peak" if "peak" in parameters else "coefficient"]
         return value[0] if table else value
 
-    cohesion, water = effects.get("cohesion", {}), effects.get("pore_pressure", {})
+    cohesion = effects.get("cohesion", {})
+    water = effects.get("pore_pressure", {})
     coefficients = [at_rest(*part) for part in law_parts(friction)]
     strength = {"friction": math.prod(coefficients), "cohesion": at_start(cohesion.get("cohesion", 0.0))}
     if "record" in water or not any(np.any(value) for value in strength.values()):

@@ -69,31 +69,38 @@ class Design:
 
     def piece(self, index: int) -> tuple[tuple[int, ...], int, int]:
         """Stream, start and length of a block of samples, of a replicate's last maybe 0, or of one of base points."""
-        batches, batch = min(BATCHES, self.base), index - self.sample_blocks
+        batches = min(BATCHES, self.base)
+        batch = index - self.sample_blocks
         if batch >= 0:
             return (2, batch), 0, self.base // batches + (batch < self.base % batches)
         turn, replicate = divmod(index, self.replicates)
         start = turn * self.size
-        length = max(0, min(self.size, self.share(replicate) - start))
-        return (1, replicate) if self.method == "sobol" else (0,), start, length
+        left = max(0, self.share(replicate) - start)
+        stream = (1, replicate) if self.method == "sobol" else (0,)
+        return stream, start, min(self.size, left)
 
     def scenes(self, index: int) -> int:
         """How many scenes a block solves."""
-        return self.piece(index)[2] * (1 if index < self.sample_blocks else len(self.inputs) + 2)
+        _, _, length = self.piece(index)
+        is_sample = index < self.sample_blocks
+        return length if is_sample else length * (len(self.inputs) + 2)
 
     def points(self, index: int, dimensions: int) -> Floats:
         """Points of the unit cube that a block draws, (dimensions, count)."""
         stream, start, length = self.piece(index)
         if self.method == "latin-hypercube" and index < self.sample_blocks:
             return latin(self.seed, self.n, dimensions)[:, start : start + length]
-        return (sobol if self.method == "sobol" else monte_carlo)(self.seed, stream, start, length, dimensions)
+        draw = sobol if self.method == "sobol" else monte_carlo
+        return draw(self.seed, stream, start, length, dimensions)
 
 
 def _drawn(design: Design, points: Any) -> list[Floats]:
     """Values of each input, in its key's unit, at points of the unit cube, (inputs, ...)."""
-    if np.any(design.correlation != np.eye(len(points))):  # a Gaussian copula: normal scores are mixed
+    is_correlated = np.any(design.correlation != np.eye(len(points)))
+    if is_correlated:  # a Gaussian copula: normal scores are mixed
         normal = statistics().norm
-        scores = np.tensordot(np.linalg.cholesky(design.correlation), normal.ppf(points), 1)
+        mixing = np.linalg.cholesky(design.correlation)
+        scores = np.tensordot(mixing, normal.ppf(points), 1)
         points = np.clip(normal.cdf(scores), 2.0**-54, 1.0 - 2.0**-53)
     return [np.asarray(u.drawn(p.reshape(-1))) for u, p in zip(design.drawn.values(), points, strict=True)]
 
@@ -155,7 +162,8 @@ def run_block(design: Design, index: int) -> Result:
         result |= {f"{name}.{part}": value for part, value in counted(outcome[valid]).items()}
     for method, factor in _factors(solved.motion).items() if design.drawn else ():
         of_scenes = factor[valid]
-        result[f"factor.{method}"] = np.array([np.sum(of_scenes < 1.0), np.sum(np.isnan(of_scenes))])
+        failing, unknown = np.sum(of_scenes < 1.0), np.sum(np.isnan(of_scenes))
+        result[f"factor.{method}"] = np.array([failing, unknown])
     if design.keep:
         result |= {f"sample.{u.key}": x for u, x in zip(design.inputs.values(), values, strict=True)}
         result |= {f"sample.{n}": np.where(np.isinf(x), np.nan, x) for n, x in solved.outcomes.items()}
@@ -176,6 +184,7 @@ def _sums(design: Design, index: int) -> Floats:
     for k in range(d):
         matrices[k, 2 + k] = points[d + k]
     solved = _solve(design, _drawn(design, matrices))
-    outputs = np.stack([solved.moves, *solved.outcomes.values()]).reshape(-1, d + 2, count)
+    outputs = np.stack([solved.moves, *solved.outcomes.values()])
+    outputs = outputs.reshape(-1, d + 2, count)
     valid = ~np.isnan(outputs[0]).any(axis=0)
-    return np.stack([sums(y[:, valid]) for y in outputs])
+    return np.stack([sums(y) for y in outputs[:, :, valid]])

@@ -33,8 +33,11 @@ def derivatives(scene: Scene, at: Mapping[str, float], accuracy: float | None = 
         outcomes, changes = _changes(scene, at, share * sizes, min(accuracy or _FINE, _FINE))
         ahead, ahead_2, behind, behind_2 = np.moveaxis(changes, 2, 0)
         central = (8 * (ahead - behind) - (ahead_2 - behind_2)) / 12
-        for change in (central, (4 * ahead - ahead_2) / 2, (behind_2 - 4 * behind) / 2):
-            slopes = np.where(np.isfinite(slopes), slopes, change / (share * sizes))
+        forward = (4 * ahead - ahead_2) / 2
+        backward = (behind_2 - 4 * behind) / 2
+        for change in (central, forward, backward):
+            slope = change / (share * sizes)
+            slopes = np.where(np.isfinite(slopes), slopes, slope)
         if np.all(np.isfinite(slopes)):
             break
     return outcomes, slopes
@@ -45,8 +48,8 @@ def scales(scene: Scene, at: Mapping[str, float]) -> Floats:
 
     Of all others their values.
     """
-    depth, half_angle = float(scene.arc.depth), float(scene.arc.half_angle)
-    of_arc = dict.fromkeys(lengths(scene.arc), depth) | dict.fromkeys(("theta_1", "theta_2", "dip"), half_angle)
+    of_arc = dict.fromkeys(lengths(scene.arc), float(scene.arc.depth))
+    of_arc |= dict.fromkeys(("theta_1", "theta_2", "dip"), float(scene.arc.half_angle))
     return np.array([of_arc.get(n, abs(v)) or 1.0 for n, v in at.items()])
 
 
@@ -56,13 +59,13 @@ def _changes(scene: Scene, at: Mapping[str, float], steps: Floats, accuracy: flo
     NaN where the motion is of another kind.
     """
     offsets = np.array([1.0, 2.0, -1.0, -2.0])
-    count = len(at) * offsets.size
-    values = np.tile(np.array([*at.values()])[:, None], (1, 1 + count))
+    values = np.tile(np.array([*at.values()])[:, None], (1, 1 + len(at) * offsets.size))
     for k, step in enumerate(steps):
         first = 1 + k * offsets.size
         values[k, first : first + offsets.size] += step * offsets
     motion = motions(scene, dict(zip(at, values, strict=True)), accuracy)
-    same_kind = (motion.status == motion.status[0]) & (motion.turnings == motion.turnings[0])
+    same_status = motion.status == motion.status[0]
+    same_kind = same_status & (motion.turnings == motion.turnings[0])
     outcomes = np.stack([motion.outcomes[n] for n in OUTCOMES])
-    changes = np.where(same_kind, outcomes - outcomes[:, :1], np.nan)[:, 1:]
-    return outcomes[:, 0], changes.reshape(len(OUTCOMES), len(at), offsets.size)
+    changes = np.where(same_kind, outcomes - outcomes[:, :1], np.nan)
+    return outcomes[:, 0], changes[:, 1:].reshape(len(OUTCOMES), len(at), offsets.size)

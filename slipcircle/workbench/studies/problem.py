@@ -49,22 +49,26 @@ class SearchProblem:
 
         NaN where they do not count: those do that move, and rest or end before long.
         """
-        scene = self.scene
-        if scene.end_time is None:
+        scene, is_open = self.scene, self.scene.end_time is None
+        if is_open:
             scene = replace(scene, end_time=_PATIENCE * float(scene.arc.time_scale), uncertain={})
         si = {field.name: field.to_si(v) for field, v in zip(self.fields, values, strict=True)}
         motion = motions(scene, si, _FINE)
-        counts = np.isin(motion.status, ANSWERED) & motion.moves & (motion.turnings <= MOST_SWINGS)
-        if self.scene.end_time is None:
+        counts = np.isin(motion.status, ANSWERED) & motion.moves
+        counts &= motion.turnings <= MOST_SWINGS
+        if is_open:
             counts &= motion.status != Status.MOVING
-        kind = np.where(counts, 10 * motion.turnings + motion.status, -1)
-        return np.where(counts, np.stack([motion.outcomes[n] for n in self.observed]), np.nan), kind
+        kind = 10 * motion.turnings + motion.status
+        outcomes = np.stack([motion.outcomes[n] for n in self.observed])
+        return np.where(counts, outcomes, np.nan), np.where(counts, kind, -1)
 
     def values_at(self, shares: Floats) -> Floats:
         """Values of the fields, (fields, count)."""
-        evenly = (np.linspace(0.0, 1.0, len(values)) for values in self.ranges)
-        rows = zip(shares, evenly, self.ranges, strict=True)
-        return np.stack([np.interp(share, places, values) for share, places, values in rows])
+        rows = []
+        for share, values in zip(shares, self.ranges, strict=True):
+            evenly = np.linspace(0.0, 1.0, len(values))
+            rows.append(np.interp(share, evenly, values))
+        return np.stack(rows)
 
     def residuals(self, shares: Floats) -> Floats:
         """Computed less observed, in standard errors or as shares of what was observed, (observations, count)."""
@@ -73,17 +77,20 @@ class SearchProblem:
 
     def linearised(self, shares: Floats) -> tuple[Floats, Floats]:
         """Residuals, and their derivatives by the shares, (observations, fields, count): to the side that is known."""
-        count = shares.shape[1]
-        fields = len(self.fields)
+        fields, count = shares.shape
         steps = _STEP * np.eye(fields)[:, :, None]  # of each field in turn
         here = shares[:, None]
-        places = np.concatenate([here, np.minimum(here + steps, 1.0), np.maximum(here - steps, 0.0)], axis=1)
-        r = self.residuals(places.reshape(fields, -1)).reshape(-1, 1 + 2 * fields, count)
-        is_known = ~np.isnan(r).any(axis=0)
-        r, places = np.where(is_known, r, r[:, :1]), np.where(is_known, places, here)
-        ahead, behind = slice(1, 1 + fields), slice(1 + fields, None)
-        width = np.einsum("ffn->fn", places[:, ahead] - places[:, behind])
-        return r[:, 0], (r[:, ahead] - r[:, behind]) / np.maximum(width, 1e-300)
+        moved_up = np.minimum(here + steps, 1.0)
+        moved_down = np.maximum(here - steps, 0.0)
+        places = np.concatenate([here, moved_up, moved_down], axis=1)
+        residuals = self.residuals(places.reshape(fields, -1)).reshape(-1, 1 + 2 * fields, count)
+        is_known = ~np.isnan(residuals).any(axis=0)
+        residuals = np.where(is_known, residuals, residuals[:, :1])
+        places = np.where(is_known, places, here)
+        up, down = slice(1, 1 + fields), slice(1 + fields, None)
+        widths = np.einsum("ffn->fn", places[:, up] - places[:, down])
+        differences = residuals[:, up] - residuals[:, down]
+        return residuals[:, 0], differences / np.maximum(widths, 1e-300)
 
 
 # --- observations and fields -----------------------------------------------------------------------------------------
@@ -184,48 +191,39 @@ def _between(name: str, low: float, high: float) -> Floats:
 
 def _range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     """From the least to the greatest value where no bounds are given; farther where other fields change as well."""
-    values = _usual_range(scene, field.name)
-    before = parameter_value(scene, field.name)
     is_coefficient = field.name.startswith("friction") and ".rate." not in field.name
-    if values is None and is_coefficient and (field.tangent or not field.unit):
-        values = _friction_range(scene, field, is_alone)
-    if values is None and before is None:
+    is_friction = is_coefficient and (field.tangent or not field.unit)
+    values = _friction_range(scene, field, is_alone) if is_friction else _usual_range(scene, field.name)
+    if values is None:
         raise ValueError(f"backanalyse: field = {field.key!r}: give bounds, as the scene has no value of it")
-    if values is None and before is not None:
-        is_place = field.name in lengths(scene.arc)
-        radius = float(np.asarray(scene.arc.radius))
-        around = before + radius * np.linspace(-1.0, 1.0, 401)
-        values = around if is_place else (abs(before) or 1.0) * np.geomspace(1e-3, 1e3, 121)
-    assert values is not None
     return np.unique(field.from_si(values))
 
 
 def _usual_range(scene: Scene, name: str) -> Floats | None:
-    """Of a number whose scale the arc gives, SI; None of all others."""
-    arc = scene.arc
+    """Of a number by the scale that the arc gives it, or about the value that the scene has of it, SI."""
+    arc, value = scene.arc, parameter_value(scene, name)
     stress, radius, gravity = (float(np.asarray(v)) for v in (arc.static_normal_stress, arc.radius, arc.gravity))
-    shares = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
-    match name:
-        case "initial_velocity":
-            speed = 2 * math.sqrt(gravity * radius)
-            return np.linspace(-speed, speed, 241)
-        case "dip":
-            return np.pi / 2 * np.concatenate([-shares[:0:-1], shares])
-        case "theta_1":
-            return float(np.asarray(scene.numbers["theta_2"])) - np.pi * shares[1:]
-        case "theta_2":
-            return float(np.asarray(scene.numbers["theta_1"])) + np.pi * shares[1:]
-        case "cohesion.cohesion":
-            return stress * np.concatenate([[0.0], np.geomspace(1e-6, 100.0, 161)])
-        case "pore_pressure.ratio":
-            return shares
-        case "pore_pressure.pressure":
-            return stress * shares
-        case "drag.xi":
-            return gravity * np.geomspace(1e-3, 1e9, 193)
-        case "friction.length":
-            return radius * np.geomspace(1e-9, 10.0, 161)
-    return None
+    to_one = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
+    speed = 2 * math.sqrt(gravity * radius)
+    by_scale = {
+        "initial_velocity": speed * np.linspace(-1.0, 1.0, 241),
+        "dip": np.pi / 2 * np.concatenate([-to_one[:0:-1], to_one]),
+        "cohesion.cohesion": stress * np.concatenate([[0.0], np.geomspace(1e-6, 100.0, 161)]),
+        "pore_pressure.ratio": to_one,
+        "pore_pressure.pressure": stress * to_one,
+        "drag.xi": gravity * np.geomspace(1e-3, 1e9, 193),
+        "friction.length": radius * np.geomspace(1e-9, 10.0, 161),
+    }
+    if name in by_scale:
+        return by_scale[name]
+    if value is None:
+        return None
+    about = np.linspace(-1.0, 1.0, 401)
+    if name in ("theta_1", "theta_2"):
+        return value + np.pi * about
+    if name in lengths(arc):
+        return value + radius * about
+    return (abs(value) or 1.0) * np.geomspace(1e-3, 1e3, 121)
 
 
 def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
@@ -235,12 +233,13 @@ def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     limit = limit if 1e-6 < limit < math.inf else 1.0
     least = 0.5 / MOST_SWINGS
     shares = [np.geomspace(least, 1.0, 129), np.linspace(least, 1.0, 129), 1.0 - 10.0 ** -np.arange(3.0, 13.0)]
+    is_constant = field.name == "friction"
     turns = any(EFFECTS[effect].turns for effect in scene.called)
-    if field.name == "friction" and scene.end_time is None and not turns:
+    if is_constant and scene.end_time is None and not turns:
         shares = [np.ones(1)]  # with less it never rests
     creeps = "speed" in law_depends(scene.friction)  # with more it creeps, which takes long to follow
     has_speed = float(np.asarray(scene.initial_velocity)) != 0.0
-    if is_alone and not creeps and (has_speed or field.name != "friction"):
+    if is_alone and not creeps and (has_speed or not is_constant):
         shares.append(np.geomspace(1.0, 1e3, 61))
     if "shaking" in scene.called or not is_alone:  # it moves what would stand
         shares.append(np.linspace(1.0, max(3.0 / limit, 2.0), 81))

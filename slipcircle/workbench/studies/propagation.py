@@ -49,8 +49,9 @@ def propagated(design: Design) -> dict[str, Linear]:
         raise ValueError(f"{', '.join(without)}: the motion at the means has no derivative by it")
     changes = slopes * stds
     variances = np.einsum("oi,ij,oj->o", changes, design.correlation, changes)
-    spreads = zip(np.abs(outcomes), np.sqrt(np.maximum(variances, 0.0)), strict=True)
-    return {name: Linear(float(mean), float(std)) for name, (mean, std) in zip(OUTCOMES, spreads, strict=True)}
+    means_of = np.abs(outcomes).tolist()
+    stds_of = np.sqrt(np.maximum(variances, 0.0)).tolist()
+    return {name: Linear(mean, std) for name, mean, std in zip(OUTCOMES, means_of, stds_of, strict=True)}
 
 
 def disagreement(output: str, linear: Linear, sampled: Spread, accuracy: float) -> str:

@@ -19,28 +19,34 @@ def solve_exact(problem: SearchProblem) -> list[float]:
 
     Every bracket that may hold one is divided, all of them at once, until both its ends are neighbours.
     """
-    rows, target = problem.ranges[0][None, :], float(problem.targets[0])
-    ends = list[float]()
+    target = float(problem.targets[0])
+    rows = problem.ranges[0][None, :]
+    parts = np.linspace(0.0, 1.0, _PARTS + 1)
+    fine: list[Floats] = []
     for _ in range(_ROUNDS):
-        outcomes, kind = (a.reshape(rows.shape) for a in problem.outcomes(rows.reshape(1, -1)))
-        left, right = bracket_candidates(rows, outcomes - target, kind, abs(target))
-        is_fine = right - left <= 4 * EPS * np.maximum(np.abs(left), np.abs(right))
-        ends += left[is_fine].tolist() + right[is_fine].tolist()
+        outcomes, kind = problem.outcomes(rows.reshape(1, -1))
+        misfit = outcomes.reshape(rows.shape) - target
+        left, right = bracket_candidates(rows, misfit, kind.reshape(rows.shape), abs(target))
+        magnitude = np.maximum(np.abs(left), np.abs(right))
+        is_fine = right - left <= 4 * EPS * magnitude
+        fine += [left[is_fine], right[is_fine]]
         left, right = left[~is_fine], right[~is_fine]
         if not left.size:
             break
-        rows = left[:, None] + (right - left)[:, None] * np.linspace(0.0, 1.0, _PARTS + 1)
+        rows = left[:, None] + (right - left)[:, None] * parts
         rows[:, -1] = right
-    return _distinct_roots(problem, np.unique(ends)) if ends else []
+    return _distinct_roots(problem, np.unique(np.concatenate(fine)))
 
 
 def _distinct_roots(problem: SearchProblem, ends: Floats) -> list[float]:
     """Of ends of fine brackets those that are roots, the best of each group of neighbours."""
     target = float(problem.targets[0])
-    misfit = np.abs(problem.outcomes(ends[None])[0][0] - target)
+    outcomes, _ = problem.outcomes(ends[None])
+    misfit = np.abs(outcomes[0] - target)
     is_root = misfit <= _TOLERANCE * abs(target)
     ends, misfit = ends[is_root], misfit[is_root]
-    gaps = np.flatnonzero(np.diff(ends) > _TOLERANCE * np.abs(ends[1:])) + 1
+    is_gap = np.diff(ends) > _TOLERANCE * np.abs(ends[1:])
+    gaps = np.flatnonzero(is_gap) + 1
     groups = zip(np.split(ends, gaps), np.split(misfit, gaps), strict=True)
     return [float(group[np.argmin(off)]) for group, off in groups if group.size]
 
@@ -54,21 +60,26 @@ def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) ->
     left, right = x[:, :-1], x[:, 1:]
     size = np.abs(misfit)
     with np.errstate(invalid="ignore"):
-        same_sign = misfit[:, :-1] * misfit[:, 1:] > 0.0
-        opposite_sign = misfit[:, :-1] * misfit[:, 1:] <= 0.0  # neither where one is NaN
-        relative_width = (right - left) / np.maximum(np.maximum(np.abs(left), np.abs(right)), 1e-300)
+        product = misfit[:, :-1] * misfit[:, 1:]  # NaN where one is
+        nearest = np.fmin(size[:, :-1], size[:, 1:])
+        magnitude = np.maximum(np.abs(left), np.abs(right))
+        relative_width = (right - left) / np.maximum(magnitude, 1e-300)
         reachable = _STEEP * np.minimum(relative_width, 1.0) * target
-        is_near = np.fmin(size[:, :-1], size[:, 1:]) <= reachable
-        passes = opposite_sign | ((kind[:, :-1] != kind[:, 1:]) & is_near)
-        turns_back = _is_dip(size) & same_sign[:, :-1] & same_sign[:, 1:]
+        changes_kind = kind[:, :-1] != kind[:, 1:]
+        passes = (product <= 0.0) | (changes_kind & (nearest <= reachable))
+        same_side = product > 0.0
+        turns_back = _is_dip(size) & same_side[:, :-1] & same_side[:, 1:]
     starts = np.concatenate([left[passes], x[:, :-2][turns_back]])
-    return starts, np.concatenate([right[passes], x[:, 2:][turns_back]])
+    ends = np.concatenate([right[passes], x[:, 2:][turns_back]])
+    return starts, ends
 
 
 def _is_dip(size: Floats) -> NDArray[np.bool_]:
     """Whether values within rows are less than both their neighbours, and than half of one."""
     before, here, after = size[:, :-2], size[:, 1:-1], size[:, 2:]
-    return (here <= np.fmin(before, after)) & (2 * here <= np.fmax(before, after))
+    less_than_both = here <= np.fmin(before, after)
+    less_than_half = 2 * here <= np.fmax(before, after)
+    return less_than_both & less_than_half
 
 
 def extreme(problem: SearchProblem, sign: float) -> float:

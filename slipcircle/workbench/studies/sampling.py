@@ -27,21 +27,25 @@ def monte_carlo(seed: int, stream: tuple[int, ...], start: int, count: int, dime
 
     The counter of Philox is set to the place: it gives four numbers a step.
     """
-    generator = np.random.Philox(_seeded(seed, stream)).advance(start * dimensions // 4)
-    points = np.random.Generator(generator).random((count, dimensions)).T
-    return np.maximum(points, _LOWEST)
+    philox = np.random.Philox(_seeded(seed, stream))
+    generator = np.random.Generator(philox.advance(start * dimensions // 4))
+    points = generator.random((count, dimensions))
+    return np.maximum(points.T, _LOWEST)
 
 
 @lru_cache(4)
 def latin(seed: int, count: int, dimensions: int) -> Floats:
     """A Latin hypercube, (dimensions, count): each coordinate has one point in each of ``count`` equal strata."""
-    points = statistics().qmc.LatinHypercube(dimensions, rng=_seeded(seed, (3,))).random(count)
-    return np.clip(np.ascontiguousarray(points.T), _LOWEST, _HIGHEST)
+    hypercube = statistics().qmc.LatinHypercube(dimensions, rng=_seeded(seed, (3,)))
+    points = np.ascontiguousarray(hypercube.random(count).T)
+    return np.clip(points, _LOWEST, _HIGHEST)
 
 
 def sobol(seed: int, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
     """Points ``start`` to ``start + count`` of a scrambled Sobol sequence (Owen 1998), (dimensions, count)."""
     sequence = statistics().qmc.Sobol(dimensions, rng=_seeded(seed, stream))
     with warnings.catch_warnings(action="ignore", category=UserWarning):  # that some counts are not balanced
-        points = (sequence.fast_forward(start) if start else sequence).random(count)
-    return np.clip(np.ascontiguousarray(points.T), _LOWEST, _HIGHEST)
+        if start:
+            sequence.fast_forward(start)
+        points = np.ascontiguousarray(sequence.random(count).T)
+    return np.clip(points, _LOWEST, _HIGHEST)

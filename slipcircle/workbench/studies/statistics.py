@@ -39,13 +39,15 @@ def histogram_quantile(counts: NDArray[np.int64], p: Any, ends: tuple[float, flo
     ``ends`` are the least and the greatest finite value; infinite where that many values are.
     """
     cumulated = np.cumsum(counts)
-    rank = np.clip(np.ceil(np.asarray(p) * cumulated[-1]), 1, cumulated[-1])
+    total = cumulated[-1]
+    rank = np.clip(np.ceil(np.asarray(p) * total), 1, total)
     k = np.searchsorted(cumulated, rank)
     lower, upper = edges()[k], edges()[k + 1]
-    share = (rank - (cumulated[k] - counts[k])) / counts[k]
+    share = (rank - cumulated[k]) / counts[k] + 1.0  # of the bin, that is below
     with np.errstate(invalid="ignore"):
-        inside = lower + np.where(upper < np.inf, upper - lower, 0.0) * share
-    value = np.where(k == 0, 0.0, np.clip(inside, *ends))
+        width = np.where(upper < np.inf, upper - lower, 0.0)
+        inside = np.clip(lower + width * share, *ends)
+    value = np.where(k == 0, 0.0, inside)
     return np.where(k == BINS - 1, np.inf, value)
 
 
@@ -68,7 +70,8 @@ def value_text(value: float, digits: int = DIGITS) -> str:
 
 def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
     """Interval of a probability from independent samples, never too short (Clopper and Pearson 1934)."""
-    beta, hits, tail = statistics().beta, np.asarray(hits, dtype=np.float64), (1.0 - confidence) / 2
+    beta, hits = statistics().beta, np.asarray(hits, dtype=np.float64)
+    tail = (1.0 - confidence) / 2
     low = beta.ppf(tail, hits, n - hits + 1)
     high = beta.ppf(1.0 - tail, hits + 1, n - hits)
     return np.where(hits > 0, low, 0.0), np.where(hits < n, high, 1.0)
@@ -88,8 +91,10 @@ def student(values: Floats, confidence: float) -> Any:
 
 def width(confidence: float, replicates: int = 1) -> float:
     """Standard errors of half an interval: of many samples, or of a few replicates."""
-    tail, stats = (1.0 + confidence) / 2, statistics()
-    return float(stats.t.ppf(tail, replicates - 1) if replicates > 1 else stats.norm.ppf(tail))
+    tail = (1.0 + confidence) / 2
+    if replicates > 1:
+        return float(statistics().t.ppf(tail, replicates - 1))
+    return float(statistics().norm.ppf(tail))
 
 
 def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
@@ -97,8 +102,9 @@ def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
 
     The number of samples below the quantile is binomial, whatever the distribution.
     """
-    binom, tail = statistics().binom, (1.0 - confidence) / 2
-    low, high = (int(binom.ppf(share, n, p)) for share in (tail, 1.0 - tail))
+    below = statistics().binom(n, p)
+    tail = (1.0 - confidence) / 2
+    low, high = int(below.ppf(tail)), int(below.ppf(1.0 - tail))
     return low, min(high, n) + 1
 
 
@@ -112,20 +118,22 @@ def moments(values: Floats) -> Floats:
     mean = float(np.mean(values))
     off = values - mean
     squares = off * off
-    return np.array([values.size, mean, np.sum(squares), np.sum(squares * off), np.sum(squares * squares)])
+    cubes, fourths = squares * off, squares * squares
+    return np.array([values.size, mean, np.sum(squares), np.sum(cubes), np.sum(fourths)])
 
 
 def pooled(each: Floats) -> Floats:
     """`moments` of several sets of values together, a row each: powers of (x - mean) + off, expanded."""
     n, mean, second, third, fourth = each.T
-    if not n.any():
+    total = n.sum()
+    if not total:
         return each[0]
-    common_mean = (n @ mean) / n.sum()
+    common_mean = (n @ mean) / total
     off = mean - common_mean
     fourth = fourth + 4 * off * third + 6 * off**2 * second + n * off**4
     third = third + 3 * off * second + n * off**3
     second = second + n * off**2
-    return np.array([n.sum(), common_mean, second.sum(), third.sum(), fourth.sum()])
+    return np.array([total, common_mean, second.sum(), third.sum(), fourth.sum()])
 
 
 class Spread(NamedTuple):
@@ -167,13 +175,16 @@ def indices(sums: Floats, confidence: float) -> Indices:
     First-order as Saltelli et al. (2010), centred, and total as Jansen (1999); intervals from leaving out each batch
     in turn. NaN where the output does not vary, or is infinite somewhere.
     """
-    batches, together = len(sums), np.sum(sums, axis=0)
+    batches = len(sums)
+    together = np.sum(sums, axis=0)
     with np.errstate(all="ignore"):
-        whole, without_one = _indices(together), _indices(together - sums)
+        whole = _indices(together)
+        without_one = _indices(together - sums)
         # What leaving each out makes of it behaves like a mean of as many pseudo-values (Tukey 1958).
         half = student(batches * whole - (batches - 1) * without_one, confidence)
-    intervals = np.stack([whole, whole - half, whole + half], axis=-1).tolist()
-    return Indices(*([Estimate(*interval) for interval in of_inputs] for of_inputs in intervals))
+    intervals = np.stack([whole, whole - half, whole + half], axis=-1)
+    first, total = ([Estimate(*interval) for interval in by_input] for by_input in intervals.tolist())
+    return Indices(first, total)
 
 
 def _indices(sums: Floats) -> Floats:
@@ -183,8 +194,11 @@ def _indices(sums: Floats) -> Floats:
     jansen, saltelli, shift = (by_input[..., k] for k in range(3))
     mean = both / (2 * n)
     variance = squares / (2 * n) - mean**2
-    variance = np.where(variance > 1e-13 * mean**2, variance, np.nan)
-    return np.stack([(saltelli - mean * shift) / (n * variance), jansen / (2 * n * variance)], axis=-2)
+    varies = variance > 1e-13 * mean**2
+    variance = np.where(varies, variance, np.nan)
+    first = (saltelli - mean * shift) / (n * variance)
+    total = jansen / (2 * n * variance)
+    return np.stack([first, total], axis=-2)
 
 
 def sums(y: Floats) -> Floats:

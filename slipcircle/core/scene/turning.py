@@ -1,0 +1,84 @@
+"""Where a rotation about the centre brings the mass of a section."""
+
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+
+class Journey(NamedTuple):
+    """Where a rotation brings the mass, m and rad."""
+
+    toe: Any
+    run_out: Any
+    fall: Any
+    travel_angle: Any
+
+    @property
+    def toe_x(self) -> Any:
+        return self.toe[..., 0][()]
+
+    @property
+    def toe_y(self) -> Any:
+        return self.toe[..., 1][()]
+
+
+class TurningMass:
+    """What becomes of the points of a section as its mass turns."""
+
+    ground: Any
+    level: Any
+    centre: Any
+    facing: Any
+    entry: Any
+    exit: Any
+    centroid: Any
+
+    @cached_property
+    def surface(self) -> Floats:
+        """The ground over the mass of one section, from its left to its right end, m."""
+        ends = np.array(sorted([tuple(self.entry), tuple(self.exit)]))
+        ground = np.asarray(self.ground, dtype=np.float64)
+        inner = ground[(ground[:, 0] > ends[0, 0]) & (ground[:, 0] < ends[1, 0])]
+        return np.concatenate([ends[:1], inner, ends[1:]])
+
+    def drowned(self, *rotations: float) -> float:
+        """How far below the water level the ground over one section's mass comes, where it is deepest, m."""
+        if self.level is None:
+            return 0.0
+        level = np.asarray(self.level, dtype=np.float64)
+        return max((_greatest_depth(self.placed(self.surface, rotation), level) for rotation in rotations), default=0.0)
+
+    def placed(self, points: Any, rotation: Any) -> Any:
+        """Points (..., 2) of the mass after a rotation, m."""
+        turn = np.multiply(rotation, self.facing)
+        x, y = np.moveaxis(np.subtract(points, self.centre), -1, 0)
+        cosine = np.cos(turn)
+        sine = np.sin(turn)
+        turned_x = x * cosine - y * sine
+        turned_y = x * sine + y * cosine
+        return np.asarray(self.centre) + np.stack([turned_x, turned_y], axis=-1)
+
+    def journey(self, rotation: Any) -> Journey:
+        """Toe, its horizontal run-out, fall of the centroid, and travel angle: of the centroid's way, fall over run."""
+        toe = self.placed(self.exit, rotation)
+        run_out = (toe - self.exit)[..., 0] * self.facing
+        way = self.placed(self.centroid, rotation) - self.centroid
+        run = way[..., 0] * self.facing
+        fall = -way[..., 1]
+        return Journey(toe, run_out, fall, np.arctan2(fall, run))
+
+
+def _greatest_depth(line: Floats, level: Floats) -> float:
+    """Of a line's points below a level, at the vertices of both, m; 0 where the line is above."""
+    below_level = np.interp(line[:, 0], *level.T) - line[:, 1]
+    x, y = line[:-1].T
+    run, rise = np.diff(line, axis=0).T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = (level[:, :1] - x) / run  # of each edge, where a vertex of the level is
+    on_edge = (share > 0.0) & (share < 1.0)
+    below_vertices = np.where(on_edge, level[:, 1:] - (y + share * rise), 0.0)
+    return float(max(0.0, below_level.max(), below_vertices.max()))
