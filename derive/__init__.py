@@ -1,45 +1,65 @@
 """From a definition to source text: SymPy derives, simplifies, stabilises and writes the package `generated`.
 
-Nothing here is imported at run time. What does not hold raises a `ProofError` with the claim, what was found and what
-was wanted, and stops the run: the docstrings do not repeat it. The folders, each needing only those above it:
+Nothing here is imported at run time. A claim that does not hold raises a `ProofError` with the claim, the value found
+and the value required, and stops the run; the docstrings do not repeat this. The folders, each of which imports only
+those above it:
 
-``check``         the error bound of each kernel, from its certificate alone
-``declare``       the quantities that are derived, and the effects that a scene may ask for, as data
+``progress``      how much of a long task is done
+``check``         the error bound of each kernel, proved from its certificate alone
+``declare``       the quantities to derive and the effects that a scene may contain, as data
 ``algebra``       definition -> closed form -> form without cancellation; balance laws -> motion; each step proved
 ``code``          SymPy expression -> straight-line `Program` -> its text, and its value as every machine rounds it
 ``approximate``   closed form -> best polynomials and rationals -> the kernels' programs for each tier of accuracy
 ``flow``          effects, laws and the balance -> operations on Taylor series, in C, in NumPy, and their derivatives
-``generate``      the functions of `generated`, each with its program, its domain and its words -> its files
-``judge``         what the paper claims, beside what follows from the definitions; and the hard cases
+``generate``      the functions of `generated`, each with its program, domain and docstring -> its files
+``judge``         what the paper claims, compared with what follows from its definitions; the hard cases
 ``build``         C source -> extension module, here and at install time
 
-To add something, declare it, then run ``python -m derive``: it proves the declaration, writes `generated`, and from
-there it is in plans, scene files and `slipcircle schema`. The tests follow what stands here to the letter.
+How to add a friction law, an effect or a moment
+------------------------------------------------
+1. Declare it, as in the examples below. Each declaration is one entry of a tuple; its fields are explained in the
+   docstring of its class.
+2. Run ``python -m derive``. It proves the declaration, writes `generated` and compiles it, or stops with the claim
+   that does not hold and leaves `generated` as it was.
+3. Use it: laws and effects are then in scene files, ``slipcircle plan``, ``slipcircle schema`` and the Python API; a
+   moment is a function of `generated`.
+4. Test it: a test of `tests/test_extending.py` follows the examples to the letter and shows what to compare with.
 
-A friction law, ``coefficient`` its formula; its fall from one slip to a greater one, without cancellation, follows.
-At the end of ``LAWS`` in ``derive/declare/effects.py``::
+A friction law, with a formula for the coefficient in `SLIP` or `SPEED` and the law's parameters, here the declared
+symbols of peak, residual and length. How much friction falls from one slip to a greater one is derived, without
+cancellation. At the end of ``LAWS`` in ``derive/declare/effects.py``::
 
-    Law("inverse_square", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
-        "residual + (peak - residual)/(1 + slip/length)^2", _R + (_P - _R) / (1 + SLIP / _L) ** 2, "length"),
+    Law("inverse_square", equation="Fig. 4-1", parameters=(_PEAK, _RESIDUAL, _LENGTH), depends_on=("slip",),
+        help="residual + (peak - residual)/(1 + slip/length)^2",
+        coefficient=_R + (_P - _R) / (1 + SLIP / _L) ** 2, scale="length"),
 
-An effect: what it adds to the balance of momentum (the fields of `effects.Effect`), and its parameters. What makes a
-parameter dimensionless is a formula in VALUE, ALPHA, GRAVITY, REFERENCE and THETA, where the effect depends on time or
-speed also in RADIUS, DENSITY and the effect's other parameters. At the end of
+A scene file then says ``law = "inverse_square"`` in its table ``[friction]``.
+
+An effect, with what it adds to the balance of momentum (3.11) and with its parameters: a ``pressure`` adds to the
+pore pressure, a ``resistance`` opposes the motion (the other terms: `effects.Effect`). A parameter has a name and unit,
+open bounds, help, its key in scene files with the number of SI units in one of the key's, the symbol that stands for
+it in the balance, and what makes it dimensionless: a formula in VALUE, ALPHA, GRAVITY, REFERENCE and THETA, and, of an
+effect that depends on time or speed, also in RADIUS, DENSITY and the effect's other parameters. At the end of
 ``EFFECTS`` in ``derive/declare/effects.py``::
 
-    Effect("suction", "2.20", (
-        Parameter("suction", "Pa", _BELOW_0, _INFINITY, "mean suction in the pores along the slip surface",
-                  "suction_kPa", 1e3, sp.Symbol("suction", real=True), VALUE / REFERENCE),), (),
-           "suction presses the grains together (Bishop 1959)", pressure=-sp.Symbol("suction", real=True)),
+    Effect("suction", equation="2.20", parameters=(
+        Parameter("suction", "Pa", lower=_BELOW_0, upper=_INFINITY, help="mean suction along the slip surface",
+                  key="suction_kPa", per_unit=1e3, symbol=sp.Symbol("suction", real=True),
+                  dimensionless=VALUE / REFERENCE),), depends_on=(),
+           help="suction presses the grains together (Bishop 1959)", pressure=-sp.Symbol("suction", real=True)),
 
-A moment of the mass: its weight in the double integral. At the end of ``MOMENTS`` in ``derive/declare/quantities.py``::
+A scene that contains the table ``[suction]`` with ``suction_kPa`` then has this term, and no other scene does.
 
-    Moment("area", "S*", "1.10", r, "area of the moving mass"),
+A moment of the sliding mass, with its weight in the double integral over r and theta. At the end of ``MOMENTS`` in
+``derive/declare/quantities.py``::
 
-It is then a function of `generated` in every tier, each with its certificate, and a row of ``slipcircle cost`` and of
-``python -m derive hard``, and the tests compare it with quadrature. The first run searches for the shapes of its
-approximants (a minute) and records them. A weight with sin(theta) or cos(theta) names its amplitude too. Other weights
-than r**n, +-r**n*sin(theta) and +-r**n*cos(theta), n = 1 to 5, are refused, or with ``certified=False`` sampled only.
+    Moment("area", symbol="S*", equation="1.10", weight=r, help="area of the moving mass"),
 
-Of an effect the tests ask for the same again in words of their own, its term in ``tests/taylor.py``.
+It is then a function of `generated` in every tier of accuracy, each with its certificate, and a row of ``slipcircle
+cost`` and of ``python -m derive hard``, and the tests compare it with quadrature. The first run searches for the
+shapes of its approximants (about a minute) and records them. A weight with sin(theta) or cos(theta) needs a name and a
+symbol for its amplitude too. Weights other than r**n, +-r**n*sin(theta) and +-r**n*cos(theta), n = 1 to 5, are refused,
+or, with ``certified=False``, sampled only.
+
+The tests solve each effect a second time without the code derived here: its term belongs in ``tests/taylor.py`` too.
 """

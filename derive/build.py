@@ -1,6 +1,6 @@
 """The extension modules of `generated`, compiled in place: `python -m derive.build`, and at install time.
 
-Flags of the environment are left out: the proofs of the kernels are about the operations as they are written.
+Flags of the environment are ignored: the proofs of the kernels hold for the operations as they are written.
 """
 
 import os

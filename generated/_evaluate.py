@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 2305224d3ab5b4cb524433c0495b18682635e77ff14500d237f4f867644beeff
+# sha256 of the text below: c9d90d318d358780905e4e54c0bcfb8d65842e76f51ec350b4993f460908f21c
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
 from collections.abc import Callable, Sequence
@@ -44,19 +44,19 @@ def evaluate(
 ) -> Any:
     """Compute ``body(*args)`` in float64, block by block, and return it in the arguments' floating type.
 
-    ``inside(eps, *args)`` is true in the domain, eps that of the arguments' type; ``safe``, a point of it, stands in
-    for arguments outside. Arguments, `out` and `where` are as NumPy's ufuncs take them.
+    ``inside(eps, *args)`` is true in the domain, eps that of the arguments' type; ``safe``, a point of it, replaces
+    arguments outside. Arguments, `out` and `where` are as NumPy's ufuncs take them.
     """
     items, kind = real(args)
     eps = float(np.finfo(kind).eps)
-    given = [np.asarray(x) for x in (*items, np.asarray(where, dtype=bool))]
-    result = np.empty(np.broadcast_shapes(*(x.shape for x in given)), kind)
+    arrays = [np.asarray(x) for x in (*items, np.asarray(where, dtype=bool))]
+    result = np.empty(np.broadcast_shapes(*(x.shape for x in arrays)), kind)
     if result.size <= BLOCK:
-        invalid = _block(body, inside, eps, safe, given, result)
+        invalid = _block(body, inside, eps, safe, arrays, result)
     else:
         types = [*[np.float64] * len(items), np.bool_, kind]
-        modes: Any = [*[["readonly"]] * len(given), ["writeonly"]]
-        with np.nditer([*given, result], ["external_loop", "buffered"], modes, types, buffersize=BLOCK) as blocks:
+        modes: Any = [*[["readonly"]] * len(arrays), ["writeonly"]]
+        with np.nditer([*arrays, result], ["external_loop", "buffered"], modes, types, buffersize=BLOCK) as blocks:
             invalid = False
             for *values, part in blocks:
                 invalid |= _block(body, inside, eps, safe, values, part)
@@ -64,7 +64,7 @@ def evaluate(
         np.subtract(np.inf, np.inf)  # NumPy's own `invalid`, handled as np.errstate says
     if out is None:
         return result[()]
-    np.copyto(out, result, where=given[-1], casting="same_kind")
+    np.copyto(out, result, where=arrays[-1], casting="same_kind")
     return out
 
 
@@ -73,22 +73,22 @@ def _block(
     inside: Callable[..., Any],
     eps: float,
     safe: tuple[float, ...],
-    given: Sequence[NDArray[Any]],
+    arrays: Sequence[NDArray[Any]],
     result: NDArray[Any],
 ) -> bool:
-    """Fill one part of the result; whether a lane that was asked for is invalid."""
-    values = [np.asarray(x, dtype=np.float64) for x in given[:-1]]
-    wanted = given[-1]
-    with np.errstate(all="ignore"):  # a lane outside, or not asked for, may do what it likes here
+    """Fill one part of the result; whether an element that the mask selects is invalid."""
+    values = [np.asarray(x, dtype=np.float64) for x in arrays[:-1]]
+    selected = arrays[-1]
+    with np.errstate(all="ignore"):  # elements outside, or not selected, may be anything here
         valid = inside(eps, *values)
-    use = valid & wanted
+    use = valid & selected
     whole = bool(np.all(use))
     if not whole:
         values = [np.where(use, x, s) for x, s in zip(values, safe, strict=True)]
     with np.errstate(under="ignore"):  # a result that underflows is correctly rounded, or nearly so
         result[...] = body(*values)
-    bad = np.isnan(result) & wanted
+    bad = np.isnan(result) & selected
     if not whole:
         np.copyto(result, np.nan, where=~use)
-        bad |= wanted & ~valid
+        bad |= selected & ~valid
     return bool(np.any(bad))

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b38d065758d95f2f6cdee27330fe1526a1a3b095786933de26a007595e71d028
+# sha256 of the text below: 59fa6629adec0ae5fe932ffe3d718c529d0f2faf35325aa46b2feb8dc00f0c47
 """The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref:
@@ -37,8 +37,8 @@ class Fragment(NamedTuple):
     """Formulas in words; operations on numbers where a phase begins, operations on series, and what they add.
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
-    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be left
-    out. ``states`` are series with those of their rates. A ``table`` has its name, is of slip, speed, rotation or
+    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be
+    omitted. ``states`` are series with those of their rates. A ``table`` has its name, is of slip, speed, rotation or
     time, with the series of its argument (of time, its own) and the degree of its pieces.
     """
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: dca3a5551041e4137fdde84c3ebbcaedfd2cd401cb6e91cdb0ebf7de48d82a12
+# sha256 of the text below: 01dbe71c6705a6df7ed8bd8eaea884257d276e792e46ac7a1ca17e5bfc6c3038
 """The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."""
 
 from typing import Any
@@ -262,7 +262,7 @@ def _frozen_arrest_time(a: Array, b: Array, omega_0: Array) -> Array:
 def frozen_arrest_time(
     a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True
 ) -> Any:
-    """Time at which a braked motion stands still.
+    """Time at which a braked motion stops.
 
     t = arctan(omega_0 sqrt(b/(-a)))/sqrt(-a b)
 
@@ -317,7 +317,7 @@ def _frozen_arrest_rotation(a: Array, b: Array, omega_0: Array) -> Array:
 def frozen_arrest_rotation(
     a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True
 ) -> Any:
-    """Rotation at which a braked motion stands still.
+    """Rotation at which a braked motion stops.
 
     phi = ln(1 + b omega_0**2/(-a))/(2 b)
 

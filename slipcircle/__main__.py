@@ -24,7 +24,7 @@ from slipcircle.workbench.files.scenefile import shipped
 from slipcircle.workbench.outputs import tables
 from slipcircle.workbench.outputs.tables import Answer, say
 
-SILENT = 5.0  # s, at most
+SILENT = 2.0  # s, at most
 INTERRUPTED = 130
 EPILOG = """\
 scenes that ship:
@@ -119,7 +119,7 @@ def _heartbeat(seconds: float) -> Iterator[None]:
 
     def beat(wait: float = seconds) -> None:
         while not done.wait(wait):
-            message = f"slipcircle: at work for {time.monotonic() - start:.0f} s; Ctrl-C ends it"
+            message = f"slipcircle: computing for {time.monotonic() - start:.0f} s; Ctrl-C stops it"
             print(f"{before}{message}", end=after, file=sys.stderr, flush=True)
             wait *= longer
 

@@ -209,7 +209,7 @@ def test_verdicts_of_a_race() -> None:
     ]  # fmt: skip
     said = " ".join(costtext.verdict(found).split())
     assert said == (
-        "Frontier: exact (1.0e-30, 1 us); our good (1.0e-15, 10 ns); our rough (1.0e-3, 1 ns). "
+        "Frontier: exact (1.0e-30, 1 us); our good (1.0e-15, 10 ns); our rough (1.0e-03, 1 ns). "
         "Of ours, these lose: our slow and rough to our rough (50 times slower). "
         "Faster than anything of ours: fails, 10 times at N=1e4, 10 times at N=1e6, with an error of inf."
     )
@@ -263,7 +263,7 @@ def test_records_and_csv_keep_every_digit(rows: list[Row]) -> None:
 def test_the_command(asked: Any, said: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     table, picture = tmp_path / "cost.csv", tmp_path / "cost.png"
     _, out, err = asked("cost resistance_factor --json --csv", table, "--plot", picture)
-    assert err == "measuring resistance_factor\n"
+    assert err == "measuring resistance_factor (1 of 1)\n"
     found = json.loads(out, parse_constant=pytest.fail)
     assert np.__version__ in found["machine"]
     ways_of = [row["way"] for row in found["rows"]]

@@ -1,9 +1,11 @@
 """The notebooks run in a fresh kernel, print what they hold, and their numbers are the package's.
 
-``./run python tests/test_notebooks.py`` stores fresh outputs, with the figures, which the tests do not compare.
-Nor do they compare what cells print whose ids start with "timed": it holds measured times.
+``./run python tests/test_notebooks.py [NUMBER ...]`` stores fresh outputs, with the figures. The tests compare of
+these what titles, axes and legends say, and do not compare what cells print whose ids start with "timed": it holds
+measured times.
 """
 
+import base64
 import json
 import math
 import os
@@ -28,6 +30,7 @@ from derive.judge.paper import CLAIMS
 from generated import tiers
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Motion, Status, load, solve
+from slipcircle.workbench.outputs.pictures import words_of
 from slipcircle.workbench.outputs.report import ASSUMED
 
 ROOT = Path(__file__).parents[1]
@@ -36,6 +39,16 @@ METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},
 }
+# Pictures that a notebook shows say in the file what their legends and axes say, as those of commands do.
+DESCRIBED = """
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from slipcircle.workbench.outputs.plotstyle import described
+
+def print_png(canvas, target, *, metadata=None, pil_kwargs=None, plain=FigureCanvasAgg.print_png):
+    plain(canvas, target, metadata={"Description": chr(10).join(described(canvas.figure))}, pil_kwargs=pil_kwargs)
+
+FigureCanvasAgg.print_png = print_png
+"""
 each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 
 
@@ -45,7 +58,7 @@ def run(path: Path, first: str = "") -> Any:
     What is to be run ``first`` leaves no cell either.
     """
     notebook = nbformat.read(path, as_version=4)
-    notebook.cells.insert(0, nbformat.v4.new_code_cell(first))
+    notebook.cells.insert(0, nbformat.v4.new_code_cell(f"{DESCRIBED}\n{first}"))
     with tempfile.TemporaryDirectory() as folder:
         # The kernel draws inline whatever the backend here, and keeps no history.
         env = {name: value for name, value in os.environ.items() if name not in ("MPLBACKEND", "MATPLOTLIBRC")}
@@ -74,15 +87,24 @@ def run(path: Path, first: str = "") -> Any:
 
 
 def texts(cell: Any) -> list[Any]:
-    """What a cell says, stream by stream and display by display; of a picture, only that it is there."""
+    """What a cell says, stream by stream and display by display; of a picture, what its axes and legends say."""
     said = []
     for output in cell.get("outputs", []):
         if output.output_type == "stream":
             said.append({output.name: output.text})
         else:
             data = output.get("data", {})
-            said.append({kind: "" if kind.startswith("image/") else text for kind, text in data.items()})
+            said.append({kind: pictured(text) if kind == "image/png" else text for kind, text in data.items()})
     return said
+
+
+def pictured(image: str) -> Any:
+    return words_of(base64.b64decode(image))
+
+
+def pictures(cell: Any) -> list[Any]:
+    """What a cell's pictures say."""
+    return [said["image/png"] for said in texts(cell) if "image/png" in said]
 
 
 @cache
@@ -109,6 +131,7 @@ def test_outputs_are_those_of_a_fresh_run(path: Path) -> None:
     stale = "stale; to store fresh outputs: ./run python tests/test_notebooks.py"
     for old, new in zip(kept.cells, fresh.cells, strict=True):
         assert old.id.startswith("timed") or texts(old) == texts(new), f"{path.name}, cell {old.id}: {stale}"
+        assert pictures(old) == pictures(new), f"{path.name}, cell {old.id}: {stale}"
         assert len(texts(old)) == len(texts(new)), f"{path.name}, cell {old.id}: {stale}"
         assert not any("stderr" in said for said in texts(new)), f"{path.name}, cell {new.id} warns"
 
@@ -257,6 +280,12 @@ def test_key_numbers_of_the_slope() -> None:
     for words in (f"**{shown[0]:.1f} m/s**", f"**{shown[1]:.1f} s**", f"**{shown[2]:.1f} m**", "**0.985**", "0.942"):
         assert words in title
     assert numbers["moving"] == pytest.approx(0.75, abs=0.02)  # three of four
+    total, table = numbers["total_index"], motion.sensitivity()
+    assert max(total, key=total.get) == "cohesion.cohesion_kPa"  # which decides most, as its last section says
+    residual, cohesion = (
+        table.at[name] * table.derivative("run_out", name) for name in ("friction.residual", "cohesion.cohesion")
+    )
+    assert residual / cohesion == pytest.approx(2.0, abs=0.2)
 
 
 def written(notebook: Any) -> str:
@@ -265,6 +294,6 @@ def written(notebook: Any) -> str:
 
 
 if __name__ == "__main__":
-    for notebook_path in NOTEBOOKS:
+    for notebook_path in [p for p in NOTEBOOKS if not sys.argv[1:] or p.name[0] in sys.argv[1:]]:
         notebook_path.write_text(written(run(notebook_path)), encoding="utf-8", newline="\n")
         print(f"stored {notebook_path.relative_to(ROOT)}", file=sys.stderr)

@@ -4,6 +4,7 @@ import json
 import re
 import tomllib
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -11,6 +12,7 @@ from urllib.parse import urlsplit
 import numpy as np
 import pytest
 import test_accuracy
+import test_cost
 import test_kernels
 from conftest import columns
 from matplotlib.figure import Figure
@@ -21,7 +23,9 @@ from generated._compiled import LEVEL, LEVELS
 from generated.effects import EFFECTS
 from generated.tiers import BOUNDS
 from slipcircle import Motion, Unattainable, backanalyse, load, solve
-from slipcircle.workbench.outputs import plots
+from slipcircle.workbench.cost import cost, costplot
+from slipcircle.workbench.outputs import pictures, plots
+from slipcircle.workbench.outputs.pictures import words_of
 from slipcircle.workbench.studies.ladder import ladder
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -98,6 +102,19 @@ def test_from_a_profile_to_a_picture(tmp_path: Path, run: Any) -> None:
     assert section.get_aspect() == 1.0  # true scale
     drawn = [p for line in section.lines for p in np.asarray(line.get_xydata()).tolist()]
     assert all(p in drawn for p in tomllib.loads(SCENE)["ground"]["points_m"][1:3])
+
+
+def test_its_pictures_are_those_that_are_drawn_today(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What their titles, axes and legends say; the frontier's are those of a compiler with FMA."""
+    motion, frontier = (words_of((ROOT / f"notebooks/{name}.png").read_bytes()) for name in ("vaiont", "frontier"))
+    assert motion == words_of(pictures.picture("motions", [solve(load("vaiont"))], "png"))
+    if LEVELS[LEVEL][0] == "fused":
+        for name, value in test_cost.QUICK.items():
+            monkeypatch.setattr(cost, name, value)
+        rows = cost.measure(["polar_moment"])
+        today = words_of(pictures.render(partial(costplot.overview, rows), costplot.size(rows), "png"))
+        assert frontier == today
+        assert "ours, worst seen; a bar up to what is proved" in today
 
 
 def test_ladder_of_the_readme() -> None:

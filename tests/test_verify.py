@@ -18,7 +18,8 @@ from derive.algebra.appendices import mended_text
 from derive.check.proof import ProofError
 from derive.judge import postulates, verify
 from derive.judge import section as s
-from derive.judge.paper import CLAIMS, VERDICTS, Claim
+from derive.judge.claims import VERDICTS, Claim
+from derive.judge.paper import CLAIMS
 from derive.judge.report import SIMPLY, counts, report
 from derive.judge.verify import KEYS, Row, judge, rows
 

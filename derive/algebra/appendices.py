@@ -85,8 +85,13 @@ class Repair(NamedTuple):
 
 def repairs(appendix: Appendix) -> tuple[Repair, ...]:
     """Every place where the print is not what it must read, in its order."""
-    found = ((x, mended) for pattern, mended in MENDING for x in re.finditer(pattern, appendix.printed))
-    return tuple(sorted(Repair(*x.span(), y, len(y) - len(x.group())) for x, y in found if x.group() != y))
+    places = []
+    for pattern, mended in MENDING:
+        for match in re.finditer(pattern, appendix.printed):
+            printed = match.group()
+            if printed != mended:
+                places.append(Repair(*match.span(), mended, len(mended) - len(printed)))
+    return tuple(sorted(places))
 
 
 def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
@@ -186,10 +191,10 @@ def simplify(appendix: Appendix) -> Proof:
     their arguments gives, plus k i pi with an integer k. k = 0 is the real integral.
     """
     printed = parse(appendix)
-    found = sorted(printed.atoms(atanh), key=default_sort_key)
-    _require(len(found) == 2, f"two different arctanh occur, not {len(found)}")
-    form = printed.xreplace(dict(zip(found, (_A1, _A2), strict=True))).subs(_ENDS)
-    first, second = (x.args[0].subs(_ENDS) for x in found)
+    artanhs = sorted(printed.atoms(atanh), key=default_sort_key)
+    _require(len(artanhs) == 2, f"two different arctanh occur, not {len(artanhs)}")
+    form = printed.xreplace(dict(zip(artanhs, (_A1, _A2), strict=True))).subs(_ENDS)
+    first, second = (x.args[0].subs(_ENDS) for x in artanhs)
     total = atanh(trig_normal((first + second) / (1 + first * second)))
     factor, other = (trig_normal(form.diff(x)) for x in (_A1, _A2))
     _require(factor == other and not factor.has(_A1, _A2), "both arctanh have the same factor")
@@ -220,6 +225,6 @@ def real_arithmetic_fails(appendix: Appendix) -> Rel:
     psi = 3 pi/2 - theta_m from 0 to pi. (At equality the arguments are -1 and 1, and the sum is inf - inf.)
     """
     arguments = [x.args[0].subs(_ENDS) for x in parse(appendix).atoms(atanh)]
-    found = {trig_normal(2 * cos(alpha) * cos(theta_m) / (1 - x**2)) for x in arguments}
-    _require(found == {trig_normal(1 + cos(end)) for end in _ENDS.values()}, "1 - X^2 has the sign of cos(theta_m)")
+    ratios = {trig_normal(2 * cos(alpha) * cos(theta_m) / (1 - x**2)) for x in arguments}
+    _require(ratios == {trig_normal(1 + cos(end)) for end in _ENDS.values()}, "1 - X^2 has the sign of cos(theta_m)")
     return Le(cos(theta_m), 0)

@@ -224,7 +224,7 @@ FORMS = (
         omega_0 / _BRAKE * Remainder(atan, 1, omega_0 * (sqrt(b) / sqrt(_BRAKE))),
         "t = arctan(omega_0 sqrt(b/(-a)))/sqrt(-a b)",
         "3.20",
-        "Time at which a braked motion stands still.",
+        "Time at which a braked motion stops.",
     ),
     MotionForm(
         "frozen_arrest_rotation",
@@ -233,7 +233,7 @@ FORMS = (
         omega_0 * (omega_0 / _BRAKE / 2) * Remainder(log1p, 1, omega_0 * (omega_0 / _BRAKE) * b),
         "phi = ln(1 + b omega_0**2/(-a))/(2 b)",
         "4.3",
-        "Rotation at which a braked motion stands still.",
+        "Rotation at which a braked motion stops.",
     ),
 )
 

@@ -9,6 +9,7 @@ from functools import cache
 
 import mpmath
 import sympy as sp
+from mpmath import mpf, nstr, quad, workdps
 from sympy import (
     Add,
     Expr,
@@ -114,19 +115,19 @@ def closed_forms() -> dict[str, Expr]:
     return forms
 
 
-def quadrature(weight: Expr, theta_1_value: object, alpha_value: object, digits: int) -> mpmath.mpf:
+def quadrature(weight: Expr, theta_1_value: object, alpha_value: object, digits: int) -> mpf:
     """The raw double integral to so many digits by nested Gauss-Legendre quadrature, over the uncentred chord."""
     function = lambdify((r, theta), weight, "mpmath")
-    with mpmath.workdps(digits + 15):
-        first = mpmath.mpf(theta_1_value)
-        half = mpmath.mpf(alpha_value)
+    with workdps(digits + 15):
+        first = mpf(theta_1_value)
+        half = mpf(alpha_value)
 
-        def ring(angle: mpmath.mpf) -> mpmath.mpf:
+        def ring(angle: mpf) -> mpf:
             chord = mpmath.cos(half) / mpmath.cos(angle - first - half)  # 6 nodes are exact for r**11
-            return mpmath.quad(lambda x: function(x, angle), [chord, 1], method="gauss-legendre", maxdegree=2)
+            return quad(lambda x: function(x, angle), [chord, 1], method="gauss-legendre", maxdegree=2)
 
-        total = mpmath.quad(ring, [first, first + half, first + 2 * half])
-    with mpmath.workdps(digits):
+        total = quad(ring, [first, first + half, first + 2 * half])
+    with workdps(digits):
         return +total
 
 
@@ -135,12 +136,12 @@ def compare(derivation: Derivation, digits: int) -> str:
     moment = derivation.moment
     closed = derivation.closed.subs(PSI, 3 * pi / 2 - theta_1 - alpha)
     function = lambdify((theta_1, alpha), closed, "mpmath")
-    worst = mpmath.mpf(0)
-    with mpmath.workdps(digits + 15):
+    worst = mpf(0)
+    with workdps(digits + 15):
         for first, half in (("3.75", "0.55"), ("4.5", "1.3")):
-            value = function(mpmath.mpf(first), mpmath.mpf(half))
+            value = function(mpf(first), mpf(half))
             raw = quadrature(moment.weight, first, half, digits)
             worst = max(worst, abs(raw - value) / abs(value))
-            if worst > mpmath.mpf(10) ** -(digits - 1):
+            if worst > mpf(10) ** -(digits - 1):
                 raise ProofError(f"{moment.name}: closed form against quadrature", value, raw)
-        return f"{mpmath.nstr(worst, 2)} at {digits} digits"
+        return f"{nstr(worst, 2)} at {digits} digits"

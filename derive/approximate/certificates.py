@@ -105,10 +105,14 @@ def worst(variant: Variant, boxes: Iterable[tuple[float, float]]) -> tuple[float
         if single:
             alpha = alpha.astype(np.float32).astype(np.float64)
         alpha = np.unique(alpha)
-        return max(zip(errors(variant, alpha), alpha.tolist(), strict=True), key=itemgetter(0))
+        measured = errors(variant, alpha)
+        return max(zip(measured, alpha.tolist(), strict=True), key=itemgetter(0))
 
     count = 400 if variant.tier == "best" else 64  # rounding errors are irregular, errors of approximation are not
-    error, alpha = worst_of(a + (b - a) * k / count for a, b in boxes for k in range(count + 1))
+    points: list[float] = []
+    for lower, upper in boxes:
+        points += (lower + (upper - lower) * k / count for k in range(count + 1))
+    error, alpha = worst_of(points)
     for exponent in range(30, -1, -2):
         step = 2.0**exponent * certify.ulp(alpha, bits or 53)
         nearby = worst_of(alpha + step * k for k in range(-20, 21))

@@ -116,7 +116,8 @@ def minimax(
         matrix = arb_mat(basis)
         count = len(basis)
         unknowns = len(basis[0]) + 1  # the coefficients and the level
-        references = [min(count - 1, (2 * k + 1) * count // (2 * unknowns)) for k in range(unknowns)]
+        evenly = ((2 * k + 1) * count // (2 * unknowns) for k in range(unknowns))
+        references = [min(count - 1, i) for i in evenly]
         denominators = [arb(1)] * count
         least = math.inf
         best: list[arb] = []
@@ -185,11 +186,12 @@ def _errors(samples: Samples, numerators: list[arb], denominators: list[arb]) ->
 
 def _exchange(errors: list[arb], references: list[int]) -> list[int]:
     """The largest error of every run of one sign; of too many, those at the ends go, smaller first."""
-    largest: list[int] = []
+    largest = [0]
     for i, error in enumerate(errors):
-        if not largest or (error > 0) != (errors[largest[-1]] > 0):
+        last = errors[largest[-1]]
+        if (error > 0) != (last > 0):
             largest.append(i)
-        elif abs(error) > abs(errors[largest[-1]]):
+        elif abs(error) > abs(last):
             largest[-1] = i
     while len(largest) > len(references):
         first_is_smaller = abs(errors[largest[0]]) < abs(errors[largest[-1]])

@@ -213,7 +213,8 @@ def fused_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -
     """F1/F2, near 0 from W1/W2: one division, corrected for its rounding error and those of its parts."""
     fma = code.fma
     seam = min(part.seam for part in parts)
-    over, under = (fused_part(code, closed, part, seam) for closed, part in zip(forms, parts, strict=True))
+    pairs = zip(forms, parts, strict=True)
+    over, under = (fused_part(code, closed, part, seam) for closed, part in pairs)
     inverse = 1.0 / under.high
     q = over.high * inverse
     residual = fma(-q, under.high, over.high) + over.low
@@ -229,7 +230,10 @@ def plain_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -
     for closed, part in zip(forms, parts, strict=True):
         # W below the seam, but for its limit, F above it.
         w = code.value(1.0) + excess(code, closed, part)
-        beyond = far(code, closed, part.far, seam).total if part.far else near_value(code, closed, part)
+        if part.far:
+            beyond = far(code, closed, part.far, seam).total
+        else:
+            beyond = near_value(code, closed, part)
         value = code.below(seam, w, beyond)
         if not same_limit:
             value = code.below(seam, to_limit(closed, value), value)
@@ -284,13 +288,16 @@ def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Any]) -> Varia
         if piece.far:
             beyond = far(code, closed, piece.far, piece.seam).total
             value = code.below(piece.seam, value, beyond)
-    return Variant(kernel.name, kernel.definition, tier, form, code.program(kernel.name, value))
+    program = code.program(kernel.name, value)
+    return Variant(kernel.name, kernel.definition, tier, form, program)
 
 
 @cache
 def of(kernel: Kernel, shape: Shape) -> tuple[Variant, ...]:
     """A kernel in every tier and form; a form `numpy` only where it differs from `plain`."""
-    fused, plain, numpy = (variant(kernel, "best", form, shape.best) for form in ("fused", "plain", "numpy"))
+    fused = variant(kernel, "best", "fused", shape.best)
+    plain = variant(kernel, "best", "plain", shape.best)
+    numpy = variant(kernel, "best", "numpy", shape.best)
     every = [fused, plain]
     if numpy.program != plain.program:
         every.append(numpy)
@@ -301,5 +308,7 @@ def of(kernel: Kernel, shape: Shape) -> tuple[Variant, ...]:
 
 def variants() -> tuple[Variant, ...]:
     """Every kernel in every tier and form, from the recorded shapes."""
-    recorded = shapes.records()
-    return tuple(v for kernel in shapes.kernels() for v in of(kernel, recorded[kernel.definition]))
+    every: list[Variant] = []
+    for kernel in shapes.kernels():
+        every += of(kernel, shapes.records()[kernel.definition])
+    return tuple(every)

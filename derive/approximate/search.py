@@ -1,7 +1,7 @@
 """The search for shapes: seams, baselines and degrees, judged by the bound that is proved of the program they make.
 
 Nothing in it is random and nothing is timed, so that it finds the same on every machine. What approximates badly or
-must round badly is left out by an estimate; of the rest the checker says which is best.
+must round badly is excluded by an estimate; of the rest the checker decides which is best.
 """
 
 import math
@@ -93,8 +93,11 @@ def _baselines(values: Sequence[tuple[float, float]], odd: bool) -> Iterator[Far
     bends = [0.0] if odd else [k / 8 for k in range(25)]
     for slope in SLOPES:
         left = [128 * (f - slope * x) for x, f in values]
-        lines = {k / 128 for k in range(math.floor(min(left)), math.ceil(max(left)) + 1)}
-        lines.add(math.floor((end_value - slope * HALF_PI) * 2**52) / 2**52)
+        lowest = math.floor(min(left))
+        highest = math.ceil(max(left))
+        lines = {k / 128 for k in range(lowest, highest + 1)}
+        at_end = end_value - slope * HALF_PI
+        lines.add(math.floor(at_end * 2**52) / 2**52)
         for line in sorted(lines):
             for bend in bends:
                 yield Far(slope, line, bend, 1.0, 0)
@@ -118,8 +121,8 @@ def _baseline_error(closed: Expr, far: Far, values: Sequence[tuple[float, float]
         bent = 0.0 if about.odd else b * slope
         core = (rest - bent - constant) / b**power
         error = 0.0
-        exact_sum = abs(f - rest) <= far.slope * (1 if x < 1 else 2)  # its terms are multiples of 2**-52
-        if far.slope and not exact_sum:
+        limit = far.slope if x < 1 else 2 * far.slope
+        if far.slope and abs(f - rest) > limit:  # else its terms are multiples of 2**-52, and their sum is exact
             error = ulp(f - rest)
         error += ulp(constant) + ulp(rest)
         error += b**power * (core_ulps * ulp(core) + abs(core) / 2**52)
@@ -168,14 +171,19 @@ def falls(variant: Variant, seam: float) -> bool:
     near = 1000 if variant.form == "fused" else 1
     bits = np.float64(seam).view(np.int64) + np.arange(-near, near)
     alpha = bits.view(np.float64)
-    values = variant.program.run(alpha[alpha <= HALF_PI])
-    return bool(np.any(np.diff(values) < 0))
+    inside = alpha[alpha <= HALF_PI]
+    steps = np.diff(variant.program.run(inside))
+    return bool(np.any(steps < 0))
 
 
 def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
     """Shapes a step away: the seam, and of each part degrees and baseline."""
     for step in STEPS:
-        yield tuple(replace(p, seam=round(p.seam + step / 100, 2)) if p.far else p for p in shape)
+        moved = []
+        for part in shape:
+            seam = round(part.seam + step / 100, 2)
+            moved.append(replace(part, seam=seam) if part.far else part)
+        yield tuple(moved)
     for k, (closed, part) in enumerate(zip(kernel.closed, shape, strict=True)):
         for move in _moves(closed, part):
             yield (*shape[:k], move, *shape[k + 1 :])

@@ -45,7 +45,9 @@ def kernels() -> list[Kernel]:
     closed = closed_forms()
     definitions = {m.kernel[0]: m.definition for m in MOMENTS if m.certified}
     definitions[RESISTANCE.name] = RESISTANCE.definition
-    certified = [Kernel(name, (closed[name],), definition) for name, definition in definitions.items()]
+    certified = []
+    for name, definition in definitions.items():
+        certified.append(Kernel(name, (closed[name],), definition))
     for q in QUOTIENTS:
         parts = (q.numerator, q.denominator)
         if all(part in definitions for part in parts):
@@ -195,9 +197,9 @@ def text() -> str:
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
-def scaled(closed: Expr, wanted: Fraction) -> Function:
-    """F/alpha**3 as a function of alpha**2, times what makes `wanted` its limit at 0."""
-    factor = number(wanted / limit(closed))
+def scaled(closed: Expr, limit_at_0: Fraction) -> Function:
+    """F/alpha**3 as a function of alpha**2, scaled to this limit at 0."""
+    factor = number(limit_at_0 / limit(closed))
 
     def function(u: arb) -> arb:
         x = u.sqrt()
@@ -206,17 +208,18 @@ def scaled(closed: Expr, wanted: Fraction) -> Function:
     return function
 
 
-def near_samples(closed: Expr, seam: float, count: int, wanted: Fraction) -> Samples:
+def near_samples(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> Samples:
     """(W - limit)/u on [0, seam], for the least relative error."""
     with ctx.workprec(GUARD):
-        samples = sample(scaled(closed, wanted), lambda u, f: 1 / f, number(seam) ** 2, count)
-        return samples.without(number(wanted))
+        upper = number(seam) ** 2
+        samples = sample(scaled(closed, limit_at_0), lambda u, f: 1 / f, upper, count)
+        return samples.without(number(limit_at_0))
 
 
 @cache
-def near_fit(closed: Expr, seam: float, count: int, wanted: Fraction) -> tuple[float, ...]:
+def near_fit(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> tuple[float, ...]:
     """c1, c2, ... of W = limit + u (c1 + u (c2 + ...)): F/alpha**3, or its multiple with that limit at 0."""
-    samples = near_samples(closed, seam, count, wanted)
+    samples = near_samples(closed, seam, count, limit_at_0)
     coefficients, _ = rounded(samples, count - 1, careful=min(3, count - 1))
     return coefficients
 
@@ -318,7 +321,8 @@ def _constant_and_tilt(closed: Expr, far: Far) -> tuple[float, float]:
     about = end(closed)
     with ctx.workprec(GUARD):
         at_end = number(HALF_PI)
-        constant = nearest(at(closed, at_end) - number(far.slope) * at_end - number(far.line))
+        excess = at(closed, at_end) - number(far.slope) * at_end - number(far.line)
+        constant = nearest(excess)
         if abs(constant) <= 2.0**-80:
             constant = 0.0
         tilt = 0.0

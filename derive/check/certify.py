@@ -1,7 +1,7 @@
 """The checker: proves the error bound of a straight-line float64 program on the whole domain, rounding included.
 
 It reads plain data (`generated/certificates/*.json`) and uses the standard library and python-flint only; of the
-generator it knows nothing: what a kernel is says the certificate itself, by the definition that `derive.check.truth`
+generator it knows nothing: each certificate states the definition of its kernel, which `derive.check.truth`
 reads. Per box of alpha,
 
     |computed - exact| <= |P - F| + sum_i sup |dP/dn_i| d_i + half an ulp,
@@ -137,7 +137,9 @@ def halve(
     while boxes and -boxes[0].minus_bound > wanted and halvings > 0:
         _, number, lower, upper = boxes[0]
         middle = (lower + upper) / 2
-        narrow = halvings == math.inf and upper - lower < 2.0**-24 * (TOP - middle + 2.0**-53)
+        narrow = False
+        if halvings == math.inf:
+            narrow = upper - lower < 2.0**-24 * (TOP - middle + 2.0**-53)
         if narrow or not lower < middle < upper:
             break
         heapq.heapreplace(boxes, box(number, lower, middle))

@@ -23,8 +23,8 @@ QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
 
 def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
     """Parts of [lower, upper], both ends included, no double left out, each with one tape."""
-    starts = [lower, *sorted(c for c in _cuts(record) if lower < c < upper), upper]
-    todo = [(a, math.nextafter(b, -9.0)) for a, b in pairwise(starts)]
+    inside = sorted(c for c in _cuts(record) if lower < c < upper)
+    todo = [(a, math.nextafter(b, -9.0)) for a, b in pairwise([lower, *inside, upper])]
     todo.append((upper, upper))
     todo.reverse()
     parts: list[tuple[float, float, Tape]] = []
@@ -36,7 +36,8 @@ def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, floa
             if a == b:
                 raise
             middle = min(a + (b - a) / 2, math.nextafter(b, -9.0))
-            todo += [(math.nextafter(middle, 9.0), b), (a, middle)]
+            todo.append((math.nextafter(middle, 9.0), b))
+            todo.append((a, middle))
             continue
         if parts and parts[-1][2] == tape:
             a = parts.pop()[0]
@@ -51,7 +52,8 @@ def _cuts(record: Record) -> set[float]:
     for kind, args, value in operations:
         if kind == "less":
             compared = (operations[a] for a in args)
-            cuts |= {float.fromhex(c) for kind, _, c in compared if kind == "const"}
+            constants = (value for kind, _, value in compared if kind == "const")
+            cuts.update(map(float.fromhex, constants))
         elif value == "exponent":
             cuts |= {math.nextafter(TOP - 0.75 * 2.0**-k, 9.0) for k in range(54)}
     return cuts
@@ -114,7 +116,8 @@ class Patch:
         """Of the series of the difference, over the value at the centre."""
         with working(BITS):
             centre = self.segment.centre
-            radius = max(abs(arb(x) - centre).upper() for x in (self.lower, self.upper))
+            distances = (abs(arb(x) - centre).upper() for x in (self.lower, self.upper))
+            radius = max(distances)
             largest = abs(self.difference.last) * radius**self.difference.power
             rest = largest / abs(self.above.main(arb(0)))
             return float(rest.upper()) if rest.is_finite() else math.inf

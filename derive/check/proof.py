@@ -2,12 +2,13 @@
 
 
 class ProofError(Exception):
-    """Something did not hold: the quantity and the check (``"polar_moment: bound of tier best"``), the number found and
-    the number wanted; and the name of the check, where a caller tells them apart.
+    """A claim does not hold: the quantity and the check (``"polar_moment: bound of tier best"``), the value found, the
+    value required, and the name of the check, by which callers distinguish them.
     """
 
     def __init__(self, claim: str, found: object, wanted: object = 0, check: str = "") -> None:
-        super().__init__(claim, str(found), str(wanted), check)  # as they are, so that it passes between processes
+        # As they are, so that it passes between processes.
+        super().__init__(claim, str(found), str(wanted), check)
         self.check = check
 
     def __str__(self) -> str:

@@ -46,7 +46,6 @@ class Node(NamedTuple):
 Tape = tuple[Node, ...]
 Line = tuple[Fraction, Fraction]  # values of an affine function of alpha at both ends of the box
 
-
 # What an operation computes, of balls or of series, and its derivatives by its operands, None for 1, from its value
 # and these.
 VALUE: dict[str, Callable[..., Any]] = {
@@ -128,7 +127,8 @@ def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
         kind, args, value, _, _ = tape[i]
         slope = adjoint[i]
         if i != last and kind not in ("x", "const"):
-            total += (float((slope + weight[i]).abs_upper()) * UP + TINY) * noise[i]
+            sensitivity = (slope + weight[i]).abs_upper()
+            total += (float(sensitivity) * UP + TINY) * noise[i]
         if slope == 0:
             continue
         if kind == "error":
@@ -267,13 +267,17 @@ class _Specialise:
         if kind not in ("neg", "add", "sub", "mul", "fma"):
             return None, -1074, False
         grids = [self.grid[a] for a in node.args]
-        grid = min([sum(grids[:2]), *grids[2:]]) if kind in ("mul", "fma") else min(grids)
+        if kind in ("mul", "fma"):
+            first, second, *others = grids
+            grids = [first + second, *others]
+        grid = min(grids)
         line = self._line(node)
         size: Fraction | float
         if line:
             size = max(map(abs, line))
         else:
-            size = float(_operate(node, self.values, self.noise).abs_upper()) * UP
+            result = _operate(node, self.values, self.noise)
+            size = float(result.abs_upper()) * UP
         exact = kind == "neg" or (grid >= -1074 and size <= Fraction(2) ** (grid + 53))
         return line if grid >= -1074 else None, grid, exact
 
@@ -372,7 +376,9 @@ class _Scaling:
             first, second, *others = degrees
             product = first - second if kind == "div" else first + second
             degree = min(product, highest, *others)
-            args = [self.lower(args[0], degree - product + first), args[1], *(self.lower(a, degree) for a in args[2:])]
+            lowered = self.lower(args[0], degree - product + first)
+            summands = [self.lower(a, degree) for a in args[2:]]
+            args = [lowered, args[1], *summands]
         else:
             raise Unbounded(f"{kind} near zero")
         self.place.append(self.put(node._replace(args=tuple(args)), degree))

@@ -93,7 +93,9 @@ def value(definition: Definition, alpha: arb) -> arb:
 
 def limit(definition: Definition) -> arb:
     """Its value at pi/2: what the logarithm is multiplied by vanishes there."""
-    return reduce(truediv, (exactly(statement, arb.pi() / 2, arb(1), arb(0), arb(0)) for statement in definition))
+    half_pi = arb.pi() / 2
+    values = (exactly(statement, half_pi, arb(1), arb(0), arb(0)) for statement in definition)
+    return reduce(truediv, values)
 
 
 def _taylor(statement: str, centre: arb) -> list[arb]:
@@ -101,7 +103,8 @@ def _taylor(statement: str, centre: arb) -> list[arb]:
     a = arb_series([centre, 1])
     s, c = a.sin_cos()
     # artanh(sin a) = -ln tan((pi/2 - a)/2), and its derivative is 1/cos a.
-    h = (1 / c).integral() - ((arb.pi() / 2 - centre) / 2).tan().log()
+    at_centre = -((arb.pi() / 2 - centre) / 2).tan().log()
+    h = (1 / c).integral() + at_centre
     return coefficients(exactly(statement, a, s, c, h))
 
 
@@ -109,10 +112,10 @@ def coefficients(series: Any) -> list[arb]:
     """All TERMS + 1 coefficients of a series or of a constant, as balls."""
     if isinstance(series, arb):
         series = arb_series([series])
-    found = [arb(series[k]) for k in range(TERMS + 1)]
-    if not all(x.is_finite() for x in found):
+    taylor = [arb(series[k]) for k in range(TERMS + 1)]
+    if not all(x.is_finite() for x in taylor):
         raise ArithmeticError("a Taylor series is not finite on this interval")
-    return found
+    return taylor
 
 
 @cache
@@ -123,10 +126,10 @@ def at_zero(statement: str) -> list[fmpq]:
         s = a.sin()
         c = a.cos()
         series = exactly(statement, a, s, c, s.atanh())
-        found = [series[k] for k in range(TERMS + 1)]
-    if any(x != 0 for x in found[:CUBE]) or found[CUBE] == 0:
+        taylor = [series[k] for k in range(TERMS + 1)]
+    if any(x != 0 for x in taylor[:CUBE]) or taylor[CUBE] == 0:
         raise ArithmeticError(f"{statement} is not of order alpha**{CUBE}")
-    return found
+    return taylor
 
 
 @dataclass(frozen=True)
@@ -152,8 +155,10 @@ class Model:
 
     def __call__(self, t: arb) -> arb:
         """Enclosure over the ball t, by the Taylor coefficients at its middle."""
+        middle = t.mid()
+        main = self.main(arb_poly([middle, 1]))(t - middle)
         rest = arb(0, 1) * t.abs_upper() ** self.power if self.power else 1
-        return self.main(arb_poly([t.mid(), 1]))(t - t.mid()) + self.last * rest
+        return main + self.last * rest
 
 
 def model(thin: list[arb], fat: list[arb], order: int = 0) -> Model:
@@ -165,14 +170,15 @@ def model(thin: list[arb], fat: list[arb], order: int = 0) -> Model:
 
 def _segments() -> tuple[Segment, ...]:
     """[0, 1/4], then ever shorter towards the logarithm at pi/2: a fixed share of the distance to it; TOP alone."""
-    found = [Segment(0.0, 0.25)]
-    at = 0.25
+    segments = [Segment(0.0, 0.25)]
+    lower = 0.25
     last = math.nextafter(TOP, 0.0)
-    while at < last:
-        after = min(last, max(at + 0.27 * (TOP - at), math.nextafter(at, TOP)))
-        found.append(Segment(at, after))
-        at = after
-    return (*found, Segment(TOP, TOP))
+    while lower < last:
+        upper = max(lower + 0.27 * (TOP - lower), math.nextafter(lower, TOP))
+        upper = min(upper, last)
+        segments.append(Segment(lower, upper))
+        lower = upper
+    return (*segments, Segment(TOP, TOP))
 
 
 SEGMENTS = _segments()

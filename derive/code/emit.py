@@ -196,7 +196,7 @@ def raw_module(docstring: str, programs: Sequence[tuple[Program, str]]) -> str:
 def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: str = "") -> str:
     """A module of functions for callers that know the domain: arrays or floats in, no checks; each with its docstring.
 
-    ``code`` is what stands before them.
+    ``code`` comes before them.
     """
     for p, doc in programs:
         signature, body = PythonText().body(p).replace("Array", "Any").replace("def _", "def ", 1).split("\n", 1)

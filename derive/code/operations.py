@@ -44,15 +44,20 @@ def fma(a: Floats, b: Floats, c: Floats) -> Floats:
     product = a * b
     a_high, a_low = _halves(a)
     b_high, b_low = _halves(b)
-    low = a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low)
+    rest = product - a_high * b_high
+    rest = (rest - a_low * b_high) - a_high * b_low
+    low = a_low * b_low - rest
     inner, inner_low = two_sum(c, low)
     total, total_low = two_sum(product, inner)
     plain = (a == 0) | (b == 0)
     result = np.where(plain, product + c, total + _to_odd(inner_low, total_low))
-    small = (np.abs(product) < _SAFE) | ((c != 0) & (np.abs(c) < _SAFE))
-    inexact = ~plain & small
-    terms = zip(*(x[inexact].tolist() for x in (a, b, c)), strict=True)
-    result[inexact] = [float(Fraction(x) * Fraction(y) + Fraction(z)) for x, y, z in terms]
+    small_product = np.abs(product) < _SAFE
+    small_c = (c != 0) & (np.abs(c) < _SAFE)
+    inexact = ~plain & (small_product | small_c)
+    exact = []
+    for x, y, z in zip(*(x[inexact].tolist() for x in (a, b, c)), strict=True):
+        exact.append(float(Fraction(x) * Fraction(y) + Fraction(z)))
+    result[inexact] = exact
     return result
 
 
@@ -73,7 +78,9 @@ def exponent(x: Floats) -> Floats:
 def significand(x: Floats) -> Floats:
     """x 2**-k, in [0.75, 1.5)."""
     bits = x.view(np.int64)
-    return np.asarray((bits - (((bits - _THREE_QUARTERS) >> 52) << 52)).view(np.float64))
+    k = (bits - _THREE_QUARTERS) >> 52
+    scaled = bits - (k << 52)
+    return np.asarray(scaled.view(np.float64))
 
 
 @dataclass(frozen=True)

@@ -25,8 +25,6 @@ from sympy import (
     Min,
     Mul,
     N,
-    Pow,
-    Rational,
     Symbol,
     atan,
     atanh,
@@ -176,7 +174,7 @@ class _Lowering(Builder):
     def const(self, value: Expr) -> Value:
         if value is nan:
             return self.value(math.nan)
-        if isinstance(value, Rational):
+        if value.is_Rational:
             return self.value(int(value.p) / int(value.q))  # correctly rounded by Python
         with mpmath.workprec(300):
             return self.value(mpmath.mpf(N(value, 80)._mpf_))
@@ -187,7 +185,7 @@ class _Lowering(Builder):
         return self.done[expression]
 
     def _add(self, e: Basic) -> Value:
-        if isinstance(e, Symbol):
+        if e.is_Symbol:
             raise ValueError(f"{e.name} is not an input of the program; its inputs are {', '.join(self.inputs)}")
         if e is nan or (e.is_number and not e.has(Function)):
             return self.const(e)
@@ -197,11 +195,11 @@ class _Lowering(Builder):
             return self.add(e.lower())
         if isinstance(e, Horner):
             return self._horner(e)
-        if isinstance(e, Add):
+        if e.is_Add:
             return self._sum(e)
-        if isinstance(e, Mul):
+        if e.is_Mul:
             return self._product(e)
-        if isinstance(e, Pow):
+        if e.is_Pow:
             return self._power(e.base, e.exp)
         if isinstance(e, Select):
             smaller, larger, *chosen = map(self.add, e.args)
@@ -235,11 +233,11 @@ class _Lowering(Builder):
         powers = []
         for x in sorted(e.args, key=default_sort_key):
             base, exponent = x.as_base_exp()
-            if isinstance(x, Rational) and x.p == 1 and x.q & (x.q - 1):
+            if x.is_Rational and x.p == 1 and x.q & (x.q - 1):
                 under.append(Integer(x.q))  # a third is a division by 3: one rounding
-            elif isinstance(x, Pow) and x.exp.could_extract_minus_sign():
+            elif x.is_Pow and x.exp.could_extract_minus_sign():
                 under.append(1 / x)
-            elif isinstance(base, Symbol) and exponent.is_Integer:
+            elif base.is_Symbol and exponent.is_Integer:
                 powers += [base] * int(exponent)
             else:
                 over.append(x)
@@ -299,7 +297,7 @@ def program(
     low = _Lowering(inputs)
     for symbol, value in (let or {}).items():
         if isinstance(value, Program):
-            known = {e.name: v for e, v in low.done.items() if isinstance(e, Symbol)}
+            known = {e.name: v for e, v in low.done.items() if e.is_Symbol}
             (result,) = low.inline(value, known)
         else:
             result = low.add(value)

@@ -118,9 +118,12 @@ class _Text:
             letter = "p" if i in self.polynomials else "t"
             self.counts[letter] += 1
             name = f"{letter}{self.counts[letter]}"
-        taken = {*self.program.inputs, *(t for t, _ in self.text.values())}
-        candidates = (name, *(f"{name}_{k}" for k in range(2, 1000)))
-        name = next(x for x in candidates if x not in taken)
+        taken = {text for text, _ in self.text.values()}.union(self.program.inputs)
+        first = name
+        k = 1
+        while name in taken:
+            k += 1
+            name = f"{first}_{k}"
         line = self.language.statement.format(name=name, text=text)
         if len(line) > WIDTH:
             line = "\n".join(textwrap.wrap(line, WIDTH - 8, subsequent_indent="    ", break_long_words=False))
@@ -133,19 +136,31 @@ def _known(program: Program) -> dict[int, str]:
     ops = program.ops
     names = dict(program.names)
     for i, op in enumerate(ops):
-        if i in program.names:
+        if i in program.names or op.kind not in ("sub", "mul"):
             continue
-        kinds = [ops[a].kind for a in op.args]
-        if kinds == ["const", "input"] and op.kind == "sub":
-            names[i] = "b"  # pi/2 - alpha
-        if op.kind == "mul" and op.args[0] == op.args[1] and (kinds[0] == "input" or op.args[0] in names):
-            squared = names.get(op.args[0]) or str(ops[op.args[0]].value)
-            base, _, power = squared.partition("_")
-            names[i] = f"{base}_{2 * int(power or 1)}" if power.isdigit() or not power else f"{base}_{power}_2"
+        first, second = op.args
+        if op.kind == "sub":
+            if (ops[first].kind, ops[second].kind) == ("const", "input"):
+                names[i] = "b"  # pi/2 - alpha
+        elif first == second:
+            if ops[first].kind == "input":
+                names[i] = _squared(names.get(first, str(ops[first].value)))
+            elif first in names:
+                names[i] = _squared(names[first])
     if pieces := seam(program):
         _, near, far = pieces
         names |= {near: "near", far: "far"}
     return names
+
+
+def _squared(name: str) -> str:
+    """The name of a square: x_2 of x, x_4 of x_2."""
+    base, _, power = name.partition("_")
+    if not power:
+        return f"{base}_2"
+    if power.isdigit():
+        return f"{base}_{2 * int(power)}"
+    return f"{name}_2"
 
 
 def _polynomials(program: Program) -> dict[int, tuple[int, list[float]]]:
@@ -224,7 +239,8 @@ def _call(program: Program, i: int, part: Part) -> tuple[str, int] | None:
 
     if not same(i, part.program.outputs[0]):
         return None
-    return part.name, next(bound[k] for k, op in enumerate(part.program.ops) if op.kind == "input")
+    inputs = (k for k, op in enumerate(part.program.ops) if op.kind == "input")
+    return part.name, bound[next(inputs)]
 
 
 def statements(program: Program, language: Language, parts: Sequence[Part] = ()) -> tuple[list[str], list[str]]:

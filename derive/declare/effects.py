@@ -1,4 +1,4 @@
-"""What a scene may ask for, declared once as data: friction laws, and effects as terms of the balance of momentum.
+"""What a scene may contain, declared once as data: friction laws, and effects as terms of the balance of momentum.
 
 A new effect is one more `Effect` here. From it follow its part of the flow programs (`derive.flow.fragments`), the
 runtime half (names, units, bounds, help, conversions) in `generated/effects.py`, and with that scenes, plans, schema
@@ -29,7 +29,7 @@ DEGREE = 7  # of the pieces of what is known by its values only
 
 _INFINITY = float("inf")
 _BELOW_0 = -5e-324  # bounds are open, and zero is allowed
-# Between what a number of a unit lies wherever a mass slides: beyond it stands a wrong unit, or a slip of the keyboard.
+# Limits of plausible numbers by unit: beyond them is a wrong unit or a typing error.
 LIMITS = {
     "": (1e-12, 1e12), "m": (1e-13, 1e20), "s": (1e-12, 1e18), "m/s": (1e-18, 3e8), "m/s^2": (1e-13, 1e15),
     "N/m^3": (1e-3, 1e9), "Pa": (1e-9, 1e15), "Pa s": (1e-12, 1e20), "Pa/K": (1e-9, 1e15), "J/m^3 K": (1e-3, 1e15),
@@ -41,9 +41,9 @@ class Parameter:
     """A number that an effect or a law needs: in SI units, with its open bounds, and as a scene file writes it.
 
     Where bounds say no more than its sign, those of its unit hold, `LIMITS`.
-    ``key`` names it with its unit in a scene file, which gives ``per_unit`` SI units each. ``symbol`` is what stands
+    ``key`` names it with its unit in a scene file, which gives ``per_unit`` SI units each. ``symbol`` stands
     for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the effect's
-    other parameters, by their names. An ``optional`` one may be left out. ``kind`` is "number", "list" (of numbers),
+    other parameters, by their names. An ``optional`` one may be omitted. ``kind`` is "number", "list" (of numbers),
     "series" (a number, or a function of time), "rotation" (a function of it, which the section gives), "text", "flag"
     or one of several words, "this|that". What has no ``key`` cannot be written in a file.
     """
@@ -70,12 +70,12 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Effect:
-    """A term that a scene may call for.
+    """A term of the balance that a scene may contain.
 
     ``stress`` is what it adds to the mean normal stress and ``pressure`` to the pore pressure, over sigma_ref;
     ``resistance`` is a moment that opposes the motion. ``fall`` and ``press`` are what it adds to J_theta and J_r.
-    ``turns`` lets the geometry move with the mass. ``given`` are states, which have another value at each moment, and
-    ``growth`` is how they grow with the rotation. At least one parameter of ``any_of`` is needed.
+    ``turns`` lets the geometry move with the mass. ``states`` are symbols that change with time, and ``growth``
+    is their derivative by the rotation. At least one parameter of ``any_of`` is needed.
     ``depends_on`` decides which methods can solve it.
     """
 
@@ -90,7 +90,7 @@ class Effect:
     turns: bool = False
     fall: sp.Expr = sp.Integer(0)
     press: sp.Expr = sp.Integer(0)
-    given: tuple[sp.Symbol, ...] = ()
+    states: tuple[sp.Symbol, ...] = ()
     growth: sp.Expr = sp.Integer(0)
     any_of: tuple[str, ...] = ()
 
@@ -165,9 +165,10 @@ _K_H, _K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
 
-def _optional(name: str, help: str, unit: str = "", key: str | None = None, kind: str = "number",
-              symbol: sp.Symbol | None = None) -> Parameter:  # fmt: skip
-    """Any number, a function of time or a text, that may be left out."""
+def _optional(
+    name: str, help: str, unit: str = "", key: str | None = None, kind: str = "number", symbol: sp.Symbol | None = None
+) -> Parameter:
+    """Any number, a function of time or a text, that may be omitted."""
     key = name if key is None else key
     return Parameter(name, unit, -_INFINITY, _INFINITY, help, key, symbol=symbol, optional=True, kind=kind)
 
@@ -249,26 +250,45 @@ EFFECTS = (
            "friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves the "
            "layer) and adiabatic (no heat does), as in a slide of seconds to minutes on millimetres of clay or more; "
            "one mean pressure and temperature, constant Lambda, and all work of friction is heat",
-           pressure=_EXCESS, given=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
+           pressure=_EXCESS, states=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
 )  # fmt: skip
 
 
 def formulas(effect: Effect) -> tuple[str, ...]:
     """What an effect adds to the balance, and what makes its parameters dimensionless (these get a star)."""
-    scaled = {p.symbol: p for p in effect.parameters if p.symbol is not None and p.dimensionless != VALUE}
-    names = {s: f"{s}_star" for s in scaled} | {ALPHA: "alpha", GRAVITY: "g", RADIUS: "R", DENSITY: "rho",
-                                                REFERENCE: "sigma_ref", EFFECTIVE: "sigma'"}  # fmt: skip
-    slopes = {THETA * FALL_SLOPE: sp.Symbol("dJ_theta/dpsi"), THETA * PRESS_SLOPE: sp.Symbol("dJ_r/dpsi")}
+    starred = {p.symbol: p for p in effect.parameters if p.symbol is not None and p.dimensionless != VALUE}
+    notation: dict[sp.Expr, str] = {
+        THETA * FALL_SLOPE: "dJ_theta/dpsi",
+        THETA * PRESS_SLOPE: "dJ_r/dpsi",
+        ALPHA: "alpha",
+        GRAVITY: "g",
+        RADIUS: "R",
+        DENSITY: "rho",
+        REFERENCE: "sigma_ref",
+        EFFECTIVE: "sigma'",
+    }
+    notation |= {symbol: f"{symbol}_star" for symbol in starred}
+    symbols = {e: sp.Symbol(name) for e, name in notation.items()}
 
     def shown(e: sp.Expr) -> str:
-        return in_words(e.subs(slopes | {OMEGA_2: OMEGA**2} | {s: sp.Symbol(n) for s, n in names.items()}))
+        return in_words(e.subs({OMEGA_2: OMEGA**2} | symbols))
 
-    adds = {"sigma": effect.stress, "u": effect.pressure, "resistance": effect.resistance, "J_theta": effect.fall,
-            "J_r": effect.press}  # fmt: skip
-    found = ["psi = psi_0 - phi"] if effect.turns else []
-    found += [f"adds {shown(term)} to {name}" for name, term in adds.items() if term != 0]
-    found += [f"d{x}/dphi = {shown(effect.growth)}" for x in effect.given]
-    return (*found, *(f"{s}* = {shown(p.dimensionless.subs(VALUE, sp.Symbol(p.name)))}" for s, p in scaled.items()))
+    terms = {
+        "sigma": effect.stress,
+        "u": effect.pressure,
+        "resistance": effect.resistance,
+        "J_theta": effect.fall,
+        "J_r": effect.press,
+    }
+    lines = ["psi = psi_0 - phi"] if effect.turns else []
+    for quantity, term in terms.items():
+        if term != 0:
+            lines.append(f"adds {shown(term)} to {quantity}")
+    for x in effect.states:
+        lines.append(f"d{x}/dphi = {shown(effect.growth)}")
+    for symbol, p in starred.items():
+        lines.append(f"{symbol}* = {shown(p.dimensionless.subs(VALUE, sp.Symbol(p.name)))}")
+    return tuple(lines)
 
 
 # The derivatives by psi of what turns with the mass.

@@ -39,16 +39,16 @@ class Moment:
 
     @property
     def definition(self) -> tuple[str, ...]:
-        """What a certificate says that the function of alpha is."""
+        """The definition of the function of alpha that its certificates state."""
         power = sp.degree(self.weight, r) if self.weight.is_polynomial(r) else sp.Integer(0)
         turn = self.weight / r**power
         turned = turn in (sp.sin(theta), -sp.sin(theta), sp.cos(theta), -sp.cos(theta))
         if not (1 <= power <= HIGHEST and (turn == 1 or turned)):
-            wanted = f"r**n, +-r**n*sin(theta) or +-r**n*cos(theta), n = 1 to {HIGHEST}, or certified=False"
-            raise ProofError(f"{self.name}: weight that can be certified", self.weight, wanted)
+            allowed = f"r**n, +-r**n*sin(theta) or +-r**n*cos(theta), n = 1 to {HIGHEST}, or certified=False"
+            raise ProofError(f"{self.name}: weight that can be certified", self.weight, allowed)
         if turned != (self.amplitude is not None):
-            wanted = "a name and a symbol" if turned else "none, as the weight does not turn"
-            raise ProofError(f"{self.name}: amplitude of the weight {self.weight}", self.amplitude, wanted)
+            allowed = "a name and a symbol" if turned else "none, as the weight does not turn"
+            raise ProofError(f"{self.name}: amplitude of the weight {self.weight}", self.amplitude, allowed)
         return (f"r^{power}{' cos u' if turned else ''}",)
 
 

@@ -37,36 +37,45 @@ Tangents = tuple[tuple[str, ...], tuple[tuple[object, ...], ...]]
 
 def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> str:
     """The module's text."""
-    cells = {name: repr((("d", "a", "b", "e"), of_cell(means))) for name, (means, _, _) in SCALARS.items()}
-    registers = {
-        name: repr(((*map(str, (*o.results, *o.arguments, *o.numbers)),), of_series(o)))
-        for name, o in OPERATIONS.items()
-    }
-    parts = {name: _fragment(f) for name, f in fragments(effects, laws).items()}
+    inputs = {name: repr(meaning) for name, meaning in INPUTS.items()}
     kinked = {law.name: _pieces(law) for law in laws if law.kinks}
+    cells = {name: repr((("d", "a", "b", "e"), of_cell(means))) for name, (means, _, _) in SCALARS.items()}
+    registers = {}
+    for name, o in OPERATIONS.items():
+        names = tuple(map(str, (*o.results, *o.arguments, *o.numbers)))
+        registers[name] = repr((names, of_series(o)))
+    parts = {name: _fragment(f) for name, f in fragments(effects, laws).items()}
     blocks = (
-        ("numbers that every scene gives", "INPUTS", {x: repr(y) for x, y in INPUTS.items()}),
+        ("Numbers that every scene gives", "INPUTS", inputs),
         (
-            "laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond",
+            "Laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond",
             "PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]]",
             kinked,
         ),
-        ("operations that make the tangent of a cell", "CELL_TANGENTS: dict[str, Tangents]", cells),
-        ("operations that make the tangents of a register", "SERIES_TANGENTS: dict[str, Tangents]", registers),
-        ("parts of programs", "FRAGMENTS: dict[str, Fragment]", parts),
+        ("Operations that make the tangent of a cell", "CELL_TANGENTS: dict[str, Tangents]", cells),
+        ("Operations that make the tangents of a register", "SERIES_TANGENTS: dict[str, Tangents]", registers),
+        ("Parts of programs", "FRAGMENTS: dict[str, Fragment]", parts),
     )
-    text = [_HEAD.format(fragment=inspect.getsource(Fragment), equation=equation.in_plain_text())]
+    text = _HEAD.format(fragment=inspect.getsource(Fragment), equation=equation.in_plain_text())
     for comment, name, rows in blocks:
         lines = "".join(f"    {x!r}: {row},\n" for x, row in rows.items())
-        text.append(f"# {comment[0].upper()}{comment[1:]}.\n{name} = {{\n{lines}}}\n\n")
-    return "".join(text) + f"QUANTITIES = {QUANTITIES!r}  # what fragments add to\n\n{equation.text()}"
+        text += f"# {comment}.\n{name} = {{\n{lines}}}\n\n"
+    return text + f"QUANTITIES = {QUANTITIES!r}  # what fragments add to\n\n{equation.text()}"
 
 
 def _pieces(law: Law) -> str:
+    """Scale, breaks and polynomials of a law as Python."""
     breaks, polynomials = pieces(law)
-    names = ", ".join(sorted({str(x) for p in polynomials for c in p for x in c.free_symbols}))
-    rows = ", ".join(f"({', '.join(sstr(Float(c) if c.is_Number else c) for c in p)})" for p in polynomials)
-    return f"({law.scale!r}, {(*map(float, breaks),)!r}, lambda {names}, **_: ({rows}))"
+    names: set[str] = set()
+    rows = []
+    for polynomial in polynomials:
+        coefficients = []
+        for c in polynomial:
+            names.update(str(x) for x in c.free_symbols)
+            coefficients.append(sstr(Float(c) if c.is_Number else c))
+        rows.append(f"({', '.join(coefficients)})")
+    starts = tuple(map(float, breaks))
+    return f"({law.scale!r}, {starts!r}, lambda {', '.join(sorted(names))}, **_: ({', '.join(rows)}))"
 
 
 def _fragment(f: Fragment) -> str:
@@ -117,14 +126,16 @@ def of_series(o: Operation) -> Template:
     registers = (*symbols.values(), *_HELPERS, *(tangents[x] for x in o.arguments))
     low = Lowering("*", {x: (ZERO, series(str(x))) for x in registers})
     for result, means in zip(o.results, o.means, strict=True):
+        function = means.xreplace(symbols)
         change = ZERO
         for x, tangent in tangents.items():
-            slope = diff(means.xreplace(symbols), symbols.get(x, x))
-            for function, register in _KNOWN.items():
-                slope = slope.subs(function, register)
+            slope = diff(function, symbols.get(x, x))
+            for known, register in _KNOWN.items():
+                slope = slope.subs(known, register)
             for helper, operation in _HELPERS.items():
-                if helper in slope.free_symbols - {*symbols.values()}:
+                if helper in slope.free_symbols.difference(symbols.values()):
                     low.put(*operation)
             change += slope * tangent
-        low.put("lin", f"{result}'", "", low.sum(low.split(expand(change))[1]))
+        _, increment = low.split(expand(change))
+        low.put("lin", f"{result}'", "", low.sum(increment))
     return tuple(low.series)

@@ -95,7 +95,7 @@ def of_effect(effect: declared.Effect) -> tuple[Term, ...]:
         "T": effect.resistance,
     }
     terms = [term(q, x) for q, e in adds.items() if e != 0 for x in sp.Add.make_args(sp.expand(e))]
-    terms += [term(f"d{x}/dphi", effect.growth) for x in effect.given]
+    terms += [term(f"d{x}/dphi", effect.growth) for x in effect.states]
     return (*(position(True) if effect.turns else ()), *terms)
 
 

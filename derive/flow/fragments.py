@@ -116,7 +116,7 @@ def moving(effect: declared.Effect | None = None) -> dict[Symbol, tuple[Expr, In
         elif p.kind == "series":
             increment = series(f"d{x}", direction)
         variables[x] = (direction * x, increment)
-    for x in effect.given:
+    for x in effect.states:
         variables[x] = varying(str(x))
     return variables
 
@@ -131,9 +131,9 @@ def of_effect(effect: declared.Effect) -> Fragment:
     if effect.turns:
         return rotation(effect)
     low = Lowering(effect.name, moving(effect))
-    for x in effect.given:
+    for x in effect.states:
         low.cells[f"{x}_less"] = -x
-        low.cells[f"{x}_0"] = -cell(f"{x}_less")  # the state's own cell moves on along the phase
+        low.cells[f"{x}_0"] = -cell(f"{x}_less")  # the state's cell changes along the phase
         low.whole(f"d{x}", f"{x}_less", str(x))
     low.moving = {**low.moving, **TOTALS}
     rate = expand(effect.growth * OMEGA)
@@ -156,7 +156,7 @@ def of_effect(effect: declared.Effect) -> Fragment:
         quantities(effect),
         inputs=inputs,
         optional=optional,
-        states={str(x): rate for x in effect.given},
+        states={str(x): rate for x in effect.states},
         table=table,
     )
 
@@ -199,7 +199,7 @@ def _log_speed(law: declared.Law, low: Lowering) -> None:
 def pieces(law: declared.Law) -> tuple[list[Expr], list[list[Expr]]]:
     """Where the pieces of a law with kinks begin, over its scale, and their polynomials in what is beyond.
 
-    A piece takes the branch of each minimum or maximum that holds there, so that a constant piece is the number given.
+    A piece takes the branch of each minimum or maximum that holds there: a constant piece is exactly its parameter.
     """
     s = cell("s")
     y = cell("y")
@@ -224,7 +224,7 @@ def pieces(law: declared.Law) -> tuple[list[Expr], list[list[Expr]]]:
 
 
 def gravity() -> Fragment:
-    """The weight, which drives and presses; of a frozen mass, where nothing else says how its components turn."""
+    """The weight, which drives and presses; of a frozen mass, whose components do not turn."""
     low = Lowering("gravity", {})
     for q in BY_PSI:
         low.cells[str(seen(q))] = sign(q) * q
@@ -302,7 +302,7 @@ def _drive(low: Lowering, net: Expr) -> None:
 
 
 def energy() -> Fragment:
-    """Work of what drives and loss to what resists, as states: only where they are asked for."""
+    """Work of what drives and loss to what resists, as states: only where they are requested."""
     names = ("driving", "resisting", "friction", "brakes", "omega")
     driving, resisting, friction, brakes, omega = (cell(x) for x in names)
     low = Lowering("energy", {cell(x): (ZERO, series(x)) for x in names})  # in full

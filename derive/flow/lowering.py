@@ -35,7 +35,7 @@ def series(name: str, coefficient: Expr = ONE) -> Increment:
 
 
 def varying(name: str) -> tuple[Expr, Increment]:
-    """Base and increment of what has a cell and a register of its own: ``x_0`` and ``dx``."""
+    """Base and increment of a quantity with the cell ``x_0`` and the register ``dx``."""
     return cell(f"{name}_0"), series(f"d{name}")
 
 
@@ -65,8 +65,8 @@ class Fragment(NamedTuple):
     """Formulas in words; operations on numbers where a phase begins, operations on series, and what they add.
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
-    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be left
-    out. ``states`` are series with those of their rates. A ``table`` has its name, is of slip, speed, rotation or
+    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be
+    omitted. ``states`` are series with those of their rates. A ``table`` has its name, is of slip, speed, rotation or
     time, with the series of its argument (of time, its own) and the degree of its pieces.
     """
 
@@ -211,7 +211,7 @@ class Lowering:
     def cell(self, e: Expr, name: str = "") -> str:
         """The cell that holds a number which is known where a phase begins."""
         if not name:
-            if isinstance(e, Symbol):
+            if e.is_Symbol:
                 return str(e)
             if e.is_Number:
                 return f"={float(e)!r}"

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from sympy import Add, Expr, Function, Indexed, IndexedBase, Mul, Pow, Rational, Sum, Symbol, cancel
+from sympy import Expr, Function, Indexed, IndexedBase, Mul, Sum, cancel
 
 from derive.flow.operations import OPERATIONS, SCALARS, Operation, k, n
 
@@ -44,16 +44,16 @@ def _text(e: Expr, known: Mapping[Expr, str]) -> str:
         return known[e]
     if isinstance(e, Indexed):
         return f"{e.base}[{e.indices[0]}]"
-    if isinstance(e, Symbol):
+    if e.is_Symbol:
         return str(e)
-    if isinstance(e, Rational):
+    if e.is_Rational:
         return repr(float(e))
-    if isinstance(e, Add):
+    if e.is_Add:
         terms = sorted(e.args, key=lambda x: (x.could_extract_minus_sign(), str(x)))
         return f"({' + '.join(_text(x, known) for x in terms).replace('+ -', '- ')})"
-    if isinstance(e, Mul):
+    if e.is_Mul:
         return f"-{_text(-e, known)}" if e.could_extract_minus_sign() else _product(e, known)
-    if isinstance(e, Pow):
+    if e.is_Pow:
         base = _text(e.base, known)
         return f"1.0 / {base}" if e.exp == -1 else " * ".join([base] * int(e.exp))
     raise ValueError(f"no text for {e}")
@@ -64,7 +64,7 @@ def _product(e: Mul, known: Mapping[Expr, str]) -> str:
     over = []
     under = ""
     for x in sorted(e.args, key=str):
-        if not (isinstance(x, Pow) and x.exp == -1):
+        if not (x.is_Pow and x.exp == -1):
             over.append(_text(x, known))
         elif x.base == n:
             under += " * by_n"
@@ -74,7 +74,7 @@ def _product(e: Mul, known: Mapping[Expr, str]) -> str:
 
 
 def _body(o: Operation, let: str, call: str, zero: str, end: str) -> tuple[list[str], list[str]]:
-    """Statements for order 0, functions first, and for order n, whose sums have their names."""
+    """Statements for order 0, functions first, and for order n, in which sums are named."""
     known: dict[Expr, str] = {total: f"sum{s.name}" for total, s in _sums(o).items()}
     functions = {f for e in o.start for f in e.atoms(Function)}
     start = []
@@ -124,7 +124,7 @@ def _c_case(o: Operation) -> str:
 
 
 def c() -> dict[str, str]:
-    """Codes and cases of the operations on series, of which each returns where the next stands, and on cells."""
+    """Codes and cases of the operations on series, each returning where the next begins, and on cells."""
     codes = (["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in SCALARS])
     cases = ""
     for name, (means, text, _) in SCALARS.items():

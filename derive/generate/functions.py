@@ -1,4 +1,4 @@
-"""What `generated` holds: its functions, each with its program, its domain and the words of its docstring."""
+"""The functions of `generated`, each with its program, its domain and the words of its docstring."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -38,12 +38,12 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
     for q in QUOTIENTS:
         formulas[q.name] = f"{q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish."
     quantities: tuple[Moment | Elementary | Quotient, ...] = (*MOMENTS, RESISTANCE, *QUOTIENTS)
-    found = []
+    every = []
     for x, (name, form) in zip(quantities, stable_forms(closed).items(), strict=True):
         # In its fitted tiers, or in its stable form where nothing is fitted (yet).
         symbol = x.kernel[1] if isinstance(x, Moment) else x.symbol
         tiers = _tiers(name)
-        found.append(
+        every.append(
             Function(
                 tiers.get("best") or program(name, ("alpha",), form, let=_CLIP),
                 f"{symbol}: {x.help}, dimensionless.",
@@ -67,7 +67,7 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
         "3.21",
         ACCURACY,
     )
-    return [*found, *(_weight(derive(m)) for m in MOMENTS if m.amplitude), friction]
+    return [*every, *(_weight(derive(m)) for m in MOMENTS if m.amplitude), friction]
 
 
 def _tiers(name: str) -> dict[str, Program]:
@@ -97,17 +97,17 @@ def _accuracy(name: str, proved: Sequence[Record]) -> str:
 
 
 def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tuple[str, str, str], str]:
-    """What stands above each compiled program: formula, interval, proved bound and certificate."""
+    """The comment above each compiled program: formula, interval, proved bound and certificate."""
     known = {f.program.name: f for f in kernels}
-    found = {}
+    texts = {}
     for r in proved:
         kernel = r["kernel"]
         tier = r["tier"]
         form = r["form"]
         bound = f"{r['bound']:.3g} {'relative' if tier[0] == '1' else 'ulp'} (certificates/{kernel}.json)"
         formula = known[kernel].formula.rstrip(".")
-        found[kernel, tier, form] = f"{formula}, 0 <= alpha <= pi/2, {tier}, {form}: proved within {bound}"
-    return found
+        texts[kernel, tier, form] = f"{formula}, 0 <= alpha <= pi/2, {tier}, {form}: proved within {bound}"
+    return texts
 
 
 def stable_forms(closed: Mapping[str, Expr]) -> dict[str, Expr]:
@@ -145,7 +145,7 @@ def _turned(function: type[sp.Function]) -> Expr:
     return function(theta_m) + _EPSILON * diff(function(theta_m), theta_m)
 
 
-# (C_theta/C_r) tan(psi); alpha's rounding error is left out, as the quotient is O(1) with a slope of O(alpha).
+# (C_theta/C_r) tan(psi); alpha's rounding error is neglected, as the quotient is O(1) with a slope of O(alpha).
 _LIMIT = _KERNEL * _turned(cos) / _turned(sin)
 
 

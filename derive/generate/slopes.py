@@ -28,7 +28,7 @@ _WORDS = {
 
 
 _LISTED = ", ".join(WEIGHTS)
-# Of each function what its docstring says besides its inputs: summary, formula, returns and a note.
+# The docstring of each function besides its inputs: summary, formula, returns and a note.
 _TEXTS = {
     "closed": (
         "Integrals over the ring between an edge and the arc under it: sector minus triangle.",

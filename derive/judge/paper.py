@@ -7,84 +7,79 @@ same in r*; J_r and J_theta turn with the mass, J_r0 and J_theta0 are their valu
 the parts of an equation.
 """
 
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
-from typing import Any, Literal
+from collections.abc import Callable
+from typing import Any
 
 import mpmath as mp
-from sympy import Eq, Expr, Symbol, cos, diff, expand, oo, pi, simplify, sin, solve, sqrt, symbols
+from sympy import Eq, Symbol, cos, diff, expand, simplify, sin, solve, sqrt, symbols
 
-from derive.algebra.appendices import APPENDIX_I, APPENDIX_II, Appendix
+from derive.algebra.appendices import APPENDIX_I, APPENDIX_II
 from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, solution, theta_star
 from derive.declare.symbols import alpha, omega_0, r, t, theta, theta_1, theta_2
-from derive.judge import mechanics as m
 from derive.judge import postulates
 from derive.judge import section as s
-
-VERDICTS = {
-    "holds": "the form is proved equal to what precedes it, or every value lies where it is said to lie",
-    "holds to the printed digits": "the value, rounded at the last printed place or cut off there, is the printed one",
-    "definition": "names what nothing before it names; its dimension is right, and what follows uses it so",
-    "imprecise": "true, but not sharp, or in a notation that contradicts itself",
-    "misprint": "one edit of the text makes it hold; if print or scan slipped, the text cannot tell",
-    "wrong": "differs from what precedes it",
-    "assumption": "does not follow: a state is exhibited that keeps all postulates before it and breaks this one",
-    "not machine-checkable": "needs what is not in the text",
-}
-
-DIMENSIONS = {
-    "R": "L", "r": "L", "ell": "L", "g": "L/T**2", "rho": "M/L**3", "dV": "L**3", "t": "T", "c0": "1/T", "c2": "1/T",
-    **dict.fromkeys(("sigma_mean", "sigma_n", "tau_n"), "M/(L*T**2)"),
-}  # fmt: skip
-
-# Where forms are claimed: open intervals, or one value. Whatever is not named is real and positive.
-DOMAINS = {"alpha": (0, pi / 2), "omega": (0, oo), "a": (0, oo), "b": (0, oo), "omega_0": (0, 0)}
-
-
-@dataclass(frozen=True)
-class Cause:
-    """Why a claim may fail, and the verdict this leads to if it is shown.
-
-    For a number ``value`` is what the paper must have evaluated: it has to give the printed digits. For a form
-    ``edit`` is a replacement in the transcription: afterwards the form has to hold.
-    """
-
-    words: str
-    verdict: Literal["imprecise", "misprint", "wrong"]
-    value: Callable[[], mp.mpf] | None = None
-    edit: tuple[str, str] = ("", "")
-
-
-@dataclass(frozen=True)
-class Claim:
-    """One claim of the paper.
-
-    ``expression`` transcribes ``printed``; ``definition`` derives what it must equal; ``dimension`` (of what names
-    something) and ``law`` are what else it has to satisfy, and ``weight`` the integrand whose quadrature it has to
-    equal on its whole domain. What it takes for granted is data: ``domain`` where not that of `DOMAINS`, and ``given``.
-    """
-
-    id: str
-    claim: str
-    printed: str
-    expression: str = ""
-    definition: Callable[[], Any] = lambda: ()
-    kind: Literal["form", "definition", "number", "range", "appendix"] = "form"
-    causes: tuple[Cause, ...] = ()
-    shows: str = "{}"  # how the derived value is written
-    note: str = ""  # remark if it holds
-    dimension: str = ""
-    law: Callable[[Expr], Iterable[Expr]] | None = None
-    weight: Expr | None = None
-    given: tuple[str, ...] = ()
-    domain: tuple[tuple[str, Any, Any], ...] = ()
-    subject: Appendix | None = None
-
+from derive.judge.claims import DOMAINS, Cause, Claim
+from derive.judge.mechanics import (
+    ARC,
+    AREA,
+    DEPTH,
+    GRAVITY,
+    LEVER,
+    STRESS_SUM,
+    a_of,
+    along_bisector,
+    b_of,
+    basis,
+    body,
+    chord,
+    deepest,
+    dimensional,
+    end,
+    lever,
+    moment_of,
+    momentum,
+    motion,
+    mu_of,
+    omega,
+    omega_dot,
+    radial,
+    rate,
+    reaction,
+    read,
+    scaled,
+    series,
+    sigma,
+    sigma_n,
+    step,
+    tau_n,
+    turn,
+)
+from derive.judge.section import (
+    DIP,
+    GIVEN,
+    HALF,
+    IMPLYING,
+    both,
+    degrees,
+    depth,
+    derivation,
+    dynamic,
+    factor,
+    implied,
+    limit_friction,
+    moment,
+    reached,
+    reference,
+    second_appendix,
+    second_end,
+    turned,
+)
 
 _FULL = "evaluated at the full angle 2 alpha, not at alpha"
-_FULL_A = Cause(f"(2.24) {_FULL}", "wrong", lambda: s.dynamic(2 * s.HALF))
-_LIMIT_ANGLE = Cause("follows: with Appendix II it is the dip of the chord", "wrong",
-                     lambda: s.degrees(s.limit_friction(as_printed=True)))  # fmt: skip
+_FULL_A = Cause(f"(2.24) {_FULL}", "wrong", lambda: dynamic(2 * HALF))
+_LIMIT_ANGLE = Cause(
+    "follows: with Appendix II it is the dip of the chord", "wrong", lambda: degrees(limit_friction(as_printed=True))
+)
 _RANGE_10 = "changes by {} of it over the paper's rotation in 30 s"
 _SUM = ("radial components added as scalars (2.1)",)
 _MEAN = (*_SUM, "mean stress (2.9)")
@@ -101,9 +96,9 @@ def _number(id: str, claim: str, digits: str, value: Callable[[], Any], *causes:
 
 def _reached(id: str, claim: str, digits: str) -> Claim:
     name = id[-2:]
-    cause = Cause("follows from Theta* and A at 2 alpha, J_theta of Appendix II", "wrong",
-                  lambda: s.reached(name, as_printed=True))  # fmt: skip
-    return _number(id, claim, digits, lambda: s.reached(name), cause, given=_EXAMPLE)
+    words = "follows from Theta* and A at 2 alpha, J_theta of Appendix II"
+    cause = Cause(words, "wrong", lambda: reached(name, as_printed=True))
+    return _number(id, claim, digits, lambda: reached(name), cause, given=_EXAMPLE)
 
 
 def _figure(id: str, claim: str, shows: str, values: Callable[[], list[mp.mpf]], note: str) -> Claim:
@@ -111,7 +106,7 @@ def _figure(id: str, claim: str, shows: str, values: Callable[[], list[mp.mpf]],
 
 
 def _over_angle(name: str) -> Callable[[], list[mp.mpf]]:
-    return lambda: [s.moment(name), s.moment(name, 2 * s.HALF)]
+    return lambda: [moment(name), moment(name, 2 * HALF)]
 
 
 def _notation(words: str, old: str, new: str) -> tuple[Cause, ...]:
@@ -125,224 +120,224 @@ _ONCE = ("sigma(alpha), (alpha", "sigma(u), (u")
 
 CLAIMS = (
     Claim("(1.1)", "opening angle", "2 alpha = theta_2 - theta_1 = const", "0",
-          lambda: diff(m.end(theta_2) - m.end(theta_1), t), "definition", shows="d(theta_2 - theta_1)/dt = {}",
+          lambda: diff(end(theta_2) - end(theta_1), t), "definition", shows="d(theta_2 - theta_1)/dt = {}",
           dimension="1/T", given=("rigid body",)),
     Claim("(1.2)", "angle of an end", "theta_i0 + int_0^t omega(t) dt", "theta_1 + Integral(omega_of(t), (t, 0, t))",
-          lambda: m.end(theta_1), causes=_notation(_SLIP, "(t), (t", "(s), (s"), given=("rigid body",)),
+          lambda: end(theta_1), causes=_notation(_SLIP, "(t), (t", "(s), (s"), given=("rigid body",)),
     Claim("(1.3)", "rotation, by its rate", "phi = int omega dt <=> omega = dphi/dt", "diff(phi, t)",
-          lambda: m.dimensional()["omega"], "definition", shows="rate of the derived phi: {}",
+          lambda: dimensional()["omega"], "definition", shows="rate of the derived phi: {}",
           note="up to the constant phi(0)", dimension="1/T"),
-    Claim("(1.4)", "position vector", "R_P = r e_r", "r; 0", lambda: m.basis(r * cos(theta), r * sin(theta)),
+    Claim("(1.4)", "position vector", "R_P = r e_r", "r; 0", lambda: basis(r * cos(theta), r * sin(theta)),
           "definition", dimension="L"),
-    Claim("(1.5)", "velocity is tangential", "v_P = v_theta e_theta", "0; r*omega", lambda: m.rate(1)),
-    Claim("(1.6)", "acceleration", "a_P = a_r e_r + a_theta e_theta", "-r*omega**2; r*omega_dot", lambda: m.rate(2)),
-    Claim("(1.7)", "velocity", "v_theta = r omega", "r*omega", lambda: m.rate(1)[1]),
-    Claim("(1.8)", "radial acceleration", "a_r = -r omega^2", "-r*omega**2", lambda: m.rate(2)[0]),
-    Claim("(1.9)", "tangential acceleration", "a_theta = r domega/dt", "r*omega_dot", lambda: m.rate(2)[1]),
-    Claim("(1.10)", "weight of a point", "dW = dm g = rho dV g", "rho*dV*g", lambda: m.read("gamma*dV")[0],
+    Claim("(1.5)", "velocity is tangential", "v_P = v_theta e_theta", "0; r*omega", lambda: rate(1)),
+    Claim("(1.6)", "acceleration", "a_P = a_r e_r + a_theta e_theta", "-r*omega**2; r*omega_dot", lambda: rate(2)),
+    Claim("(1.7)", "velocity", "v_theta = r omega", "r*omega", lambda: rate(1)[1]),
+    Claim("(1.8)", "radial acceleration", "a_r = -r omega^2", "-r*omega**2", lambda: rate(2)[0]),
+    Claim("(1.9)", "tangential acceleration", "a_theta = r domega/dt", "r*omega_dot", lambda: rate(2)[1]),
+    Claim("(1.10)", "weight of a point", "dW = dm g = rho dV g", "rho*dV*g", lambda: read("gamma*dV")[0],
           "definition", dimension="M*L/T**2", given=("dry mass, gravity alone",)),
     Claim("(1.11)", "gravity in polar components", "-g sin(theta) e_r - g cos(theta) e_theta",
-          "-g*sin(theta); -g*cos(theta)", lambda: m.GRAVITY),
-    Claim("(1.12)", "normal reaction", "dN = -sigma_n dS e_r", "-sigma_n", lambda: m.reaction()[0], "definition",
+          "-g*sin(theta); -g*cos(theta)", lambda: GRAVITY),
+    Claim("(1.12)", "normal reaction", "dN = -sigma_n dS e_r", "-sigma_n", lambda: reaction()[0], "definition",
           shows="over dS: {}", dimension="M/(L*T**2)"),
-    Claim("(1.13)", "tangential reaction", "dT = -tau_n dS e_theta", "-tau_n", lambda: m.reaction()[1], "definition",
+    Claim("(1.13)", "tangential reaction", "dT = -tau_n dS e_theta", "-tau_n", lambda: reaction()[1], "definition",
           shows="over dS: {}", dimension="M/(L*T**2)"),
-    Claim("(1.14)", "Coulomb friction", "tau_n = mu sigma_n, mu = tan(phi)", "mu*sigma_n", lambda: m.tau_n,
+    Claim("(1.14)", "Coulomb friction", "tau_n = mu sigma_n, mu = tan(phi)", "mu*sigma_n", lambda: tau_n,
           shows="(1.1) to (1.13) leave it open: {}"),
     Claim("(2.1)", "radial balance", "int dW_r + int dN_r = int a_r dm", "dW_r + dN_r - dm*a_r",
-          lambda: m.along_bisector(symbols("dW_r dW_theta")) + m.along_bisector(symbols("dN_r dT_theta"))
-          - Symbol("dm") * m.along_bisector(symbols("a_r a_theta")), shows="along the bisector: {}"),
+          lambda: along_bisector(symbols("dW_r dW_theta")) + along_bisector(symbols("dN_r dT_theta"))
+          - Symbol("dm") * along_bisector(symbols("a_r a_theta")), shows="along the bisector: {}"),
     Claim("(2.2)", "its terms", "int rho g(-sin theta) dV + int(-sigma_n) dS = int rho(-r omega^2) dV",
           "-rho*g*sin(theta); -sigma_n; -rho*r*omega**2",
-          lambda: (rho * m.GRAVITY[0], m.reaction()[0], rho * m.rate(2)[0]), note="its domain (m) is the volume (V)",
+          lambda: (rho * GRAVITY[0], reaction()[0], rho * rate(2)[0]), note="its domain (m) is the volume (V)",
           given=_SUM),
-    Claim("(2.3)", "volume element", "dV = ell r dr dtheta", "ell*r", lambda: ell * m.AREA, shows="over dr dtheta: {}"),
-    Claim("(2.4)", "surface element", "dS = ell R dtheta", "ell*R", lambda: ell * m.ARC, shows="over dtheta: {}"),
+    Claim("(2.3)", "volume element", "dV = ell r dr dtheta", "ell*r", lambda: ell * AREA, shows="over dr dtheta: {}"),
+    Claim("(2.4)", "surface element", "dS = ell R dtheta", "ell*R", lambda: ell * ARC, shows="over dtheta: {}"),
     Claim("(2.5)", "radial balance, integrated", "R int sigma_n = rho g int int(-sin theta) r dr dtheta"
-          " + rho omega^2 int int r^2 dr dtheta", f"rho*g*{_W} + rho*omega**2*body(r**2)", m.radial, given=_SUM),
+          " + rho omega^2 int int r^2 dr dtheta", f"rho*g*{_W} + rho*omega**2*body(r**2)", radial, given=_SUM),
     Claim("(2.6)", "chord in polar coordinates", "R_1 = R cos(alpha)/cos(theta - theta_1 - alpha)",
-          "R*cos(alpha)/cos(theta - theta_1 - alpha)", m.chord),
+          "R*cos(alpha)/cos(theta - theta_1 - alpha)", chord),
     Claim("(2.7)", "(2.5) over rho g", "R/(rho g) int_0^{2 alpha} sigma_n dalpha = W + omega^2/g I_p",
           f"R/(rho*g)*{_STRESS}; {_W} + omega**2/g*body(r**2)",
-          lambda: (R / (rho * g) * m.STRESS_SUM, expand(m.radial() / (rho * g))), causes=_notation(_SLIP, *_ONCE),
+          lambda: (R / (rho * g) * STRESS_SUM, expand(radial() / (rho * g))), causes=_notation(_SLIP, *_ONCE),
           given=_SUM),
     Claim("(2.8)", "polar surface moment", "I_p = int int r^2 dr dtheta", "body(r**2)",
-          lambda: expand(m.radial() / rho).coeff(m.omega, 2), note="a first moment of area, despite its name"),
+          lambda: expand(radial() / rho).coeff(omega, 2), note="a first moment of area, despite its name"),
     Claim("(2.9)", "uniform stress, and its mean", "sigma_n = 1/(2 alpha) int_0^{2 alpha} sigma_n dalpha",
-          f"sigma_mean; {_STRESS}/(2*alpha)", lambda: (m.sigma(theta), m.STRESS_SUM / (2 * alpha)),
+          f"sigma_mean; {_STRESS}/(2*alpha)", lambda: (sigma(theta), STRESS_SUM / (2 * alpha)),
           causes=_notation(_SLIP, *_ONCE)),
     Claim("(2.10)", "(2.7) with the mean", "R/(rho g) 2 alpha sigma_n = W + omega^2/g I_p",
-          f"{_W} + omega**2/g*body(r**2)", lambda: expand(m.radial() / (rho * g)), given=_MEAN),
+          f"{_W} + omega**2/g*body(r**2)", lambda: expand(radial() / (rho * g)), given=_MEAN),
     Claim("(2.11)", "depth of the chord", "h = R (1 - cos(alpha)/cos(theta - theta_1 - alpha))",
-          "R*(1 - cos(alpha)/cos(theta - theta_1 - alpha))", lambda: R - m.chord(), "definition", dimension="L"),
-    Claim("(2.12)", "largest depth", "f = R (1 - cos(alpha))", "R*(1 - cos(alpha))", m.deepest),
-    Claim("(2.13)", "reference stress", "sigma_ref = rho g f", "rho*g*f", lambda: rho * g * R * m.LEVER / (2 * alpha),
+          "R*(1 - cos(alpha)/cos(theta - theta_1 - alpha))", lambda: R - chord(), "definition", dimension="L"),
+    Claim("(2.12)", "largest depth", "f = R (1 - cos(alpha))", "R*(1 - cos(alpha))", deepest),
+    Claim("(2.13)", "reference stress", "sigma_ref = rho g f", "rho*g*f", lambda: rho * g * R * LEVER / (2 * alpha),
           "definition", shows="what (3.14) needs: {}", dimension="M/(L*T**2)"),
     Claim("(2.14)", "radius over R", "r* = r/R", "r/R", lambda: solve(Eq(r, R * theta), theta)[0], "definition",
           shows="what (2.16) needs: {}", dimension="1"),
     Claim("(2.15)", "stress over sigma_ref", "sigma_n* = sigma_n/sigma_ref", "sigma_mean/sigma_ref",
-          lambda: simplify(sigma_mean * m.step("2.20") / m.step("2.10")), "definition",
+          lambda: simplify(sigma_mean * step("2.20") / step("2.10")), "definition",
           shows="from (2.10), (2.20): {}", dimension="1"),
-    Claim("(2.16)", "polar moment, scaled", "I_p = R^3 I_p*", "R**3*body_star(r**2)", lambda: m.scaled(r**2)),
+    Claim("(2.16)", "polar moment, scaled", "I_p = R^3 I_p*", "R**3*body_star(r**2)", lambda: scaled(r**2)),
     Claim("(2.17)", "polar moment, dimensionless", "int int_{R_1*}^1 r*^2 dr* dtheta", "body_star(r**2)",
-          lambda: m.scaled(r**2) / R**3),
+          lambda: scaled(r**2) / R**3),
     Claim("(2.18)", "chord over R", "R_1* = cos(alpha)/cos(theta - theta_1 - alpha)",
-          "cos(alpha)/cos(theta - theta_1 - alpha)", lambda: m.chord() / R),
+          "cos(alpha)/cos(theta - theta_1 - alpha)", lambda: chord() / R),
     Claim("(2.19)", "polar moment, closed form", "(2 alpha - sin(2 alpha)/2 - ln|tan(pi/4 + alpha/2)| cos(alpha)^3)/3",
           "(2*alpha - sin(2*alpha)/2 - log(Abs(tan(pi/4 + alpha/2)))*cos(alpha)**3)/3",
-          lambda: s.derivation("polar_moment").amplitude, weight=r**2),
+          lambda: derivation("polar_moment").amplitude, weight=r**2),
     _figure("Fig. 2-1", "polar moment over alpha", "I_p* = {} here, {} at 2 alpha", _over_angle("polar_moment"),
             "its curve is (2.19)"),
     Claim("(2.20)", "mean normal stress", "sigma_st* + A omega*^2", "J_r/lam + A*omega_star**2",
-          lambda: m.step("2.20"), given=_MEAN),
+          lambda: step("2.20"), given=_MEAN),
     Claim("(2.21)", "angular velocity, scaled", "omega* = omega/sqrt(g/R)", "omega/sqrt(g/R)",
-          lambda: m.omega * sqrt(R**2 * rho * polar / (2 * alpha * rho * g * m.DEPTH) / (polar / m.LEVER)),
+          lambda: omega * sqrt(R**2 * rho * polar / (2 * alpha * rho * g * DEPTH) / (polar / LEVER)),
           shows="what makes (2.10) into (2.20): {}"),
     Claim("(2.22)", "static stress", "J_r/(2 alpha (1 - cos(alpha)))", "J_r/(2*alpha*(1 - cos(alpha)))",
-          lambda: m.step("2.20").subs(omega_star, 0), given=_MEAN),
+          lambda: step("2.20").subs(omega_star, 0), given=_MEAN),
     Claim("(2.23)", "radial weight", "J_r = int int_{r_1*}^1 r*(-sin theta) dr* dtheta",
-          "body_star(-r*sin(theta), r_1)", lambda: m.scaled(-sin(theta) * r) / R**2,
+          "body_star(-r*sin(theta), r_1)", lambda: scaled(-sin(theta) * r) / R**2,
           causes=_notation("its limit r_1* is R_1* of (2.18)", "r_1", "chord")),
     Claim("(2.24)", "dynamic coefficient", "A = I_p*/(2 alpha (1 - cos(alpha)))", "I_p/(2*alpha*(1 - cos(alpha)))",
-          lambda: m.step("3.18") * theta_star / (mu * m.LEVER)),
+          lambda: step("3.18") * theta_star / (mu * LEVER)),
     Claim("Fig. 2-2", "A is of order one", "A(alpha) = O(1)", "1/10; 10",
-          lambda: [s.dynamic(x) for x in (mp.mpf("1e-5"), s.HALF, mp.pi / 2 - mp.mpf("1e-9"))], "range",
+          lambda: [dynamic(x) for x in (mp.mpf("1e-5"), HALF, mp.pi / 2 - mp.mpf("1e-9"))], "range",
           shows="{} at alpha -> 0, {} here, {} at pi/2"),
-    Claim("(2.25)", "static equilibrium", "sigma* = sigma_st*", "J_r/lam", lambda: m.step("2.20"), given=_MEAN),
+    Claim("(2.25)", "static equilibrium", "sigma* = sigma_st*", "J_r/lam", lambda: step("2.20"), given=_MEAN),
     Claim("(2.26)", "stress, of the start", "sigma* = sigma_0* + A omega*^2", "J_r0/lam + A*omega_star**2",
-          lambda: m.step("2.20"), given=_MEAN),
+          lambda: step("2.20"), given=_MEAN),
     Claim("(2.27)", "static stress at the start", "J_r(theta_10, theta_20)/(2 alpha (1 - cos(alpha)))", "J_r0/lam",
-          lambda: m.step("2.20").subs({omega_star: 0, m.turn: 0}), shows="at phi = 0: {}", given=_MEAN),
-    _number("Table 2-1 R", "radius, m", s.GIVEN["R"], shows="sigma_ref and gamma imply {}",
-            value=lambda: s.implied("sigma_ref", lambda x: s.given("R") * x / s.reference())),
-    _number("Table 2-1 gamma", "unit weight, kN/m^3", s.GIVEN["gamma"], shows="sigma_ref and R imply {}",
-            value=lambda: s.implied("sigma_ref", lambda x: s.given("gamma") * x / s.reference())),
-    _number("Table 2-1 theta_10", "first end, degrees", s.GIVEN["theta_10"], shows="2 alpha and theta_20 imply {}",
-            value=lambda: s.implied("2alpha", lambda x: s.given("theta_20") - x)),
-    _number("Table 2-1 theta_20", "second end, degrees", s.GIVEN["theta_20"], shows="2 alpha and J_r imply {}",
-            value=lambda: s.implied("J_r", s.second_end)),
-    _number("Table 2-1 2alpha", "opening angle, degrees", s.IMPLYING["2alpha"],
+          lambda: step("2.20").subs({omega_star: 0, turn: 0}), shows="at phi = 0: {}", given=_MEAN),
+    _number("Table 2-1 R", "radius, m", GIVEN["R"], shows="sigma_ref and gamma imply {}",
+            value=lambda: implied("sigma_ref", lambda x: s.given("R") * x / reference())),
+    _number("Table 2-1 gamma", "unit weight, kN/m^3", GIVEN["gamma"], shows="sigma_ref and R imply {}",
+            value=lambda: implied("sigma_ref", lambda x: s.given("gamma") * x / reference())),
+    _number("Table 2-1 theta_10", "first end, degrees", GIVEN["theta_10"], shows="2 alpha and theta_20 imply {}",
+            value=lambda: implied("2alpha", lambda x: s.given("theta_20") - x)),
+    _number("Table 2-1 theta_20", "second end, degrees", GIVEN["theta_20"], shows="2 alpha and J_r imply {}",
+            value=lambda: implied("J_r", second_end)),
+    _number("Table 2-1 2alpha", "opening angle, degrees", IMPLYING["2alpha"],
             lambda: s.given("theta_20") - s.given("theta_10")),
     _number("Table 2-1 I_p", "polar moment, km^3", "0.308",
-            lambda: s.moment("polar_moment") * (s.given("R") / 1000) ** 3),
-    _number("Table 2-1 sigma_ref", "reference stress, MPa", s.IMPLYING["sigma_ref"], s.reference),
+            lambda: moment("polar_moment") * (s.given("R") / 1000) ** 3),
+    _number("Table 2-1 sigma_ref", "reference stress, MPa", IMPLYING["sigma_ref"], reference),
     _number("Table 2-1 sigma_n0", "mean stress at rest, MPa", "2.413",
-            lambda: s.reference() * s.moment("radial_weight") / s.factor(), given=_MEAN),
-    _number("Table 2-1 A", "dynamic coefficient", "0.468", s.dynamic, _FULL_A),
-    Claim("Fig. 2-3", "J_r within 10 %", "practically constant", "-1/10; 1/10", lambda: [s.turned("radial_weight")],
+            lambda: reference() * moment("radial_weight") / factor(), given=_MEAN),
+    _number("Table 2-1 A", "dynamic coefficient", "0.468", dynamic, _FULL_A),
+    Claim("Fig. 2-3", "J_r within 10 %", "practically constant", "-1/10; 1/10", lambda: [turned("radial_weight")],
           "range", shows=_RANGE_10),
     Claim("(3.1)", "moment of inertia", "Theta = ell rho int int r^3 dr dtheta", "ell*rho*body(r**3)",
-          lambda: ell * rho * m.body(m.moment_of(r, m.rate(2)) * m.AREA / m.omega_dot), "definition",
+          lambda: ell * rho * body(moment_of(r, rate(2)) * AREA / omega_dot), "definition",
           shows="what (3.2) needs: {}", dimension="M*L**2"),
     Claim("(3.2)", "angular momentum", "Theta domega/dt = M", "ell*rho*body(r**3)*omega_dot",
-          lambda: expand(ell * rho * m.body(m.moment_of(r, m.rate(2)) * m.AREA)), shows="its rate: {}"),
+          lambda: expand(ell * rho * body(moment_of(r, rate(2)) * AREA)), shows="its rate: {}"),
     Claim("(3.3)", "moments about K", "int r dW_theta - int R dT", "r*dW_theta; -R*dT",
-          lambda: (m.moment_of(r, symbols("dW_r dW_theta")), m.moment_of(R, (-Symbol("dN"), -Symbol("dT")))),
+          lambda: (moment_of(r, symbols("dW_r dW_theta")), moment_of(R, (-Symbol("dN"), -Symbol("dT")))),
           note="dT is the magnitude; dN has no moment"),
     Claim("(3.4)", "moments, written out", "int r rho g(-cos theta) dV - R int mu sigma_n dS",
           "-r*rho*g*cos(theta); -R*mu*sigma_n",
-          lambda: (m.moment_of(r, m.GRAVITY) * rho, m.moment_of(R, m.reaction()).subs(m.tau_n, mu * m.sigma_n)),
+          lambda: (moment_of(r, GRAVITY) * rho, moment_of(R, reaction()).subs(tau_n, mu * sigma_n)),
           given=_MOTION[-1:]),
     Claim("Sect. 3 only", "uniform stress is needed", "the only one compatible with a 1 d.o.f. model", "0; 0",
           lambda: [postulates.same_force()], "range", shows="{} above the mean in the middle, and the same force",
           causes=(Cause("any distribution has one mean (2.9), and one coefficient of friction then gives one force, "
                         "such as that of radial columns", "wrong", postulates.same_force),)),
     Claim("(3.5)", "friction force", "mu(t) sigma_n ell R 2 alpha", "mu*sigma_mean*ell*R*2*alpha",
-          lambda: (mu * ell * m.ARC * m.STRESS_SUM).subs(m.STRESS_SUM, 2 * alpha * sigma_mean),
+          lambda: (mu * ell * ARC * STRESS_SUM).subs(STRESS_SUM, 2 * alpha * sigma_mean),
           note="for any distribution of the stress", given=_MOTION),
     Claim("(3.6)", "mean stress", "sigma_ref (sigma_st* + A omega*^2)", "sigma_ref*(J_r/lam + A*omega_star**2)",
-          lambda: m.step("2.10"), given=_MEAN),
+          lambda: step("2.10"), given=_MEAN),
     Claim("(3.7)", "moment of the weight", "ell rho g int int r^2(-cos theta) dr dtheta",
-          "ell*rho*g*body(-r**2*cos(theta))", lambda: ell * rho * m.body(m.moment_of(r, m.GRAVITY) * m.AREA)),
+          "ell*rho*g*body(-r**2*cos(theta))", lambda: ell * rho * body(moment_of(r, GRAVITY) * AREA)),
     Claim("(3.8)", "angular momentum, written out", "int int r^3 domega/dt = g int int r^2(-cos theta)"
           " - R^2 g/gamma 2 alpha mu sigma_n",
-          "R**4*Theta*g/R*rate_star; g*R**3*J_theta - R**2*g/gamma*2*alpha*mu*sigma_mean", m.momentum, given=_MOTION),
+          "R**4*Theta*g/R*rate_star; g*R**3*J_theta - R**2*g/gamma*2*alpha*mu*sigma_mean", momentum, given=_MOTION),
     Claim("(3.9)", "time factor", "t_c = sqrt(R/g)", "sqrt(R/g)", lambda: 1 / sqrt(g / R), "definition",
           shows="what (2.21) needs: {}", dimension="T"),
     Claim("(3.10)", "angular acceleration", "domega/dt = g/R domega*/dt*", "g/R*rate_star",
           lambda: diff(rate_star * (t * sqrt(g / R)) * sqrt(g / R), t)),
     Claim("(3.11)", "equation of motion", "Theta* domega*/dt* = J_theta - lam (sigma_0* + A omega*^2) mu",
-          "J_theta - lam*(J_r0/lam + A*omega_star**2)*mu", lambda: m.step("3.11"), given=_MOTION),
+          "J_theta - lam*(J_r0/lam + A*omega_star**2)*mu", lambda: step("3.11"), given=_MOTION),
     Claim("(3.12)", "moment of inertia, dimensionless", "int int_{R_1*}^1 r*^3 dr* dtheta", "body_star(r**3)",
-          lambda: m.scaled(r**3) / R**4),
+          lambda: scaled(r**3) / R**4),
     Claim("(3.13)", "moment of the weight, dimensionless", "int int_{R_1*}^1 r*^2(-cos theta) dr* dtheta",
-          "body_star(-r**2*cos(theta))", lambda: m.scaled(m.moment_of(r, m.GRAVITY) * m.AREA) / (g * R**3)),
+          "body_star(-r**2*cos(theta))", lambda: scaled(moment_of(r, GRAVITY) * AREA) / (g * R**3)),
     Claim("(3.14)", "lever of the resistance",
           "lam = 2 alpha sigma_ref/(gamma R) = 2 alpha f/R = 2 alpha (1 - cos(alpha))",
-          "2*alpha*sigma_ref/(gamma*R); 2*alpha*f/R; 2*alpha*(1 - cos(alpha))", lambda: (m.lever(),) * 3,
+          "2*alpha*sigma_ref/(gamma*R); 2*alpha*f/R; 2*alpha*(1 - cos(alpha))", lambda: (lever(),) * 3,
           shows="coefficient of mu sigma*: {}"),
     Claim("(3.15)", "moment of inertia, closed form", "(alpha - sin(2 alpha) (1 + 2 cos(alpha)^2)/6)/2",
-          "(alpha - sin(2*alpha)*(1 + 2*cos(alpha)**2)/6)/2", lambda: s.derivation("moment_of_inertia").amplitude,
+          "(alpha - sin(2*alpha)*(1 + 2*cos(alpha)**2)/6)/2", lambda: derivation("moment_of_inertia").amplitude,
           weight=r**3),
     _figure("Fig. 3-1", "moment of inertia over alpha", "Theta* = {} here, {} at 2 alpha",
             _over_angle("moment_of_inertia"), "its curve is (3.15)"),
     Claim("Fig. 3-2", "J_theta within 10 %", "practically constant", "-1/10; 1/10",
-          lambda: [s.turned("weight_moment")], "range", shows=_RANGE_10,
+          lambda: [turned("weight_moment")], "range", shows=_RANGE_10,
           causes=(Cause("J_theta falls like sin(psi), and psi by the rotation", "wrong",
-                        lambda: mp.sin(s.DIP - s.reached("phi", as_printed=True)) / mp.sin(s.DIP) - 1),)),
+                        lambda: mp.sin(DIP - reached("phi", as_printed=True)) / mp.sin(DIP) - 1),)),
     Claim("(3.16)", "equation of motion, short", "domega*/dt* = a - b omega*^2", "a - b*omega_star**2",
-          lambda: m.step("3.16"), given=_MOTION),
+          lambda: step("3.16"), given=_MOTION),
     Claim("(3.17)", "drive", "a = (J_theta - J_r0 mu)/Theta*", "(J_theta0 - J_r0*mu)/Theta",
-          lambda: expand(m.step("3.17")), given=_MOTION),
-    Claim("(3.18)", "brake", "b = lam A mu/Theta*", "lam*A*mu/Theta", lambda: m.step("3.18"), shows="{}, lam A = I_p*",
+          lambda: expand(step("3.17")), given=_MOTION),
+    Claim("(3.18)", "brake", "b = lam A mu/Theta*", "lam*A*mu/Theta", lambda: step("3.18"), shows="{}, lam A = I_p*",
           given=_MOTION),
     Claim("(3.19)", "starts from rest", "omega*(0) = 0", "0", lambda: solution()["angular_velocity"].subs(t, 0),
           "definition", shows="derived motion: omega*(0) = {}", dimension="1"),
     Claim("(3.20)", "solution", "sqrt(a/b) tanh(sqrt(a b t*))", "sqrt(a/b)*tanh(sqrt(a*b*t))",
-          lambda: m.motion("angular_velocity"), given=(*_MOTION, *_SOLVED[1:]),
-          law=lambda e: [diff(e, t) - (m.a_of(t) - m.b_of(t) * e**2), e.subs(t, 0) - omega_0],
+          lambda: motion("angular_velocity"), given=(*_MOTION, *_SOLVED[1:]),
+          law=lambda e: [diff(e, t) - (a_of(t) - b_of(t) * e**2), e.subs(t, 0) - omega_0],
           causes=(Cause("t* belongs outside the root, as (4.2) has it", "misprint",
                         edit=("sqrt(a*b*t)", "sqrt(a*b)*t")),)),
     Claim("(3.21)", "limit friction", "mu_eq = J_theta0/J_r0", "J_theta0/J_r0",
-          lambda: m.step("3.21").subs(m.turn, 0), note="omega* = 0 for all times, not at one", given=_MOTION),
+          lambda: step("3.21").subs(turn, 0), note="omega* = 0 for all times, not at one", given=_MOTION),
     Claim("Sect. 3 density", "motion independent of density", "a, b without rho", "0; 0",
-          lambda: tuple(diff(m.step(x), rho) for x in ("3.17", "3.18")), shows="da/drho; db/drho = {}",
+          lambda: tuple(diff(step(x), rho) for x in ("3.17", "3.18")), shows="da/drho; db/drho = {}",
           given=("homogeneous, dry, without cohesion",)),
-    _number("(4.1)", "limit friction", "0.44", s.limit_friction,
+    _number("(4.1)", "limit friction", "0.44", limit_friction,
             Cause("follows: Appendix II over Appendix I is tan(dip of the chord)", "wrong",
-                  lambda: s.limit_friction(as_printed=True)), given=_MOTION),
-    _number("Sect. 4 phi_eq", "limit friction angle, degrees", "24", lambda: s.degrees(s.limit_friction()),
+                  lambda: limit_friction(as_printed=True)), given=_MOTION),
+    _number("Sect. 4 phi_eq", "limit friction angle, degrees", "24", lambda: degrees(limit_friction()),
             _LIMIT_ANGLE, given=_MOTION),
-    Claim("Sect. 4 phi_res", "residual friction angle, degrees", s.GIVEN["phi_res"],
+    Claim("Sect. 4 phi_res", "residual friction angle, degrees", GIVEN["phi_res"],
           note="measured in ring-shear tests (Fig. 4-1); nothing here determines it"),
     Claim("Sect. 4 reduction", "friction falls before the motion", "assumed, from 24 to 10 degrees", "mu",
-          lambda: m.mu_of(t), given=_MOTION),
+          lambda: mu_of(t), given=_MOTION),
     _number("Sect. 4 g", "gravity, nowhere stated, m/s^2", s.GRAVITY, shows="c0 implies {}", given=_SOLVED,
-            value=lambda: s.implied("c0", lambda x: (x / s.reached("c0", as_printed=True, gravity="1")) ** 2)),
-    _number("Table 4-1 Theta*", "moment of inertia", "0.4376", lambda: s.moment("moment_of_inertia"),
-            Cause(f"(3.15) {_FULL}", "wrong", lambda: s.moment("moment_of_inertia", 2 * s.HALF))),
-    _number("Table 4-1 J_r", "radial weight", s.IMPLYING["J_r"], lambda: s.moment("radial_weight")),
-    _number("Table 4-1 J_theta", "moment of the weight", "0.0387", lambda: s.moment("weight_moment"),
-            Cause("J_theta from Appendix II, which integrates r(-cos theta)", "wrong", s.second_appendix)),
-    _number("Table 4-1 lambda", "lever of the resistance", "0.1523", s.factor),
-    _number("Table 4-1 sigma*_n0", "mean stress at rest", "0.5713", lambda: s.moment("radial_weight") / s.factor(),
+            value=lambda: implied("c0", lambda x: (x / reached("c0", as_printed=True, gravity="1")) ** 2)),
+    _number("Table 4-1 Theta*", "moment of inertia", "0.4376", lambda: moment("moment_of_inertia"),
+            Cause(f"(3.15) {_FULL}", "wrong", lambda: moment("moment_of_inertia", 2 * HALF))),
+    _number("Table 4-1 J_r", "radial weight", IMPLYING["J_r"], lambda: moment("radial_weight")),
+    _number("Table 4-1 J_theta", "moment of the weight", "0.0387", lambda: moment("weight_moment"),
+            Cause("J_theta from Appendix II, which integrates r(-cos theta)", "wrong", second_appendix)),
+    _number("Table 4-1 lambda", "lever of the resistance", "0.1523", factor),
+    _number("Table 4-1 sigma*_n0", "mean stress at rest", "0.5713", lambda: moment("radial_weight") / factor(),
             given=_MEAN),
-    _number("Table 4-1 A", "dynamic coefficient", "0.468", s.dynamic, _FULL_A),
-    _number("Table 4-1 phi_C,eq", "limit friction angle, degrees", "24", lambda: s.degrees(s.limit_friction()),
+    _number("Table 4-1 A", "dynamic coefficient", "0.468", dynamic, _FULL_A),
+    _number("Table 4-1 phi_C,eq", "limit friction angle, degrees", "24", lambda: degrees(limit_friction()),
             _LIMIT_ANGLE, given=_MOTION),
-    Claim("(4.2)", "angular velocity", "omega = c0 tanh(c2 t)", "c0*tanh(c2*t)", lambda: m.dimensional()["omega"],
+    Claim("(4.2)", "angular velocity", "omega = c0 tanh(c2 t)", "c0*tanh(c2*t)", lambda: dimensional()["omega"],
           given=_SOLVED),
-    _reached("(4.2) c0", "largest angular velocity, 1/s", s.IMPLYING["c0"]),
+    _reached("(4.2) c0", "largest angular velocity, 1/s", IMPLYING["c0"]),
     _reached("(4.2) c2", "rate of approach, 1/s", "0.00317"),
     _figure("Fig. 4-2", "angular velocity over time", "omega* after 30 s: {} with the paper's slips, {} corrected",
-            lambda: s.both("omega*"), "its curve is (3.20), mended"),
-    Claim("(4.3)", "rotation", "phi = c0/c2 ln(cosh(c2 t))", "c0/c2*log(cosh(c2*t))", lambda: m.dimensional()["phi"],
+            lambda: both("omega*"), "its curve is (3.20), mended"),
+    Claim("(4.3)", "rotation", "phi = c0/c2 ln(cosh(c2 t))", "c0/c2*log(cosh(c2*t))", lambda: dimensional()["phi"],
           given=_SOLVED),
     _figure("Fig. 4-3", "rotation over time", "phi after 30 s: {} rad with the paper's slips, {} corrected",
-            lambda: s.both("phi"), "its curve is (4.3)"),
+            lambda: both("phi"), "its curve is (4.3)"),
     Claim("(4.4)", "velocity", "c1 tanh(c2 t) = c1 (c2 t + O((c2 t)^2))", "c1*tanh(c2*t); c1*c2*t; O(t**2)",
-          lambda: m.series(m.dimensional()["v"]), given=_SOLVED,
+          lambda: series(dimensional()["v"]), given=_SOLVED,
           causes=(Cause("true but not sharp: tanh is odd", "imprecise", edit=("O(t**2)", "O(t**3)")),)),
     _reached("(4.4) c1", "largest velocity, m/s", "165"),
     Claim("(4.5)", "displacement", "c1 ln cosh(c2 t) = c1 ((c2 t)^2/2 + O((c2 t)^4))",
-          "c1*log(cosh(c2*t)); c1*(c2*t)**2/2; O(t**4)", lambda: m.series(m.dimensional()["s"]), given=_SOLVED,
+          "c1*log(cosh(c2*t)); c1*(c2*t)**2/2; O(t**4)", lambda: series(dimensional()["s"]), given=_SOLVED,
           causes=(Cause("c1/c2, not c1: it has to be a length, and its rate the velocity", "misprint",
                         edit=("c1*", "c1/c2*")),)),
     _figure("Fig. 4-4", "velocity and displacement over time",
             "after 30 s: {} and {} m/s, {} and {} m, with the paper's slips and corrected",
-            lambda: [*s.both("v"), *s.both("s")], "its curves are (4.4), and (4.5) mended"),
+            lambda: [*both("v"), *both("s")], "its curves are (4.4), and (4.5) mended"),
     Claim("Sect. 4 large", "large velocity and displacement", "in the considered short time interval", "1; oo",
-          lambda: [*(v / 5 for v in s.both("v")), *(x / s.depth() for x in s.both("s"))], "range",
+          lambda: [*(v / 5 for v in both("v")), *(x / depth() for x in both("s"))], "range",
           shows="after 30 s {} and {} times 5 m/s, {} and {} times the depth f, with the paper's slips and corrected",
           note="5 m/s: where Cruden and Varnes' (1996) fastest class of landslides begins", given=_EXAMPLE),
     Claim("Appendix I", "antiderivative of (2.23)", "J_r(alpha) := ...", "-r*sin(theta)", kind="appendix",

@@ -10,7 +10,7 @@ from functools import cache, cached_property
 from itertools import takewhile
 from typing import Any
 
-import mpmath as mp
+from mpmath import cos, mpf, quad, sin, workdps
 from sympy import Expr, Integer
 
 from derive.algebra.dynamics import mu, omega_star, sigma_mean
@@ -19,7 +19,7 @@ from derive.declare.symbols import a, b, t, theta, u
 from derive.judge import mechanics as m
 from derive.judge import section as s
 
-Along = Callable[[Any], mp.mpf]  # a function of u = theta - theta_m, along the arc
+Along = Callable[[Any], mpf]  # a function of u = theta - theta_m, along the arc
 
 
 @dataclass(frozen=True)
@@ -31,41 +31,41 @@ class State:
 
     stress: Along | None = None
     friction: Along = lambda u: s.RESIDUAL
-    psi: mp.mpf = s.DIP
-    omega: mp.mpf | int = 0
+    psi: mpf = s.DIP
+    omega: mpf | int = 0
 
     @cached_property
-    def total(self) -> mp.mpf:
+    def total(self) -> mpf:
         """The stress added up along the arc, by (2.5)."""
         return s.moment("radial_weight", psi=self.psi) + s.moment("polar_moment") * self.omega**2
 
-    def normal(self, u: Any) -> mp.mpf:
+    def normal(self, u: Any) -> mpf:
         """The stress at u."""
         if self.stress:
             return self.stress(u)
         return self.total / (2 * s.HALF)
 
 
-def sum_of(f: Along) -> mp.mpf:
+def sum_of(f: Along) -> mpf:
     """The integral along the arc."""
-    return mp.quad(f, [-s.HALF, 0, s.HALF])
+    return quad(f, [-s.HALF, 0, s.HALF])
 
 
-def columns(u: mp.mpf) -> mp.mpf:
+def columns(u: mpf) -> mpf:
     """The stress at rest if each radial column stood alone."""
-    return mp.cos(s.DIP - u) * (1 - (mp.cos(s.HALF) / mp.cos(u)) ** 2) / 2
+    return cos(s.DIP - u) * (1 - (cos(s.HALF) / cos(u)) ** 2) / 2
 
 
-def along_bisector(u: mp.mpf) -> mp.mpf:
+def along_bisector(u: mpf) -> mpf:
     """The uniform stress at rest by the balance of forces along the bisector.
 
     It pushes with 2 R sin(alpha) sigma; the shear is odd in u, and the weight is that of the segment.
     """
-    area = s.HALF - mp.sin(2 * s.HALF) / 2
-    return area * mp.cos(s.DIP) / (2 * mp.sin(s.HALF))
+    area = s.HALF - sin(2 * s.HALF) / 2
+    return area * cos(s.DIP) / (2 * sin(s.HALF))
 
 
-def uneven(u: mp.mpf) -> mp.mpf:
+def uneven(u: mpf) -> mpf:
     """Friction 10 % larger at one end of the arc than in its middle, and 10 % smaller at the other."""
     return s.RESIDUAL * (1 - u / (10 * s.HALF))
 
@@ -79,19 +79,19 @@ class Postulate:
 
     words: str
     put: tuple[tuple[Expr, Expr], ...]
-    gap: Callable[[State], mp.mpf]
+    gap: Callable[[State], mpf]
     alternative: str
     state: Callable[[], State]
     effect: str
-    size: Callable[[], mp.mpf]
+    size: Callable[[], mpf]
 
 
-def _of_uniform(stress: Along) -> mp.mpf:
+def _of_uniform(stress: Along) -> mpf:
     """By how much a stress in the middle of the arc exceeds the uniform one."""
-    return stress(mp.mpf(0)) / State().normal(0) - 1
+    return stress(mpf(0)) / State().normal(0) - 1
 
 
-def _changes(name: str) -> Callable[[State], mp.mpf]:
+def _changes(name: str) -> Callable[[State], mpf]:
     return lambda x: s.moment(name, psi=x.psi) / s.moment(name) - 1
 
 
@@ -163,21 +163,21 @@ POSTULATES = (
 )
 
 
-def same_force() -> mp.mpf:
+def same_force() -> mpf:
     """How far from uniform a stress is whose friction force (3.5), for one coefficient, is that of the uniform one."""
     force = sum_of(columns) / sum_of(State().normal)
-    if abs(force - 1) > mp.mpf(10) ** -20:
+    if abs(force - 1) > mpf(10) ** -20:
         raise ProofError("friction force of columns that stand alone, over that of the uniform stress", force, 1)
     return _of_uniform(columns)
 
 
 @cache
-def exhibit(postulate: Postulate) -> mp.mpf:
+def exhibit(postulate: Postulate) -> mpf:
     """The relative effect of a postulate, after a check that its state keeps all before it and breaks this one."""
     earlier = takewhile(lambda x: x.words != postulate.words, POSTULATES)
-    with mp.workdps(30):
+    with workdps(30):
         state = postulate.state()
-        tiny = mp.mpf(10) ** -20
+        tiny = mpf(10) ** -20
         broken = [x.words for x in earlier if abs(x.gap(state)) > tiny]
         if broken or abs(postulate.gap(state)) <= tiny:
             raise ProofError(postulate.alternative, f"it breaks {broken or 'nothing'}", "this postulate alone broken")

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from importlib import import_module
 from importlib.util import find_spec
 
-from derive.judge.paper import VERDICTS
+from derive.judge.claims import VERDICTS
 from derive.judge.verify import Row, rows
 
 SIMPLY = ("holds", "holds to the printed digits", "definition")

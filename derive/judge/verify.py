@@ -1,6 +1,6 @@
 """The judge: every claim of `derive.judge.paper` against what follows from the definitions.
 
-A verdict is computed, never declared, by the rules of `paper.VERDICTS`. A form holds if its difference from the
+A verdict is computed, never declared, by the rules of `claims.VERDICTS`. A form holds if its difference from the
 derived form is proved to vanish on its domain. A cause is shown, not asserted: either it gives the printed digits, or
 one small edit turns the printed form into one that passes the same proof. A form that holds only if a postulate is put
 into the derived one is an assumption, wherever this happens. `judge` is a function of the claim alone.
@@ -47,7 +47,8 @@ from derive.declare.quantities import CHORD
 from derive.declare.symbols import alpha, in_words, theta, theta_m
 from derive.judge import mechanics as m
 from derive.judge import section as s
-from derive.judge.paper import CLAIMS, DIMENSIONS, DOMAINS, VERDICTS, Cause, Claim
+from derive.judge.claims import DIMENSIONS, DOMAINS, VERDICTS, Cause, Claim
+from derive.judge.paper import CLAIMS
 from derive.judge.postulates import POSTULATES, Postulate, exhibit
 from derive.progress import track
 
@@ -77,7 +78,7 @@ _ARTANH = atanh(sin(alpha))
 
 
 def limits(domain: Domain) -> dict[str, tuple[Any, Any]]:
-    """Where each symbol lives: `DOMAINS`, and what a claim says itself."""
+    """The domain of each symbol: `DOMAINS`, and what the claim states."""
     return DOMAINS | {name: (low, high) for name, low, high in domain}
 
 
@@ -273,7 +274,7 @@ def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | 
 
 
 def _names(claim: Claim) -> bool:
-    """Whether a claim said to be a definition names what no claim before it names."""
+    """Whether a claim declared a definition names something that no earlier claim names."""
     name = re.compile(rf"(?<!\w){re.escape(claim.printed.partition(' = ')[0])}(?![\w*])")
     earlier = takewhile(lambda x: x.id != claim.id, CLAIMS)
     return claim.kind == "definition" and not any(name.search(x.printed) for x in earlier)

@@ -21,18 +21,18 @@ HALF_PI = np.pi / 2
 
 
 def load(digest: str = DIGEST) -> dict[str, tuple[str, Mapping[str, Mapping[str, Any]]]]:
-    """What can run here, the fastest first: level -> (form of its programs, tier -> kernel -> ufunc).
+    """The levels that can run here, the fastest first: level -> (form of its programs, tier -> kernel -> ufunc).
 
     NumPy comes last and has no ufuncs. A binary that was made from another source, or with float flags under which
-    the proofs do not hold, is left out with one warning.
+    the proofs do not hold, is refused with one warning.
     """
-    found: dict[str, tuple[str, Mapping[str, Mapping[str, Any]]]] = {"numpy": ("numpy", {})}
+    levels: dict[str, tuple[str, Mapping[str, Mapping[str, Any]]]] = {"numpy": ("numpy", {})}
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
-        return found
+        return levels
     try:
         binary = import_module("generated._kernels")
     except ModuleNotFoundError:
-        return found
+        return levels
     except ImportError as error:
         fault = f"they cannot be loaded ({error})"
     else:
@@ -41,13 +41,13 @@ def load(digest: str = DIGEST) -> dict[str, tuple[str, Mapping[str, Mapping[str,
         elif binary.UNSAFE:
             fault = f"they were built with unsafe float flags ({binary.UNSAFE})"
         else:
-            return binary.LEVELS | found
+            return binary.LEVELS | levels
     warnings.warn(
         f"the compiled kernels are refused, NumPy serves: {fault}; run `python -m derive.build` or install again",
         RuntimeWarning,
         stacklevel=2,
     )
-    return found
+    return levels
 
 
 LEVELS = load()
@@ -95,7 +95,7 @@ def _is_foreign(alpha: Any) -> bool:
 def _cheapest(name: str, form: str, kind: str, accuracy: float) -> str:
     """The cheapest tier that is proved to meet a relative error in a float format.
 
-    Of plain operations NumPy and C make the same; only where the text calls a library has NumPy a form of its own.
+    Plain operations are the same in NumPy and in C; NumPy has a form of its own only where its text calls a library.
     """
     if not accuracy > 0:
         raise ValueError(f"accuracy is a relative error above 0, not {accuracy!r}")
@@ -183,7 +183,7 @@ class _Space:
 
 
 def _elsewhere(name: str, texts: Mapping[str, Text], alpha: Any, out: Any, where: Any, accuracy: float | None) -> Any:
-    """What another library's array gives: an array of that library."""
+    """The kernel of an array of another library, as an array of that library."""
     call = getattr(import_module("generated.kernels"), name)  # the public function travels to other processes by name
     if out is not None or where is not True:
         raise TypeError(f"`out` and `where` are for NumPy's arrays, not for {type(alpha).__name__}")

@@ -80,12 +80,13 @@ def measure(names: Sequence[str], tell: Callable[[str], object] = lambda said: N
         raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join([*GROUPS, *NAMES])}")
     if find_spec("flint") is None:
         raise ImportError("the reference needs python-flint: pip install 'slipcircle[derive]'")
-    found = []
-    for name in names:
-        tell(f"measuring {name}")
-        for made in SUBJECTS[name]:
-            found += judged(measured(made(), tell))
-    return found
+    rows, start = [], time.monotonic()
+    for done, name in enumerate(names):
+        left = (time.monotonic() - start) / max(done, 1) * (len(names) - done)
+        tell(f"measuring {name} ({done + 1} of {len(names)}{f', about {left:.0f} s left' if done else ''})")
+        for make_subject in SUBJECTS[name]:
+            rows += judged(measured(make_subject(), tell))
+    return rows
 
 
 def measured(subject: Subject, tell: Callable[[str], object] = lambda said: None) -> list[Row]:

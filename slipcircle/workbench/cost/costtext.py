@@ -55,7 +55,7 @@ def verdict(rows: Sequence[Row]) -> str:
     broken = [row.way for row in rows if _above_bound(row)]
     frontier = [row for row in rows if row.verdict == FRONTIER]
     frontier.sort(key=lambda row: row.error)
-    best = "; ".join(f"{row.way} ({short(row.error)}, {time_text(row.price)})" for row in frontier)
+    best = "; ".join(f"{row.way} ({row.error:.1e}, {time_text(row.price)})" for row in frontier)
     lines = [f"Frontier: {best}."]
     if broken:
         lines.insert(0, f"Seen above what is proved, so the proof or the build is wrong: {', '.join(broken)}.")
@@ -86,15 +86,20 @@ def _losses(ours: Sequence[Row], rows: Sequence[Row]) -> str:
 
 def _faster(ours: Sequence[Row], others: Sequence[Row]) -> Iterator[str]:
     """Which other way is faster than anything of ours, however wrong, and at which sizes."""
-    gains: dict[str, list[str]] = {}
+    gains: dict[Row, list[str]] = {}
     for label, size in zip(COLUMNS[6:9], TIMES, strict=True):
-        our_best = min(getattr(row, size) or math.inf for row in ours)
-        best, way = min((getattr(row, size) or math.inf, row.way) for row in others)
-        if best * BEATEN < our_best:
-            gains.setdefault(way, []).append(f"{shown(our_best / best, 2)} times at {label}")
-    errors = {row.way: short(row.error) for row in others}
-    for way, sizes in gains.items():
-        yield f"Faster than anything of ours: {way}, {', '.join(sizes)}, with an error of {errors[way]}."
+        our_best = min(_time(row, size) for row in ours)
+        fastest = min(others, key=lambda row: _time(row, size))
+        gain = our_best / _time(fastest, size)
+        if gain > BEATEN:
+            gains.setdefault(fastest, []).append(f"{shown(gain, 2)} times at {label}")
+    for row, sizes in gains.items():
+        yield f"Faster than anything of ours: {row.way}, {', '.join(sizes)}, with an error of {row.error:.1e}."
+
+
+def _time(row: Row, size: str) -> float:
+    """The time at a size, infinite where it was not measured."""
+    return getattr(row, size) or math.inf
 
 
 # --- tables --------------------------------------------------------------------------------------------------------
@@ -111,13 +116,13 @@ def table(rows: Sequence[Row]) -> tuple[list[str], list[list[str]]]:
 def _cells(row: Row, numbers: Mapping[str, str]) -> list[str]:
     """A cell for each of `COLUMNS`."""
     winner = numbers.get(row.verdict.removeprefix(LOST))
-    seen = "" if math.isnan(row.error) else short(row.error)
+    seen = "" if math.isnan(row.error) else f"{row.error:.1e}"
     ulp = ""
     if row.ulp is not None:
-        ulp = shown(row.ulp, 3) if row.ulp < MANY_ULP else short(row.ulp, 1)
+        ulp = shown(row.ulp, 3) if row.ulp < MANY_ULP else f"{row.ulp:.0e}".replace("+", "")
     memory = "" if row.memory is None else f"{row.memory / 1e6:.3g} MB"
     ended = f"beaten {winner}" if winner else row.verdict
-    place = _place(row.worst_input_ulp)
+    place = ", ".join(f"{x:.0e}" if 0 < x < 1e-4 else f"{x:.2g}" for x in row.worst_input_ulp)
     return [numbers[row.way], row.way, _proved(row), seen, ulp, place, *_times(row), memory, ended]
 
 
@@ -138,21 +143,6 @@ def _times(row: Row) -> list[str]:
     if row.elements < SIZES[last]:
         texts[last] = f"~{texts[last]}"
     return texts
-
-
-def short(x: float, digits: int = 2) -> str:
-    """A few digits, in as few characters as they take: 7.7e-17."""
-    mantissa, _, exponent = f"{x:.{digits - 1}e}".partition("e")
-    return f"{mantissa}e{int(exponent)}" if int(exponent or 0) else mantissa
-
-
-def _place(inputs: Sequence[float]) -> str:
-    """An input: two digits of each number, one where the exponent takes three."""
-    texts = []
-    for x in inputs:
-        plainly = x == 0 or 1e-4 < x < 100
-        texts.append(f"{x:.2g}" if plainly else short(x, 1 if x < 1e-99 else 2))
-    return ", ".join(texts)
 
 
 # --- for machines --------------------------------------------------------------------------------------------------

@@ -73,22 +73,24 @@ def _played(film: "Film") -> bytes:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
-    figure, images = film.figure, []
+    figure = film.figure
     canvas: Any = FigureCanvasAgg(figure)
     for artist in film.moving:
-        artist.set_animated(True)  # left out of what is drawn once
+        artist.set_animated(True)  # so that it is not among what is drawn once
     canvas.draw()
     figure.set_layout_engine("none")  # which would lay out every frame anew
-    background = canvas.copy_from_bbox(figure.bbox)
+    background, size = canvas.copy_from_bbox(figure.bbox), canvas.get_width_height()
+    images = []
     for frame in range(len(film.times)):
         canvas.restore_region(background)
         for artist in film.draw(frame):
             figure.draw_artist(artist)
-        pixels = Image.frombuffer("RGBA", canvas.get_width_height(), canvas.buffer_rgba(), "raw", "RGBA", 0, 1)
+        pixels = Image.frombuffer("RGBA", size, canvas.buffer_rgba(), "raw", "RGBA", 0, 1)
         images.append(pixels.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE))
-    each = 1000 * _SECONDS // _FRAMES
-    content, durations = io.BytesIO(), [each] * (len(images) - 1) + [_HOLD]
-    images[0].save(content, "GIF", save_all=True, append_images=images[1:], duration=durations, loop=0)
+    first, *others = images
+    durations = [1000 * _SECONDS // _FRAMES] * len(others) + [_HOLD]
+    content = io.BytesIO()
+    first.save(content, "GIF", save_all=True, append_images=others, duration=durations, loop=0)
     return content.getvalue()
 
 
@@ -96,37 +98,49 @@ def _stacked(motions: Sequence[Motion], figure: Any) -> None:
     """The overviews of motions, one above the other."""
     from slipcircle.workbench.outputs import plots
 
-    parts = figure.subfigures(len(motions), 1, squeeze=False, height_ratios=[plots.size(m)[1] for m in motions])[:, 0]
-    for motion, part in zip(motions, parts, strict=True):
+    heights = [plots.size(motion)[1] for motion in motions]
+    parts = figure.subfigures(len(motions), 1, squeeze=False, height_ratios=heights)
+    for motion, part in zip(motions, parts[:, 0], strict=True):
         plots.overview(motion, part)
 
 
+def _on_axis(draw: Callable[..., Any]) -> Callable[[Any, Any], Any]:
+    """A function that draws on an axis as one that draws on a figure."""
+    return lambda result, figure: draw(result, figure.add_subplot())
+
+
 def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
-    """What draws which finding on an empty figure, and on how many inches; loaded only where something is drawn."""
+    """What draws which result on an empty figure, and its inches; loaded only where something is drawn."""
     from slipcircle.workbench.outputs import plots, sectionplot, studyplots
 
     return {
-        "motions": (_stacked, lambda x: (14.0, sum(plots.size(m)[1] for m in x))),
-        "slide": (lambda x, figure: sectionplot.film(x[0], figure, _FRAMES, _SECONDS), lambda _: (7.0, 4.6)),
-        "section": (lambda x, figure: plots.section(x, figure.add_subplot()), lambda _: (8.0, 6.0)),
-        "histories": (lambda x, figure: plots.histories(x, figure.subplots(2, 2).T.ravel()), lambda _: (11.0, 6.5)),
-        "phase plane": (lambda x, figure: plots.phase_plane(x, figure.add_subplot()), lambda _: (8.0, 5.0)),
-        "shaking": (lambda x, figure: plots.shaking(x, figure.add_subplot()), lambda _: (8.0, 3.0)),
+        "motions": (_stacked, lambda motions: (14.0, sum(plots.size(motion)[1] for motion in motions))),
+        "slide": (
+            lambda motions, figure: sectionplot.film(motions[0], figure, _FRAMES, _SECONDS),
+            lambda _: (7.0, 4.6),
+        ),
+        "section": (_on_axis(plots.section), lambda _: (8.0, 6.0)),
+        "histories": (
+            lambda motion, figure: plots.histories(motion, figure.subplots(2, 2).T.flat),
+            lambda _: (11, 6.5),
+        ),
+        "phase plane": (_on_axis(plots.phase_plane), lambda _: (8.0, 5.0)),
+        "shaking": (_on_axis(plots.shaking), lambda _: (8.0, 3.0)),
         "study": (studyplots.overview, studyplots.size),
         "sensitivity": (studyplots.tornados, lambda x: (8.0, len(x.distinct) * (1.6 + 0.3 * len(x.parameters)))),
         "backanalysis": (studyplots.explained, lambda x: (2.0 + 4.5 * len(x.units), 0.6 + 3.4 * len(x.observed))),
         "search": (sectionplot.critical_circle, lambda _: (9.0, 6.0)),
-        "ladder": (lambda x, figure: plots.ladder(x, figure.add_subplot()), lambda x: (9.0, 1.5 + 0.5 * len(x))),
+        "ladder": (_on_axis(plots.ladder), lambda rungs: (9.0, 1.5 + 0.5 * len(rungs))),
     }
 
 
-def picture(what: str, found: Any, path: str) -> bytes:
-    """One of `_drawings` of what was found, as a file by its name; of motions as a gif, the first slide itself."""
+def picture(what: str, result: Any, path: str) -> bytes:
+    """One of `_drawings` of a result, as a file by its name; of motions as a gif, the first slide itself."""
     draw, size = _drawings()["slide" if path.lower().endswith("gif") else what]
-    return render(partial(draw, found), size(found), path)
+    return render(partial(draw, result), size(result), path)
 
 
-def write(paths: Iterable[str], what: str, found: Any) -> None:
+def write(paths: Iterable[str], what: str, result: Any) -> None:
     """The same into files."""
     for path in paths:
-        files.write(path, picture(what, found, path))
+        files.write(path, picture(what, result, path))

@@ -34,6 +34,14 @@ AREAS: Mapping[str, Mapping[str, Any]] = {
     "dissipation": {"facecolor": "#F6DCA0", "edgecolor": "0.25", "lw": 0.6},
     "band": {"facecolor": "0.82", "edgecolor": "0.55", "lw": 0.6},
 }
+SCENERY: Mapping[str, Mapping[str, Any]] = {
+    "ground": {"color": "black", "lw": 1.4, "zorder": 3},
+    "soil": {"color": "#EFE6D2", "lw": 0, "zorder": 1},
+    "water": {"color": "#56B4E9", "lw": 1.6, "zorder": 3},
+    "firm layer": {"color": "0.3", "lw": 2.5, "zorder": 3},
+    "depth": {"color": "black", "lw": 1.0, "marker": "_", "zorder": 3},
+    "centre": {"color": "black", "marker": "+", "ls": "", "ms": 9, "mew": 1.5, "zorder": 5},
+}
 FORCES: Mapping[str, str] = {"weight": "black", "normal": "#009E73", "tangential": "#CC79A7"}
 HALO = 2.5  # points of white around a text that stands on lines
 

@@ -29,37 +29,46 @@ def inputs(scene: Scene, file: str | None = None) -> list[Input]:
 
     What is uncertain says so.
     """
-    found = [*(_of_scene(scene) if file is None else _of_file(file))]
-    drawn = {path: u for u in uncertain_numbers(scene).values() for path in (u.key, u.number.name)}
-    for k, known_by in enumerate(found):
-        if known_by.path in drawn:
-            said = _shown({n: v for n, v in drawn[known_by.path].record.items() if n != "key"})
-            found[k] = known_by._replace(value=f"uncertain, {said}" + (f"; here {known_by.value}" * (file is None)))
-    return found
+    given = list(_of_scene(scene) if file is None else _of_file(file))
+    uncertain = {}
+    for unknown in uncertain_numbers(scene).values():
+        uncertain[unknown.key] = uncertain[unknown.number.name] = unknown.record
+    for place, one in enumerate(given):
+        if one.path in uncertain:
+            distribution = {name: value for name, value in uncertain[one.path].items() if name != "key"}
+            here = f"; here {one.value}" if file is None else ""
+            given[place] = one._replace(value=f"uncertain, {_shown(distribution)}{here}")
+    return given
 
 
 def _of_file(file: str) -> Iterator[Input]:
-    document, said = tomllib.loads(file), comments(file)
+    """The inputs of a file, table by table, and the defaults of what is not in it."""
+    document = tomllib.loads(file)
     law = document.get("friction", {})
-    tables = tables_of(law.get("law", "constant"), law.get("rate", {}).get("law", RATE_LAWS[0])) | dict(SLOPING)
+    rate = law.get("rate", {}).get("law", RATE_LAWS[0])
+    tables = tables_of(law.get("law", "constant"), rate) | dict(SLOPING)
+    yield from _of_table(tables, comments(file), "", document)
 
-    def rows(path: str, given: Mapping[str, Any]) -> Iterator[Input]:
-        known, dot = tables[path].keys, f"{path}." if path else ""
-        for name, value in given.items():
-            where = f"{dot}{name}"
-            if where in tables:
-                if not value:
-                    yield Input(where, "yes", "", tables[where].title, said.get(where, ""))
-                yield from rows(where, value)
-            elif where not in ("name", "note"):
-                key, source = known[name], said.get(where) or said.get(path, "")
-                yield Input(where, _shown(value), _unit(key) or "g" * name.endswith("_g"), key.title, source)
-        for name, key in known.items():
-            title, _, default = key.title.partition(", by default ")
-            if default and name not in given and name != "name":
-                yield Input(f"{dot}{name}", default, _unit(key), title, "default")
 
-    yield from rows("", document)
+def _of_table(
+    tables: Mapping[str, Any], sources: Mapping[str, str], path: str, given: Mapping[str, Any]
+) -> Iterator[Input]:
+    """The inputs of a table of a file and of those in it."""
+    keys, prefix = tables[path].keys, f"{path}." if path else ""
+    for name, value in given.items():
+        where = f"{prefix}{name}"
+        if where in tables:
+            if not value:
+                yield Input(where, "yes", "", tables[where].title, sources.get(where, ""))
+            yield from _of_table(tables, sources, where, value)
+        elif where not in ("name", "note"):
+            key, source = keys[name], sources.get(where) or sources.get(path, "")
+            unit = _unit(key) or ("g" if name.endswith("_g") else "")
+            yield Input(where, _shown(value), unit, key.title, source)
+    for name, key in keys.items():
+        title, _, default = key.title.partition(", by default ")
+        if default and name not in given and name != "name":
+            yield Input(f"{prefix}{name}", default, _unit(key), title, "default")
 
 
 def _unit(key: Key) -> str:

@@ -8,7 +8,18 @@ import numpy as np
 
 from slipcircle.core import Arc, Motion, Section
 from slipcircle.workbench.files.loaded import stability_of
-from slipcircle.workbench.outputs.plotstyle import AREAS, FORCES, HALO, LINES, axis, ending, finish, mark, number
+from slipcircle.workbench.outputs.plotstyle import (
+    AREAS,
+    FORCES,
+    HALO,
+    LINES,
+    SCENERY,
+    axis,
+    ending,
+    finish,
+    mark,
+    number,
+)
 from slipcircle.workbench.outputs.trace import Floats, toe_words
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
@@ -42,11 +53,46 @@ class Mass(NamedTuple):
     def outline(self, turn: float = 0.0) -> Floats:
         """Points along the arc, left to right, and back along the ground; turned counterclockwise."""
         arc, x = self.arc, self.ground[:, 0]
-        inside = np.hypot(*(self.ground - self.centre).T) < (1 - 1e-9) * self.radius
-        between = self.ground[(x >= arc[0, 0]) & (x <= arc[-1, 0]) & inside]
-        points = np.concatenate([arc, between[::-1]]) - self.centre
+        left, right = arc[0, 0], arc[-1, 0]
+        from_centre = np.hypot(*(self.ground - self.centre).T)
+        over_arc = (x >= left) & (x <= right) & (from_centre < (1 - 1e-9) * self.radius)
+        points = np.concatenate([arc, self.ground[over_arc][::-1]]) - self.centre
         cos, sin = math.cos(turn), math.sin(turn)
-        return self.centre + points @ [[cos, sin], [-sin, cos]]
+        rotation = [[cos, sin], [-sin, cos]]
+        return self.centre + points @ rotation
+
+
+class View(NamedTuple):
+    """What of the section is in view, m."""
+
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+    @classmethod
+    def around(cls, *points: Any) -> "View":
+        """The smallest view that holds points, (..., 2)."""
+        every = np.concatenate([np.reshape(some, (-1, 2)) for some in points])
+        return cls(*every.min(axis=0), *every.max(axis=0))
+
+    @property
+    def size(self) -> float:
+        """The greater of width and height."""
+        return max(self.right - self.left, self.top - self.bottom)
+
+    def grown(self, across: float, up: float) -> "View":
+        """With margins."""
+        return View(self.left - across, self.bottom - up, self.right + across, self.top + up)
+
+    def holds(self, points: Any) -> Any:
+        """Which points, (..., 2), are in view."""
+        x, y = np.moveaxis(points, -1, 0)
+        return (self.left <= x) & (x <= self.right) & (self.bottom <= y) & (y <= self.top)
+
+    def show(self, ax: Any) -> None:
+        """Set an axis to it."""
+        ax.set(xlim=(self.left, self.right), ylim=(self.bottom, self.top))
 
 
 class Pose(NamedTuple):
@@ -59,15 +105,16 @@ class Pose(NamedTuple):
 
 def mass_of(circle: Any, soil: Any) -> Mass:
     """The mass of an arc, a section, or a critical circle in its slope; of an arc the chord stands for the ground."""
+    radius = float(circle.radius)
     if isinstance(circle, Arc):
         ends = np.array([circle.theta_1, circle.theta_2])
-        chord = float(circle.radius) * np.stack([np.cos(ends), np.sin(ends)], axis=-1)
-        return Mass(chord, np.zeros(2), float(circle.radius), ends)
-    centre_x, centre_y = circle.centre
-    from_below = [math.atan2(x - centre_x, centre_y - y) for x, y in (circle.entry, circle.exit)]
-    ends = np.sort(np.add(1.5 * math.pi, from_below))  # counted from straight below, so that they do not jump
+        chord = radius * np.stack([np.cos(ends), np.sin(ends)], axis=-1)
+        return Mass(chord, np.zeros(2), radius, ends)
+    centre = np.asarray(circle.centre, dtype=np.float64)
+    across, up = np.transpose(np.stack([circle.entry, circle.exit]) - centre)
+    from_below = np.arctan2(across, -up)  # counted from straight below, angles do not jump
     ground = np.asarray(soil.ground, dtype=np.float64)
-    return Mass(ground, np.array([centre_x, centre_y], float), float(circle.radius), ends)
+    return Mass(ground, centre, radius, np.sort(1.5 * math.pi + from_below))
 
 
 # --- the section of a motion -----------------------------------------------------------------------------------------
@@ -92,23 +139,22 @@ def section(motion: Motion, ax: Any = None, forces: bool = False) -> Any:
     poses = _poses(motion)
     turns = [magnification * pose.rotation * float(soil.facing) for pose in poses]
     outlines = [mass.outline(turn) for turn in turns]
-    low, high = np.min(outlines, axis=(0, 1)), np.max(outlines, axis=(0, 1))
-    if is_arc and forces:
-        low, high = np.minimum(low, mass.centre), np.maximum(high, mass.centre)
-    size, chord = float(max(high - low)), float(np.hypot(*np.diff(mass.on_circle(mass.ends), axis=0)[0]))
-    small = chord < _SMALL * size
+    with_forces = is_arc and forces
+    view = View.around(*outlines, *([mass.centre] if with_forces else []))
+    chord = float(np.hypot(*np.diff(mass.on_circle(mass.ends), axis=0)[0]))
+    small = chord < _SMALL * view.size
     _draw_poses(ax, poses, outlines, small)
     farthest = max(turns, key=abs)
     if farthest:
         _continuation(ax, motion, mass, farthest)
-    margin = _MARGIN * size
-    _scenery(ax, mass, soil, low - margin, high + margin)
+    margin = _MARGIN * view.size
+    _scenery(ax, mass, soil, view.grown(margin, margin))
     for note in _notes(motion, magnification):
         ax.plot([], [], ls="", label=note)
-    if is_arc and forces:
+    if with_forces:
         _radii(ax, mass, small)
         if not small:
-            _forces(ax, motion, mass, size)
+            _forces(ax, motion, mass, view.size)
     origin = " from the centre K" if is_arc else ""
     finish(ax, f"$x${origin} (m)", f"$y${origin} (m)")
     return ax
@@ -188,36 +234,43 @@ def _factors(critical: Critical | None) -> str:
 # --- ground, water and circle ----------------------------------------------------------------------------------------
 
 
-def _scenery(ax: Any, mass: Mass, soil: Any, low: Any, high: Any) -> None:
-    """The circle, and the chord of an arc or a ground with its soil, water and firm layer, between two corners."""
+def _scenery(ax: Any, mass: Mass, soil: Any, view: View) -> None:
+    """The circle, and the chord of an arc or a ground with its soil, water and firm layer."""
     ax.plot(*mass.arc.T, zorder=4, label="slip circle", **LINES["main"])
-    ground = None
     if isinstance(soil, Arc):
-        chord = 2 * mass.radius * math.sin(float(soil.half_angle))
-        dip = math.degrees(1.5 * math.pi - mass.ends.mean())
-        sizes = f"{number(chord)} m, depth {number(float(soil.depth))} m, dip {number(dip)} deg"
-        ground = f"chord, which stands for the ground:\n{sizes}"
+        chord = number(2 * mass.radius * math.sin(float(soil.half_angle)))
+        depth = number(float(soil.depth))
+        dip = number(math.degrees(1.5 * math.pi - mass.ends.mean()))
+        words = f"chord, which stands for the ground:\n{chord} m, depth {depth} m, dip {dip} deg"
+        ax.plot(*mass.ground.T, label=words, **SCENERY["ground"])
     else:
-        low = _ground_and_water(ax, mass, soil, low, high)
-    ax.plot(*mass.ground.T, color="black", lw=1.4, zorder=3, label=ground)
-    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+        view = _firm_layer(ax, soil, view)
+        ax.fill_between(*mass.ground.T, view.bottom, **SCENERY["soil"])
+        _water_level(ax, soil, view)
+        ax.plot(*mass.ground.T, **SCENERY["ground"])
+    view.show(ax)
 
 
-def _ground_and_water(ax: Any, mass: Mass, soil: Any, low: Any, high: Any) -> Any:
-    """Soil, water level and firm layer, named where they are; the lower corner, below the firm layer."""
-    left = low[0] + 0.015 * (high[0] - low[0])
-    if soil.base is not None:
-        low = np.minimum(low, [np.inf, soil.base - 0.08 * float(np.max(high - low))])
-        ax.axhline(soil.base, color="0.3", lw=2.5, zorder=3)
-        _name(ax, "firm layer", (left, soil.base), (0, -4), "0.2", va="top")
-    ax.fill_between(*mass.ground.T, low[1], color="#EFE6D2", lw=0, zorder=1)
-    if soil.level is not None:
-        level = np.asarray(soil.level, dtype=np.float64)
-        x = np.concatenate([[min(low[0], level[0, 0])], level[:, 0], [max(high[0], level[-1, 0])]])
-        y = np.concatenate([level[:1, 1], level[:, 1], level[-1:, 1]])
-        ax.plot(x, y, color="#56B4E9", lw=1.6, zorder=3)
-        _name(ax, "water level", (left, np.interp(left, x, y)), (0, -9), "#0072B2", va="top")
-    return low
+def _firm_layer(ax: Any, soil: Any, view: View) -> View:
+    """The firm layer, where there is one, by its name; the view down to below it."""
+    if soil.base is None:
+        return view
+    ax.axhline(soil.base, **SCENERY["firm layer"])
+    _name(ax, "firm layer", (view.left, soil.base), (5, -4), "0.2", va="top")
+    below = soil.base - 0.08 * view.size
+    return view._replace(bottom=min(view.bottom, below))
+
+
+def _water_level(ax: Any, soil: Any, view: View) -> None:
+    """The water level, where there is one, by its name; level beyond its ends."""
+    if soil.level is None:
+        return
+    level = np.asarray(soil.level, dtype=np.float64)
+    first, last = level[0], level[-1]
+    left, right = [min(view.left, first[0]), first[1]], [max(view.right, last[0]), last[1]]
+    x, y = np.concatenate([[left], level, [right]]).T
+    ax.plot(x, y, **SCENERY["water"])
+    _name(ax, "water level", (view.left, np.interp(view.left, x, y)), (5, -9), "#0072B2", va="top")
 
 
 def _name(ax: Any, words: str, at: Any, offset: Any, colour: str, **more: Any) -> None:
@@ -251,17 +304,18 @@ def _radii(ax: Any, mass: Mass, small: bool) -> None:
     one, two = mass.on_circle(mass.ends)
     bottom = mass.on_circle(mass.ends.mean())
     depth = np.stack([(one + two) / 2, bottom])
-    ax.plot(*depth.T, color="black", lw=1.0, marker="_", zorder=3)
+    ax.plot(*depth.T, **SCENERY["depth"])
     if not small:
         _beside(ax, "$P_1$", one, one)
         _beside(ax, "$P_2$", two, two)
-    ax.plot(*np.stack([one, np.zeros(2), two]).T, zorder=1, label="radii $KP_1$, $KP_2$", **LINES["radius"])
-    ax.plot(0.0, 0.0, "k+", ms=9, mew=1.5, zorder=5)
-    _beside(ax, "K", (0.0, 0.0), -bottom, fontweight="bold")
+    radii = np.stack([one, mass.centre, two])
+    ax.plot(*radii.T, zorder=1, label="radii $KP_1$, $KP_2$", **LINES["radius"])
+    ax.plot(*mass.centre, **SCENERY["centre"])
+    _beside(ax, "K", mass.centre, -bottom, fontweight="bold")
 
 
 def _forces(ax: Any, motion: Motion, mass: Mass, size: float) -> None:
-    """Weight at the mass's centre, and reactions on the arc: normal towards K, tangential against the motion."""
+    """The weight at the mass's centre, and reactions on the arc."""
     middle, alpha = float(mass.ends.mean()), float(np.ptp(mass.ends)) / 2
     length = min(0.16 * size, 0.9 * mass.radius * alpha)
     centroid = mass.on_circle(middle) * _centroid_radius(alpha)
@@ -269,17 +323,25 @@ def _forces(ax: Any, motion: Motion, mass: Mass, size: float) -> None:
     _arrow(ax, centroid, tip, "weight", 2.2)
     _beside(ax, "$W$", tip, (0.0, -1.0))
     ax.set_ylim(bottom=min(ax.get_ylim()[0], tip[1] - 0.12 * size))
-    resisted = float(motion.friction_at(0.0)) > 0.0 or "cohesion" in motion.plan.effects
+    _reactions(ax, motion, mass.on_circle(middle + alpha * np.array(_ARROWS)), length)
+
+
+def _reactions(ax: Any, motion: Motion, places: Floats, length: float) -> None:
+    """Reactions at places of the arc about the origin: normal towards K, tangential against the motion."""
     way = motion.plan.scene.arc.facing * (motion.phases[0].direction if motion.phases else 1)
-    for at in mass.on_circle(middle + alpha * np.array(_ARROWS)):
-        outward = at / mass.radius
-        along = way * np.array([-outward[1], outward[0]])
+    symbols = {"normal": "dN"}
+    if float(motion.friction_at(0.0)) > 0.0 or "cohesion" in motion.plan.effects:
+        symbols["tangential"] = "dT"
+    for at in places:
+        outward = at / np.hypot(*at)
+        x, y = outward
+        along = way * np.array([-y, x])
         _arrow(ax, at + 0.7 * length * outward, at, "normal", 1.6)
-        if resisted:
+        if "tangential" in symbols:
             foot = at + 0.06 * length * outward
             _arrow(ax, foot, foot - 0.55 * length * along, "tangential", 1.6)
-    for name, symbol in (("normal", "dN"), ("tangential", "dT"))[: 1 + resisted]:
-        ax.plot([], [], color=FORCES[name], lw=1.6, marker=">", ms=5, label=f"{name} reaction ${symbol}$")
+    for force, symbol in symbols.items():
+        ax.plot([], [], color=FORCES[force], lw=1.6, marker=">", ms=5, label=f"{force} reaction ${symbol}$")
 
 
 def _centroid_radius(alpha: float) -> float:
@@ -346,14 +408,15 @@ def critical_circle(critical: Critical, figure: Any) -> Any:
 
     ax, mass = figure.add_subplot(), mass_of(critical, critical.slope)
     outline, ground = mass.outline(), mass.ground
-    low, high = outline.min(axis=0), np.maximum(outline.max(axis=0), mass.centre)
-    reach = max(float(np.ptp(outline[:, 0])), 1.2 * float(np.ptp(ground[:, 1]))) * np.array([0.8, 0.4])
-    low, high = np.maximum(low - reach, [ground[0, 0], -np.inf]), np.minimum(high + reach, [ground[-1, 0], np.inf])
     ax.add_patch(Polygon(outline, closed=True, label="mass", zorder=2, **AREAS["start"]))
-    _scenery(ax, mass, critical.slope, low, high)
-    seen = np.all((mass.centre >= low) & (mass.centre <= high))
+    width, height = np.ptp(outline[:, 0]), np.ptp(ground[:, 1])
+    reach = max(float(width), 1.2 * float(height))
+    view = View.around(outline, mass.centre).grown(0.8 * reach, 0.4 * reach)
+    first, last = ground[[0, -1], 0]
+    view = view._replace(left=max(view.left, first), right=min(view.right, last))
+    _scenery(ax, mass, critical.slope, view)
     words = f"centre; $R$ = {number(mass.radius)} m\n{_factors(critical)}".rstrip()
-    (cross,) = ax.plot(*(mass.centre if seen else ([], [])), "k+", ms=9, mew=1.5, zorder=5, ls="", label=words)
+    (cross,) = ax.plot(*(mass.centre if view.holds(mass.centre) else ([], [])), label=words, **SCENERY["centre"])
     cross.set_path_effects([withStroke(linewidth=HALO + 1.0, foreground="white")])  # it may lie on a dark map
     finish(ax, "$x$ (m)", "$y$ (m)")
     _map(critical, ax)
@@ -371,22 +434,23 @@ def _map(critical: Critical, ax: Any) -> None:
     if values.size <= 10:
         return
     least = float(values.min())
+    (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
     valley = centres[values <= (1.0 + _VALLEY) * least]
-    (left, bottom), (right, top) = np.transpose([ax.get_xlim(), ax.get_ylim()])
-    left, right = min(left, valley[:, 0].min()), max(right, valley[:, 0].max())
-    top = min(max(top, valley[:, 1].max()), bottom + _TALL * (right - left))
-    outside = np.any((centres < (left, bottom)) | (centres > (right, top)), axis=1)
-    most = min(float(values[outside].min(initial=np.inf)), 1.5 * least)
-    drawn = ~outside & (values < most)
-    cell = (right - left) / _CELLS  # of which the frame leaves room around the outermost
-    left, right, top = left - cell, right + cell, top + cell
-    ax.set(xlim=(left, right), ylim=(bottom, top))
+    view = View.around(valley, (left, bottom), (right, top))._replace(bottom=bottom)
+    highest = bottom + _TALL * (view.right - view.left)
+    view = view._replace(top=min(view.top, highest))
+    inside = view.holds(centres)
+    most = min(float(values[~inside].min(initial=np.inf)), 1.5 * least)
+    drawn = inside & (values < most)
+    cell = (view.right - view.left) / _CELLS
+    view = view.grown(cell, cell)._replace(bottom=bottom)  # so that the outermost cells are whole
+    view.show(ax)
     cells = ax.hexbin(
         *centres[drawn].T,
         values[drawn],
         gridsize=_CELLS,
         reduce_C_function=np.min,
-        extent=(left, right, bottom, top),
+        extent=(view.left, view.right, view.bottom, view.top),
         vmin=least,
         vmax=most,
         cmap="viridis",

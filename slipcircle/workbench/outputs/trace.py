@@ -42,19 +42,26 @@ def telling_times(motion: Motion) -> Floats:
     """
     if not motion.moves:
         return np.zeros(1)
+    times: list[Any] = [even_times(motion), [float(motion.peak.time), float(motion.reach.time)]]
     each = max(4, SAMPLES // len(motion.phases))
     share = (1.0 - np.cos(np.linspace(0.0, np.pi, each + 1))) / 2
-    found: list[Any] = [even_times(motion), [float(motion.peak.time), float(motion.reach.time)]]
-    found += [p.start + (p.end - p.start) * share for p in motion.phases]
+    for phase in motion.phases:
+        times.append(phase.start + (phase.end - phase.start) * share)
     for function in in_time(motion.plan.scene.called).values():
-        knots = np.asarray(function.kinks)
-        before = np.nextafter(knots, -np.inf)
-        values = np.abs(function(knots))
-        jumps = np.abs(function(before) - function(knots)) > _JUMP * np.max(values, initial=0.0)
-        found += [knots, before[jumps], function.crests]
+        times += _kinks_and_crests(function)
     law = motion.plan.scene.friction
-    found += [law["time"]] if isinstance(law, Mapping) and "time" in law else []
-    return np.unique(np.clip(np.concatenate(found), 0.0, motion.duration))
+    if isinstance(law, Mapping) and "time" in law:
+        times.append(law["time"])
+    return np.unique(np.clip(np.concatenate(times), 0.0, motion.duration))
+
+
+def _kinks_and_crests(function: Any) -> list[Any]:
+    """Where a function of time bends or is greatest, and the time just before each jump."""
+    kinks = np.asarray(function.kinks)
+    before = np.nextafter(kinks, -np.inf)
+    values = function(kinks)
+    is_jump = np.abs(function(before) - values) > _JUMP * np.max(np.abs(values), initial=0.0)
+    return [kinks, before[is_jump], function.crests]
 
 
 def toe_height(motion: Motion) -> float:
@@ -83,12 +90,13 @@ def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:
 
     By default at even times; else at those, in s.
     """
-    named = ["scene"] if len(motions) > 1 else []
+    several = len(motions) > 1
+    heads = [quantity.head for quantity in HISTORY.values()]
 
     def rows() -> Iterator[list[Any]]:
         for motion in motions:
             columns = trace(motion, even_times(motion) if times is None else times)
-            for row in zip(*(c.tolist() for c in columns.values()), strict=True):
-                yield [*(motion.plan.scene.name for _ in named), *row]
+            for row in np.transpose([*columns.values()]).tolist():
+                yield [motion.plan.scene.name, *row] if several else row
 
-    return files.table([*named, *(q.head for q in HISTORY.values())], rows())
+    return files.table(["scene", *heads] if several else heads, rows())
