@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.optimize import differential_evolution
 
-from slipcircle.workbench.stability.search import Search, critical
+from slipcircle.workbench.stability.family import Search
+from slipcircle.workbench.stability.search import critical
 from slipcircle.workbench.stability.stability import METHODS, Slope
 
 
@@ -58,7 +59,7 @@ def evolved(given: Case, seed: int) -> float:
 
     def judged(q: np.ndarray) -> np.ndarray:
         some = np.sort(q[:2], axis=0)
-        return np.nan_to_num(search.judged(np.stack([*some, q[2]], axis=1)), nan=1e6)
+        return np.nan_to_num(search.evaluate(np.stack([*some, q[2]], axis=1)), nan=1e6)
 
     bounds = [(0.0, total), (0.0, total), (0.005, 1.0)]
     found = differential_evolution(judged, bounds, rng=seed, popsize=40, tol=1e-10, maxiter=400, vectorized=True,

@@ -4,7 +4,7 @@ A table is a function in pieces of slip, speed, rotation or time (`slipcircle.co
 phase holds the coefficients in powers of what is beyond its start; of time the increment since.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,9 +15,6 @@ from slipcircle.core.flow.entries import Entry
 from slipcircle.core.flow.polynomials import shifted
 from slipcircle.core.flow.program import Table
 from slipcircle.core.flow.tables import Data
-
-if TYPE_CHECKING:
-    from slipcircle.core.flow.lane_state import LaneState
 
 Floats = NDArray[np.float64]
 
@@ -34,7 +31,7 @@ class Piece:
     number, value, increment, way = Entry(ix.PIECE), Entry(ix.VALUE), Entry(ix.INC), Entry(ix.WAY)
     upper, lower, scale, factor = Entry(ix.UPPER), Entry(ix.LOWER), Entry(ix.SCALE), Entry(ix.SCALED_BY)
 
-    def __init__(self, state: "LaneState", slot: Table, data: Data) -> None:
+    def __init__(self, state: Any, slot: Table, data: Data) -> None:
         self.state, self.slot, self.data = state, slot, data
         self.kind, self.register, self.last = slot.kind, slot.register, len(data.breaks) - 1
 

@@ -70,21 +70,35 @@ def _record(found: BackAnalysis) -> dict[str, Any]:
 
 
 def _column(found: BackAnalysis, s: Solution) -> dict[str, str]:
-    """What is said of a solution, by its label."""
-    cells, errors = {}, s.standard_errors or {}
-    for name, value in s.values.items():
-        error = errors.get(name, 0.0)
-        said = f"{to_error(value, error)} +- {to_error(error, error)}" if error > 0.0 else ""
-        cells[name] = said or shown(value, digits_left(s.error_estimate))
+    """A solution by labels: its values, their correlations, outcomes, how well they fit."""
+    errors = s.standard_errors or {}
+    cells = {name: _value_text(value, errors.get(name, 0.0), s.error_estimate) for name, value in s.values.items()}
     if s.correlation is not None:
         for (i, one), (j, other) in combinations(enumerate(s.values), 2):
             cells[f"correlation of {one} and {other}"] = f"{s.correlation[i, j]:+z.3f}"
-    for name, q in OUTCOMES.items():
-        seen, sigma = found.observed.get(name, (None, None))
-        of = "" if seen is None else f" (observed {shown(seen, 6)}" + (f" +- {sigma:.2g})" if sigma else ")")
-        cells[q.heading] = shown(float(q.read(s.motion)), digits_left(s.motion.error_estimate)) + of
+    digits = digits_left(s.motion.error_estimate)
+    for name, quantity in OUTCOMES.items():
+        outcome = float(quantity.read(s.motion))
+        cells[quantity.heading] = shown(outcome, digits) + _observed_text(found, name)
     if found.method == FITTED:
-        weighed = all(sigma for _, sigma in found.observed.values())
-        free = found.degrees_of_freedom
-        cells[f"chi-square, degrees of freedom {free}" if weighed else "misfit"] = f"{s.chi_square:.3g}"
-    return cells | {"swings": f"{len(s.motion.phases) - 1}", "numerical error": f"{s.error_estimate:.1e}"}
+        is_weighted = all(sigma for _, sigma in found.observed.values())
+        label = f"chi-square, degrees of freedom {found.degrees_of_freedom}" if is_weighted else "misfit"
+        cells[label] = f"{s.chi_square:.3g}"
+    cells["swings"] = f"{len(s.motion.phases) - 1}"
+    cells["numerical error"] = f"{s.error_estimate:.1e}"
+    return cells
+
+
+def _value_text(value: float, standard_error: float, error_estimate: float) -> str:
+    if standard_error > 0.0:
+        return f"{to_error(value, standard_error)} +- {to_error(standard_error, standard_error)}"
+    return shown(value, digits_left(error_estimate))
+
+
+def _observed_text(found: BackAnalysis, name: str) -> str:
+    """What stands behind an outcome: its observation with the standard error."""
+    if name not in found.observed:
+        return ""
+    seen, sigma = found.observed[name]
+    error = f" +- {sigma:.2g}" if sigma else ""
+    return f" (observed {shown(seen, 6)}{error})"

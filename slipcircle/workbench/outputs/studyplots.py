@@ -191,19 +191,21 @@ def _two_sided_bars(ax: Any, bars: Sequence[tuple[float, str]]) -> None:
 
 def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Number, float]], str]:
     """By how much numbers change, each in the unit of its key, all measured alike; and how, in words."""
-    by_names = by_name(table.scene)
+    by_names, uncertain = by_name(table.scene), uncertain_numbers(table.scene)
     keys = {name: by_names[name] for name in table.parameters}
-    uncertain = {name: u for name, u in uncertain_numbers(table.scene).items() if name in keys}
     if changes is not None:
         for changed in changes:
             known("tornado: changes", changed, [key.key for key in keys.values()])
         return {name: (key, changes[key.key]) for name, key in keys.items() if changes.get(key.key)}, ""
-    if uncertain:
-        return {name: (u.number, u.moments[1]) for name, u in uncertain.items()}, ", by a standard deviation of each"
-    slopes = {name: key.slope(float(key.from_si(table.at[name]))) for name, key in keys.items()}
-    values = {name: float(key.from_si(table.at[name])) * slopes[name] for name, key in keys.items()}
-    sizes = dict(zip(keys, scales(table.scene, values).tolist(), strict=True))
-    steps = {name: (key, _SHARE * sizes[name] / slopes[name]) for name, key in keys.items()}
+    if any(name in keys for name in uncertain):
+        deviations = {name: (u.number, u.moments[1]) for name, u in uncertain.items() if name in keys}
+        return deviations, ", by a standard deviation of each"
+    steps = {}
+    for name, key in keys.items():
+        value = float(key.from_si(table.at[name]))
+        slope = key.slope(value)
+        (size,) = scales(table.scene, {name: value * slope}).tolist()
+        steps[name] = key, _SHARE * size / slope
     return steps, f", by {100 * _SHARE:g} % of each"
 
 

@@ -38,6 +38,16 @@ class SlopeArrays(NamedTuple):
     k_h: Any = 0.0
 
 
+class _Arcs(NamedTuple):
+    """Arcs by their circles and the angles of their ends from straight below the centre."""
+
+    centre: Floats
+    radius: Floats
+    first: Floats
+    last: Floats
+    valid: NDArray[np.bool_]  # not overhanging, with a centre above the ground
+
+
 class _Slices(NamedTuple):
     """Slices above the points of Gauss' rule, (points, intervals); lengths over R, stresses over gamma R.
 
@@ -46,7 +56,8 @@ class _Slices(NamedTuple):
 
     arcs: int  # how many
     arc: NDArray[np.int64]  # number of the arc of each interval
-    ends: Floats  # sines and cosines of both ends of each interval, (2, 2, intervals)
+    end_sines: Floats  # of both ends of each interval, (2, intervals)
+    end_cosines: Floats
     weight: Floats  # of a point in the integral over the angle
     sine: Floats
     cosine: Floats
@@ -65,7 +76,7 @@ class _Slices(NamedTuple):
     def facing(self, way: Floats) -> _Slices:
         """The same with positive angles down-slope, for arcs that slide to the right (1) or to the left (-1)."""
         sign = way[self.arc]
-        return self._replace(sine=self.sine * sign, ends=self.ends * np.array([sign, np.ones_like(sign)])[:, None])
+        return self._replace(sine=self.sine * sign, end_sines=self.end_sines * sign)
 
 
 def circle_factors(
@@ -105,78 +116,98 @@ def circle_factors(
     its other convention, (W - u b) cos(a), gives greater ones. Bishop's method refuses a circle where m_alpha falls
     below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
     """
-    first, last = (np.arctan2(p[:, 0] - centre[:, 0], centre[:, 1] - p[:, 1]) for p in (left, right))
-    valid = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
-    below = (first < 0.0) & (last > 0.0) & (_height_at(slope.ground, centre[:, 0]) >= centre[:, 1])
-    valid &= ~below
-    slices = _slices(slope, centre, radius, first, last, valid, pieces)
-    arc_angle = np.where(valid, last - first, np.nan)
-
-    by_gravity = slices.integral(slopes.drive(slices.sine, slices.cosine, slices.height, 0.0))
-    negligible = 1e-9 * slices.integral(slices.cosine * slices.height)
-    facing = np.where(np.abs(by_gravity) > negligible, np.sign(by_gravity), 0.0)
+    arcs = _arcs(slope.ground, centre, radius, left, right)
+    slices = _slices(slope, arcs, pieces)
+    length = np.where(arcs.valid, arcs.last - arcs.first, np.nan)
+    facing, driving = _driving(slices)
     slices = slices.facing(facing)
-    driving = slices.integral(slopes.drive(slices.sine, slices.cosine, slices.height, slices.k_h))
-    driving = np.where(valid & (facing != 0.0) & (driving > negligible), driving, np.nan)
 
     normal = slopes.ordinary_normal(slices.sine, slices.cosine, slices.height, slices.pressure, slices.k_h)
     ordinary = slices.integral(slices.cohesion + slices.friction * normal) / driving
-    negative = slices.integral(normal < 0.0) / arc_angle
+    negative = slices.integral(normal < 0.0) / length
     paper = bishop = np.full(len(radius), np.nan)
     if "paper" in methods:
         paper = _paper_resistance(slices) / driving
     if "bishop" in methods:
         bishop = _bishop(slices, driving, ordinary)
-        by_arc = bishop[slices.arc]
-        normal = slopes.bishop_normal(
-            slices.sine, slices.cosine, slices.height, slices.pressure, slices.cohesion, slices.friction, by_arc
-        )
-        negative = np.maximum(negative, slices.integral(normal < 0.0) / arc_angle)
+        negative = np.maximum(negative, slices.integral(_bishop_normal(slices, bishop) < 0.0) / length)
     return {"paper": paper, "ordinary": ordinary, "bishop": bishop, "facing": facing, "negative": negative}
 
 
-def _slices(
-    slope: SlopeArrays, centre: Floats, radius: Floats, first: Floats, last: Floats, valid: Any, pieces: int
-) -> _Slices:
+def _arcs(ground: Floats, centre: Floats, radius: Floats, left: Floats, right: Floats) -> _Arcs:
+    first, last = (np.arctan2(p[:, 0] - centre[:, 0], centre[:, 1] - p[:, 1]) for p in (left, right))
+    upright = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
+    beside = (first > 0.0) | (last < 0.0)
+    above_ground = _height_at(ground, centre[:, 0]) < centre[:, 1]
+    return _Arcs(centre, radius, first, last, upright & (beside | above_ground))
+
+
+def _driving(slices: _Slices) -> tuple[Floats, Floats]:
+    """Which way gravity turns each mass, and the driving moment that way; NaN where there is none."""
+    by_gravity = slices.integral(slopes.drive(slices.sine, slices.cosine, slices.height, 0.0))
+    negligible = 1e-9 * slices.integral(slices.cosine * slices.height)
+    facing = np.where(np.abs(by_gravity) > negligible, np.sign(by_gravity), 0.0)
+    down_slope = slices.facing(facing)
+    driving = slices.integral(slopes.drive(down_slope.sine, slices.cosine, slices.height, slices.k_h))
+    return facing, np.where((facing != 0.0) & (driving > negligible), driving, np.nan)
+
+
+def _slices(slope: SlopeArrays, arcs: _Arcs, pieces: int) -> _Slices:
     """Cut valid arcs at the kinks of ground and water, and lay slices above the points of each interval."""
-    count = len(radius)
-    kinks = [np.linspace(first, last, pieces + 1, axis=1), _vertex_angles(slope.ground[:, 1:-1], centre, radius)]
-    if slope.level is not None:
-        kinks += [_vertex_angles(slope.level, centre, radius), _crossing_angles(slope.level, centre, radius)]
-    angles = np.sort(np.clip(np.concatenate(kinks, axis=1), first[:, None], last[:, None]), axis=1)
-    arc, k = np.nonzero((np.diff(angles, axis=1) > 0.0) & valid[:, None])
-    low = angles[arc, k]
-    high = angles[arc, k + 1]
+    arc, low, high = _intervals(slope, arcs, pieces)
     half = (high - low) / 2
     middle = (low + high) / 2
     angle = middle + half * _NODES[:, None]  # points first: sums over them are sums of rows
     sine = np.sin(angle)
     cosine = np.cos(angle)
-    scale = radius[arc]
-    at_middle = centre[arc, 0] + scale * np.sin(middle)
-
-    def above_centre(lines: Floats) -> Floats:
-        """Height of a line above the centre at each point, over R."""
-        x, y, gradient = _edges(lines, arc, at_middle)
-        return (y - centre[arc, 1] + gradient * (centre[arc, 0] - x)) / scale + gradient * sine
 
     def of_interval(value: Any) -> Floats:
-        return np.broadcast_to(np.asarray(value, dtype=np.float64), count)[arc]
+        return np.broadcast_to(np.asarray(value, dtype=np.float64), len(arcs.radius))[arc]
 
-    stress_scale = of_interval(slope.unit_weight) * scale
-    top = above_centre(slope.ground)
+    stress_scale = of_interval(slope.unit_weight) * arcs.radius[arc]
+    top = _above_centre(slope.ground, arcs, arc, middle, sine)
     height = np.maximum(top + cosine, 0.0)
     pressure = of_interval(slope.pore_ratio) * height + of_interval(slope.pressure) / stress_scale
     if slope.level is not None:
-        depth = np.maximum(above_centre(slope.level) + cosine, 0.0)
+        depth = np.maximum(_above_centre(slope.level, arcs, arc, middle, sine) + cosine, 0.0)
         pressure += of_interval(slope.water_unit_weight) / of_interval(slope.unit_weight) * depth
-    ends = np.array([np.sin([low, high]), np.cos([low, high])])
-    cohesion = of_interval(slope.cohesion) / stress_scale
-    friction = of_interval(slope.friction)
-    weight = half * _WEIGHTS[:, None]
     return _Slices(
-        count, arc, ends, weight, sine, cosine, top, height, pressure, cohesion, friction, of_interval(slope.k_h)
+        arcs=len(arcs.radius),
+        arc=arc,
+        end_sines=np.sin([low, high]),
+        end_cosines=np.cos([low, high]),
+        weight=half * _WEIGHTS[:, None],
+        sine=sine,
+        cosine=cosine,
+        top=top,
+        height=height,
+        pressure=pressure,
+        cohesion=of_interval(slope.cohesion) / stress_scale,
+        friction=of_interval(slope.friction),
+        k_h=of_interval(slope.k_h),
     )
+
+
+def _above_centre(lines: Floats, arcs: _Arcs, arc: NDArray[np.int64], middle: Floats, sine: Floats) -> Floats:
+    """Height of lines above the centres of arcs at points of their intervals, over R."""
+    x, y = arcs.centre[arc].T
+    scale = arcs.radius[arc]
+    edge_x, edge_y, gradient = _edges(lines, arc, x + scale * np.sin(middle))
+    at_centre = (edge_y - y + gradient * (x - edge_x)) / scale
+    return at_centre + gradient * sine
+
+
+def _intervals(slope: SlopeArrays, arcs: _Arcs, pieces: int) -> tuple[NDArray[np.int64], Floats, Floats]:
+    """Arc, first and last angle of each part of a valid arc between two kinks."""
+    circle = arcs.centre, arcs.radius
+    kinks = [np.linspace(arcs.first, arcs.last, pieces + 1, axis=1), _vertex_angles(slope.ground[:, 1:-1], *circle)]
+    if slope.level is not None:
+        kinks += [_vertex_angles(slope.level, *circle), _crossing_angles(slope.level, *circle)]
+    on_arc = np.clip(np.concatenate(kinks, axis=1), arcs.first[:, None], arcs.last[:, None])
+    angles = np.sort(on_arc, axis=1)
+    apart = np.diff(angles, axis=1) > 0.0
+    arc, k = np.nonzero(apart & arcs.valid[:, None])
+    return arc, angles[arc, k], angles[arc, k + 1]
 
 
 def _vertex_angles(lines: Floats, centre: Floats, radius: Floats) -> Floats:
@@ -236,6 +267,14 @@ def _paper_resistance(slices: _Slices) -> Floats:
     return np.asarray(slices.integral(slices.cohesion) + friction)
 
 
+def _bishop_normal(slices: _Slices, factor: Floats) -> Any:
+    """Effective normal stress at given factors of the arcs."""
+    of_arc = factor[slices.arc]
+    return slopes.bishop_normal(
+        slices.sine, slices.cosine, slices.height, slices.pressure, slices.cohesion, slices.friction, of_arc
+    )
+
+
 def _bishop(slices: _Slices, driving: Floats, start: Floats) -> Floats:
     """F = 1/y where y times the integral of strength/m_alpha(y) is the driving moment; the former grows with y.
 
@@ -263,10 +302,9 @@ def _bishop(slices: _Slices, driving: Floats, start: Floats) -> Floats:
 
 def _lever_range(slices: _Slices) -> tuple[Floats, Floats]:
     """Least and greatest 1/F for which m_alpha stays above its least value, of each arc."""
-    sine, cosine = slices.ends
     most = 1.0 / _LEAST_FACTOR
-    sine = slices.friction * sine
-    room = cosine - LEAST_LEVER
+    sine = slices.friction * slices.end_sines
+    room = slices.end_cosines - LEAST_LEVER
     with np.errstate(divide="ignore", invalid="ignore"):
         above = np.where(sine > 0.0, np.maximum(room, 0.0) / sine, most)
         below = np.where((sine < 0.0) & (room < 0.0), room / sine, 0.0)

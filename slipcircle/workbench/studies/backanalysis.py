@@ -208,19 +208,28 @@ def _exact(problem: SearchProblem) -> list[Solution]:
     """All values of the one field with the one observation, the fewest swings first."""
     if solutions := [_solution(problem, [value]) for value in solve_exact(problem)]:
         return sorted(solutions, key=lambda s: (len(s.motion.phases), -s.value))
-    (field,), (name,), target = problem.fields, problem.observed, float(problem.targets[0])
+    raise _unattainable(problem)
+
+
+def _unattainable(problem: SearchProblem) -> Unattainable:
+    """The error of an observation that no value of the one field gives: what is attainable, and where."""
+    (field,), (name,) = problem.fields, problem.observed
     places = [extreme(problem, sign) for sign in (-1.0, 1.0)]
     if math.isnan(places[0]):
-        raise Unattainable(f"{field.key}: with no value of it between the bounds does this scene move and rest", {})
-    scenes = (with_parameters(problem.scene, {field.name: field.to_si(value)}) for value in places)
-    least, greatest = ((float(solve(scene).outcomes[name]), at) for scene, at in zip(scenes, places, strict=True))
-    unit = OUTCOMES[name].unit
-    attainable = " to ".join(f"{v:.6g} {unit} (at {field.key} = {at:.6g})" for v, at in (least, greatest))
-    if greatest[0] - least[0] <= 1e-9 * abs(greatest[0]):
-        attainable = f"only {least[0]:.6g} {unit}, whatever it is"
-    raise Unattainable(
-        f"{name} = {target:.10g} {unit}: no {field.key} gives it; attainable: {attainable}", {name: (least, greatest)}
+        return Unattainable(f"{field.key}: with no value of it between the bounds does this scene move and rest", {})
+    outcomes = []
+    for place in places:
+        motion = solve(with_parameters(problem.scene, {field.name: field.to_si(place)}))
+        outcomes.append(float(motion.outcomes[name]))
+    (least, greatest), (low, high), unit = outcomes, places, OUTCOMES[name].unit
+    attainable = (
+        f"{least:.6g} {unit} (at {field.key} = {low:.6g}) to {greatest:.6g} {unit} (at {field.key} = {high:.6g})"
     )
+    if greatest - least <= 1e-9 * abs(greatest):
+        attainable = f"only {least:.6g} {unit}, whatever it is"
+    target = float(problem.targets[0])
+    sentence = f"{name} = {target:.10g} {unit}: no {field.key} gives it; attainable: {attainable}"
+    return Unattainable(sentence, {name: ((least, low), (greatest, high))})
 
 
 def _fitted(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
@@ -267,8 +276,9 @@ def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
 
 def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
     """A solution with these values: the observations have to tell the fields apart."""
-    by_key = {f.key: float(v) for f, v in zip(problem.fields, values, strict=True)}
-    si = {f.name: float(f.to_si(v)) for f, v in zip(problem.fields, values, strict=True)}
+    by_key, si = dict[str, float](), dict[str, float]()
+    for field, value in zip(problem.fields, values, strict=True):
+        by_key[field.key], si[field.name] = float(value), float(field.to_si(value))
     scene = with_parameters(problem.scene, si)
     motion, (_, slopes) = solve(scene), derivatives(scene, si)
     outcomes = np.array([float(motion.outcomes[n]) for n in problem.observed])
@@ -289,9 +299,11 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
 
 def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -> Floats:
     """Derivatives of the scaled residuals by the fields in their units, from those of all outcomes in SI units."""
-    rows = [[*OUTCOMES].index(n) for n in problem.observed]
-    per_key = [f.slope(v) for f, v in zip(problem.fields, values, strict=True)]
-    return np.asarray(slopes[rows] / problem.scales[:, None] * np.array(per_key))
+    order = [*OUTCOMES]
+    rows = [order.index(name) for name in problem.observed]
+    per_key = np.array([f.slope(v) for f, v in zip(problem.fields, values, strict=True)])
+    scaled = slopes[rows] / problem.scales[:, None]
+    return np.asarray(scaled * per_key)
 
 
 def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> Floats | None:
@@ -306,14 +318,16 @@ def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> F
 def _refuse_indistinct(problem: SearchProblem, jacobian: Floats) -> None:
     """Refuse residuals that do not change with one of the fields, or with several of them together."""
     sizes, names = np.linalg.norm(jacobian, axis=0), ", ".join(problem.observed)
-    if idle := [f.key for f, s in zip(problem.fields, sizes, strict=True) if not s > _NOISE * np.max(sizes)]:
+    keys, least = [f.key for f in problem.fields], _NOISE * np.max(sizes)
+    if idle := [key for key, size in zip(keys, sizes, strict=True) if not size > least]:
         raise ValueError(f"backanalyse: {', '.join(idle)}: changes nothing of {names}, and cannot be found from it")
     _, singular, directions = np.linalg.svd(jacobian / sizes)
-    if singular[-1] <= _NOISE * singular[0]:
-        change = directions[-1] / sizes
-        per_cent = 100 * change / np.max(np.abs(change))
-        changes = " and ".join(f"{f.key} by {c:+.3g} %" for f, c in zip(problem.fields, per_cent, strict=True))
-        raise ValueError(f"backanalyse: changing {changes} changes nothing of {names}: they cannot be told apart by it")
+    if singular[-1] > _NOISE * singular[0]:
+        return
+    change = directions[-1] / sizes
+    per_cent = 100 * change / np.max(np.abs(change))
+    changes = " and ".join(f"{key} by {c:+.3g} %" for key, c in zip(keys, per_cent, strict=True))
+    raise ValueError(f"backanalyse: changing {changes} changes nothing of {names}: they cannot be told apart by it")
 
 
 def _range_warnings(problem: SearchProblem, solution: Solution) -> list[str]:
@@ -336,15 +350,19 @@ def fit_warnings(problem: SearchProblem, first: Solution) -> list[str]:
             warnings.append(f"{name} is not determined: {value:.6g} is one of many values that fit as well")
         elif error > abs(value):
             warnings.append(f"{name} = {value:.6g} is hardly determined: its standard error is larger")
-    if problem.is_weighted:
-        from scipy.special import chdtrc
+    return warnings + _misfit_warnings(problem, first.chi_square)
 
-        free = problem.degrees_of_freedom
-        chance = float(chdtrc(free, first.chi_square)) if free else float(first.chi_square < 1.0)
-        reason = f"chance {chance:.1g}" if free else "no observation is left over, so that all could be met"
-        if chance < _UNLIKELY:
-            warnings.append(
-                f"the misfit is larger than the standard errors explain: chi-square {first.chi_square:.4g} with "
-                f"{free} degrees of freedom ({reason})"
-            )
-    return warnings
+
+def _misfit_warnings(problem: SearchProblem, chi_square: float) -> list[str]:
+    """A sentence where the standard errors, if they are known, do not explain so large a misfit."""
+    from scipy.special import chdtrc
+
+    free = problem.degrees_of_freedom
+    chance = float(chdtrc(free, chi_square)) if free else float(chi_square < 1.0)
+    if not problem.is_weighted or chance >= _UNLIKELY:
+        return []
+    reason = f"chance {chance:.1g}" if free else "no observation is left over, so that all could be met"
+    return [
+        f"the misfit is larger than the standard errors explain: chi-square {chi_square:.4g} with {free} degrees of "
+        f"freedom ({reason})"
+    ]

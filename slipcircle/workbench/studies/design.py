@@ -102,7 +102,8 @@ def _drawn(design: Design, points: Any) -> list[Floats]:
         mixing = np.linalg.cholesky(design.correlation)
         scores = np.tensordot(mixing, normal.ppf(points), 1)
         points = np.clip(normal.cdf(scores), 2.0**-54, 1.0 - 2.0**-53)
-    return [np.asarray(u.drawn(p.reshape(-1))) for u, p in zip(design.drawn.values(), points, strict=True)]
+    rows = zip(design.drawn.values(), points, strict=True)
+    return [np.asarray(uncertain.drawn(p.reshape(-1))) for uncertain, p in rows]
 
 
 def _on_grid(design: Design, index: int) -> list[Floats]:
@@ -121,12 +122,15 @@ class _Solved(NamedTuple):
 
 
 def _solve(design: Design, values: list[Floats]) -> _Solved:
+    si = {}
     with np.errstate(all="ignore"):
-        si = {n: number.to_si(x) for (n, number), x in zip(design.inputs.items(), values, strict=True)}
+        for (name, number), x in zip(design.inputs.items(), values, strict=True):
+            si[name] = number.to_si(x)
     motion = motions(design.scene, si, design.accuracy)
     no_result = np.isin(motion.status, NO_RESULT)
     moves = np.where(motion.status == Status.INVALID, np.nan, motion.moves | no_result)
-    outcomes = {n: np.where(no_result, np.inf, np.abs(motion.outcomes[n])) for n in OUTCOMES}
+    sizes = {name: np.abs(motion.outcomes[name]) for name in OUTCOMES}
+    outcomes = {name: np.where(no_result, np.inf, size) for name, size in sizes.items()}
     return _Solved(motion, moves, outcomes)
 
 
@@ -165,8 +169,10 @@ def run_block(design: Design, index: int) -> Result:
         failing, unknown = np.sum(of_scenes < 1.0), np.sum(np.isnan(of_scenes))
         result[f"factor.{method}"] = np.array([failing, unknown])
     if design.keep:
-        result |= {f"sample.{u.key}": x for u, x in zip(design.inputs.values(), values, strict=True)}
-        result |= {f"sample.{n}": np.where(np.isinf(x), np.nan, x) for n, x in solved.outcomes.items()}
+        for number, value in zip(design.inputs.values(), values, strict=True):
+            result[f"sample.{number.key}"] = value
+        for name, outcome in solved.outcomes.items():
+            result[f"sample.{name}"] = np.where(np.isinf(outcome), np.nan, outcome)
         result["sample.status"] = status
     return result
 

@@ -38,23 +38,31 @@ def estimates(study: Any) -> Iterator[Row]:
     for method, failure in study.failure.items():
         yield Row("probability of failure", "factor_of_safety", method, math.nan, failure)
     for name in OUTCOMES:
-        yield Row("mean", name, "", math.nan, study.mean(name))
-        yield Row("std", name, "", math.nan, study.std(name))
-        for statistic, value in study.linear[name]._asdict().items() if name in study.linear else ():
-            yield Row(f"linear {statistic}", name, "", math.nan, Estimate(value, math.nan, math.nan))
-        for p in QUANTILES:
-            yield Row("quantile", name, "", p, study.quantile(name, p))
-        for at, *probability in np.stack(study.exceedance(name), axis=1).tolist():
-            yield Row("exceedance", name, "", at, Estimate(*probability))
+        yield from _of_output(study, name)
     keys = [u.key for u in study.design.inputs.values()]
     for output, indices in study.sensitivity.items():
-        for kind, by_input in (("first-order index", indices.first), ("total index", indices.total)):
-            for key, estimate in zip(keys, by_input, strict=True):
-                yield Row(kind, output, key, math.nan, estimate)
+        for key, first, total in zip(keys, *indices, strict=True):
+            yield Row("first-order index", output, key, math.nan, first)
+            yield Row("total index", output, key, math.nan, total)
     for c in study.convergence:
         yield Row("moving after n", "moves", "", c.n, c.moving)
         yield Row("median after n", "reach", "", c.n, c.median)
         yield Row("quantile 0.95 after n", "reach", "", c.n, c.upper)
+
+
+def _of_output(study: Any, name: str) -> Iterator[Row]:
+    """Mean and standard deviation, quantiles and the exceedance curve of an output."""
+    yield Row("mean", name, "", math.nan, study.mean(name))
+    yield Row("std", name, "", math.nan, study.std(name))
+    if name in study.linear:
+        mean, std = study.linear[name]
+        yield Row("linear mean", name, "", math.nan, Estimate(mean, math.nan, math.nan))
+        yield Row("linear std", name, "", math.nan, Estimate(std, math.nan, math.nan))
+    for p in QUANTILES:
+        yield Row("quantile", name, "", p, study.quantile(name, p))
+    curve = np.stack(study.exceedance(name), axis=1)
+    for at, *probability in curve.tolist():
+        yield Row("exceedance", name, "", at, Estimate(*probability))
 
 
 def _grouped(study: Any) -> _Groups:
@@ -124,9 +132,12 @@ def arrays(study: Any) -> dict[str, NDArray[Any]]:
     for (table, output), rows in _grouped(study).items():
         name = f"{output}_{table}".replace(" ", "_").replace("-", "_")
         named[name] = np.array([(row.at, *row.estimate) for row in rows])
-    named |= {f"{name}_bins": study.bins(name) for name in OUTCOMES}
+    for name in OUTCOMES:
+        named[f"{name}_bins"] = study.bins(name)
+    for name, values in study.samples.items():
+        named[f"sample_{name}"] = values
     named["inputs"] = np.array([u.key for u in study.design.inputs.values()])
-    return named | {f"sample_{k}": v for k, v in study.samples.items()}
+    return named
 
 
 def _record(estimate: Estimate, value: str = "value") -> dict[str, Any]:

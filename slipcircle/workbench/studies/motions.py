@@ -59,13 +59,17 @@ def _changes(scene: Scene, at: Mapping[str, float], steps: Floats, accuracy: flo
     NaN where the motion is of another kind.
     """
     offsets = np.array([1.0, 2.0, -1.0, -2.0])
-    values = np.tile(np.array([*at.values()])[:, None], (1, 1 + len(at) * offsets.size))
+    centre = np.array([*at.values()])
+    values = np.tile(centre[:, None], (1, 1 + centre.size * offsets.size))
     for k, step in enumerate(steps):
         first = 1 + k * offsets.size
-        values[k, first : first + offsets.size] += step * offsets
-    motion = motions(scene, dict(zip(at, values, strict=True)), accuracy)
+        last = first + offsets.size
+        values[k, first:last] += step * offsets
+    by_name = dict(zip(at, values, strict=True))
+    motion = motions(scene, by_name, accuracy)
     same_status = motion.status == motion.status[0]
     same_kind = same_status & (motion.turnings == motion.turnings[0])
     outcomes = np.stack([motion.outcomes[n] for n in OUTCOMES])
     changes = np.where(same_kind, outcomes - outcomes[:, :1], np.nan)
-    return outcomes[:, 0], changes[:, 1:].reshape(len(OUTCOMES), len(at), offsets.size)
+    shape = len(OUTCOMES), centre.size, offsets.size
+    return outcomes[:, 0], changes[:, 1:].reshape(shape)

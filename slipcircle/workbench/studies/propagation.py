@@ -38,16 +38,20 @@ def propagated(design: Design) -> dict[str, Linear]:
     """
     if not design.drawn:
         raise ValueError("values on a grid have no distribution")
-    moments = {n: u.moments for n, u in design.drawn.items()}
-    if unbounded := [design.inputs[n].key for n, (mean, std) in moments.items() if not math.isfinite(mean + std)]:
-        raise ValueError(f"{', '.join(unbounded)}: has no finite mean and standard deviation")
-    means = {n: float(design.inputs[n].to_si(mean)) for n, (mean, _) in moments.items()}
-    stds = np.array([design.inputs[n].slope(mean) * std for n, (mean, std) in moments.items()])  # SI
+    keys = {n: number.key for n, number in design.inputs.items()}
+    means, stds = dict[str, float](), []  # SI
+    for name, uncertain in design.drawn.items():
+        mean, std = uncertain.moments
+        if not math.isfinite(mean + std):
+            raise ValueError(f"{keys[name]}: has no finite mean and standard deviation")
+        number = design.inputs[name]
+        means[name] = float(number.to_si(mean))
+        stds.append(number.slope(mean) * std)
     outcomes, slopes = derivatives(with_parameters(design.scene, means), means, design.accuracy)
-    without = [design.inputs[n].key for n, by in zip(means, slopes.T, strict=True) if not np.isfinite(by).all()]
-    if without:
-        raise ValueError(f"{', '.join(without)}: the motion at the means has no derivative by it")
-    changes = slopes * stds
+    unknown = [keys[n] for n, by in zip(means, slopes.T, strict=True) if not np.isfinite(by).all()]
+    if unknown:
+        raise ValueError(f"{', '.join(unknown)}: the motion at the means has no derivative by it")
+    changes = slopes * np.array(stds)
     variances = np.einsum("oi,ij,oj->o", changes, design.correlation, changes)
     means_of = np.abs(outcomes).tolist()
     stds_of = np.sqrt(np.maximum(variances, 0.0)).tolist()

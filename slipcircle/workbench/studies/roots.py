@@ -84,9 +84,11 @@ def _is_dip(size: Floats) -> NDArray[np.bool_]:
 
 def extreme(problem: SearchProblem, sign: float) -> float:
     """Where the greatest (sign 1) or least (sign -1) outcome lies; NaN where no motion counts."""
-    greatest, place, values = -math.inf, math.nan, problem.ranges[0]
+    greatest, place = -math.inf, math.nan
+    values = problem.ranges[0]
     for _ in range(_ROUNDS):
-        outcome = np.nan_to_num(sign * problem.outcomes(values[None])[0][0], nan=-math.inf)
+        outcomes, _ = problem.outcomes(values[None])
+        outcome = np.nan_to_num(sign * outcomes[0], nan=-math.inf)
         k = int(np.argmax(outcome))
         if outcome[k] > greatest:
             greatest, place = float(outcome[k]), float(values[k])

@@ -253,7 +253,8 @@ class Study:
         low, high = proportion(total, n, self.confidence)
         if self.design.replicates > 1:
             filled = self._valid > 0
-            half = student(hits[filled] / self._valid[filled, None], self.confidence)
+            shares = hits[filled] / self._valid[filled, None]
+            half = student(shares, self.confidence)
             unanimous = (total == 0) | (total == n)  # the replicates agree, and cannot tell how surely
             low = np.where(unanimous, low, np.maximum(value - half, 0))
             high = np.where(unanimous, high, np.minimum(value + half, 1))

@@ -67,11 +67,13 @@ class Tally:
 
         Without the first edge, where the probability is 1.
         """
-        values = np.linspace(0.0, max(self.ends[1], 0.0), points)
+        greatest = max(self.ends[1], 0.0)
+        values = np.linspace(0.0, greatest, points)
         places = np.unique(np.searchsorted(edges()[:-1], values, side="right") - 1)
         places = places[places > 0]
-        above = np.cumsum(self.histograms[:, ::-1], axis=1)[:, ::-1]
-        return edges()[places], above[:, places]
+        from_above = self.histograms[:, ::-1]
+        not_below = np.cumsum(from_above, axis=1)[:, ::-1]
+        return edges()[places], not_below[:, places]
 
     def table(self) -> Floats:
         """Bins that hold any: from, to and how many, in rows."""

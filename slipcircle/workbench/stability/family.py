@@ -1,0 +1,189 @@
+"""All circles of a slope at once: a coarse family between points of its ground, and the refinement of its best.
+
+A circle is three numbers: two lengths along the ground, of its ends from the left, and its opening as a share of the
+greatest one, at which it is upright at an end or touches the base.
+"""
+
+from collections.abc import Callable
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.checks import InputError
+from slipcircle.base.series import Floats
+from slipcircle.core import circle_through, circle_touching
+from slipcircle.workbench.stability.slices import circle_factors
+from slipcircle.workbench.stability.stability import Slope
+
+_POSITIONS = 40  # of ends, evenly along the ground
+_LEAST_ON_EDGE = 7  # on each edge of a ground of few edges: the slope between wide level parts may be short
+_FEW_EDGES = 12
+_MOST_VERTICES = 48  # of a ground; of more, those nearest to even places
+_SHARES = np.array([0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.64, 0.76, 0.88, 1.0])
+_LEAST_SHARE = 0.005
+_VALLEYS = 12  # that are refined
+_APART = 2.5  # spacings of the coarse family between valleys
+_STEPS = 150  # of a refinement, at most
+_SHRINK = 0.6
+_FINEST = 1e-5  # step at which a valley is done, over its first
+_HOPELESS = 1.2  # over the least factor, a valley is left
+_KEPT = 3  # of refined valleys
+_TOGETHER = 1 << 13  # ground vertices times circles at a time: what fits into the caches
+_OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+
+
+class Search:
+    """A slope, the method to minimise, the limits, and every circle evaluated so far."""
+
+    def __init__(self, slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> None:
+        self.slope = slope
+        self.arrays = slope.arrays()
+        self.method = method
+        self.depth = depth
+        self.limits = {"entry": entry, "exit": exit}
+        self.ground = np.asarray(slope.ground)
+        edges = np.diff(self.ground, axis=0)
+        self.along = np.concatenate([[0.0], np.cumsum(np.hypot(edges[:, 0], edges[:, 1]))])
+        self.rounding = 1e-9 * float(self.along[-1])
+        self.centres: list[Floats] = []
+        self.values: list[Floats] = []
+
+    def points(self, lengths: Floats) -> Floats:
+        """Points of the ground at lengths along it."""
+        return np.stack([np.interp(lengths, self.along, self.ground[:, k]) for k in (0, 1)], axis=-1)
+
+    def circles(self, q: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+        """Centres, radii, left and right ends."""
+        left = self.points(q[:, 0])
+        right = self.points(q[:, 1])
+        half_chord = np.hypot(*(right - left).T) / 2
+        half_angle = q[:, 2] * self._greatest_half_angle(left, right)
+        centre, radius = circle_through(left, right, radius=half_chord / np.sin(half_angle))
+        return centre, radius, left, right
+
+    def _greatest_half_angle(self, left: Floats, right: Floats) -> Floats:
+        """Of circles through two points that are upright at an end, or touch the base between them."""
+        chord = right - left
+        upright = np.arctan2(chord[:, 0], np.abs(chord[:, 1])) * (1 - 1e-12)
+        if self.slope.base is None:
+            return upright
+        centre, _ = circle_touching(left, right, self.slope.base)
+        beyond_left = left[:, 0] <= centre[:, 0] + self.rounding
+        before_right = centre[:, 0] - self.rounding <= right[:, 0]
+        ends = (np.arctan2(np.abs(p[:, 0] - centre[:, 0]), centre[:, 1] - p[:, 1]) for p in (left, right))
+        touching = sum(ends) / 2 * (1 - 1e-12)
+        return np.where(beyond_left & before_right, np.minimum(upright, touching), upright)
+
+    def evaluate(self, q: Floats) -> Floats:
+        """The factor of each circle, NaN where there is none, or none within the limits."""
+        values = np.full(len(q), np.nan)
+        possible = self._possible(q)
+        blocks = -(-len(possible) * len(self.ground) // _TOGETHER) or 1
+        for lanes in np.array_split(possible, blocks):
+            values[lanes] = self._factors(q[lanes])
+        return values
+
+    def _possible(self, q: Floats) -> Any:
+        """Circles whose ends lie beside each other, and not both on the base."""
+        left = self.points(q[:, 0])
+        right = self.points(q[:, 1])
+        apart = right[:, 0] - left[:, 0] > self.rounding
+        if self.slope.base is not None:
+            apart &= np.maximum(left[:, 1], right[:, 1]) - self.slope.base > self.rounding
+        return np.flatnonzero(apart)
+
+    def _factors(self, q: Floats) -> Floats:
+        """The same of a block, which is kept for the map."""
+        centre, radius, left, right = self.circles(q)
+        thick = np.flatnonzero(self.thickness(q, centre, radius) >= self.depth)
+        factors = circle_factors(
+            self.arrays, centre[thick], radius[thick], left[thick], right[thick], methods=(self.method,)
+        )
+        within = factors[self.method] > 0.0
+        for limit, upper_left in zip(self.limits.values(), (1.0, -1.0), strict=True):
+            if limit is not None:
+                x = np.where(factors["facing"] == upper_left, left[thick, 0], right[thick, 0])
+                within &= (x >= limit[0] - self.rounding) & (x <= limit[1] + self.rounding)
+        values = np.full(len(q), np.nan)
+        values[thick] = np.where(within, factors[self.method], np.nan)
+        self.centres.append(centre)
+        self.values.append(values)
+        return values
+
+    def thickness(self, q: Floats, centre: Floats, radius: Floats) -> Floats:
+        """Greatest distance from arc to ground along the radius; -1 where the ground leaves the circle in between."""
+        line = self.points(np.clip(self.along, q[:, :1], q[:, 1:2])) - centre[:, None]  # repeats its ends beyond them
+        inside = np.all(np.hypot(line[..., 0], line[..., 1]) <= (1 + 1e-12) * radius[:, None], axis=1)
+        if not self.depth:
+            return np.where(inside, 0.0, -1.0)
+        start = line[:, :-1]
+        edge = np.diff(line, axis=1)
+        square = np.sum(edge**2, axis=2)
+        to_foot = -np.sum(start * edge, axis=2)  # of the perpendicular from the centre
+        share = np.clip(to_foot / np.where(square > 0.0, square, 1.0), 0.0, 1.0)
+        nearest = start + share[..., None] * edge
+        distance = np.hypot(nearest[..., 0], nearest[..., 1]).min(axis=1)
+        return np.where(inside, radius - distance, -1.0)
+
+    def _positions(self) -> Floats:
+        """Lengths along the ground of the ends of the coarse family."""
+        vertices = self.along
+        total = vertices[-1]
+        if len(vertices) > _MOST_VERTICES:
+            even = np.linspace(0.0, total, _MOST_VERTICES)
+            vertices = vertices[np.unique(np.searchsorted(vertices, even))]
+        least = _LEAST_ON_EDGE if len(vertices) <= _FEW_EDGES else 1
+        positions = [vertices]
+        for low, high in pairwise(vertices.tolist()):
+            count = max(least, round(_POSITIONS * (high - low) / total))
+            positions.append(np.linspace(low, high, count + 1)[1:-1])
+        for limit in filter(None, self.limits.values()):
+            first, last = np.interp(limit, self.ground[:, 0], self.along)
+            positions.append(np.linspace(first, last, _LEAST_ON_EDGE + 1))
+        return np.unique(np.concatenate(positions))
+
+    def coarse(self, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
+        """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
+        ends = self._positions()
+        numbers = np.indices((len(ends), len(ends), len(_SHARES))).reshape(3, -1)
+        i, j, k = numbers[:, numbers[0] < numbers[1]]
+        spacing = np.gradient(ends)
+        q = np.column_stack([ends[i], ends[j], _SHARES[k]])
+        steps = np.column_stack([spacing[i], spacing[j], np.gradient(_SHARES)[k]])
+        values = self.evaluate(q)
+        order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
+        if not order.size:
+            left = "no circle is left that slides within the limits given; widen entry, exit, depth or base"
+            raise InputError("critical", [left])
+        valleys: list[int] = []
+        while len(valleys) < _VALLEYS and order.size:
+            best = order[0]
+            valleys.append(best)
+            far = np.any(np.abs(q[order] - q[best]) > _APART * steps[best], axis=1)
+            order = order[far]
+        tell(f"{len(values)} circles; following {len(valleys)}, from {values[valleys[0]]:.4g}")
+        return q[valleys], steps[valleys]
+
+    def refined(self, q: Floats, step: Floats) -> tuple[Floats, Floats]:
+        """The best circles, in order, after all were followed to better neighbours on grids that shrink."""
+        q = q.copy()
+        now = step.copy()
+        best = np.full(len(q), np.inf)
+        for _ in range(_STEPS):
+            live = np.flatnonzero(np.any(now > _FINEST * step, axis=1))
+            if not live.size:
+                break
+            near = q[live, None] + _OFFSETS * now[live, None]
+            near = np.clip(near, [0.0, 0.0, _LEAST_SHARE], [self.along[-1], self.along[-1], 1.0])
+            values = np.nan_to_num(self.evaluate(near.reshape(-1, 3)), nan=np.inf).reshape(len(live), -1)
+            rows = np.arange(len(live))
+            least = np.argmin(values, axis=1)
+            better = values[rows, least] < best[live] * (1.0 - 1e-13)
+            q[live[better]] = near[rows, least][better]
+            best[live[better]] = values[rows, least][better]
+            stays = ~better | np.all(_OFFSETS[least] == 0.0, axis=1)
+            now[live[stays]] *= _SHRINK
+            now[best > _HOPELESS * best.min()] = 0.0
+        order = np.argsort(best, kind="stable")[:_KEPT]
+        return q[order], step[order]
