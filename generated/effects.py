@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a4cb361722ac1dbd15fe37430738144ae16a54bc68e8d75d371569d498357d20
+# sha256 of the text below: 1d1c3bb4f286fff84ac168234c001c449b4f958cb173eef4244711ba8c98097c
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -12,7 +12,10 @@ INFINITY = float("inf")
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it."""
+    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it.
+
+    ``powers`` are the exponents of the value and of the scales in ``dimensionless``, a product of powers.
+    """
 
     name: str
     unit: str
@@ -24,7 +27,8 @@ class Parameter:
     symbol: str
     dimensionless: Callable[[float, Mapping[str, float]], float]
     optional: bool
-    kind: str = "number"
+    kind: str
+    powers: tuple[tuple[str, float], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,57 +69,57 @@ LIMITS = {'': (1e-12, 1000000000000.0), 'm': (1e-13, 1e+20), 's': (1e-12, 1e+18)
 LAWS = {
     'constant': Law('constant', '1.14', (
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficient, tan(phi)', 'angle_deg', 1.0, '',
-            lambda value, scales: value, False, 'number'),
+            lambda value, scales: value, False, 'number', (('value', 1.0),)),
     ), (), 'friction does not change', '', ()),
     'exponential': Law('exponential', 'Fig. 4-1', (
         Parameter('peak', '', -5e-324, 1000000000000.0, 'friction coefficient at the start', 'peak_deg', 1.0, '',
-            lambda value, scales: value, False, 'number'),
+            lambda value, scales: value, False, 'number', (('value', 1.0),)),
         Parameter('residual', '', -5e-324, 1000000000000.0, 'friction coefficient after much slip', 'residual_deg', 1.0,
-            '', lambda value, scales: value, False, 'number'),
+            '', lambda value, scales: value, False, 'number', (('value', 1.0),)),
         Parameter('length', 'm', 1e-13, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
-            scales: value, False, 'number'),
+            scales: value, False, 'number', (('value', 1.0),)),
     ), ('slip',), 'residual + (peak - residual) exp(-slip/length)', 'length', ()),
     'linear': Law('linear', 'Fig. 4-1', (
         Parameter('peak', '', -5e-324, 1000000000000.0, 'friction coefficient at the start', 'peak_deg', 1.0, '',
-            lambda value, scales: value, False, 'number'),
+            lambda value, scales: value, False, 'number', (('value', 1.0),)),
         Parameter('residual', '', -5e-324, 1000000000000.0, 'friction coefficient after much slip', 'residual_deg', 1.0,
-            '', lambda value, scales: value, False, 'number'),
+            '', lambda value, scales: value, False, 'number', (('value', 1.0),)),
         Parameter('length', 'm', 1e-13, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
-            scales: value, False, 'number'),
+            scales: value, False, 'number', (('value', 1.0),)),
     ), ('slip',), 'falls from peak to residual over the length, then stays', 'length', ('length',)),
     'hyperbolic': Law('hyperbolic', 'Fig. 4-1', (
         Parameter('peak', '', -5e-324, 1000000000000.0, 'friction coefficient at the start', 'peak_deg', 1.0, '',
-            lambda value, scales: value, False, 'number'),
+            lambda value, scales: value, False, 'number', (('value', 1.0),)),
         Parameter('residual', '', -5e-324, 1000000000000.0, 'friction coefficient after much slip', 'residual_deg', 1.0,
-            '', lambda value, scales: value, False, 'number'),
+            '', lambda value, scales: value, False, 'number', (('value', 1.0),)),
         Parameter('length', 'm', 1e-13, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
-            scales: value, False, 'number'),
+            scales: value, False, 'number', (('value', 1.0),)),
     ), ('slip',), 'residual + (peak - residual)/(1 + slip/length)', 'length', ()),
     'tabulated': Law('tabulated', 'Fig. 4-1', (
         Parameter('slip', 'm', -5e-324, 1e+20, 'slips of the table, increasing, from 0', 'slip_m', 1.0, '',
-            lambda value, scales: value, False, 'list'),
+            lambda value, scales: value, False, 'list', (('value', 1.0),)),
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficients at these slips', 'angle_deg', 1.0,
-            '', lambda value, scales: value, False, 'list'),
+            '', lambda value, scales: value, False, 'list', (('value', 1.0),)),
     ), ('slip',), 'monotone cubic interpolation in a table, its last value beyond', '', ()),
     'rate_weakening': Law('rate_weakening', '1.14', (
         Parameter('peak', '', -5e-324, 1000000000000.0, 'friction coefficient at rest', 'peak_deg', 1.0, '',
-            lambda value, scales: value, False, 'number'),
+            lambda value, scales: value, False, 'number', (('value', 1.0),)),
         Parameter('residual', '', -5e-324, 1000000000000.0, 'friction coefficient at great speed', 'residual_deg', 1.0,
-            '', lambda value, scales: value, False, 'number'),
+            '', lambda value, scales: value, False, 'number', (('value', 1.0),)),
         Parameter('velocity', 'm/s', 1e-18, 300000000.0, 'speed at which half of the change has happened',
-            'velocity_m_s', 1.0, '', lambda value, scales: value, False, 'number'),
+            'velocity_m_s', 1.0, '', lambda value, scales: value, False, 'number', (('value', 1.0),)),
     ), ('speed',), 'residual + (peak - residual)/(1 + speed/velocity)', 'velocity', ()),
     'rate_tabulated': Law('rate_tabulated', '1.14', (
         Parameter('speed', 'm/s', 1e-18, 300000000.0, 'speeds of the table, increasing', 'speed_m_s', 1.0, '',
-            lambda value, scales: value, False, 'list'),
+            lambda value, scales: value, False, 'list', (('value', 1.0),)),
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficients at these speeds', 'angle_deg',
-            1.0, '', lambda value, scales: value, False, 'list'),
+            1.0, '', lambda value, scales: value, False, 'list', (('value', 1.0),)),
     ), ('speed',), 'monotone cubic interpolation in the logarithm of the speed, the end values beyond', '', ()),
     'prescribed': Law('prescribed', '1.14', (
         Parameter('time', 's', -5e-324, 1e+18, 'times of the table, increasing', 'time_s', 1.0, '', lambda value,
-            scales: value, False, 'list'),
+            scales: value, False, 'list', (('value', 1.0),)),
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficients at these times', 'angle_deg', 1.0,
-            '', lambda value, scales: value, False, 'list'),
+            '', lambda value, scales: value, False, 'list', (('value', 1.0),)),
     ), ('time',), 'straight lines between the times of a table, the end values beyond', '', ()),
 }
 
@@ -128,110 +132,116 @@ EFFECTS = {
         Parameter('ratio', '', -5e-324, 1.0,
             'r_u, pore pressure over the static normal stress at the position (of a real section over the weight of '
             'the soil above), constant or a function of time', 'ratio', 1.0, 'pore_ratio', lambda value,
-            scales: scales['cover']*value, True, 'series'),
+            scales: scales['cover']*value, True, 'series', (('cover', 1.0), ('value', 1.0))),
         Parameter('pressure', 'Pa', -5e-324, 1000000000000000.0,
             'mean pore pressure on the slip surface, constant or a function of time', 'pressure_kPa', 1000.0,
-            'pore_pressure', lambda value, scales: value/scales['reference_stress'], True, 'series'),
+            'pore_pressure', lambda value, scales: value/scales['reference_stress'], True, 'series',
+            (('reference_stress', -1.0), ('value', 1.0))),
         Parameter('level', 'Pa', -5e-324, INFINITY,
             'mean pressure on the arc of a real section below its water level, which stays while the mass turns '
-            'through it', '', 1.0, 'water', lambda value, scales: value/scales['reference_stress'], True, 'rotation'),
+            'through it', '', 1.0, 'water', lambda value, scales: value/scales['reference_stress'], True, 'rotation',
+            (('reference_stress', -1.0), ('value', 1.0))),
         Parameter('time', 's', -5e-324, 1e+18,
             'times of a ratio or pressure that is a list, straight lines between them', 'time_s', 1.0, '', lambda value,
-            scales: value, True, 'list'),
+            scales: value, True, 'list', (('value', 1.0),)),
         Parameter('record', '', -INFINITY, INFINITY,
             "file of a record of either, relative to the scene's: a table of times and values", 'record', 1.0, '',
-            lambda value, scales: value, True, 'text'),
+            lambda value, scales: value, True, 'text', (('value', 1.0),)),
         Parameter('units', '', -INFINITY, INFINITY,
             "unit of the record's values, where it does not say it: Pa, kPa, MPa, or ratio for r_u", 'units', 1.0, '',
-            lambda value, scales: value, True, 'text'),
+            lambda value, scales: value, True, 'text', (('value', 1.0),)),
         Parameter('start', 's', -1e+18, 1e+18, "time of its first sample, by default the record's own", 'start_s', 1.0,
-            '', lambda value, scales: value, True, 'number'),
+            '', lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('column', '', -INFINITY, INFINITY, "name of the record's column, where there is a choice", 'column',
-            1.0, '', lambda value, scales: value, True, 'text'),
+            1.0, '', lambda value, scales: value, True, 'text', (('value', 1.0),)),
         Parameter('step', 's', -1e+18, 1e+18, 'time between samples of a record without times', 'step_s', 1.0, '',
-            lambda value, scales: value, True, 'number'),
+            lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps',
-            1.0, '', lambda value, scales: value, True, 'refuse|linear'),
+            1.0, '', lambda value, scales: value, True, 'refuse|linear', (('value', 1.0),)),
     ), (), 'water pressure on the slip surface relieves friction', False, ('ratio', 'pressure', 'record'),
         ('adds J_r pore_ratio*/lambda + pore_pressure* + water* to u', 'pore_ratio* = cover ratio',
         'pore_pressure* = pressure/sigma_ref', 'water* = level/sigma_ref')),
     'cohesion': Effect('cohesion', '3.11', (
         Parameter('cohesion', 'Pa', -5e-324, 1000000000000000.0, 'shear strength without normal stress', 'cohesion_kPa',
-            1000.0, 'cohesion', lambda value, scales: value/scales['reference_stress'], False, 'number'),
+            1000.0, 'cohesion', lambda value, scales: value/scales['reference_stress'], False, 'number',
+            (('reference_stress', -1.0), ('value', 1.0))),
     ), (), 'the slip surface has strength without normal stress', False, (), ('adds cohesion* lambda to resistance',
         'cohesion* = cohesion/sigma_ref')),
     'drag': Effect('drag', '3.11', (
         Parameter('xi', 'm/s^2', 1e-13, 1000000000000000.0, 'turbulence coefficient of Voellmy', 'xi_m_s2', 1.0, 'drag',
-            lambda value, scales: 2*scales['gravity']*scales['half_angle']/(scales['Theta']*value), False, 'number'),
+            lambda value, scales: 2*scales['gravity']*scales['half_angle']/(scales['Theta']*value), False, 'number',
+            (('Theta', -1.0), ('gravity', 1.0), ('half_angle', 1.0), ('value', -1.0))),
     ), ('speed squared',), 'turbulent resistance, which grows with the square of the speed', False, (),
         ('adds Theta drag* omega^2 to resistance', 'drag* = 2 alpha g/(Theta xi)')),
     'viscosity': Effect('viscosity', '3.11', (
         Parameter('viscosity', 'Pa s', -5e-324, 1e+20, 'dynamic viscosity of the sheared layer', 'viscosity_Pa_s', 1.0,
             'viscosity', lambda value,
             scales: 2*scales['half_angle']*value/(scales['Theta']*scales['density']*scales['thickness']*
-            sqrt(scales['gravity']*scales['radius'])), False, 'number'),
+            sqrt(scales['gravity']*scales['radius'])), False, 'number', (('Theta', -1.0), ('density', -1.0), ('gravity',
+            -0.5), ('half_angle', 1.0), ('radius', -0.5), ('thickness', -1.0), ('value', 1.0))),
         Parameter('thickness', 'm', 1e-13, 1e+20, 'thickness of the sheared layer', 'thickness_m', 1.0, '',
-            lambda value, scales: value, False, 'number'),
+            lambda value, scales: value, False, 'number', (('value', 1.0),)),
     ), ('speed',), 'viscous resistance of a sheared layer, which grows with the speed', False, (),
         ('adds Theta omega viscosity* to resistance',
         'viscosity* = 2 alpha viscosity/(Theta rho thickness sqrt(R g))')),
     'shaking': Effect('shaking', '3.11', (
         Parameter('horizontal', '', -INFINITY, INFINITY, 'k_h(t), driving acceleration over g, positive down-slope', '',
-            1.0, 'k_h', lambda value, scales: value, True, 'series'),
+            1.0, 'k_h', lambda value, scales: value, True, 'series', (('value', 1.0),)),
         Parameter('vertical', '', -INFINITY, INFINITY, 'k_v(t), acceleration over g that lightens the mass', '', 1.0,
-            'k_v', lambda value, scales: value, True, 'series'),
+            'k_v', lambda value, scales: value, True, 'series', (('value', 1.0),)),
         Parameter('pulse', '', -INFINITY, INFINITY, 'name of a pulse', 'pulse', 1.0, '', lambda value, scales: value,
-            True, 'rectangular|half-sine|triangular|sine'),
+            True, 'rectangular|half-sine|triangular|sine', (('value', 1.0),)),
         Parameter('amplitude', '', -1000000000000.0, 1000000000000.0, 'greatest k_h of the pulse, positive down-slope',
-            'amplitude_g', 1.0, '', lambda value, scales: value, True, 'number'),
+            'amplitude_g', 1.0, '', lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('vertical_amplitude', '', -1000000000000.0, 1000000000000.0,
             'greatest k_v of the pulse, by default 0', 'vertical_amplitude_g', 1.0, '', lambda value, scales: value,
-            True, 'number'),
+            True, 'number', (('value', 1.0),)),
         Parameter('start', 's', -1e+18, 1e+18, "time at which the shaking begins, by default 0 or the record's own",
-            'start_s', 1.0, '', lambda value, scales: value, True, 'number'),
+            'start_s', 1.0, '', lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('duration', 's', -1e+18, 1e+18, 'duration of the pulse', 'duration_s', 1.0, '', lambda value,
-            scales: value, True, 'number'),
+            scales: value, True, 'number', (('value', 1.0),)),
         Parameter('cycles', '', -1000000000000.0, 1000000000000.0, 'waves of a sine, by default 1', 'cycles', 1.0, '',
-            lambda value, scales: value, True, 'number'),
+            lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('record', '', -INFINITY, INFINITY, "file of an acceleration record, relative to the scene's",
-            'record', 1.0, '', lambda value, scales: value, True, 'text'),
+            'record', 1.0, '', lambda value, scales: value, True, 'text', (('value', 1.0),)),
         Parameter('holds', '', -INFINITY, INFINITY,
             'what the record holds: acceleration of the ground, or its opposite, which drives', 'holds', 1.0, '',
-            lambda value, scales: value, True, 'ground|driving'),
+            lambda value, scales: value, True, 'ground|driving', (('value', 1.0),)),
         Parameter('units', '', -INFINITY, INFINITY,
             "unit of the record's values, where it does not say it: g, m/s2, cm/s2, gal, mm/s2", 'units', 1.0, '',
-            lambda value, scales: value, True, 'text'),
+            lambda value, scales: value, True, 'text', (('value', 1.0),)),
         Parameter('vertical_record', '', -INFINITY, INFINITY,
             'file of the vertical acceleration, upwards where it holds that of the ground', 'vertical_record', 1.0, '',
-            lambda value, scales: value, True, 'text'),
+            lambda value, scales: value, True, 'text', (('value', 1.0),)),
         Parameter('vertical_column', '', -INFINITY, INFINITY,
             'name of its column, in the same file where no other is named', 'vertical_column', 1.0, '', lambda value,
-            scales: value, True, 'text'),
+            scales: value, True, 'text', (('value', 1.0),)),
         Parameter('scale', '', -1000000000000.0, 1000000000000.0, "factor on the record's values, by default 1",
-            'scale', 1.0, '', lambda value, scales: value, True, 'number'),
+            'scale', 1.0, '', lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('peak', '', -1000000000000.0, 1000000000000.0,
             'greatest horizontal acceleration to which a record is scaled, in place of a factor', 'peak_g', 1.0, '',
-            lambda value, scales: value, True, 'number'),
+            lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('column', '', -INFINITY, INFINITY, "name of the record's column, where there is a choice", 'column',
-            1.0, '', lambda value, scales: value, True, 'text'),
+            1.0, '', lambda value, scales: value, True, 'text', (('value', 1.0),)),
         Parameter('step', 's', -1e+18, 1e+18, 'time between samples of a record without times', 'step_s', 1.0, '',
-            lambda value, scales: value, True, 'number'),
+            lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps',
-            1.0, '', lambda value, scales: value, True, 'refuse|linear'),
+            1.0, '', lambda value, scales: value, True, 'refuse|linear', (('value', 1.0),)),
         Parameter('two_way', '', -INFINITY, INFINITY,
             'whether shaking may start it up-slope too; by default it may not', 'two_way', 1.0, '', lambda value,
-            scales: value, True, 'flag'),
+            scales: value, True, 'flag', (('value', 1.0),)),
     ), ('time',), 'ground motion tilts and scales gravity', False, ('horizontal', 'pulse', 'record'),
         ('adds -J_theta k_v + dJ_theta/dpsi k_h to J_theta', 'adds -J_r k_v + dJ_r/dpsi k_h to J_r')),
     'thermal_pressurisation': Effect('thermal_pressurisation', '3.11', (
         Parameter('pressurisation', 'Pa/K', -5e-324, 1000000000000000.0,
             'Lambda, rise of the pore pressure in the undrained layer for each kelvin', 'pressurisation_MPa_K',
             1000000.0, 'kappa', lambda value,
-            scales: scales['radius']*value/(scales['heat_capacity']*scales['thickness']), False, 'number'),
+            scales: scales['radius']*value/(scales['heat_capacity']*scales['thickness']), False, 'number',
+            (('heat_capacity', -1.0), ('radius', 1.0), ('thickness', -1.0), ('value', 1.0))),
         Parameter('heat_capacity', 'J/m^3 K', 0.001, 1000000000000000.0, 'rho c, heat capacity of the layer by volume',
-            'heat_capacity_MJ_m3_K', 1000000.0, '', lambda value, scales: value, False, 'number'),
+            'heat_capacity_MJ_m3_K', 1000000.0, '', lambda value, scales: value, False, 'number', (('value', 1.0),)),
         Parameter('thickness', 'm', 1e-13, 1e+20, 'thickness of the sheared layer', 'thickness_m', 1.0, '',
-            lambda value, scales: value, False, 'number'),
+            lambda value, scales: value, False, 'number', (('value', 1.0),)),
     ), ('history',),
         'friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves the layer) '
         'and adiabatic (no heat does), as in a slide of seconds to minutes on millimetres of clay or more; one mean '

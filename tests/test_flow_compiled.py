@@ -126,7 +126,7 @@ def test_threads_walk_side_by_side() -> None:
 
 def test_what_does_not_fit_is_refused() -> None:
     bound = lanes("constant")
-    code, cells, nothing = compiled.flat(bound.program), bound.cells.copy(), np.empty(0)
+    code, cells, nothing = compiled.encoded(bound.program), bound.cells.copy(), np.empty(0)
     for bad in (code[:-4], code + code[:4]):
         with pytest.raises(ValueError, match="do not fit"):
             compiled.module().walk(bad, (), cells, 14, 0, LANES, 1, nothing, nothing, nothing, 0)

@@ -1,4 +1,4 @@
-"""The compiled walk: a program as integers, and calls that come back often enough for Ctrl-C to be heard."""
+"""The compiled integrator: a program as integers, and calls that come back often enough for Ctrl-C to be heard."""
 
 import os
 import sys
@@ -21,8 +21,9 @@ from slipcircle.core.flow.tables import Data
 
 Floats = NDArray[np.float64]
 
-STRIDE = 42  # coefficients from one register to the next: the highest order that the C walk takes, and two
+STRIDE = 42  # coefficients from one register to the next: the highest order that C takes, and two
 ROUNDS = 50_000  # steps of some lanes between looks at the keyboard: a tenth of a second at most
+LOWEST = 5  # order that it takes
 NOTES = 4096  # events that one call may note
 _NOTHING = np.empty(0)
 
@@ -69,35 +70,16 @@ def engine() -> Any:
 
 
 @lru_cache(maxsize=256)
-def flat(program: Program) -> bytes:
-    """A program as the C walk reads it: sizes, roles, operations, states and tables; registers by where they begin."""
-    at = [k * STRIDE for k in range(len(program.registers))] + [-1]
-    ready = {r: place for place, (op, *names) in enumerate(program.series) for r in names[: RESULTS.get(op, 1)]}
-
-    def coded(op: str, names: Sequence[Any]) -> list[int]:
-        if op == "lin":
-            d, constant, terms = names
-            terms = sorted(terms, key=lambda term: ready.get(term[1], -1))  # a sum waits for its last term only
-            return [SERIES[op], at[d], constant, len(terms), *(i for cell, r in terms for i in (cell, at[r]))]
-        last = names[-1:] if op in ("pow", "ramp") else ()  # a cell or a table
-        return [SERIES[op], *(at[r] for r in names[: len(names) - len(last)]), *last]
-
-    # What no rate needs is computed when the series of the states are complete.
-    needed = {rate for _, _, rate in program.states}
-    inner, outer = list[list[int]](), list[list[int]]()
-    for op, *names in reversed(program.series):
-        made = {*names[: RESULTS.get(op, 1)]}
-        if needed & made:
-            needed |= {r for _, r in names[2]} if op == "lin" else {*names}
-            inner.insert(0, coded(op, names))
-        else:
-            outer.insert(0, coded(op, names))
-    series, later = ([i for code in part for i in code] for part in (inner, outer))
-    scalar = [i for op, *names in program.scalar for i in (SCALAR[op], *names)]
-    # A lane at its start has no use for the cells beyond those given, but for constants.
-    sizes = (
+def encoded(program: Program) -> bytes:
+    """A program as the C integrator reads it: sizes, roles, operations, states and tables, as 32-bit integers."""
+    rates, others = _split(program)
+    series, later = _encoded_series(program, rates), _encoded_series(program, others)
+    scalar = list[int]()
+    for kind, *names in program.scalar:
+        scalar += [SCALAR[kind], *names]
+    sizes = [
         len(program.cells),
-        program.given,
+        program.given,  # a lane at its start has no use for the cells beyond those given, but for constants
         len(program.registers),
         len(program.states),
         len(program.tables),
@@ -105,13 +87,59 @@ def flat(program: Program) -> bytes:
         len(series),
         len(later),
         int(program.autonomous),
-    )
-    roles = [program.roles.get(name, -1) for name in ix.ROLES]
-    roles = [role if name.startswith("cell_") else at[role] for name, role in zip(ix.ROLES, roles, strict=True)]
-    states = [(cell, at[r], at[rate]) for cell, r, rate in program.states]
-    tables = [(ix.KINDS.index(t.kind), at[t.register], t.cells, t.degree) for t in program.tables]
-    parts = (sizes, roles, scalar, series, later, *states, *tables)
-    return np.array([i for part in parts for i in part], dtype=np.int32).tobytes()
+    ]
+    roles = []
+    for name in ix.ROLES:
+        place = program.roles.get(name, -1)
+        roles.append(place if name.startswith("cell_") else _begin(place))
+    integers = [*sizes, *roles, *scalar, *series, *later]
+    for cell, register, rate in program.states:
+        integers += [cell, _begin(register), _begin(rate)]
+    for table in program.tables:
+        integers += [ix.KINDS.index(table.kind), _begin(table.register), table.cells, table.degree]
+    return np.array(integers, dtype=np.int32).tobytes()
+
+
+def _begin(register: int) -> int:
+    """Where the coefficients of a register begin; -1 for none."""
+    return -1 if register < 0 else register * STRIDE
+
+
+def _split(program: Program) -> tuple[list[int], list[int]]:
+    """Operations that rates need, and those that wait until the series of the states are complete."""
+    needed = {rate for _, _, rate in program.states}
+    rates, others = list[int](), list[int]()
+    for k in reversed(range(len(program.series))):
+        kind, *names = program.series[k]
+        if needed & {*_results(kind, names)}:
+            needed |= {register for _, register in names[2]} if kind == "lin" else {*names}
+            rates.insert(0, k)
+        else:
+            others.insert(0, k)
+    return rates, others
+
+
+def _results(kind: str, names: Sequence[Any]) -> Sequence[int]:
+    return names[: RESULTS.get(kind, 1)]
+
+
+def _encoded_series(program: Program, chosen: Sequence[int]) -> list[int]:
+    """Operations on series; the terms of a sum in the order in which they are ready, so that it waits for one only."""
+    ready = {register: k for k, (kind, *names) in enumerate(program.series) for register in _results(kind, names)}
+    code = list[int]()
+    for k in chosen:
+        kind, *names = program.series[k]
+        code.append(SERIES[kind])
+        if kind == "lin":
+            result, constant, terms = names
+            code += [_begin(result), constant, len(terms)]
+            for cell, register in sorted(terms, key=lambda term: ready.get(term[1], -1)):
+                code += [cell, _begin(register)]
+        elif kind in ("pow", "ramp"):  # the last one is a cell or a table
+            code += [*map(_begin, names[:-1]), names[-1]]
+        else:
+            code += map(_begin, names)
+    return code
 
 
 def integrate(
@@ -138,7 +166,7 @@ def integrate(
     pieces = _pieces(tables, count)
     times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
     notes = _NOTHING if log is None else np.empty((NOTES, 4))
-    code, order, left = flat(program), int(cells[ix.ORDER].max()), 1
+    code, order, left = encoded(program), int(cells[ix.ORDER].max()), 1
     while left:
         left, noted = binary.walk(code, pieces, cells, order, 0, count, ROUNDS, times, states, notes, number)
         if log is not None:
@@ -153,35 +181,17 @@ def begin_phase(program: Program, tables: Sequence[Data], cells: Floats) -> Floa
 def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: int = 0) -> Floats:
     """As `slipcircle.core.flow.integrate.registers`: where lanes are within their phases."""
     binary, count = module(), cells.shape[1]
-    found = np.zeros((len(program.registers), count))
+    values = np.zeros((len(program.registers), count))
     if count:
-        binary.walk(
-            flat(program),
-            _pieces(tables, count),
-            cells,
-            5,
-            0,
-            count,
-            begins,
-            _NOTHING,
-            found,
-            _NOTHING,
-            min(binary.LEVELS.values()),
-        )
-    return found
+        code, pieces, level = encoded(program), _pieces(tables, count), min(binary.LEVELS.values())
+        binary.walk(code, pieces, cells, LOWEST, 0, count, begins, _NOTHING, values, _NOTHING, level)
+    return values
 
 
 def _pieces(tables: Sequence[Data], count: int) -> tuple[Any, ...]:
-    """Tables as the C walk takes them."""
-    return tuple(
-        (
-            t.breaks,
-            t.coefficients,
-            t.jumps,
-            t.coefficients.shape[1],
-            count if t.coefficients.ndim == 3 else 0,
-            t.sine,
-            t.open,
-        )
-        for t in tables
-    )
+    """Tables as the C integrator takes them."""
+    rows = []
+    for t in tables:
+        across = count if t.coefficients.ndim == 3 else 0
+        rows.append((t.breaks, t.coefficients, t.jumps, t.coefficients.shape[1], across, t.sine, t.open))
+    return tuple(rows)

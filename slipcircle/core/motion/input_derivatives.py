@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
-from generated.effects import EFFECTS, LAWS
+from generated.effects import EFFECTS, LAWS, Parameter
 from generated.flow import PIECES
 from generated.growth import arc_growth
 from slipcircle.base.series import Pulse
@@ -27,56 +27,72 @@ from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.transport import section_derivatives
 
 Floats = NDArray[np.float64]
-_COMPONENTS = ("fall", "press", "fall_slope", "press_slope")
+_COEFFICIENTS = ("fall", "press", "fall_slope", "press_slope", "polar", "level")
 # What is given, alpha, and relatively Theta* and the cover.
 _Geometry = tuple[dict[str, Floats], Floats, Floats, Floats]
 
 
 class InputDerivatives:
-    """How the numbers of a program change with each parameter of the scene."""
+    """How the numbers of a program change with each parameter of the scene.
+
+    Attributes
+    ----------
+    inputs : dict of ndarray
+        By name of a cell, its derivatives.
+    omega : ndarray
+        Derivatives of omega* at the start.
+    time_growth, speed_growth, radius_growth : ndarray
+        Relative derivatives of the units sqrt(R/g), sqrt(R g) and R.
+    growth : InputGrowth
+        What the integrator needs to know on the way.
+    """
 
     def __init__(self, lanes: Lanes, names: Sequence[str]) -> None:
-        self.lanes, self.names = lanes, names
-        arc = lanes.arc
+        self.lanes, self.names, self.none = lanes, names, np.zeros(len(names))
+        arc, problem = lanes.arc, lanes.problem
         radius, gravity = self.relative("radius", arc.radius), self.relative("gravity", arc.gravity)
         unit_weight = self.relative("unit_weight", arc.unit_weight)
         self.time_growth, self.speed_growth, self.radius_growth = (radius - gravity) / 2, (radius + gravity) / 2, radius
-        c, at = lanes.problem.cells[:, 0], {n: k for k, n in enumerate(lanes.problem.program.cells)}
-        held = {n: float(c[at[n]]) for n in (*_COMPONENTS, "polar", "level")}
-        found = self._arc(arc, held) if isinstance(arc, Arc) else self._section(arc, held)
-        self.inputs, alpha, inertia, cover = found
-        # (2.13): sigma_ref = unit weight * R (1 - cos alpha)
+        coefficients = {n: float(problem.cells[problem.program.places[n], 0]) for n in _COEFFICIENTS}
+        geometry = self._arc(arc, coefficients) if isinstance(arc, Arc) else self._section(arc, coefficients)
+        self.inputs, alpha, inertia, cover = geometry
         self.growths = {
             "half_angle": alpha / float(arc.half_angle),
             "gravity": gravity,
             "Theta": inertia,
             "radius": radius,
+            # (2.13): sigma_ref = unit weight * R (1 - cos alpha)
             "reference_stress": unit_weight + radius + alpha / math.tan(float(arc.half_angle) / 2),
             "density": unit_weight - gravity,
             "cover": cover,
         }
         self.tables: dict[str, TableGrowth] = {}
-        self._effects()
-        self._laws(c, at)
-        self.growth = InputGrowth(self.time_growth, self.one("end_time") / float(lanes.time_scale), self.tables)
-        self.omega = c[ix.OMEGA] * (self.relative("initial_velocity", lanes.velocity) - self.speed_growth)
+        scales = {name: float(value) for name, value in scales_of(arc).items()}
+        for effect, given in lanes.called.items():
+            self._add_effect(effect, given, scales)
+        for path, (law, given) in zip(("friction", "friction.rate"), law_parts(lanes.friction), strict=False):
+            self._add_law(path, law, given)
+        end_dot = self.one("end_time") / float(lanes.time_scale)
+        self.growth = InputGrowth(self.time_growth, end_dot, self.tables)
+        velocity_growth = self.relative("initial_velocity", lanes.velocity) - self.speed_growth
+        self.omega = problem.cells[ix.OMEGA, 0] * velocity_growth
 
-    def _arc(self, arc: Arc, held: Mapping[str, float]) -> "_Geometry":
+    def _arc(self, arc: Arc, coefficients: Mapping[str, float]) -> "_Geometry":
         alpha = float(arc.half_angle)
         opened = (self.one("theta_2") - self.one("theta_1")) / 2
         dipped = -arc.facing * (self.one("theta_1") + self.one("theta_2")) / 2
         weight, radial, polar, level, inertia = (float(g) for g in arc_growth(alpha))
         inputs = {
-            "fall": held["fall"] * weight * opened + held["fall_slope"] * dipped,
-            "fall_slope": held["fall_slope"] * weight * opened - held["fall"] * dipped,
-            "press": held["press"] * radial * opened + held["press_slope"] * dipped,
-            "press_slope": held["press_slope"] * radial * opened - held["press"] * dipped,
-            "polar": held["polar"] * polar * opened,
-            "level": held["level"] * level * opened,
+            "fall": coefficients["fall"] * weight * opened + coefficients["fall_slope"] * dipped,
+            "fall_slope": coefficients["fall_slope"] * weight * opened - coefficients["fall"] * dipped,
+            "press": coefficients["press"] * radial * opened + coefficients["press_slope"] * dipped,
+            "press_slope": coefficients["press_slope"] * radial * opened - coefficients["press"] * dipped,
+            "polar": coefficients["polar"] * polar * opened,
+            "level": coefficients["level"] * level * opened,
         }
         return inputs, opened, inertia / alpha * opened, 0.0 * opened
 
-    def _section(self, section: Section, held: Mapping[str, float]) -> "_Geometry":
+    def _section(self, section: Section, coefficients: Mapping[str, float]) -> "_Geometry":
         grown = section_derivatives(section, self.names)
         m, own, way = grown.moments, section.moments, section.facing
         theta, alpha = own["moment_of_inertia"], float(section.half_angle)
@@ -88,50 +104,53 @@ class InputDerivatives:
             "press_slope": way * m["radial_x"],
             "polar": m["polar"],
         }
-        inputs = {n: change / theta - held[n] * inertia for n, change in changes.items()}
+        inputs = {n: change / theta - coefficients[n] * inertia for n, change in changes.items()}
         # (3.14): lambda = 2 alpha (1 - cos alpha), by which the mean normal stress and so the mean cover are divided
-        inputs["level"] = held["level"] * (opened / alpha + opened / math.tan(alpha / 2) - inertia)
+        inputs["level"] = coefficients["level"] * (opened / alpha + opened / math.tan(alpha / 2) - inertia)
         heights = 2 * alpha * float(section.mean_cover / section.radius)
         self.pressure = under_water(section, rotates(self.lanes.called), grown.pressure, len(self.names))
         return inputs, opened, inertia, grown.heights / heights + m["radial_y"] / own["radial_weight"]
 
     def one(self, name: str) -> Floats:
+        """Derivatives of a parameter itself: 1 by it, 0 by all others."""
         return np.array([float(n == name) for n in self.names])
 
     def relative(self, name: str, at: Any) -> Floats:
-        return self.one(name) / float(at) if float(at) else self.one(name) * 0.0
+        """Relative derivatives of a parameter that has a value; 0 where that is 0."""
+        return self.one(name) / float(at) if float(at) else self.none
 
-    def _effects(self) -> None:
-        scales = {name: float(value) for name, value in scales_of(self.lanes.arc).items()}
-        for effect, given in self.lanes.called.items():
-            own = {p.name: given.get(p.name, 0.0) for p in EFFECTS[effect].parameters if p.kind == "number"}
-            numbers = {n: float(v) for n, v in own.items() if not callable(v)}
-            growths = self.growths | {n: self.relative(f"{effect}.{n}", v) for n, v in numbers.items()}
-            for p in EFFECTS[effect].parameters:
-                if not p.symbol:
-                    continue
-                # What makes a parameter dimensionless is a product of powers: each is told by doubling what it is of.
-                growth = 0.0 * self.time_growth
-                unit = p.dimensionless(1.0, scales | numbers)
-                for name, amount in (scales | numbers).items():
-                    if name == p.name or not amount:
-                        continue
-                    doubled = p.dimensionless(1.0, scales | numbers | {name: 2 * amount})
-                    growth = growth + round(2 * math.log2(doubled / unit)) / 2 * growths[name]
-                amount = given.get(p.name, 0.0)
-                if callable(amount) and p.kind == "rotation":
-                    data = [self.pressure.lanes(k) for k in range(len(self.names))]
-                    self.tables[p.symbol] = TableGrowth(0.0 * growth, growth, data)
-                    continue
-                if callable(amount):
-                    self.tables[p.symbol] = TableGrowth(
-                        self.time_growth, growth + self._factor(effect, given, p.name), None
-                    )
-                    continue
-                power = 1.0 if not amount else round(2 * math.log2(p.dimensionless(2.0, scales | numbers) / unit)) / 2
-                value_dot = growth * p.dimensionless(amount, scales | numbers) if amount else 0.0 * growth
-                whole = p.dimensionless(amount, scales | numbers) if amount else unit
-                self.inputs[p.symbol] = value_dot + whole * power / (amount or 1.0) * self.one(f"{effect}.{p.name}")
+    def _add_effect(self, effect: str, given: Mapping[str, Any], scales: Mapping[str, float]) -> None:
+        """Of an effect's parameters, each made dimensionless by powers of the arc's scales and of other numbers."""
+        declared = EFFECTS[effect].parameters
+        amounts = {p.name: given.get(p.name, 0.0) for p in declared if p.kind == "number"}
+        numbers = {name: float(amount) for name, amount in amounts.items() if not callable(amount)}
+        growths = self.growths | {name: self.relative(f"{effect}.{name}", x) for name, x in numbers.items()}
+        for p in declared:
+            if p.symbol:
+                growth = self.none
+                for name, power in p.powers:
+                    if name != "value":
+                        growth = growth + power * growths[name]
+                self._add_parameter(effect, p, given, {**scales, **numbers}, growth)
+
+    def _add_parameter(
+        self, effect: str, p: Parameter, given: Mapping[str, Any], scales: Mapping[str, float], growth: Floats
+    ) -> None:
+        """Of one parameter, a number or a function; ``growth`` is the relative derivative of its unit."""
+        amount = given.get(p.name, 0.0)
+        if callable(amount) and p.kind == "rotation":
+            by_parameter = [self.pressure.lanes(k) for k in range(len(self.names))]
+            self.tables[p.symbol] = TableGrowth(self.none, growth, by_parameter)
+        elif callable(amount):
+            self.tables[p.symbol] = TableGrowth(self.time_growth, growth + self._factor(effect, given, p.name), None)
+        else:
+            by_value = (
+                dict(p.powers)["value"] * p.dimensionless(amount, scales) / amount
+                if amount
+                else p.dimensionless(1.0, scales)
+            )
+            by_unit = p.dimensionless(amount, scales) * growth if amount else self.none
+            self.inputs[p.symbol] = by_unit + by_value * self.one(f"{effect}.{p.name}")
 
     def _factor(self, effect: str, given: Mapping[str, Any], name: str) -> Floats:
         """Relative growth of what a function of time is multiplied by: shaking's amplitude, scale or peak."""
@@ -141,32 +160,45 @@ class InputDerivatives:
         greatest = given["horizontal"].greatest if effect == "shaking" else 1.0
         return self.relative(f"{effect}.scale", amount) + self.relative(f"{effect}.peak", amount * greatest)
 
-    def _laws(self, c: Floats, at: Mapping[str, int]) -> None:
-        for path, (name, given) in zip(("friction", "friction.rate"), law_parts(self.lanes.friction), strict=False):
-            if name == "callable":
-                self.tables[name] = TableGrowth(self.radius_growth, 0.0 * self.time_growth, None)
-                continue
-            law = LAWS[name]
-            growth = {"m": self.radius_growth, "m/s": self.speed_growth, "": 0.0 * self.time_growth}
-            if name in PIECES:
-                over = PIECES[name][0]
-                length = self.radius_growth - self.relative(f"{path}.{over}", given[over])
-                plain = [n.removeprefix(f"{path}.") for n in self.names]
-                data = [_changed(name, given, n if n in given and n != over else "") for n in plain]
-                self.tables[name] = TableGrowth(length, 0.0 * length, data)
-            elif law.parameters[0].kind == "list":
-                scale = {"slip": self.radius_growth, "speed": self.speed_growth, "time": self.time_growth}
-                self.tables[name] = TableGrowth(scale[law.depends_on[0]], 0.0 * self.time_growth, None)
-            else:
-                for p in law.parameters:
-                    cell = c[at[f"{name}.{p.name}"]] if f"{name}.{p.name}" in at else 0.0
-                    own = self.one("friction" if name == "constant" else f"{path}.{p.name}")
-                    per = cell / float(given[p.name]) if float(given[p.name]) else 1.0
-                    self.inputs[f"{name}.{p.name}"] = own * per - cell * growth[p.unit]
+    def _add_law(self, path: str, name: str, given: Mapping[str, Any]) -> None:
+        """Of a friction law: numbers, or a table, whose argument has a unit of its own."""
+        if name == "callable":
+            self.tables[name] = TableGrowth(self.radius_growth, self.none, None)
+        elif name in PIECES:
+            self._add_pieces(path, name, given)
+        elif LAWS[name].parameters[0].kind == "list":
+            growths = {"slip": self.radius_growth, "speed": self.speed_growth, "time": self.time_growth}
+            self.tables[name] = TableGrowth(growths[LAWS[name].depends_on[0]], self.none, None)
+        else:
+            self._add_law_numbers(path, name, given)
+
+    def _add_pieces(self, path: str, name: str, given: Mapping[str, Any]) -> None:
+        """Of a law of slip in pieces: its length scales the argument, and the pieces are linear in its coefficients."""
+        length, by_parameter = PIECES[name][0], list[Data]()
+        for parameter in self.names:
+            coefficient = parameter.removeprefix(f"{path}.")
+            by_parameter.append(_by_coefficient(name, given, coefficient if coefficient != length else ""))
+        scale = self.radius_growth - self.relative(f"{path}.{length}", given[length])
+        self.tables[name] = TableGrowth(scale, self.none, by_parameter)
+
+    def _add_law_numbers(self, path: str, name: str, given: Mapping[str, Any]) -> None:
+        growths = {"m": self.radius_growth, "m/s": self.speed_growth, "": self.none}
+        problem = self.lanes.problem
+        for p in LAWS[name].parameters:
+            cell = f"{name}.{p.name}"
+            places, value = problem.program.places, float(given[p.name])
+            scaled = float(problem.cells[places[cell], 0]) if cell in places else 0.0
+            by_value = scaled / value if value else 1.0
+            parameter = "friction" if name == "constant" else f"{path}.{p.name}"
+            self.inputs[cell] = by_value * self.one(parameter) - scaled * growths[p.unit]
 
 
-def _changed(name: str, given: Mapping[str, Any], parameter: str) -> Data:
-    """How the pieces of a law change with a coefficient, in which they are linear."""
-    numbers = {n: float(v) for n, v in given.items()}
-    up, down = (of_law(name, numbers | ({parameter: numbers[parameter] + by} if parameter else {})) for by in (1, -1))
-    return up._replace(coefficients=(up.coefficients - down.coefficients) / 2)
+def _by_coefficient(name: str, given: Mapping[str, Any], coefficient: str) -> Data:
+    """The derivative of a law's pieces by a coefficient, in which they are linear; zero for what is none of its own."""
+    numbers = {key: float(value) for key, value in given.items()}
+    up, down = dict(numbers), dict(numbers)
+    if coefficient in numbers:
+        up[coefficient] += 1.0
+        down[coefficient] -= 1.0
+    above, below = of_law(name, up), of_law(name, down)
+    return above._replace(coefficients=(above.coefficients - below.coefficients) / 2)
