@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1d1c3bb4f286fff84ac168234c001c449b4f958cb173eef4244711ba8c98097c
+# sha256 of the text below: b32dcc3eb6f48ac486b0dd435f4c1768b770eb7b26748f9ed5bba4eb295a6941
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -247,4 +247,34 @@ EFFECTS = {
         'and adiabatic (no heat does), as in a slide of seconds to minutes on millimetres of clay or more; one mean '
         'pressure and temperature, constant Lambda, and all work of friction is heat', False, (), ('adds excess to u',
         "dexcess/dphi = kappa* mu sigma'", 'kappa* = R pressurisation/(heat_capacity thickness)')),
+}
+
+ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
+    'layered_strength': Effect('layered_strength', '2.23', (
+        Parameter('turning', '', -INFINITY, INFINITY,
+            "excess of friction's normal force over the mean, of strength with the mass", '', 1.0, 'turning',
+            lambda value, scales: value, True, 'number', (('value', 1.0),)),
+        Parameter('turning_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'turning_slope',
+            lambda value, scales: value, True, 'number', (('value', 1.0),)),
+        Parameter('normal', '', -INFINITY, INFINITY, 'the same of strength with the base', '', 1.0, 'layered_normal',
+            lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
+        Parameter('inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it', '', 1.0,
+            'layered_inertia', lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
+        Parameter('lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0, 'layered_lift', lambda value,
+            scales: value, True, 'rotation', (('value', 1.0),)),
+        Parameter('remaining', '', -INFINITY, INFINITY,
+            'excess of the friction that slip leaves, of strength with the mass', '', 1.0, 'remaining', lambda value,
+            scales: value, True, 'number', (('value', 1.0),)),
+        Parameter('remaining_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'remaining_slope',
+            lambda value, scales: value, True, 'number', (('value', 1.0),)),
+        Parameter('remaining_normal', '', -INFINITY, INFINITY, 'the same of strength with the base', '', 1.0,
+            'layered_remaining', lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
+        Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it',
+            '', 1.0, 'layered_remaining_inertia', lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
+        Parameter('strength', '', -INFINITY, INFINITY, 'strength without normal stress', '', 1.0, 'layered_cohesion',
+            lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
+    ), (), 'soils along the arc have strengths of their own, by the weights of (2.23) straight above each', False, (),
+        ('adds Theta layered_lift/lambda to u',
+        'adds Theta (layered_cohesion + layered_remaining + layered_remaining_inertia omega^2 + remaining) to '
+        'resistance', 'adds Theta (layered_inertia omega^2 + layered_normal + turning) to J_r')),
 }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 59fa6629adec0ae5fe932ffe3d718c529d0f2faf35325aa46b2feb8dc00f0c47
+# sha256 of the text below: 7f222895b265c20b8b7e7d13618397a429bd0b783c34254b17cf0833eadf6a89
 """The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref:
@@ -38,7 +38,8 @@ class Fragment(NamedTuple):
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
     of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be
-    omitted. ``states`` are series with those of their rates. A ``table`` has its name, is of slip, speed, rotation or
+    omitted. ``states`` are series with those of their rates. Each of ``tables`` has its name, is of slip, speed,
+        rotation or
     time, with the series of its argument (of time, its own) and the degree of its pieces.
     """
 
@@ -49,7 +50,7 @@ class Fragment(NamedTuple):
     series: tuple[tuple[object, ...], ...]
     adds: dict[str, tuple[str, str, tuple[tuple[str, str], ...]]]
     states: tuple[tuple[str, str], ...] = ()
-    table: tuple[str, str, str, int] | None = None
+    tables: tuple[tuple[str, str, str, int], ...] = ()
 
 
 # The names of an operation's results and arguments, and the operations that make the tangents of its results: a prime
@@ -128,25 +129,30 @@ FRAGMENTS: dict[str, Fragment] = {
         scalar=(
             ('mul', 'fall_0', 'DIRECTION', 'fall'),
             ('mul', 'press_slope_0', 'DIRECTION', 'press_slope'),
+            ('mul', 'turning_slope_0', 'DIRECTION', 'turning_slope'),
+            ('mul', 'remaining_slope_0', 'DIRECTION', 'remaining_slope'),
             ('abs', 'gravity.driving_size', 'fall_0'),
-            ('neg', 'gravity.6', 'fall_slope_0'),
-            ('neg', 'gravity.7', 'fall_0'),
+            ('neg', 'gravity.10', 'fall_slope_0'),
+            ('neg', 'gravity.11', 'fall_0'),
             ('abs', 'gravity.pressing_size', 'press_0'),
-            ('neg', 'gravity.10', 'press_slope_0'),
-            ('neg', 'gravity.11', 'press_0'),
+            ('neg', 'gravity.14', 'press_slope_0'),
+            ('neg', 'gravity.15', 'press_0'),
             ('set', 'press_0', 'press'),
             ('set', 'fall_slope_0', 'fall_slope'),
+            ('set', 'turning_0', 'turning'),
+            ('set', 'remaining_0', 'remaining'),
             ('set', 'gravity.driving', 'fall_0'),
             ('set', 'gravity.pressing', 'press_0'),
         ),
         series=(),
         adds={
-            'driving': ('gravity.driving', 'gravity.driving_size', (('gravity.6', 'sin(x)'), ('gravity.7', 'vers(x)'))),
-            'pressing': ('gravity.pressing', 'gravity.pressing_size', (('gravity.10', 'sin(x)'), ('gravity.11',
+            'driving': ('gravity.driving', 'gravity.driving_size', (('gravity.10', 'sin(x)'), ('gravity.11',
+                'vers(x)'))),
+            'pressing': ('gravity.pressing', 'gravity.pressing_size', (('gravity.14', 'sin(x)'), ('gravity.15',
                 'vers(x)'))),
         },
         states=(),
-        table=None,
+        tables=(),
     ),
     'rotation': Fragment(
         words=(
@@ -157,33 +163,47 @@ FRAGMENTS: dict[str, Fragment] = {
         inputs=(),
         optional=(),
         scalar=(
-            ('cos', 'rotation.t8', 'ROTATION'),
-            ('mul', 'rotation.t9', 'rotation.t8', 'fall'),
-            ('sin', 'rotation.t10', 'ROTATION'),
-            ('mul', 'rotation.t11', 'rotation.t10', 'fall_slope'),
-            ('sub', 'rotation.t12', 'rotation.t9', 'rotation.t11'),
-            ('mul', 'fall_0', 'rotation.t12', 'DIRECTION'),
-            ('mul', 'rotation.t14', 'rotation.t8', 'press'),
-            ('mul', 'rotation.t15', 'rotation.t10', 'press_slope'),
-            ('sub', 'press_0', 'rotation.t14', 'rotation.t15'),
-            ('mul', 'rotation.t17', 'rotation.t10', 'fall'),
-            ('mul', 'rotation.t18', 'rotation.t8', 'fall_slope'),
-            ('add', 'fall_slope_0', 'rotation.t17', 'rotation.t18'),
-            ('mul', 'rotation.t20', 'rotation.t10', 'press'),
-            ('mul', 'rotation.t21', 'rotation.t8', 'press_slope'),
-            ('add', 'rotation.t22', 'rotation.t20', 'rotation.t21'),
-            ('mul', 'press_slope_0', 'rotation.t22', 'DIRECTION'),
-            ('neg', 'rotation.4', 'press_slope_0'),
-            ('neg', 'rotation.5', 'press_0'),
+            ('cos', 'rotation.t12', 'ROTATION'),
+            ('mul', 'rotation.t13', 'rotation.t12', 'fall'),
+            ('sin', 'rotation.t14', 'ROTATION'),
+            ('mul', 'rotation.t15', 'rotation.t14', 'fall_slope'),
+            ('sub', 'rotation.t16', 'rotation.t13', 'rotation.t15'),
+            ('mul', 'fall_0', 'rotation.t16', 'DIRECTION'),
+            ('mul', 'rotation.t18', 'rotation.t12', 'press'),
+            ('mul', 'rotation.t19', 'rotation.t14', 'press_slope'),
+            ('sub', 'press_0', 'rotation.t18', 'rotation.t19'),
+            ('mul', 'rotation.t21', 'rotation.t14', 'fall'),
+            ('mul', 'rotation.t22', 'rotation.t12', 'fall_slope'),
+            ('add', 'fall_slope_0', 'rotation.t21', 'rotation.t22'),
+            ('mul', 'rotation.t24', 'rotation.t14', 'press'),
+            ('mul', 'rotation.t25', 'rotation.t12', 'press_slope'),
+            ('add', 'rotation.t26', 'rotation.t24', 'rotation.t25'),
+            ('mul', 'press_slope_0', 'rotation.t26', 'DIRECTION'),
+            ('mul', 'rotation.t28', 'rotation.t12', 'turning'),
+            ('mul', 'rotation.t29', 'rotation.t14', 'turning_slope'),
+            ('sub', 'turning_0', 'rotation.t28', 'rotation.t29'),
+            ('mul', 'rotation.t31', 'rotation.t14', 'turning'),
+            ('mul', 'rotation.t32', 'rotation.t12', 'turning_slope'),
+            ('add', 'rotation.t33', 'rotation.t31', 'rotation.t32'),
+            ('mul', 'turning_slope_0', 'rotation.t33', 'DIRECTION'),
+            ('mul', 'rotation.t35', 'rotation.t12', 'remaining'),
+            ('mul', 'rotation.t36', 'rotation.t14', 'remaining_slope'),
+            ('sub', 'remaining_0', 'rotation.t35', 'rotation.t36'),
+            ('mul', 'rotation.t38', 'rotation.t14', 'remaining'),
+            ('mul', 'rotation.t39', 'rotation.t12', 'remaining_slope'),
+            ('add', 'rotation.t40', 'rotation.t38', 'rotation.t39'),
+            ('mul', 'remaining_slope_0', 'rotation.t40', 'DIRECTION'),
+            ('neg', 'rotation.8', 'press_slope_0'),
+            ('neg', 'rotation.9', 'press_0'),
         ),
         series=(
             ('tim', 'x.times', 'x'),
             ('turn', 'sin(x)', 'vers(x)', 'x.times', 'x'),
-            ('lin', 'upright', 'press_0', (('rotation.4', 'sin(x)'), ('rotation.5', 'vers(x)'))),
+            ('lin', 'upright', 'press_0', (('rotation.8', 'sin(x)'), ('rotation.9', 'vers(x)'))),
         ),
         adds={},
         states=(),
-        table=None,
+        tables=(),
     ),
     'centripetal': Fragment(
         words=(
@@ -203,7 +223,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'pressing': ('centripetal.pressing', 'centripetal.pressing_size', (('polar', 'omega*omega'),)),
         },
         states=(),
-        table=None,
+        tables=(),
     ),
     'pore_pressure': Fragment(
         words=(
@@ -258,7 +278,7 @@ FRAGMENTS: dict[str, Fragment] = {
                 'x*x*x*x*x*x*x'))),
         },
         states=(),
-        table=('water', 'rotation', 'x', 7),
+        tables=(('water', 'rotation', 'x', 7),),
     ),
     'cohesion': Fragment(
         words=(
@@ -277,7 +297,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'resisting': ('cohesion.resisting', 'cohesion.resisting_size', ()),
         },
         states=(),
-        table=None,
+        tables=(),
     ),
     'drag': Fragment(
         words=(
@@ -298,7 +318,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'resisting': ('drag.resisting', 'drag.resisting_size', (('drag', 'omega*omega'),)),
         },
         states=(),
-        table=None,
+        tables=(),
     ),
     'viscosity': Fragment(
         words=(
@@ -317,7 +337,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'resisting': ('viscosity.resisting', 'viscosity.resisting_size', (('viscosity', 'omega'),)),
         },
         states=(),
-        table=None,
+        tables=(),
     ),
     'shaking': Fragment(
         words=(
@@ -373,7 +393,7 @@ FRAGMENTS: dict[str, Fragment] = {
                 'dk_v*sin(x)'), ('press_0', 'dk_v*vers(x)'), ('shaking.14', 'sin(x)'), ('shaking.15', 'vers(x)'))),
         },
         states=(),
-        table=None,
+        tables=(),
     ),
     'thermal_pressurisation': Fragment(
         words=(
@@ -403,7 +423,88 @@ FRAGMENTS: dict[str, Fragment] = {
                 'dexcess'),)),
         },
         states=(('excess', 'thermal_pressurisation.sum1'),),
-        table=None,
+        tables=(),
+    ),
+    'layered_strength': Fragment(
+        words=(
+            '(2.23) soils along the arc have strengths of their own, by the weights of (2.23) straight above each',
+            'adds Theta layered_lift/lambda to u',
+            'adds Theta (layered_cohesion + layered_remaining + layered_remaining_inertia omega^2 + remaining) to '
+                'resistance',
+            'adds Theta (layered_inertia omega^2 + layered_normal + turning) to J_r',
+        ),
+        inputs=('turning', 'turning_slope', 'remaining', 'remaining_slope'),
+        optional=('turning', 'turning_slope', 'remaining', 'remaining_slope'),
+        scalar=(
+            ('add', 'layered_strength.t22', 'layered_cohesion', 'layered_remaining'),
+            ('add', 'layered_strength.resisting', 'layered_strength.t22', 'remaining_0'),
+            ('abs', 'layered_strength.t24', 'layered_cohesion'),
+            ('abs', 'layered_strength.t25', 'layered_remaining'),
+            ('add', 'layered_strength.t26', 'layered_strength.t24', 'layered_strength.t25'),
+            ('abs', 'layered_strength.t27', 'remaining_0'),
+            ('add', 'layered_strength.resisting_size', 'layered_strength.t26', 'layered_strength.t27'),
+            ('neg', 'layered_strength.2', 'remaining_slope_0'),
+            ('neg', 'layered_strength.3', 'remaining_0'),
+            ('add', 'layered_strength.4', 'layered_cohesion.Q1', 'layered_remaining.Q1'),
+            ('add', 'layered_strength.5', 'layered_cohesion.Q2', 'layered_remaining.Q2'),
+            ('add', 'layered_strength.6', 'layered_cohesion.Q3', 'layered_remaining.Q3'),
+            ('add', 'layered_strength.7', 'layered_cohesion.Q4', 'layered_remaining.Q4'),
+            ('add', 'layered_strength.8', 'layered_cohesion.Q5', 'layered_remaining.Q5'),
+            ('add', 'layered_strength.9', 'layered_cohesion.Q6', 'layered_remaining.Q6'),
+            ('add', 'layered_strength.10', 'layered_cohesion.Q7', 'layered_remaining.Q7'),
+            ('add', 'layered_strength.pressing', 'layered_normal', 'turning_0'),
+            ('abs', 'layered_strength.t39', 'layered_normal'),
+            ('abs', 'layered_strength.t40', 'turning_0'),
+            ('add', 'layered_strength.pressing_size', 'layered_strength.t39', 'layered_strength.t40'),
+            ('neg', 'layered_strength.13', 'turning_slope_0'),
+            ('neg', 'layered_strength.14', 'turning_0'),
+            ('abs', 'layered_strength.lifting_size', 'layered_lift'),
+            ('set', 'layered_strength.lifting', 'layered_lift'),
+        ),
+        series=(
+            ('sqr', 'omega*omega', 'omega'),
+            ('mul', 'omega*omega*x', 'omega*omega', 'x'),
+            ('mul', 'omega*omega*x*x', 'omega*omega*x', 'x'),
+            ('mul', 'omega*omega*x*x*x', 'omega*omega*x*x', 'x'),
+            ('mul', 'omega*omega*x*x*x*x', 'omega*omega*x*x*x', 'x'),
+            ('mul', 'omega*omega*x*x*x*x*x', 'omega*omega*x*x*x*x', 'x'),
+            ('mul', 'omega*omega*x*x*x*x*x*x', 'omega*omega*x*x*x*x*x', 'x'),
+            ('mul', 'omega*omega*x*x*x*x*x*x*x', 'omega*omega*x*x*x*x*x*x', 'x'),
+            ('sqr', 'x*x', 'x'),
+            ('mul', 'x*x*x', 'x*x', 'x'),
+            ('mul', 'x*x*x*x', 'x*x*x', 'x'),
+            ('mul', 'x*x*x*x*x', 'x*x*x*x', 'x'),
+            ('mul', 'x*x*x*x*x*x', 'x*x*x*x*x', 'x'),
+            ('mul', 'x*x*x*x*x*x*x', 'x*x*x*x*x*x', 'x'),
+        ),
+        adds={
+            'resisting': ('layered_strength.resisting', 'layered_strength.resisting_size',
+                (('layered_remaining_inertia', 'omega*omega'), ('layered_remaining_inertia.Q1', 'omega*omega*x'),
+                ('layered_remaining_inertia.Q2', 'omega*omega*x*x'), ('layered_remaining_inertia.Q3',
+                'omega*omega*x*x*x'), ('layered_remaining_inertia.Q4', 'omega*omega*x*x*x*x'),
+                ('layered_remaining_inertia.Q5', 'omega*omega*x*x*x*x*x'), ('layered_remaining_inertia.Q6',
+                'omega*omega*x*x*x*x*x*x'), ('layered_remaining_inertia.Q7', 'omega*omega*x*x*x*x*x*x*x'),
+                ('layered_strength.2', 'sin(x)'), ('layered_strength.3', 'vers(x)'), ('layered_strength.4', 'x'),
+                ('layered_strength.5', 'x*x'), ('layered_strength.6', 'x*x*x'), ('layered_strength.7', 'x*x*x*x'),
+                ('layered_strength.8', 'x*x*x*x*x'), ('layered_strength.9', 'x*x*x*x*x*x'), ('layered_strength.10',
+                'x*x*x*x*x*x*x'))),
+            'pressing': ('layered_strength.pressing', 'layered_strength.pressing_size', (('layered_inertia',
+                'omega*omega'), ('layered_inertia.Q1', 'omega*omega*x'), ('layered_inertia.Q2', 'omega*omega*x*x'),
+                ('layered_inertia.Q3', 'omega*omega*x*x*x'), ('layered_inertia.Q4', 'omega*omega*x*x*x*x'),
+                ('layered_inertia.Q5', 'omega*omega*x*x*x*x*x'), ('layered_inertia.Q6', 'omega*omega*x*x*x*x*x*x'),
+                ('layered_inertia.Q7', 'omega*omega*x*x*x*x*x*x*x'), ('layered_strength.13', 'sin(x)'),
+                ('layered_strength.14', 'vers(x)'), ('layered_normal.Q1', 'x'), ('layered_normal.Q2', 'x*x'),
+                ('layered_normal.Q3', 'x*x*x'), ('layered_normal.Q4', 'x*x*x*x'), ('layered_normal.Q5', 'x*x*x*x*x'),
+                ('layered_normal.Q6', 'x*x*x*x*x*x'), ('layered_normal.Q7', 'x*x*x*x*x*x*x'))),
+            'lifting': ('layered_strength.lifting', 'layered_strength.lifting_size', (('layered_lift.Q1', 'x'),
+                ('layered_lift.Q2', 'x*x'), ('layered_lift.Q3', 'x*x*x'), ('layered_lift.Q4', 'x*x*x*x'),
+                ('layered_lift.Q5', 'x*x*x*x*x'), ('layered_lift.Q6', 'x*x*x*x*x*x'), ('layered_lift.Q7',
+                'x*x*x*x*x*x*x'))),
+        },
+        states=(),
+        tables=(('layered_normal', 'rotation', 'x', 7), ('layered_inertia', 'rotation', 'x', 7), ('layered_lift',
+            'rotation', 'x', 7), ('layered_remaining', 'rotation', 'x', 7), ('layered_remaining_inertia', 'rotation',
+            'x', 7), ('layered_cohesion', 'rotation', 'x', 7)),
     ),
     'constant': Fragment(
         words=(
@@ -421,7 +522,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'mu': ('constant.mu', 'constant.mu_size', ()),
         },
         states=(),
-        table=None,
+        tables=(),
     ),
     'exponential': Fragment(
         words=(
@@ -466,7 +567,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'mu': ('exponential.mu', 'exponential.mu_size', (('exponential.3', 'exponential.exp2_less_1'),)),
         },
         states=(),
-        table=None,
+        tables=(),
     ),
     'linear': Fragment(
         words=(
@@ -484,7 +585,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'mu': ('linear.mu', 'linear.mu_size', (('linear.Q1', 'x'),)),
         },
         states=(),
-        table=('linear', 'slip', 'x', 1),
+        tables=(('linear', 'slip', 'x', 1),),
     ),
     'hyperbolic': Fragment(
         words=(
@@ -525,7 +626,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'mu': ('hyperbolic.mu', 'hyperbolic.mu_size', (('hyperbolic.3', 'hyperbolic.rec2_less_1'),)),
         },
         states=(),
-        table=None,
+        tables=(),
     ),
     'tabulated': Fragment(
         words=(
@@ -547,7 +648,7 @@ FRAGMENTS: dict[str, Fragment] = {
                 ('tabulated.Q3', 'x*x*x'))),
         },
         states=(),
-        table=('tabulated', 'slip', 'x', 3),
+        tables=(('tabulated', 'slip', 'x', 3),),
     ),
     'rate_weakening': Fragment(
         words=(
@@ -571,7 +672,7 @@ FRAGMENTS: dict[str, Fragment] = {
                 'rate_weakening.rec2_less_1'),)),
         },
         states=(),
-        table=None,
+        tables=(),
     ),
     'rate_tabulated': Fragment(
         words=(
@@ -601,7 +702,7 @@ FRAGMENTS: dict[str, Fragment] = {
                 ('rate_tabulated.Q2', 'log_speed*log_speed'), ('rate_tabulated.Q3', 'log_speed*log_speed*log_speed'))),
         },
         states=(),
-        table=('rate_tabulated', 'speed', 'log_speed', 3),
+        tables=(('rate_tabulated', 'speed', 'log_speed', 3),),
     ),
     'prescribed': Fragment(
         words=(
@@ -618,7 +719,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'mu': ('prescribed.mu', 'prescribed.mu_size', (('=1.0', 'dprescribed'),)),
         },
         states=(),
-        table=('prescribed', 'time', 'dprescribed', 0),
+        tables=(('prescribed', 'time', 'dprescribed', 0),),
     ),
     'callable': Fragment(
         words=(
@@ -645,7 +746,7 @@ FRAGMENTS: dict[str, Fragment] = {
                 ('callable.Q7', 'x*x*x*x*x*x*x'))),
         },
         states=(),
-        table=('callable', 'slip', 'x', 7),
+        tables=(('callable', 'slip', 'x', 7),),
     ),
     'product': Fragment(
         words=(
@@ -665,7 +766,7 @@ FRAGMENTS: dict[str, Fragment] = {
                 ('rate_mu_0', 'dslip_mu'))),
         },
         states=(),
-        table=None,
+        tables=(),
     ),
     'balance': Fragment(
         words=(
@@ -728,7 +829,7 @@ FRAGMENTS: dict[str, Fragment] = {
         ),
         adds={},
         states=(),
-        table=None,
+        tables=(),
     ),
     'energy': Fragment(
         words=(
@@ -744,7 +845,7 @@ FRAGMENTS: dict[str, Fragment] = {
         ),
         adds={},
         states=(('work', 'driving*omega'), ('dissipation', 'brakes*omega')),
-        table=None,
+        tables=(),
     ),
 }
 
@@ -798,6 +899,16 @@ TERMS: dict[str, tuple[tuple[str, str, str, tuple[str, ...]], ...]] = {
         'lambda'))),
     'thermal_pressurisation': (('u', 'excess', 'u_T', ('excess',)), ('dexcess/dphi', 'kappa max(0, sigma - u) mu',
         '\\kappa \\max(0, \\sigma - u) \\mu', ('kappa', 'max(0, sigma - u)', 'mu'))),
+    'layered_strength': (('sigma', 'Theta layered_normal/lambda', '\\frac{\\Theta layered_{normal}}{\\lambda}',
+        ('Theta', 'lambda', 'layered_normal')), ('sigma', 'Theta turning/lambda', '\\frac{\\Theta turning}{\\lambda}',
+        ('Theta', 'lambda', 'turning')), ('sigma', 'Theta layered_inertia omega^2/lambda',
+        '\\frac{\\Theta layered_{inertia} \\omega^{2}}{\\lambda}', ('Theta', 'lambda', 'layered_inertia', 'omega')),
+        ('u', 'Theta layered_lift/lambda', '\\frac{\\Theta layered_{lift}}{\\lambda}', ('Theta', 'lambda',
+        'layered_lift')), ('T', 'Theta layered_cohesion', '\\Theta layered_{cohesion}', ('Theta', 'layered_cohesion')),
+        ('T', 'Theta layered_remaining', '\\Theta layered_{remaining}', ('Theta', 'layered_remaining')), ('T',
+        'Theta remaining', '\\Theta remaining', ('Theta', 'remaining')), ('T',
+        'Theta layered_remaining_inertia omega^2', '\\Theta layered_{remaining inertia} \\omega^{2}', ('Theta',
+        'layered_remaining_inertia', 'omega'))),
     'constant': (('mu', 'coefficient', '\\mu_0', ('coefficient',)),),
     'exponential': (('mu', 'residual + (peak - residual) exp(-slip/length)',
         '\\mu_r + \\left(\\mu_p - \\mu_r\\right) e^{- \\frac{S}{L}}', ('length', 'peak', 'residual', 'slip')),),

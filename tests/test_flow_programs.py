@@ -183,7 +183,7 @@ NEW = (
            resistance=THETA * COLLAPSE * OMEGA / (1 + OMEGA) ** sp.Rational(3, 2)),
     # With a state of its own: dilation opens pores, which lowers their pressure, as long as it goes on.
     Effect("dilatancy", "", (parameter("dilation"), parameter("widening")), ("history",), "shearing opens the pores",
-           pressure=-DILATION * WIDTH, given=(WIDTH,), growth=WIDENING * (1 - WIDTH) * MU),
+           pressure=-DILATION * WIDTH, states=(WIDTH,), growth=WIDENING * (1 - WIDTH) * MU),
 )  # fmt: skip
 NEW_LAW = Law("stiffening", "", (parameter("first"), parameter("last")), ("slip",), "rises with a root of the slip",
               sp.Symbol("first", real=True) + sp.Symbol("last", real=True) * sp.root(1 + SLIP, 4))  # fmt: skip

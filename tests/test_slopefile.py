@@ -194,7 +194,7 @@ def test_what_a_file_says(write: Write) -> None:
         ("cohesion_kPa = 3", "cohesion_kPa = 300000", "is that in Pa"),
         ("[30, 25]", "[30]", "a list of two points or more"),
         ("[[0, 25], [30, 25], [50, 35], [90, 35]]", "[[0, 25]]", "a list of two points or more"),
-        ("base_m = 20", "base_m = 30", "ground.base_m = 30: must lie below the ground"),
+        ("base_m = 20", "base_m = 35", "ground.base_m = 35: must lie below the highest point of the ground"),
         ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[water]\nlevel_m = [[0, 26], [90, 26]]\n", "water.level_m: stands"),
         ("= 20\nbase", "= { distribution = 'normal', mean = 20, std = 1 }\nbase", "must be a number"),
         ("[cohesion]", "[pore_pressure]\nrecord = 'x.csv'\n[cohesion]", "a pore pressure that is no record"),

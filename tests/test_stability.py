@@ -138,6 +138,7 @@ def sliced(slope: Slope, centre: tuple[float, float], radius: float, found: Sect
     cosine = np.sqrt(1.0 - sine**2)
     base = centre[1] - radius * cosine
     height = np.interp(x, *np.asarray(slope.ground).T) - base
+    assert slope.unit_weight is not None
     pressure = slope.pore_ratio * slope.unit_weight * height
     if slope.level is not None:
         pressure = slope.water_unit_weight * np.maximum(np.interp(x, *np.asarray(slope.level).T) - base, 0.0)
@@ -416,7 +417,7 @@ def test_a_search_without_an_answer_says_why(slope: Slope, more: dict[str, objec
         ({"unit_weight": math.nan}, "unit_weight"),
         ({"pore_ratio": 1.2}, "pore_ratio"),
         ({"k_h": 3.0}, "k_h"),
-        ({"base": 30.0}, "below the ground"),
+        ({"base": 35.0}, "below the highest point of the ground"),
         ({"level": [(0, 30), (90, 30)]}, "ponds"),
         ({"level": [(0, 20), (90, 30)], "pore_ratio": 0.2}, "exclude each other"),
         ({"level": [(200, 20), (300, 20)]}, "beside the ground"),

@@ -162,6 +162,12 @@ _COHESION, _RATIO, _PRESSURE, _WATER, _DRAG, _VISCOSITY = sp.symbols(
     "cohesion pore_ratio pore_pressure water drag viscosity", real=True
 )
 _K_H, _K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
+_NORMAL, _INERTIA, _LIFT, _COHESIVE, TURNING, TURNING_SLOPE = sp.symbols(
+    "layered_normal layered_inertia layered_lift layered_cohesion turning turning_slope", real=True
+)
+_REMAINING, _REMAINING_INERTIA, REMAINING, REMAINING_SLOPE = sp.symbols(
+    "layered_remaining layered_remaining_inertia remaining remaining_slope", real=True
+)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
 
@@ -171,6 +177,11 @@ def _optional(
     """Any number, a function of time or a text, that may be omitted."""
     key = name if key is None else key
     return Parameter(name, unit, -_INFINITY, _INFINITY, help, key, symbol=symbol, optional=True, kind=kind)
+
+
+def _of_section(name: str, help: str, symbol: sp.Symbol, kind: str = "number") -> Parameter:
+    """What a layered section gives, over Theta*: no file and no user does."""
+    return Parameter(name, "", -_INFINITY, _INFINITY, help, "", symbol=symbol, optional=True, kind=kind)
 
 
 _OF_A_RECORD = (
@@ -254,6 +265,27 @@ EFFECTS = (
 )  # fmt: skip
 
 
+# What a section adds to the balance by itself: no user and no file asks for it.
+SECTION_EFFECTS = (
+    Effect("layered_strength", "2.23", (
+        _of_section("turning", "excess of friction's normal force over the mean, of strength with the mass", TURNING),
+        _of_section("turning_slope", "its derivative by the dip", TURNING_SLOPE),
+        _of_section("normal", "the same of strength with the base", _NORMAL, "rotation"),
+        _of_section("inertia", "what the square of the angular velocity adds to it", _INERTIA, "rotation"),
+        _of_section("lift", "what water takes from it", _LIFT, "rotation"),
+        _of_section("remaining", "excess of the friction that slip leaves, of strength with the mass", REMAINING),
+        _of_section("remaining_slope", "its derivative by the dip", REMAINING_SLOPE),
+        _of_section("remaining_normal", "the same of strength with the base", _REMAINING, "rotation"),
+        _of_section("remaining_inertia", "what the square of the angular velocity adds to it", _REMAINING_INERTIA,
+                    "rotation"),
+        _of_section("strength", "strength without normal stress", _COHESIVE, "rotation")), (),
+           "soils along the arc have strengths of their own, by the weights of (2.23) straight above each",
+           press=THETA * (_NORMAL + TURNING + _INERTIA * OMEGA_2), pressure=THETA / LAMBDA * _LIFT,
+           resistance=THETA * (_COHESIVE + REMAINING + _REMAINING + _REMAINING_INERTIA * OMEGA_2)),
+)  # fmt: skip
+ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
+
+
 def formulas(effect: Effect) -> tuple[str, ...]:
     """What an effect adds to the balance, and what makes its parameters dimensionless (these get a star)."""
     starred = {p.symbol: p for p in effect.parameters if p.symbol is not None and p.dimensionless != VALUE}
@@ -292,4 +324,6 @@ def formulas(effect: Effect) -> tuple[str, ...]:
 
 
 # The derivatives by psi of what turns with the mass.
-BY_PSI = {FALL: FALL_SLOPE, PRESS: PRESS_SLOPE, FALL_SLOPE: -FALL, PRESS_SLOPE: -PRESS}
+BY_PSI = {FALL: FALL_SLOPE, PRESS: PRESS_SLOPE, FALL_SLOPE: -FALL, PRESS_SLOPE: -PRESS,
+          TURNING: TURNING_SLOPE, TURNING_SLOPE: -TURNING,
+          REMAINING: REMAINING_SLOPE, REMAINING_SLOPE: -REMAINING}  # fmt: skip

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from sympy import Expr, Float, cos, diff, exp, expand, log, sin, sstr
 
 from derive.algebra.remainders import Select
-from derive.declare.effects import EFFECTS, LAWS, Effect, Law
+from derive.declare.effects import ALL_EFFECTS, LAWS, Effect, Law
 from derive.flow import equation
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
 from derive.flow.lowering import ZERO, Fragment, Lowering, cell, series
@@ -35,7 +35,7 @@ Tangents = tuple[tuple[str, ...], tuple[tuple[object, ...], ...]]
 '''
 
 
-def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> str:
+def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> str:
     """The module's text."""
     inputs = {name: repr(meaning) for name, meaning in INPUTS.items()}
     kinked = {law.name: _pieces(law) for law in laws if law.kinks}

@@ -7,7 +7,7 @@ import sympy as sp
 from sympy import Expr, Max, Symbol, cos, sin
 
 from derive.declare import effects as declared
-from derive.declare.effects import BY_PSI, EFFECTS, LAMBDA, LAWS, MU, OMEGA, OMEGA_2, THETA
+from derive.declare.effects import ALL_EFFECTS, BY_PSI, EFFECTS, LAMBDA, LAWS, MU, OMEGA, OMEGA_2, THETA
 from derive.declare.symbols import in_words
 
 
@@ -34,7 +34,12 @@ QUANTITIES = {
     "T": ("moment that resists beside friction", "T"),
 }
 # Weight: what the balance takes of it, at any rotation and at the start.
-COMPONENTS = dict(zip(BY_PSI, ("J_theta", "J_r", "J_theta'", "J_r'"), strict=True))
+COMPONENTS = {
+    declared.FALL: "J_theta",
+    declared.PRESS: "J_r",
+    declared.FALL_SLOPE: "J_theta'",
+    declared.PRESS_SLOPE: "J_r'",
+}
 # Numbers of the equation that every scene has.
 COEFFICIENTS = {
     "Theta": "moment of inertia (3.12)",
@@ -82,7 +87,7 @@ def position(rotates: bool) -> tuple[Term, ...]:
     start = {q: Symbol(f"{name.rstrip(chr(39))}0{chr(39) * name.count(chr(39))}") for q, name in COMPONENTS.items()}
     angle = PHI if rotates else sp.Integer(0)
     return tuple(
-        term(COMPONENTS[q], start[q] * cos(angle) - slope.subs(start) * sin(angle)) for q, slope in BY_PSI.items()
+        term(name, start[q] * cos(angle) - BY_PSI[q].subs(start) * sin(angle)) for q, name in COMPONENTS.items()
     )
 
 
@@ -108,7 +113,7 @@ def of_law(law: declared.Law) -> tuple[Term, ...]:
 
 
 def terms(
-    effects: Sequence[declared.Effect] = EFFECTS, laws: Sequence[declared.Law] = LAWS
+    effects: Sequence[declared.Effect] = ALL_EFFECTS, laws: Sequence[declared.Law] = LAWS
 ) -> dict[str, tuple[Term, ...]]:
     """All terms, by the effect or law that asks for them; "frozen" is the position without rotation."""
     every = {"gravity": gravity(), "frozen": position(False)}

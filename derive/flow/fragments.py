@@ -7,7 +7,7 @@ from sympy import Expr, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin,
 
 from derive.algebra.remainders import Select
 from derive.declare import effects as declared
-from derive.declare.effects import BY_PSI, DEGREE, EFFECTS, FALL, LAMBDA, LAWS, LEVEL, MU, OMEGA, PRESS, SLIP, THETA
+from derive.declare.effects import ALL_EFFECTS, BY_PSI, DEGREE, FALL, LAMBDA, LAWS, LEVEL, MU, OMEGA, PRESS, SLIP, THETA
 from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, cell, series, total, varying
 
 # What every scene gives, all over Theta*.
@@ -38,7 +38,8 @@ def seen(q: Symbol) -> Symbol:
 
 def sign(q: Symbol) -> Expr:
     """What a component is multiplied by to be seen so: J_theta and the slope of J_r are odd in psi."""
-    return DIRECTION if q in (FALL, declared.PRESS_SLOPE) else ONE
+    odd_in_psi = (FALL, declared.PRESS_SLOPE, declared.TURNING_SLOPE, declared.REMAINING_SLOPE)
+    return DIRECTION if q in odd_in_psi else ONE
 
 
 def position() -> dict[Symbol, tuple[Expr, Increment]]:
@@ -107,7 +108,7 @@ def moving(effect: declared.Effect | None = None) -> dict[Symbol, tuple[Expr, In
     odd_parameters = odd(effect)
     for p in effect.parameters:
         x = p.symbol
-        if x is None:
+        if x is None or x in BY_PSI:
             continue
         direction = DIRECTION if x in odd_parameters else ONE
         increment: Increment = {}
@@ -140,13 +141,13 @@ def of_effect(effect: declared.Effect) -> Fragment:
     rate = rate.subs(declared.EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
     inputs = []
     optional = []
-    table = None
+    tables = []
     for p in effect.parameters:
         name = str(p.symbol)
         if p.symbol is None:
             continue
         if p.kind == "rotation":
-            table = (name, "rotation", "x", DEGREE)
+            tables.append((name, "rotation", "x", DEGREE))
             continue
         inputs.append(name)
         if p.optional:
@@ -157,7 +158,7 @@ def of_effect(effect: declared.Effect) -> Fragment:
         inputs=inputs,
         optional=optional,
         states={str(x): rate for x in effect.states},
-        table=table,
+        tables=tuple(tables),
     )
 
 
@@ -181,7 +182,7 @@ def of_law(law: declared.Law) -> Fragment:
         of = "log(omega/omega_0)" if variable == "speed" else "x"
         words.append(f"mu = VALUE + Q1 y + Q2 y^2 + ..., y = {of}")
         low.moving = {value: (value, powers(law.name, argument, law.degree))}
-    return low.fragment(words, {"mu": value}, table=(law.name, variable, argument, law.degree))
+    return low.fragment(words, {"mu": value}, tables=((law.name, variable, argument, law.degree),))
 
 
 def _log_speed(law: declared.Law, low: Lowering) -> None:
@@ -312,7 +313,9 @@ def energy() -> Fragment:
     return low.fragment(words, {}, states={"work": driving * omega, "dissipation": brakes * omega})
 
 
-def fragments(effects: Sequence[declared.Effect] = EFFECTS, laws: Sequence[declared.Law] = LAWS) -> dict[str, Fragment]:
+def fragments(
+    effects: Sequence[declared.Effect] = ALL_EFFECTS, laws: Sequence[declared.Law] = LAWS
+) -> dict[str, Fragment]:
     """All fragments by name, of these effects and laws."""
     every = {"gravity": gravity()}
     for effect in effects:

@@ -66,8 +66,8 @@ class Fragment(NamedTuple):
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
     of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be
-    omitted. ``states`` are series with those of their rates. A ``table`` has its name, is of slip, speed, rotation or
-    time, with the series of its argument (of time, its own) and the degree of its pieces.
+    omitted. ``states`` are series with those of their rates. Each of ``tables`` has its name, is of slip, speed,
+    rotation or time, with the series of its argument (of time, its own) and the degree of its pieces.
     """
 
     words: tuple[str, ...]
@@ -77,7 +77,7 @@ class Fragment(NamedTuple):
     series: tuple[tuple[object, ...], ...]
     adds: dict[str, tuple[str, str, tuple[tuple[str, str], ...]]]
     states: tuple[tuple[str, str], ...] = ()
-    table: tuple[str, str, str, int] | None = None
+    tables: tuple[tuple[str, str, str, int], ...] = ()
 
 
 @dataclass
@@ -257,7 +257,7 @@ class Lowering:
         inputs: Iterable[str] = (),
         optional: Iterable[str] = (),
         states: Mapping[str, Expr] | None = None,
-        table: tuple[str, str, str, int] | None = None,
+        tables: tuple[tuple[str, str, str, int], ...] = (),
     ) -> Fragment:
         """The fragment of all that was lowered and of ``adds`` and of the states' rates."""
         added = {quantity: self.add(e, quantity) for quantity, e in adds.items() if e != 0}
@@ -273,7 +273,7 @@ class Lowering:
             series=tuple(self.series),
             adds=added,
             states=tuple(rates),
-            table=table,
+            tables=tables,
         )
 
     def scalar(self) -> tuple[tuple[str, ...], ...]:

@@ -16,7 +16,7 @@ from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
 from derive.code.program import Program, program
-from derive.declare.effects import EFFECTS, LAWS, LIMITS, VALUE, Effect, Law, Parameter, formulas
+from derive.declare.effects import EFFECTS, LAWS, LIMITS, SECTION_EFFECTS, VALUE, Effect, Law, Parameter, formulas
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
 from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 
@@ -301,6 +301,10 @@ def effects_module() -> str:
             "",
             "EFFECTS = {",
             *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in EFFECTS),
+            "}",
+            "",
+            "ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself",
+            *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in SECTION_EFFECTS),
             "}",
             "",
         ]

@@ -123,11 +123,10 @@ class _Builder:
         self._take("gravity")
         for name in effects:
             self._take(name)
-            self._effect_table(name, moving)
+            self._effect_tables(name, moving)
         for name, factor in zip(laws, factors, strict=True):
             self._take(name, factor)
-            if table := FRAGMENTS[name].table:
-                self.tables.append(TableDeclaration(*table))
+            self.tables += [TableDeclaration(*table) for table in FRAGMENTS[name].tables]
         for name in (*(["product"] if len(laws) > 1 else []), "balance", *extra):
             self._take(name)
         self._functions_of_time(moving)
@@ -152,16 +151,15 @@ class _Builder:
         for quantity, added in fragment.adds.items():
             self.sums.setdefault(friction if quantity == "mu" else quantity, []).append(added)
 
-    def _effect_table(self, name: str, moving: tuple[str, ...]) -> None:
-        """An effect's table where the scene gives a function; else its cells are zero."""
-        if not (declared := FRAGMENTS[name].table):
-            return
-        table = TableDeclaration(*declared)
-        if table.name in moving:
-            self.tables.append(table)
-        else:
-            zeros = dict.fromkeys([table.name, *table.coefficients], ("set", ZERO))
-            self.link.cell_definitions |= zeros
+    def _effect_tables(self, name: str, moving: tuple[str, ...]) -> None:
+        """An effect's tables where the scene gives functions; else their cells are zero."""
+        for declared in FRAGMENTS[name].tables:
+            table = TableDeclaration(*declared)
+            if table.name in moving:
+                self.tables.append(table)
+            else:
+                zeros = dict.fromkeys([table.name, *table.coefficients], ("set", ZERO))
+                self.link.cell_definitions |= zeros
 
     def _functions_of_time(self, moving: tuple[str, ...]) -> None:
         """Parameters that change with time: a value where the phase begins, and the increment since, a ramp."""

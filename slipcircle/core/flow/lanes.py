@@ -16,7 +16,8 @@ from slipcircle.core.flow.lane_state import LaneState
 from slipcircle.core.flow.problem import Problem, build_problem
 from slipcircle.core.flow.program import Log, Program, Samples
 from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.coordinates import replace_unchecked
+from slipcircle.core.scene.coordinates import by_lanes
+from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.section import Section
 
@@ -132,9 +133,9 @@ class Lanes:
             return value[which] if by_lane else value
 
         given = {f.name: select(getattr(self, f.name)) for f in fields(Lanes)}
-        arc = {name: select(getattr(self.arc, name), axes) for name, axes in self.arc.quantities.items()}
-        count = np.arange(self.count)[which].size
-        return Lanes(**given | {"arc": replace_unchecked(self.arc, arc), "count": count})
+        arc = by_lanes(self.arc, select)
+        called = arc.section_effects(given["called"])
+        return Lanes(**given | {"arc": arc, "called": called, "count": np.arange(self.count)[which].size})
 
     def parts(self) -> Iterator[tuple[slice, "Lanes"]]:
         """The lanes in blocks."""
@@ -330,11 +331,15 @@ def lanes_of(scene: Scene, accuracy: float, invalid: Any = False) -> Lanes:
     velocity, shape = scene.initial_velocity, scene.shape
     if not shape:
         return Lanes(scene.arc, scene.called, scene.friction, velocity, end_time, accuracy, 1, invalid)
-    quantities = scene.arc.quantities.items()
-    arc = replace_unchecked(scene.arc, {n: _flat(getattr(scene.arc, n), shape, axes) for n, axes in quantities})
-    called = {effect: _flat_numbers(scene, effect, given) for effect, given in scene.called.items()}
-    friction: Any = scene.friction
-    if isinstance(friction, Mapping):
+    arc = by_lanes(scene.arc, lambda value, axes: _flat(value, shape, axes))
+    assert isinstance(scene.effects, dict)
+    called = arc.section_effects(
+        {effect: _flat_numbers(scene, effect, given) for effect, given in scene.effects.items()}
+    )
+    friction: Any = arc.friction if isinstance(arc, LayeredSection) else scene.friction
+    if isinstance(arc, LayeredSection):
+        pass  # made of flat numbers
+    elif isinstance(friction, Mapping):
         friction = _flat_numbers(scene, "friction", friction)
         if isinstance(rate := friction.get("rate"), Mapping):
             friction["rate"] = _flat_numbers(scene, "friction.rate", rate)

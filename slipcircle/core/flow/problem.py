@@ -4,7 +4,7 @@ Here the scene's SI numbers become dimensionless, by the declarations in `genera
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -13,17 +13,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
-from generated.effects import EFFECTS, LAWS
+from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import PIECES
 from slipcircle.base.checks import choose, plain
 from slipcircle.core.flow import tables
 from slipcircle.core.flow.build import build_program
+from slipcircle.core.flow.layered import rotation_tables
 from slipcircle.core.flow.program import Program
 from slipcircle.core.flow.tables import Data
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.forcing import factor as factor_of
 from slipcircle.core.scene.friction import law_parts
+from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
+from slipcircle.core.scene.strength import OfRotation
 
 Floats = NDArray[np.float64]
 Effects = Mapping[str, Mapping[str, Any]]  # by name, each with its parameters
@@ -50,8 +53,8 @@ class Problem(NamedTuple):
     def with_steady_shaking(self) -> "Problem":
         """The same lanes with a constant horizontal coefficient, at first 0, in the place of their shaking."""
         effects, laws, moving, absent = self.recipe
-        shaking = {p.symbol for p in EFFECTS["shaking"].parameters}
-        effects = tuple(name for name in EFFECTS if name in (*effects, "shaking"))
+        shaking = {p.symbol for p in ALL_EFFECTS["shaking"].parameters}
+        effects = tuple(name for name in ALL_EFFECTS if name in (*effects, "shaking"))
         moving = tuple(symbol for symbol in moving if symbol not in shaking)
         absent = tuple(symbol for symbol in absent if symbol not in shaking)
         return self._with_program(build_program(effects, laws, moving, (*absent, "k_v")))
@@ -121,6 +124,9 @@ def build_problem(
     numbers = _Numbers(arc)
     for effect in effects:
         numbers.add_effect(effect, called[effect], rotates(effects))
+    if "layered_strength" in effects:
+        upslope = "shaking" in effects or bool(np.any(velocity < 0.0))
+        numbers.add_layers(called["layered_strength"], rotates(effects), upslope, accuracy)
     for name, parameters in laws:
         numbers.add_law(name, parameters)
     with np.errstate(over="ignore"):  # what overflows is refused where it is asked for
@@ -134,7 +140,7 @@ def build_problem(
             "CLOSE": np.inf,
             "LIFT_TIME": np.nan,
             "ONE_WAY": _one_way(called.get("shaking", {})),
-            "FIRST_ONLY": choose(end_time == np.inf, _first_only(effects, laws, numbers.inputs), 0.0),
+            "FIRST_ONLY": choose(end_time == np.inf, _first_only({*effects, *recipe[2]}, laws, numbers.inputs), 0.0),
         }
     cells, places = program.blank(lanes), program.places
     for name, value in numbers.inputs.items():
@@ -151,10 +157,10 @@ def build_problem(
 
 def _recipe(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
     """The arguments of `build_program`: effects, laws, symbols of functions, symbols of what is not given."""
-    effects = tuple(name for name in EFFECTS if name in called)
+    effects = tuple(name for name in ALL_EFFECTS if name in called)
     moving, absent = list[str](), list[str]()
     for effect in effects:
-        for p in EFFECTS[effect].parameters:
+        for p in ALL_EFFECTS[effect].parameters:
             value = called[effect].get(p.name)
             if p.symbol and callable(value):
                 moving.append(p.symbol)
@@ -178,13 +184,15 @@ class _Numbers:
 
     def add_effect(self, effect: str, given: Mapping[str, Any], rotating: bool) -> None:
         """What an effect gives: numbers by their symbols, functions of time or of the rotation as tables."""
-        symbols = [p for p in EFFECTS[effect].parameters if p.symbol]
+        symbols = [p for p in ALL_EFFECTS[effect].parameters if p.symbol]
         if not symbols:
             return
-        numbers = {p.name: given.get(p.name, 0.0) for p in EFFECTS[effect].parameters if p.kind == "number"}
+        numbers = {p.name: given.get(p.name, 0.0) for p in ALL_EFFECTS[effect].parameters if p.kind == "number"}
         scales = scales_of(self.arc) | numbers
         for p in symbols:
             value = given.get(p.name, 0.0)
+            if isinstance(value, OfRotation):
+                continue  # `add_layers` lays out all of these together
             if not callable(value):
                 self.inputs[p.symbol] = p.dimensionless(value, scales)
             elif p.kind == "rotation":
@@ -193,6 +201,16 @@ class _Numbers:
             else:
                 factor = factor_of(effect, given, p.name)
                 self.tables[p.symbol] = tables.of_time(value), self.time_scale, p.dimensionless(factor, scales)
+
+    def add_layers(self, given: Mapping[str, Any], rotates: bool, upslope: bool, accuracy: float) -> None:
+        """What the soils of a layered section give that changes with the rotation."""
+        assert isinstance(self.arc, LayeredSection)
+        terms = {name: value for name, value in given.items() if isinstance(value, OfRotation)}
+        if not terms:
+            return
+        found = rotation_tables(self.arc, terms, rotates, upslope, accuracy)
+        symbols = {p.name: p.symbol for p in ALL_EFFECTS["layered_strength"].parameters}
+        self.tables |= {symbols[name]: (table, 1.0, 1.0) for name, table in found.items()}
 
     def add_law(self, name: str, given: Mapping[str, Any]) -> None:
         """What a friction law gives: a table, or dimensionless numbers under its own name."""
@@ -222,14 +240,14 @@ def scales_of(arc: Arc | Section) -> dict[str, Any]:
         "reference_stress": arc.reference_stress,
         "Theta": arc.dimensionless.moment_of_inertia,
         "radius": plain(arc.radius),
-        "density": plain(arc.unit_weight) / plain(arc.gravity),
+        "density": plain(arc.mean_unit_weight) / plain(arc.gravity),
         "cover": arc.moment_coefficients.cover,
     }
 
 
 def rotates(effects: Iterable[str]) -> bool:
     """Whether an effect lets the mass rotate."""
-    return any(EFFECTS[effect].turns for effect in effects)
+    return any(ALL_EFFECTS[effect].turns for effect in effects)
 
 
 def under_water(section: Section, rotating: bool, others: Any = None, count: int = 1) -> Data:
@@ -266,11 +284,14 @@ def _one_way(shaking: Mapping[str, Any]) -> float:
     return float(callable(shaking.get("horizontal")) and not shaking.get("two_way", False))
 
 
-def _first_only(effects: tuple[str, ...], laws: Any, inputs: Mapping[str, Any]) -> Any:
-    """1 where nothing ever brings the mass to rest, 2 where water or heat may carry it: it is followed to its stop."""
-    if not rotates(effects):
+def _first_only(asked: Collection[str], laws: Any, inputs: Mapping[str, Any]) -> Any:
+    """1 where nothing ever brings the mass to rest, 2 where water or heat may carry it: it is followed to its stop.
+
+    Of effects and symbols of functions.
+    """
+    if not rotates(ALL_EFFECTS.keys() & asked) or ("layered_strength" in asked and "layered_cohesion" in asked):
         return 0.0
     (name, parameters), *others = laws
     frictionless = parameters["coefficient"] == 0.0 if name == "constant" and not others else False
-    uplift = 2.0 if {"pore_pressure", "thermal_pressurisation"} & {*effects} else 0.0
+    uplift = 2.0 if {"pore_pressure", "thermal_pressurisation", "layered_lift"} & {*asked} else 0.0
     return choose(inputs.get("cohesion", 0.0) > 0.0, 0.0, choose(frictionless, 1.0, uplift))

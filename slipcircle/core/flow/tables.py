@@ -181,6 +181,63 @@ def turning(function: Callable[[Any], Any], kinks: Floats, least: Floats, most: 
     return Data(breaks, np.concatenate([terms, last]), np.zeros(len(breaks)))
 
 
+_TO_CHEBYSHEV = np.linalg.inv(np.cos(np.outer(np.arccos(_NODES), np.arange(TERMS))))
+_SHORTEST = 1e-3  # half the width of a piece, rad
+
+
+def between_kinks(
+    function: Callable[[Any], Any], kinks: Floats, least: Floats, most: Floats, tolerance: float
+) -> tuple[Floats, Floats]:
+    """Functions of the rotation in pieces that are halved until they are polynomials of degree 7.
+
+    Parameters
+    ----------
+    function : callable
+        Takes rotations (M, n), rad, and returns values (functions, M, n).
+    kinks : ndarray
+        Rotations at which a function may not be smooth, (kinks, n), increasing.
+    least, most : ndarray
+        Between which the functions are needed, (n,); beyond, each is a constant.
+    tolerance : float
+        The last coefficient of Chebyshev of a piece over the greatest value.
+
+    Returns
+    -------
+    breaks : ndarray
+        Where pieces begin, (pieces, n).
+    coefficients : ndarray
+        In powers of what is beyond, (pieces, TERMS, functions, n).
+    """
+    inner = np.concatenate([[least], np.clip(kinks, least, most), [most]])
+    wide = np.any(np.diff(inner, axis=0) > 1e-13, axis=1)
+    waiting = [(a, b) for a, b, some in zip(inner[:-1], inner[1:], wide, strict=True) if some]
+    done = list[tuple[Floats, Floats, Floats]]()
+    scale = 0.0
+    while waiting:
+        first, second = (np.stack(ends) for ends in zip(*waiting, strict=True))
+        half = (second - first) / 2
+        at = first[:, None] + half[:, None] * (1.0 + _NODES[:, None])  # pieces, nodes, n
+        values = function(at.reshape(-1, at.shape[-1]))
+        values = values.reshape(len(values), *at.shape)
+        scale = max(scale, float(np.abs(values).max(initial=0.0)))
+        chebyshev = np.einsum("kj,fpjn->pkfn", _TO_CHEBYSHEV, values)
+        rough = np.abs(chebyshev[:, -2:]).max(axis=(1, 2, 3)) > tolerance * scale
+        rough &= half.max(axis=1) > _SHORTEST
+        powers = np.einsum("tk,pkfn->ptfn", _POWERS, chebyshev)
+        lengths = np.where(half > 0.0, half, np.inf)[:, None, None] ** np.arange(TERMS)[:, None, None]
+        done += [(first[k], second[k], powers[k] / lengths[k]) for k in np.flatnonzero(~rough)]
+        waiting = [
+            ends
+            for k in np.flatnonzero(rough)
+            for middle in [(first[k] + second[k]) / 2]
+            for ends in [(first[k], middle), (middle, second[k])]
+        ]
+    done.sort(key=lambda piece: float(piece[0].sum()))
+    last = np.zeros_like(done[-1][2])
+    last[0] = function(done[-1][1][None])[:, 0]
+    return np.stack([p[0] for p in done] + [done[-1][1]]), np.stack([p[2] for p in done] + [last])
+
+
 _CHECK = np.cos(np.pi * np.arange(2 * TERMS + 1) / (2 * TERMS))
 CLOSE = 1e-13
 NARROWEST = 2.0**-40

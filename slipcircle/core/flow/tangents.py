@@ -11,7 +11,7 @@ times t_dot (Hairer, Norsett and Wanner, Solving Ordinary Differential Equations
 """
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,9 +21,6 @@ from slipcircle.core.flow.pieces import Piece
 from slipcircle.core.flow.polynomials import derivative, shifted, value
 from slipcircle.core.flow.program import Program
 from slipcircle.core.flow.tables import Data
-
-if TYPE_CHECKING:
-    from slipcircle.core.flow.lane_state import LaneState
 
 Floats = NDArray[np.float64]
 
@@ -65,11 +62,11 @@ class Tangents:
         self.series = np.zeros((0, 0, 0))
         self.tau = 0.0
 
-    def dot(self, state: "LaneState", cell: int) -> Floats:
+    def dot(self, state: Any, cell: int) -> Floats:
         """Derivatives of a cell."""
         return state.cells[self.cells_of[cell]].copy() if cell in self.cells_of else self.none
 
-    def put(self, state: "LaneState", cell: int, dots: Any) -> None:
+    def put(self, state: Any, cell: int, dots: Any) -> None:
         if cell in self.cells_of:
             state.cells[self.cells_of[cell]] = dots
 
@@ -80,7 +77,7 @@ class Tangents:
 
     # --- what a phase begins with ------------------------------------------------------------------------------------
 
-    def begin_pieces(self, state: "LaneState") -> None:
+    def begin_pieces(self, state: Any) -> None:
         """Derivatives of the values and coefficients of tables where a phase begins."""
         for piece in state.pieces:
             if piece.kind == "time":
@@ -90,7 +87,7 @@ class Tangents:
             else:
                 self._begin_piece(state, piece)
 
-    def _begin_piece(self, state: "LaneState", piece: Piece) -> None:
+    def _begin_piece(self, state: Any, piece: Piece) -> None:
         """Of the coefficients f c_j(u) p^j: f the factor, u the argument within the piece, p its unit.
 
         Their derivative is f p^j (c_j (f'/f + j p'/p) + (j + 1) c_(j+1) u' + c_j'), c_j' those of the table itself.
@@ -111,7 +108,7 @@ class Tangents:
             cell = ix.VALUE if power == 0 else ix.Q1 + power - 1
             self.put(state, cells + cell, piece.factor[0] * unit**power * dots)
 
-    def _argument(self, state: "LaneState", piece: Piece) -> tuple[float, Floats, float]:
+    def _argument(self, state: Any, piece: Piece) -> tuple[float, Floats, float]:
         """The argument of a table within its piece, its derivatives, and the unit of the program's argument."""
         scale = float(piece.scale[0])
         growth = self.growth.tables[piece.slot.name].scale
@@ -126,7 +123,7 @@ class Tangents:
         omega = float(state.omega[0])
         return math.log(omega * scale / edge), self.dot(state, ix.OMEGA) / omega + growth, 1.0
 
-    def _taylor(self, state: "LaneState", piece: Piece, order: int) -> tuple[Floats, Floats]:
+    def _taylor(self, state: Any, piece: Piece, order: int) -> tuple[Floats, Floats]:
         """Taylor coefficients about now of a function of time, and their derivatives at a fixed time, (terms, ...)."""
         growth = self.growth.tables[piece.slot.name]
         terms, known = np.zeros(order + 2), piece.taylor(order + 1)[: order + 2, 0]
@@ -135,7 +132,7 @@ class Tangents:
         by_scale = state.time[0] * (n + 1) * terms[1:] + n * terms[:-1]
         return terms[:-1], terms[:-1, None] * growth.factor + by_scale[:, None] * growth.scale
 
-    def start_series(self, state: "LaneState", series: Floats) -> None:
+    def start_series(self, state: Any, series: Floats) -> None:
         """The tangents of functions of time, as increments since the phase began."""
         for piece in state.timed:
             if piece.register in self.registers_of:
@@ -150,19 +147,19 @@ class Tangents:
         self.series, self.tau = series, float(tau[0])
         self.rates = [float(value(series[rate][:, 0], self.tau)) for _, _, rate in self.states]
 
-    def leave_standstill(self, state: "LaneState") -> None:
+    def leave_standstill(self, state: Any) -> None:
         """g = omega."""
         self.rest_dot = -self.dot(state, ix.OMEGA) / self.rates[1]
         state.omega = 0.0
         self._leave(state, self.rest_dot)
 
-    def leave_contact(self, state: "LaneState") -> None:
+    def leave_contact(self, state: Any) -> None:
         """g = n, the normal force."""
         register = state.program.roles["normal"]
         slope = float(value(derivative(self.series[register])[:, 0], self.tau))
         self._leave(state, -self.along(register, self.series, self.tau) / slope)
 
-    def leave_edge(self, state: "LaneState", piece: Piece, lower: bool, rate: float) -> None:
+    def leave_edge(self, state: Any, piece: Piece, lower: bool, rate: float) -> None:
         """g = the argument of a table less its edge, which goes with the table's scale."""
         growth = self.growth.tables[piece.slot.name].scale
         edge = float(piece.data.breaks[piece.index[0] + (not lower)].flat[0]) / float(piece.scale[0])
@@ -175,7 +172,7 @@ class Tangents:
             event_dot = -(edge * growth + self.dot(state, ix.OMEGA)) / rate
         self._leave(state, event_dot)
 
-    def leave_rest(self, state: "LaneState", sudden: bool) -> None:
+    def leave_rest(self, state: Any, sudden: bool) -> None:
         """g = the drive at rest; where it has leapt, the break, of which the time in s is given."""
         self.event_dot = self.none
         drive, net = state.program.roles["cell_drive"], state.program.roles["net"]
@@ -187,16 +184,16 @@ class Tangents:
         self.rates = [0.0 for _ in self.states]
         self._leave(state, event_dot)
 
-    def leave_now(self, state: "LaneState") -> None:
+    def leave_now(self, state: Any) -> None:
         """A time that is given in s."""
         self.rates = self._rates_now(state)
         self._leave(state, -state.time[0] * self.growth.time)
 
-    def _rates_now(self, state: "LaneState") -> list[float]:
+    def _rates_now(self, state: Any) -> list[float]:
         registers = state.registers()
         return [float(registers[rate, 0]) for _, _, rate in self.states]
 
-    def _leave(self, state: "LaneState", event_dot: Floats) -> None:
+    def _leave(self, state: Any, event_dot: Floats) -> None:
         """Total derivatives where the lane is now, for a phase that begins here."""
         omega = state.omega[0]
         moved = self.dot(state, ix.X) + omega * event_dot
@@ -209,20 +206,20 @@ class Tangents:
         }
         self.event_dot = event_dot
 
-    def enter(self, state: "LaneState") -> None:
+    def enter(self, state: Any) -> None:
         """At fixed times again, now that the rates of what begins are known."""
         for (cell, _, _), rate in zip(self.states[1:], self._rates_now(state)[1:], strict=True):
             self.put(state, cell, self.totals[cell] - rate * self.event_dot)
         self.event_dot = self.none
 
-    def enter_or_rest(self, state: "LaneState") -> None:
+    def enter_or_rest(self, state: Any) -> None:
         if state.status[0] == ix.MOVING:
             self.enter(state)
         else:
             self.put(state, ix.OMEGA, 0.0)
             self.event_dot = self.none
 
-    def enter_from_rest(self, state: "LaneState", sudden: bool) -> None:
+    def enter_from_rest(self, state: Any, sudden: bool) -> None:
         """Where the drive passes zero smoothly, it and its derivatives are zero."""
         if sudden:
             self.enter(state)
@@ -231,7 +228,7 @@ class Tangents:
             self.put(state, ix.OMEGA, 0.0)
             self.event_dot = self.none
 
-    def pass_break(self, state: "LaneState") -> None:
+    def pass_break(self, state: Any) -> None:
         """A function of time has leapt, at a time that is given in s, and the phase goes on."""
         event_dot = -state.time[0] * self.growth.time
         after = self._rates_now(state)
@@ -240,15 +237,15 @@ class Tangents:
 
     # --- outcomes ----------------------------------------------------------------------------------------------------
 
-    def rotation_dot(self, state: "LaneState") -> Floats:
+    def rotation_dot(self, state: Any) -> Floats:
         """Derivatives of the rotation where the lane is, or where it is at its end time."""
         travelled = self.dot(state, ix.X) + state.omega[0] * self.end_dot
         return self.dot(state, ix.ROTATION) + state.direction[0] * travelled
 
-    def keep_reach(self, state: "LaneState") -> None:
+    def keep_reach(self, state: Any) -> None:
         self.reach_dot = self.rotation_dot(state)
 
-    def keep_peak(self, state: "LaneState", time: float, rate: float, series: Floats | None) -> None:
+    def keep_peak(self, state: Any, time: float, rate: float, series: Floats | None) -> None:
         """Of the greatest speed: within a step, at the end, where a force leaps, or where a phase begins."""
         if series is not None:
             self.peak_dot = self.along(state.program.roles["omega"], series, time - float(state.time[0]))

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.effects import EFFECTS, LAWS
+from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import BALANCE, COEFFICIENTS, EQUATION_QUANTITIES, LATEX, TERMS
 from slipcircle.core.flow.lanes import Lanes, lanes_of
 from slipcircle.core.scene.friction import law_parts
@@ -136,7 +136,7 @@ def equation_of(scene: Scene, accuracy: float) -> Equation:
 
 def _terms_of_effects(effects: tuple[str, ...], absent: tuple[str, ...]) -> list[EquationTerm]:
     """What gravity and effects add, without what an effect is not given, and how the weight turns or does not."""
-    position = next((name for name in effects if EFFECTS[name].turns), "frozen")
+    position = next((name for name in effects if ALL_EFFECTS[name].turns), "frozen")
     terms = list[EquationTerm]()
     for name in dict.fromkeys(("gravity", *effects, position)):
         for quantity, formula, latex, symbols in TERMS[name]:
@@ -182,7 +182,7 @@ def _numbers(scene: Scene, lanes: Lanes, moving: tuple[str, ...]) -> Iterator[Eq
         yield EquationTerm(symbol, COEFFICIENTS[symbol], "gravity", _per_lane(value, scene))
     problem = lanes.problem
     for effect in problem.recipe[0]:
-        for p in EFFECTS[effect].parameters:
+        for p in ALL_EFFECTS[effect].parameters:
             if p.symbol in moving:
                 of = "the rotation" if p.kind == "rotation" else "time"
                 yield EquationTerm(p.symbol, f"{p.help.partition(',')[0]}, a function of {of}", effect)
@@ -198,7 +198,7 @@ def _numbers(scene: Scene, lanes: Lanes, moving: tuple[str, ...]) -> Iterator[Eq
 def _definition(effect: str, p: Any) -> str:
     """How a number is made of the scene's, or what it is."""
     start = f"{p.symbol}* = "
-    made = [text.removeprefix(start) for text in EFFECTS[effect].formulas if text.startswith(start)]
+    made = [text.removeprefix(start) for text in ALL_EFFECTS[effect].formulas if text.startswith(start)]
     return made[0] if made else str(p.help).partition(",")[0]
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from generated.effects import EFFECTS
+from generated.effects import ALL_EFFECTS, EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.core.flow.build import build_program
 from slipcircle.core.flow.problem import order
@@ -90,17 +90,17 @@ def scene_laws(scene: Scene) -> tuple[tuple[str, ...], tuple[str, ...]]:
 @cache
 def _choice(called: tuple[str, ...], laws: Any, moving: tuple[tuple[str, str], ...], accuracy: float) -> dict[str, Any]:
     """What a plan is made of but for the scene's values, so that it is chosen once."""
-    effects, (names, depends) = tuple(e for e in EFFECTS if e in called), laws
-    own = [(e, p) for e in effects for p in EFFECTS[e].parameters if (e, p.name) in moving]
+    effects, (names, depends) = tuple(e for e in ALL_EFFECTS if e in called), laws
+    own = [(e, p) for e in effects for p in ALL_EFFECTS[e].parameters if (e, p.name) in moving]
     program = build_program(effects, names, tuple(p.symbol for _, p in own))
     timed = [e for e, p in own if p.kind == "series"]
     reasons = [
-        f"{e} {'turns the mass' if EFFECTS[e].turns else f'depends on {WORDS.get(x, x)}'}"
+        f"{e} {'turns the mass' if ALL_EFFECTS[e].turns else f'depends on {WORDS.get(x, x)}'}"
         for e in effects
-        for x in EFFECTS[e].depends_on
+        for x in ALL_EFFECTS[e].depends_on
         if x != "speed squared" and (x != "time" or e in timed)
     ]
-    reasons += [f"{e} depends on time" for e in dict.fromkeys(timed) if "time" not in EFFECTS[e].depends_on]
+    reasons += [f"{e} depends on time" for e in dict.fromkeys(timed) if "time" not in ALL_EFFECTS[e].depends_on]
     reasons += [f"{e} depends on the rotation" for e, p in own if p.kind == "rotation"]
     reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends]
     terms = order(accuracy)

@@ -20,6 +20,7 @@ from slipcircle.core.flow.tangents import Tangents
 from slipcircle.core.motion.derivatives import Sensitivity
 from slipcircle.core.motion.input_derivatives import InputDerivatives
 from slipcircle.core.scene.coordinates import arc_numbers
+from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.parameters import parameters
 from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.section import Section
@@ -41,6 +42,8 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     mass starts from rest. Of a mass that nothing brings to rest they are those of its first standstill. Of a section
     they are by every coordinate that the motion depends on: of its ground those of the edges over the mass.
     """
+    if isinstance(scene.arc, LayeredSection):
+        raise ValueError("sensitivity: has no derivatives of layered sections yet; compare motions with other values")
     known = parameters(scene)
     units = {n: known[n].unit for n in _parameters(scene)}
     values = np.zeros((len(OUTPUTS), len(units)))

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from generated.effects import EFFECTS
+from generated.effects import ALL_EFFECTS
 from generated.layout import MOST_TURNS
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Numbers
@@ -81,7 +81,7 @@ def _refuse(motion: Motion) -> None:
     speed = float(np.asarray(scene.initial_velocity))
     if math.isfinite(motion.run_out + motion.outcomes["peak_velocity"] + speed * speed):
         return  # without an answer they are NaN
-    turns = any(EFFECTS[e].turns for e in motion.plan.effects)
+    turns = any(ALL_EFFECTS[e].turns for e in motion.plan.effects)
     stands = "shaking" in motion.plan.effects and not motion.factor_of_safety < 1.0  # but for what shakes it
     overflows = status == Status.FAILED and not stands and scene.end_time is None and speed * speed < math.inf
     velocity, end_time = (f"{{{n}}} = {getattr(scene, n)!r}" for n in ("initial_velocity", "end_time"))

@@ -4,7 +4,7 @@ A section's ground, water level and centre are arrays of points. Each coordinate
 the field, the point from 0, and x or y; a centre is one point: ``centre.x``.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import fields
 from functools import lru_cache
 from typing import Any
@@ -39,7 +39,7 @@ def arc_numbers(arc: Any) -> dict[str, Any]:
         lanes: Any = np.asarray(value)
         for name, index in indices_of(arc, field).items():
             numbers[name] = lanes[(..., *index)] if index else value
-    return numbers
+    return numbers | arc.other_numbers()
 
 
 def changed_fields(arc: Any, values: Mapping[str, Any]) -> dict[str, Any]:
@@ -54,7 +54,15 @@ def changed_fields(arc: Any, values: Mapping[str, Any]) -> dict[str, Any]:
             changed[field] = _with_coordinates(
                 np.asarray(getattr(arc, field), dtype=np.float64), axes, replaced, values
             )
-    return changed
+    others = {name: value for name, value in values.items() if name in arc.other_numbers()}
+    return changed | (arc.fields_with(others) if others else {})
+
+
+def by_lanes(arc: Any, select: Callable[[Any, int], Any]) -> Any:
+    """An arc or a section with other lanes: each of its numbers is ``select(value, axes of one section)``."""
+    changed = {name: select(getattr(arc, name), axes) for name, axes in arc.quantities.items()}
+    others = {name: select(value, 0) for name, value in arc.other_numbers().items()}
+    return replace_unchecked(arc, changed | (arc.fields_with(others) if others else {}))
 
 
 def _with_coordinates(points: Any, axes: int, replaced: Mapping[str, Index], values: Mapping[str, Any]) -> Any:

@@ -28,6 +28,19 @@ ARC_UNITS = {
     "gravity": "m/s^2",
     "width": "m",
 }
+_STRESS, _COEFFICIENT = (-5e-324, 1e12), ("", -5e-324, declared.LIMITS[""][1])
+SOIL_BOUNDS: dict[str, tuple[str, float, float]] = {
+    "unit_weight": ("N/m^3", 0.0, 1e6),
+    "saturated_unit_weight": ("N/m^3", 0.0, 1e6),
+    "cohesion": ("Pa", *_STRESS),
+    "cohesion_gradient": ("Pa/m", *_STRESS),
+    "pore_ratio": ("", -5e-324, 1.0),
+    "top": ("m", -FAR, FAR),
+    "friction": _COEFFICIENT,
+    "peak": _COEFFICIENT,
+    "residual": _COEFFICIENT,
+    "length": ("m", *declared.LIMITS["m"]),
+}
 SMALLEST = 5e-324  # a lower bound of minus this allows zero, as all bounds are open
 
 
@@ -60,6 +73,7 @@ def parameters(scene: Scene) -> dict[str, Parameter]:
         of_arc += [Parameter(name, "m", -FAR, FAR) for name in arc_numbers(arc) if "." in name]
     else:
         of_arc.append(DIP)
+    of_arc += [Parameter(name, *SOIL_BOUNDS[name.rpartition(".")[2]]) for name in arc.other_numbers()]
     of_law: list[Parameter] = []
     for path, (law, _) in zip(("friction", "friction.rate"), law_parts(scene.friction), strict=False):
         if law in declared.LAWS:

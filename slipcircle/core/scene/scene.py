@@ -18,7 +18,9 @@ from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.core.scene.forcing import factor, resolved
 from slipcircle.core.scene.friction import law_mistakes, law_parts
+from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
+from slipcircle.core.scene.strength import MeanFriction
 
 One = float | str | Series | Pulse | Mapping[str, float | str]  # what a parameter is in one scene
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
@@ -70,7 +72,7 @@ class Scene(Generic[Numbers]):
     """
 
     arc: Arc[Numbers] | Section
-    friction: Numbers | float | Mapping[str, Numbers | One | Sequence[float]] | Callable[[Any], Any]
+    friction: Numbers | float | Mapping[str, Numbers | One | Sequence[float]] | Callable[[Any], Any] | None = None
     effects: Mapping[str, Mapping[str, Numbers | One | Sequence[float]]] | Iterable[str] = field(default_factory=dict)
     initial_velocity: Numbers | float = 0.0
     end_time: Numbers | float | None = None
@@ -104,7 +106,7 @@ class Scene(Generic[Numbers]):
         def __init__(
             self: Scene[Any],
             arc: Arc | Section,
-            friction: float | Mapping[str, Any] | Callable[[Any], Any],
+            friction: float | Mapping[str, Any] | Callable[[Any], Any] | None = None,
             effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = ...,
             initial_velocity: ArrayLike = ...,
             end_time: ArrayLike | None = None,
@@ -118,7 +120,12 @@ class Scene(Generic[Numbers]):
     def __post_init__(self) -> None:
         effects, faults = _named(self.effects)
         object.__setattr__(self, "effects", effects)
-        faults += _arc_faults(self.arc, effects) + self._field_faults() + law_mistakes(self.friction)
+        faults += _arc_faults(self.arc, effects) + self._field_faults()
+        if isinstance(self.arc, LayeredSection):
+            faults += layered_mistakes(self.friction, effects)
+            object.__setattr__(self, "friction", self.arc.friction)
+        else:
+            faults += law_mistakes(self.friction)
         for name, parameters in effects.items():
             if of_effect := _effect_mistakes(name, parameters):
                 faults += of_effect
@@ -146,18 +153,16 @@ class Scene(Generic[Numbers]):
     def called(self) -> Mapping[str, Mapping[str, Any]]:
         """Effects by name, each with its parameters, however they were given; and the water level of a section."""
         assert isinstance(self.effects, dict)
-        if not isinstance(self.arc, Section) or self.arc.level is None:
-            return self.effects
-        return self.effects | {
-            "pore_pressure": {**self.effects.get("pore_pressure", {}), "level": self.arc.mean_pressure}
-        }
+        return self.arc.section_effects(self.effects)
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
         """All that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``, ``cohesion.cohesion``, ..."""
         found = arc_numbers(self.arc)
         law = self.friction
-        if isinstance(law, Mapping):
+        if isinstance(self.arc, LayeredSection):
+            pass  # numbers of its soils
+        elif isinstance(law, Mapping):
             for path, (name, own) in zip(("friction", "friction.rate"), law_parts(law), strict=False):
                 tables = LAWS[name].parameters[0].kind == "list"
                 found |= {f"{path}.{n}": value for n, value in own.items() if not tables}
@@ -166,14 +171,15 @@ class Scene(Generic[Numbers]):
         found["initial_velocity"] = self.initial_velocity
         if self.end_time is not None:
             found["end_time"] = self.end_time
-        known = {e: {p.name for p in EFFECTS[e].parameters if p.kind in ("number", "series")} for e in self.called}
-        shaken = self.called.get("shaking", {})
+        assert isinstance(self.effects, dict)
+        known = {e: {p.name for p in EFFECTS[e].parameters if p.kind in ("number", "series")} for e in self.effects}
+        shaken = self.effects.get("shaking", {})
         if isinstance(record := shaken.get("horizontal"), Series):  # its peak and its scale stand for each other
             share = factor("shaking", shaken, "horizontal")
             found |= {"shaking.scale": share, "shaking.peak": share * record.greatest}
         return found | {
             f"{e}.{n}": value
-            for e, given in self.called.items()
+            for e, given in self.effects.items()
             for n, value in given.items()
             if n in known[e] and not callable(value)
         }
@@ -182,6 +188,15 @@ class Scene(Generic[Numbers]):
     def shape(self) -> tuple[int, ...]:
         """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
         return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values() if np.ndim(value)))
+
+
+def layered_mistakes(friction: Any, effects: Mapping[str, Any]) -> list[str]:
+    """What a scene of layered ground says that its soils say."""
+    soil = "is given by the soils of a layered section; leave it out"
+    found = [f"effects.{name}: {soil}" for name in ("cohesion", "pore_pressure") if name in effects]
+    return found + (
+        [] if friction is None or isinstance(friction, MeanFriction) else [f"friction = {friction!r}: {soil}"]
+    )
 
 
 def accuracy_mistakes(accuracy: Any) -> list[str]:

@@ -233,7 +233,7 @@ class Section(SlidingBody, TurningMass):
     @cached_property
     def mass_per_metre(self) -> Any:
         """kg/m."""
-        return self.area * np.divide(self.unit_weight, self.gravity)
+        return self.area * np.divide(self.mean_unit_weight, self.gravity)
 
     @cached_property
     def centroid(self) -> Any:
@@ -272,6 +272,12 @@ class Section(SlidingBody, TurningMass):
         """Lanes that are no sections, or do not move."""
         levels = () if self.level is None else line_errors("level", self._level)
         return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
+
+    def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:
+        """With the mean pressure below the water level, which stays while the mass turns through it."""
+        if self.level is None:
+            return effects
+        return {**effects, "pore_pressure": {**effects.get("pore_pressure", {}), "level": self.mean_pressure}}
 
     @cached_property
     def no_motion(self) -> str | None:

@@ -1,5 +1,6 @@
 """What the balance of momentum takes from a failed section, whatever its shape."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -64,6 +65,23 @@ class SlidingBody:
     half_angle: Any
     dimensionless: Any
 
+    def other_numbers(self) -> dict[str, Any]:
+        """Numbers beside those of its fields, by name: of the soils of a layered section."""
+        return {}
+
+    def fields_with(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """The fields that differ once some of these have other values."""
+        raise KeyError(*values)
+
+    def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:
+        """Effects with what the section itself adds to them: its water level, the strengths of its soils."""
+        return effects
+
+    @property
+    def mean_unit_weight(self) -> Any:
+        """Weight over area, N/m^3."""
+        return self.unit_weight
+
     @cached_property
     def sagitta(self) -> Any:
         """f, the depth of the arc below its chord (2.12), by which stresses are scaled, m."""
@@ -77,7 +95,7 @@ class SlidingBody:
     @cached_property
     def reference_stress(self) -> Any:
         """sigma_ref (2.13), Pa."""
-        return np.multiply(self.unit_weight, self.sagitta)
+        return np.multiply(self.mean_unit_weight, self.sagitta)
 
     @cached_property
     def static_normal_stress(self) -> Any:

@@ -51,13 +51,14 @@ def run(options: argparse.Namespace) -> Answer:
     bounds = {key: ends for key, ends in fields.items() if ends}
     found = backanalyse(load(options.scene), field=list(fields) or None, bounds=bounds, **seen)
     pictures.write(options.plot, "backanalysis", found)
-    name, columns = found.motion.plan.scene.name, [_column(found, s) for s in found.solutions]
-    heads = [f"solution {k}" for k in range(1, len(columns) + 1)] if len(columns) > 1 else [name]
-    return Answer(
-        lambda: [_record(found)],
-        [Part(["", *heads], beside(columns), note=f"by {found.method}")],
-        [f"{name}: {warning}" for warning in found.warnings],
-    )
+    name = found.motion.plan.scene.name
+    columns = [_column(found, s) for s in found.solutions]
+    heads = [name]
+    if len(columns) > 1:
+        heads = [f"solution {k}" for k in range(1, len(columns) + 1)]
+    table = Part(["", *heads], beside(columns), note=f"by {found.method}")
+    warnings = [f"{name}: {warning}" for warning in found.warnings]
+    return Answer(lambda: [_record(found)], [table], warnings)
 
 
 def _record(found: BackAnalysis) -> dict[str, Any]:

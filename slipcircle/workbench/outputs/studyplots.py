@@ -112,20 +112,23 @@ def indices(study: "Study", output: str = "reach", ax: Any = None, named: bool =
     _check(study, output, (*OUTCOMES, "moves"))
     if output not in study.sensitivity:
         raise ValueError("indices: this ensemble has none: give it two uncertain numbers and base points at least")
-    keys, by_kind = [u.key for u in study.design.inputs.values()], study.sensitivity[output]
+    by_kind = study.sensitivity[output]
+    keys = [u.key for u in study.design.inputs.values()]
     order = np.argsort([-total.value for total in by_kind.total], kind="stable")
     ax = axis(ax, (7.0, 1.6 + 0.6 * len(keys)))
     label = OUTCOMES[output].label if output in OUTCOMES else "whether it moves"
     ax.set(xlabel=f"share of the variance of {label} (–)")
     lines(ax, [keys[k] for k in order])
-    first, total = (np.array(estimates)[order].T for estimates in by_kind)
+    first = np.array(by_kind.first)[order].T
+    total = np.array(by_kind.total)[order].T
     if not np.all(np.isfinite([first[0], total[0]])):
-        some_unknown = output in OUTCOMES and study.without_result
-        return empty("not given: some samples have no result" if some_unknown else "does not vary", ax, "x")
+        has_missing = output in OUTCOMES and study.without_result
+        return empty("not given: some samples have no result" if has_missing else "does not vary", ax, "x")
     _index_bars(ax, first, -0.19, "on its own (first-order)", "rests")
     _index_bars(ax, total, 0.19, "together with others (total)", "kinetic")
     least, greatest = np.nanmin([first, total]), np.nanmax([first, total])
-    ax.set_xlim(min(0.0, 1.1 * least) if least < -0.01 else 0.0, max(1.0, 1.05 * greatest))
+    left = min(0.0, 1.1 * least) if least < -0.01 else 0.0
+    ax.set_xlim(left, max(1.0, 1.05 * greatest))
     ax.axvline(0.0, color="0.25", lw=0.8)
     if named:
         legend(ax, columns=1)  # names of keys may leave little room beside
@@ -255,10 +258,7 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
     solved = [s.values[key] for s in analysis.solutions]
     error = (analysis.solutions[0].standard_errors or {}).get(key, 0.0)
     error = error if np.isfinite(error) else 0.0
-    margin = max(4 * error, 0.3 * max(map(abs, solved)), np.ptp(solved))
-    low = max(min(solved) - margin, field.low)
-    high = min(max(solved) + margin, field.high)
-    at = np.linspace(low, high, _POINTS // 2)[1:-1]
+    at = _around(field, solved, error)
     curves = motions(analysis.motion.plan.scene, {field.name: field.to_si(at)}).outcomes
     for ax, (name, (seen, sigma)) in zip(axes, analysis.observed.items(), strict=True):
         ax.plot(at, curves[name], label="computed", **LINES["main"])
@@ -269,8 +269,16 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
         mark(ax, solved, reached, "end", "solution")
         if error:
             ax.errorbar(solved[0], reached[0], xerr=error, fmt="none", ecolor="black")
-        ax.set_xlim(low, high)
+        ax.set_xlim(at[0], at[-1])
         ax.grid(alpha=0.3)
+
+
+def _around(field: Number, solved: Sequence[float], error: float) -> Any:
+    """Values of a field about its solutions, within its bounds, which are open."""
+    margin = max(4 * error, 0.3 * max(map(abs, solved)), np.ptp(solved))
+    low = max(min(solved) - margin, field.low)
+    high = min(max(solved) + margin, field.high)
+    return np.linspace(low, high, _POINTS // 2)[1:-1]
 
 
 def check_grid(counts: Sequence[int]) -> None:

@@ -1,7 +1,9 @@
 """All circles of a slope at once: a coarse family between points of its ground, and the refinement of its best.
 
-A circle is three numbers: two lengths along the ground, of its ends from the left, and its opening as a share of the
-greatest one, at which it is upright at an end or touches the base.
+A circle is four numbers: two lengths along the ground, of its ends from the left, its opening as a share of the
+greatest one, at which it is upright at an end or touches the base; and the edge of a boundary between layers that it
+touches from above in the place of that share, -1 of most circles, which touch none. Factors have kinks where a circle
+begins to cut a layer, so that the least may stand there.
 """
 
 from collections.abc import Callable
@@ -30,7 +32,28 @@ _FINEST = 1e-5  # step at which a valley is done, over its first
 _HOPELESS = 1.2  # over the least factor, a valley is left
 _KEPT = 3  # of refined valleys
 _TOGETHER = 1 << 13  # ground vertices times circles at a time: what fits into the caches
-_OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+_OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, [0.0], indexing="ij"), axis=-1).reshape(-1, 4)
+_NONE = -1.0  # no edge is touched
+
+
+def _touching_half_angle(left: Floats, right: Floats, edge: Floats) -> Floats:
+    """Half the opening of the arc from left to right that touches the line through an edge from above, or NaN.
+
+    With the centre t above the middle of the chord, half of which is h, its distance from the line, a + b t, is the
+    radius, sqrt(h^2 + t^2).
+    """
+    chord = right - left
+    along = edge[1] - edge[0]
+    half = np.hypot(*chord.T) / 2
+    up = np.stack([-chord[:, 1], chord[:, 0]], axis=1) / (2 * half)[:, None]
+    normal = np.array([-along[1], along[0]]) / np.hypot(*along)
+    a = ((left + right) / 2 - edge[0]) @ normal
+    b = up @ normal
+    with np.errstate(divide="ignore", invalid="ignore"):
+        square = 1.0 - b * b
+        root = np.sqrt(a * a * b * b - square * (half * half - a * a))
+        centre = np.where(square > 1e-12, (a * b + root) / square, (half * half - a * a) / (2 * a * b))
+        return np.where((a > 0.0) & (centre > 0.0), np.arctan2(half, centre), np.nan)
 
 
 class Search:
@@ -46,6 +69,8 @@ class Search:
         edges = np.diff(self.ground, axis=0)
         self.along = np.concatenate([[0.0], np.cumsum(np.hypot(edges[:, 0], edges[:, 1]))])
         self.rounding = 1e-9 * float(self.along[-1])
+        boundaries = [np.stack([top[0, :-1], top[0, 1:]], axis=1) for top in self.arrays.tops]
+        self.boundary_edges = np.concatenate([np.empty((0, 2, 2)), *boundaries])
         self.centres: list[Floats] = []
         self.values: list[Floats] = []
 
@@ -58,9 +83,14 @@ class Search:
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
         half_chord = np.hypot(*(right - left).T) / 2
-        half_angle = q[:, 2] * self._greatest_half_angle(left, right)
-        centre, radius = circle_through(left, right, radius=half_chord / np.sin(half_angle))
-        return centre, radius, left, right
+        greatest = self._greatest_half_angle(left, right)
+        half_angle = q[:, 2] * greatest
+        for k, edge in enumerate(self.boundary_edges):
+            touches = q[:, 3] == k
+            half_angle[touches] = _touching_half_angle(left[touches], right[touches], edge)
+        valid = (half_angle > 0.0) & (half_angle <= greatest * (1 + 1e-9))
+        centre, radius = circle_through(left, right, radius=half_chord / np.sin(np.where(valid, half_angle, 1.0)))
+        return centre, np.where(valid, radius, np.nan), left, right
 
     def _greatest_half_angle(self, left: Floats, right: Floats) -> Floats:
         """Of circles through two points that are upright at an end, or touch the base between them."""
@@ -68,7 +98,9 @@ class Search:
         upright = np.arctan2(chord[:, 0], np.abs(chord[:, 1])) * (1 - 1e-12)
         if self.slope.base is None:
             return upright
-        centre, _ = circle_touching(left, right, self.slope.base)
+        lower = np.minimum(left[:, 1], right[:, 1])
+        upright = np.where(lower - self.slope.base >= -self.rounding, upright, np.nan)
+        centre, _ = circle_touching(left, right, np.minimum(self.slope.base, lower))
         beyond_left = left[:, 0] <= centre[:, 0] + self.rounding
         before_right = centre[:, 0] - self.rounding <= right[:, 0]
         ends = (np.arctan2(np.abs(p[:, 0] - centre[:, 0]), centre[:, 1] - p[:, 1]) for p in (left, right))
@@ -149,8 +181,13 @@ class Search:
         numbers = np.indices((len(ends), len(ends), len(_SHARES))).reshape(3, -1)
         i, j, k = numbers[:, numbers[0] < numbers[1]]
         spacing = np.gradient(ends)
-        q = np.column_stack([ends[i], ends[j], _SHARES[k]])
-        steps = np.column_stack([spacing[i], spacing[j], np.gradient(_SHARES)[k]])
+        q = np.column_stack([ends[i], ends[j], _SHARES[k], np.full(len(i), _NONE)])
+        steps = np.column_stack([spacing[i], spacing[j], np.gradient(_SHARES)[k], np.zeros(len(i))])
+        pairs = np.flatnonzero(k == 0)
+        for edge in range(len(self.boundary_edges)):
+            touching = np.column_stack([q[pairs, :3], np.full(len(pairs), edge)])
+            q = np.concatenate([q, touching])
+            steps = np.concatenate([steps, steps[pairs]])
         values = self.evaluate(q)
         order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
         if not order.size:
@@ -175,8 +212,8 @@ class Search:
             if not live.size:
                 break
             near = q[live, None] + _OFFSETS * now[live, None]
-            near = np.clip(near, [0.0, 0.0, _LEAST_SHARE], [self.along[-1], self.along[-1], 1.0])
-            values = np.nan_to_num(self.evaluate(near.reshape(-1, 3)), nan=np.inf).reshape(len(live), -1)
+            near[..., :3] = np.clip(near[..., :3], [0.0, 0.0, _LEAST_SHARE], [self.along[-1], self.along[-1], 1.0])
+            values = np.nan_to_num(self.evaluate(near.reshape(-1, 4)), nan=np.inf).reshape(len(live), -1)
             rows = np.arange(len(live))
             least = np.argmin(values, axis=1)
             better = values[rows, least] < best[live] * (1.0 - 1e-13)

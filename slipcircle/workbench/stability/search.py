@@ -133,7 +133,8 @@ def critical(
     circle = _described(slope, *search.circles(best[:1]))
     least = circle.factor_of_safety[method] or np.inf
     deep = _bottomless(slope)
-    if slope.friction == 0.0 and slope.base is None and entry is None and exit is None and least > deep:
+    unlimited = not slope.layers and slope.friction == 0.0 and slope.base is None and entry is None and exit is None
+    if unlimited and least > deep:
         deepest = f"the critical circle runs infinitely deep, where the factor tends to {deep:.4g}"
         advice = "give the base of the soil, or where the circle comes out (exit)"
         raise InputError("critical", [f"{{friction}} = 0 without a base: {deepest}; {advice}"])
@@ -193,7 +194,7 @@ def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right
     first, second = _point(left), _point(right)
     entry, exit = (first, second) if facing >= 0 else (second, first)
     warning = ""
-    if slope.friction and negative > _PULLED:
+    if (slope.friction or slope.layers) and negative > _PULLED:
         warning = (
             f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on the "
             "method more than on the soil"
@@ -233,7 +234,7 @@ def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) ->
         mistakes += _limit_mistakes(name, pair, ground)
     if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
         mistakes.append("{ground}: is level; nothing drives a slide")
-    elif not depth and slope.cohesion == 0.0:
+    elif not depth and slope.cohesion == 0.0 and not slope.layers:
         mistakes.append(
             f"{{cohesion}} = 0: the least factor is that of an ever thinner skin{_skin(slope)}; give a least depth"
         )
@@ -270,6 +271,9 @@ def _bottomless(slope: Slope) -> float:
     """The factor of ever deeper circles without friction: that of a step between level grounds, beside which all else
     is small. F = 4 a c/(gamma H sin(a)^2) of circles about it with half the opening a, least where tan(a) = 2 a.
     """
+    if slope.layers:
+        return np.inf
+    assert slope.unit_weight is not None
     ground = np.asarray(slope.ground)
     step = abs(float(ground[-1, 1] - ground[0, 1])) * slope.unit_weight
     return 0.0 if slope.k_h > 0.0 else 5.5199 * slope.cohesion / step if step and not slope.k_h else np.inf

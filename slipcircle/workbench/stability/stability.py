@@ -6,7 +6,7 @@
 from __future__ import annotations  # so that a signature says ArrayLike
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
 from slipcircle.base.checks import InputError, raise_all
-from slipcircle.core import Section, law_parts, pond_errors, slope_errors
-from slipcircle.workbench.stability.slices import Floats, SlopeArrays, circle_factors
+from slipcircle.core import LayeredSection, Section, Soil, law_parts, layer_mistakes, pond_errors, slope_errors
+from slipcircle.workbench.stability.slices import Floats, SlopeArrays, SoilArrays, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
@@ -81,6 +81,15 @@ class Slope:
         Horizontal acceleration over g, positive down-slope.
     base : float, optional
         y of a firm layer, m: no circle goes below.
+    layers : sequence of pairs, optional
+        Soils from the ground down, each with its top, as of a `LayeredSection`; in the place of cohesion, friction,
+        unit weight and pore ratio.
+    surcharge : sequence of (x1, x2, q1, q2)
+        Pressures on the ground, Pa, linear from x1 to x2; k_h does not act on them.
+    pond : float, optional
+        Level of standing water, m. Without a water level it is that of the ground water too.
+    crack, crack_water : float
+        Depth of a tension crack at the upper end of an arc, and how high water stands in it, m.
 
     Raises
     ------
@@ -89,18 +98,31 @@ class Slope:
     """
 
     ground: ArrayLike
-    cohesion: float
-    friction: float
-    unit_weight: float
+    cohesion: float = 0.0
+    friction: float = 0.0
+    unit_weight: float | None = None
     level: ArrayLike | None = None
     water_unit_weight: float = 9810.0
     pore_ratio: float = 0.0
     pressure: float = 0.0
     k_h: float = 0.0
     base: float | None = None
+    layers: Sequence[tuple[Soil, Any]] = ()
+    surcharge: Sequence[tuple[float, float, float, float]] = ()
+    pond: float | None = None
+    crack: float = 0.0
+    crack_water: float = 0.0
 
     def __post_init__(self) -> None:
-        found = slope_errors(vars(self))
+        given = {name: value for name, value in vars(self).items() if name not in _LAYERED}
+        if self.layers:
+            given = {name: value for name, value in given.items() if name not in _OF_ONE_SOIL}
+            said = [name for name in _OF_ONE_SOIL if getattr(self, name)]
+            found = [f"{name}: is given by the soils of the layers; leave it out" for name in said]
+            found += layer_mistakes(self.layers, self.surcharge)
+        else:
+            found = [] if self.unit_weight is not None else ["unit_weight is missing"]
+        found += slope_errors(given)
         if self.level is not None and self.pore_ratio != 0.0:
             found.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; leave one out")
         if not found:
@@ -108,21 +130,47 @@ class Slope:
             object.__setattr__(self, "ground", ground)
             if self.level is not None:
                 object.__setattr__(self, "level", np.array(self.level, dtype=np.float64))
-                (pond,), said = pond_errors(ground[None], np.asarray(self.level)[None])
-                found += [said(0)] if pond else []
-            if self.cohesion == 0.0 and self.friction == 0.0:
+                (above,), words = pond_errors(_filled(ground, self.pond)[None], np.asarray(self.level)[None])
+                found += [words(0)] if above else []
+            if not self.layers and self.cohesion == 0.0 and self.friction == 0.0:
                 found.append("cohesion and friction are both 0: the slope has no strength")
-            lowest = float(ground[:, 1].min())
-            if self.base is not None and self.base > lowest:
-                rule = "must lie below the ground or touch it; its lowest point is"
-                found.append(f"{{base}} = {self.base:.10g}: {rule} {lowest:.10g}")
+            if self.crack_water > self.crack:
+                found.append(f"{{crack_water}} = {self.crack_water!r}: must be at most the depth of the crack")
+            if self.base is not None and self.base >= float(ground[:, 1].max()):
+                found.append(f"{{base}} = {self.base:.10g}: must lie below the highest point of the ground")
         raise_all("Slope", found)
 
     def arrays(self) -> SlopeArrays:
         """For `circle_factors`."""
-        numbers = {n: getattr(self, n) for n in SlopeArrays._fields if n not in ("ground", "level")}
+        names = ("water_unit_weight", "pressure", "k_h", "pond", "crack", "crack_water")
+        numbers: dict[str, Any] = {n: getattr(self, n) for n in names}
+        ground = np.asarray(self.ground)[None]
         level = None if self.level is None else np.asarray(self.level)[None]
-        return SlopeArrays(np.asarray(self.ground)[None], level, **numbers)
+        if level is None and self.pond is not None:
+            level = top_line(self.pond, ground, lambda value, *_: value)
+        soils: tuple[SoilArrays, ...] = (SoilArrays(self.cohesion, self.friction, self.unit_weight, self.pore_ratio),)
+        tops: tuple[Floats, ...] = ()
+        if self.layers:
+            soils = tuple(soil_arrays(soil, lambda value: value) for soil, _ in self.layers)
+            lines = (top_line(top, ground, lambda value, *_: np.asarray(value)) for _, top in self.layers[1:])
+            tops = tuple(line.reshape(-1, *line.shape[-2:]) for line in lines)
+        return SlopeArrays(ground, soils, tops, level, surcharge=self.surcharge, **numbers)
+
+
+_LAYERED = ("layers", "surcharge", "pond", "crack", "crack_water")
+_OF_ONE_SOIL = ("cohesion", "friction", "unit_weight", "pore_ratio")
+
+
+def _filled(ground: Floats, pond: float | None) -> Floats:
+    """The ground with standing water in its hollows."""
+    if pond is None:
+        return ground
+    height = ground[:, 1] - pond
+    crosses = np.flatnonzero(height[:-1] * height[1:] < 0.0)
+    share = height[crosses] / (height[crosses] - height[crosses + 1])
+    shore = ground[crosses] + share[:, None] * np.diff(ground, axis=0)[crosses]
+    whole = np.insert(ground, crosses + 1, shore, axis=0)
+    return np.column_stack([whole[:, 0], np.maximum(whole[:, 1], pond)])
 
 
 def require_drive(section: Section) -> None:
@@ -168,11 +216,8 @@ def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:
     slope, arcs = _lanes(scene, section, strength, k_h)
     blocks = []
     for lanes in np.array_split(np.arange(len(arcs[0])), -(-len(arcs[0]) // _BLOCK)):
-        some: dict[str, Any] = {
-            name: None if values is None else values[lanes] for name, values in slope._asdict().items()
-        }
         centre, radius, left, right = (values[lanes] for values in arcs)
-        blocks.append(circle_factors(SlopeArrays(**some), centre, radius, left, right))
+        blocks.append(circle_factors(slope.only(lanes), centre, radius, left, right))
     found = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     undriven = (found["facing"] == 0.0) & np.isfinite(found["negative"])
     found |= {name: np.where(undriven, np.inf, found[name]) for name in METHODS}
@@ -189,16 +234,37 @@ def _lanes(
         whole = np.broadcast_to(np.asarray(value, dtype=np.float64), (*scene.shape, *own))
         return whole.reshape(-1, *own)
 
-    of_section = {n: getattr(section, n) for n in ("unit_weight", "water_unit_weight")}
-    numbers = {**strength, **of_section, "k_h": k_h}
-    level = None if section.level is None else by_lane(section.level, 2)
-    slope = SlopeArrays(by_lane(section.ground, 2), level, **{n: by_lane(value) for n, value in numbers.items()})
+    ground, level = by_lane(section.ground, 2), None if section.level is None else by_lane(section.level, 2)
+    general: dict[str, Any] = {"level": level, "water_unit_weight": section.water_unit_weight, "k_h": by_lane(k_h)}
+    if isinstance(section, LayeredSection):
+        soils = tuple(soil_arrays(soil, by_lane) for soil, _ in section.layers)
+        tops = tuple(top_line(top, ground, by_lane) for _, top in section.layers[1:])
+        slope = SlopeArrays(ground, soils, tops, surcharge=section.surcharge, **general)
+    else:
+        numbers = {n: by_lane(strength[n]) for n in ("cohesion", "friction", "pore_ratio")}
+        homogeneous = SoilArrays(**numbers, unit_weight=by_lane(section.unit_weight))
+        slope = SlopeArrays(ground, (homogeneous,), pressure=by_lane(strength["pressure"]), **general)
     rightward = by_lane(section.facing)[:, None] > 0.0
     entry = by_lane(section.entry, 1)
     exit_ = by_lane(section.exit, 1)
     left = np.where(rightward, entry, exit_)
     right = np.where(rightward, exit_, entry)
     return slope, (by_lane(section.centre, 1), by_lane(section.radius), left, right)
+
+
+def soil_arrays(soil: Soil, by_lane: Callable[[Any], Any]) -> SoilArrays:
+    """The numbers of a soil at the start, each as ``by_lane`` returns it."""
+    numbers = {n: getattr(soil, n) for n in SoilArrays._fields if n != "friction"} | {"friction": soil.peak}
+    return SoilArrays(**{n: None if value is None else by_lane(value) for n, value in numbers.items()})
+
+
+def top_line(top: Any, ground: Floats, by_lane: Callable[..., Any]) -> Floats:
+    """The top of a layer as a line, (1 or n, V, 2): of a height, from one end of the ground to the other."""
+    if np.ndim(top) > 1:
+        return np.asarray(by_lane(top, 2))
+    height = np.reshape(by_lane(top), (-1, 1))
+    x = np.broadcast_to(ground[:, [0, -1], 0], (max(len(height), len(ground)), 2))
+    return np.stack(np.broadcast_arrays(x, height), axis=-1)
 
 
 def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:

@@ -278,20 +278,23 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
     """A solution with these values: the observations have to tell the fields apart."""
     by_key, si = dict[str, float](), dict[str, float]()
     for field, value in zip(problem.fields, values, strict=True):
-        by_key[field.key], si[field.name] = float(value), float(field.to_si(value))
+        by_key[field.key] = float(value)
+        si[field.name] = float(field.to_si(value))
     scene = with_parameters(problem.scene, si)
-    motion, (_, slopes) = solve(scene), derivatives(scene, si)
+    motion = solve(scene)
+    _, slopes = derivatives(scene, si)
     outcomes = np.array([float(motion.outcomes[n]) for n in problem.observed])
     residuals = outcomes - problem.targets
     chi_square = float(np.sum((residuals / problem.scales) ** 2))
+    covariance, error = None, math.inf
     sizes = np.array([abs(v) or 1.0 for v in values])
     jacobian = _jacobian(problem, slopes, values) * sizes  # by relative changes
-    covariance, error = None, math.inf
     if np.all(np.isfinite(jacobian)):
         _refuse_indistinct(problem, jacobian)
         inverse = np.linalg.pinv(jacobian)
         numerical = motion.error_estimate * np.abs(outcomes) / problem.scales
-        error = float(max(np.max(np.abs(inverse) @ numerical), EPS))
+        relative = np.abs(inverse) @ numerical
+        error = max(float(np.max(relative)), EPS)
         covariance = _covariance(problem, inverse * sizes[:, None], chi_square)
     missed = dict(zip(problem.observed, residuals.tolist(), strict=True))
     return Solution(by_key, motion, missed, covariance, error, chi_square)

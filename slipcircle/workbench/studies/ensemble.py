@@ -114,7 +114,7 @@ def ensemble(
     >>> ensemble(replace(load("vaiont"), uncertain=angle), 1000, rng=1).moving.value
     1.0
     """
-    mistakes = _setting_mistakes({"n": n, "method": method, "size": size, "confidence": confidence})
+    mistakes = _setting_mistakes(n, method, size, confidence)
     raise_all("ensemble", _scene_mistakes(scene) + mistakes + _sensitivity_mistakes(sensitivity, correlation))
     seed, n, drawn = _seed(rng, folder), int(n), uncertain_numbers(scene)
     raise_all("ensemble", _truncated(drawn))
@@ -134,18 +134,21 @@ def _scene_mistakes(scene: Scene) -> list[str]:
     return mistakes
 
 
-def _setting_mistakes(given: Mapping[str, Any]) -> list[str]:
+def _setting_mistakes(n: Any, method: Any, size: Any, confidence: Any) -> list[str]:
     """A sentence for each setting out of bounds."""
-    n, size, confidence = given["n"], given["size"], given["confidence"]
-    allowed = {
-        "n": (_whole(n) and 1 <= n <= _MOST, f"a whole number of samples, from 1 to {_MOST:.0e}"),
-        "method": (given["method"] in METHODS, f"one of {', '.join(METHODS)}"),
-        "confidence": (isinstance(confidence, float) and 0.0 < confidence < 1.0, "between 0 and 1"),
-        "size": (size is None or (_whole(size) and size >= 4 and not size & (size - 1)), "a power of two, 4 at least"),
-    }
-    mistakes = [f"{name} = {given[name]!r}: must be {rule}" for name, (holds, rule) in allowed.items() if not holds]
-    if given["method"] == "latin-hypercube" and allowed["n"][0] and n > MOST_LATIN:
+    mistakes = []
+    is_count = _whole(n) and 1 <= n <= _MOST
+    if not is_count:
+        mistakes.append(f"n = {n!r}: must be a whole number of samples, from 1 to {_MOST:.0e}")
+    if method not in METHODS:
+        mistakes.append(f"method = {method!r}: must be one of {', '.join(METHODS)}")
+    if method == "latin-hypercube" and is_count and n > MOST_LATIN:
         mistakes.append(f"n = {n}: a Latin hypercube is held in memory, so {MOST_LATIN} at most; take method='sobol'")
+    if not (isinstance(confidence, float) and 0.0 < confidence < 1.0):
+        mistakes.append(f"confidence = {confidence!r}: must be between 0 and 1")
+    is_power = _whole(size) and size >= 4 and not size & (size - 1)
+    if size is not None and not is_power:
+        mistakes.append(f"size = {size!r}: must be a power of two, 4 at least")
     return mistakes
 
 

@@ -26,9 +26,12 @@ def fits(problem: SearchProblem, shares: Floats) -> list[Fit]:
     same_below = 1.0 if problem.is_weighted else 1e-3  # change of the residuals, in standard errors or shares
     found: list[Fit] = []
     for result in sorted(results, key=lambda result: result.cost):
-        steps = [result.x - other.shares for other in found]
-        if not any(np.max(np.abs(s)) < 1e-5 or np.max(np.abs(result.jac @ s)) < same_below for s in steps):
-            found.append(Fit(result.x, 2.0 * float(result.cost), _is_settled(result)))
+        fit = Fit(result.x, 2.0 * float(result.cost), _is_settled(result))
+        steps = [fit.shares - other.shares for other in found]
+        lengths = [np.max(np.abs(step)) for step in steps]
+        changes = [np.max(np.abs(result.jac @ step)) for step in steps]
+        if all(length >= 1e-5 for length in lengths) and all(change >= same_below for change in changes):
+            found.append(fit)
     return [fit for fit in found if fit.is_settled] or found
 
 

@@ -83,12 +83,14 @@ class SearchProblem:
         moved_up = np.minimum(here + steps, 1.0)
         moved_down = np.maximum(here - steps, 0.0)
         places = np.concatenate([here, moved_up, moved_down], axis=1)
-        residuals = self.residuals(places.reshape(fields, -1)).reshape(-1, 1 + 2 * fields, count)
+        residuals = self.residuals(places.reshape(fields, -1))
+        residuals = residuals.reshape(-1, 1 + 2 * fields, count)
         is_known = ~np.isnan(residuals).any(axis=0)
         residuals = np.where(is_known, residuals, residuals[:, :1])
         places = np.where(is_known, places, here)
         up, down = slice(1, 1 + fields), slice(1 + fields, None)
-        widths = np.einsum("ffn->fn", places[:, up] - places[:, down])
+        distances = places[:, up] - places[:, down]
+        widths = np.einsum("ffn->fn", distances)
         differences = residuals[:, up] - residuals[:, down]
         return residuals[:, 0], differences / np.maximum(widths, 1e-300)
 
@@ -102,36 +104,48 @@ def observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float,
     for name, value in given.items():
         if value is None:
             continue
-        try:
-            seen, sigma = map(float, value) if isinstance(value, (tuple, list)) else (float(value), None)
-        except (TypeError, ValueError):
-            seen, sigma = math.nan, None
+        seen, sigma = _observation(value)
         has_error = sigma is None or 0.0 < sigma < math.inf
         is_duration = name == "duration"
-        if has_error and math.isfinite(seen) and seen != 0.0 and not (is_duration and seen < 0.0):
-            found[name] = (seen, sigma)
+        is_possible = math.isfinite(seen) and seen != 0.0
+        is_possible &= seen > 0.0 or not is_duration
+        if is_possible and has_error:
+            found[name] = seen, sigma
         else:
             allowed = "a positive number" if is_duration else "a number other than 0"
             mistakes.append(f"{name} = {value!r}: must be {allowed}, or it and its positive standard error")
     if not found and not mistakes:
         mistakes.append(f"nothing observed: give one of {', '.join(given)}")
-    if len({sigma is None for _, sigma in found.values()}) > 1:
+    has_errors = {sigma is not None for _, sigma in found.values()}
+    if len(has_errors) > 1:
         mistakes.append("standard errors: give them for all observations, or for none")
     raise_all("backanalyse", mistakes)
     return found
 
 
+def _observation(given: Any) -> tuple[float, float | None]:
+    """A value and its standard error; NaN for what is neither a number nor a pair of them."""
+    try:
+        if isinstance(given, tuple | list):
+            seen, sigma = given
+            return float(seen), float(sigma)
+        return float(given), None
+    except (TypeError, ValueError):
+        return math.nan, None
+
+
 def search_problem(scene: Scene, field: Any, bounds: Any, observed: Observations) -> SearchProblem:
     """The fields over their ranges, in their units."""
-    paths = [field or _default_field(scene)] if isinstance(field, str | None) else field
-    if not isinstance(paths, Sequence) or not paths or not isinstance(bounds, tuple | Mapping | None):
+    if isinstance(field, str | None):
+        field = [field or _default_field(scene)]
+    if not isinstance(field, Sequence) or not field or not isinstance(bounds, tuple | Mapping | None):
         raise ValueError(
             f"backanalyse: field = {field!r}, bounds = {bounds!r}: must be a key or a list of keys, and a "
             "pair of numbers or a mapping from keys to such"
         )
-    by_path = dict.fromkeys(paths[:1], bounds) if isinstance(bounds, tuple) else dict(bounds or {})
+    by_path = {field[0]: bounds} if isinstance(bounds, tuple) else dict(bounds or {})
     try:
-        fields = [number_in(scene, path) for path in paths]
+        fields = [number_in(scene, path) for path in field]
         limits = {number_in(scene, path).key: pair for path, pair in by_path.items()}
     except ValueError as error:
         raise ValueError(f"backanalyse: field: {error}") from error
@@ -142,8 +156,12 @@ def search_problem(scene: Scene, field: Any, bounds: Any, observed: Observations
     if other := [key for key in limits if key not in [f.key for f in fields]]:
         mistakes.append(f"bounds: {', '.join(other)} is none of the fields")
     raise_all("backanalyse", mistakes)
-    is_alone = len(fields) == 1
-    ranges = [_between(f.key, *limits[f.key]) if f.key in limits else _range(scene, f, is_alone) for f in fields]
+    ranges = []
+    for number in fields:
+        if number.key in limits:
+            ranges.append(_between(number.key, *limits[number.key]))
+        else:
+            ranges.append(_range(scene, number, is_alone=len(fields) == 1))
     return SearchProblem(scene, fields, ranges, observed)
 
 
@@ -203,7 +221,8 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
     """Of a number by the scale that the arc gives it, or about the value that the scene has of it, SI."""
     arc, value = scene.arc, parameter_value(scene, name)
     stress, radius, gravity = (float(np.asarray(v)) for v in (arc.static_normal_stress, arc.radius, arc.gravity))
-    to_one = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
+    next_to_one = 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)
+    to_one = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], next_to_one])
     speed = 2 * math.sqrt(gravity * radius)
     by_scale = {
         "initial_velocity": speed * np.linspace(-1.0, 1.0, 241),
@@ -229,10 +248,12 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
 def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     """From so little that the mass swings to the limit, beyond which nothing moves from rest."""
     at_once = replace(scene, end_time=1e-9 * float(scene.arc.time_scale), uncertain={})
-    limit = float(motions(at_once, {field.name: np.zeros(1)}).limit_friction[0])
+    without = motions(at_once, {field.name: np.zeros(1)})
+    limit = float(without.limit_friction[0])
     limit = limit if 1e-6 < limit < math.inf else 1.0
     least = 0.5 / MOST_SWINGS
-    shares = [np.geomspace(least, 1.0, 129), np.linspace(least, 1.0, 129), 1.0 - 10.0 ** -np.arange(3.0, 13.0)]
+    next_to_one = 1.0 - 10.0 ** -np.arange(3.0, 13.0)
+    shares = [np.geomspace(least, 1.0, 129), np.linspace(least, 1.0, 129), next_to_one]
     is_constant = field.name == "friction"
     turns = any(EFFECTS[effect].turns for effect in scene.called)
     if is_constant and scene.end_time is None and not turns:
@@ -242,5 +263,6 @@ def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     if is_alone and not creeps and (has_speed or not is_constant):
         shares.append(np.geomspace(1.0, 1e3, 61))
     if "shaking" in scene.called or not is_alone:  # it moves what would stand
-        shares.append(np.linspace(1.0, max(3.0 / limit, 2.0), 81))
+        highest = max(3.0 / limit, 2.0)
+        shares.append(np.linspace(1.0, highest, 81))
     return limit * np.concatenate(shares)

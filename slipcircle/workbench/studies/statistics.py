@@ -23,7 +23,8 @@ BIN_ERROR = 2.0**-_BITS
 def bins(values: Floats) -> NDArray[np.int64]:
     """The bin of each magnitude: the exponent and the first bits of the significand of a float64 are its number."""
     leading_bits = values.view(np.int64) >> (52 - _BITS)
-    finite = np.clip(leading_bits - _LOWEST + 1, 0, BINS - 2)
+    place = leading_bits - _LOWEST + 1
+    finite = np.clip(place, 0, BINS - 2)
     return np.where(np.isinf(values), BINS - 1, finite)
 
 
@@ -40,7 +41,8 @@ def histogram_quantile(counts: NDArray[np.int64], p: Any, ends: tuple[float, flo
     """
     cumulated = np.cumsum(counts)
     total = cumulated[-1]
-    rank = np.clip(np.ceil(np.asarray(p) * total), 1, total)
+    rank = np.ceil(np.asarray(p) * total)
+    rank = np.clip(rank, 1, total)
     k = np.searchsorted(cumulated, rank)
     lower, upper = edges()[k], edges()[k + 1]
     share = (rank - cumulated[k]) / counts[k] + 1.0  # of the bin, that is below
@@ -72,9 +74,12 @@ def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
     """Interval of a probability from independent samples, never too short (Clopper and Pearson 1934)."""
     beta, hits = statistics().beta, np.asarray(hits, dtype=np.float64)
     tail = (1.0 - confidence) / 2
-    low = beta.ppf(tail, hits, n - hits + 1)
-    high = beta.ppf(1.0 - tail, hits + 1, n - hits)
-    return np.where(hits > 0, low, 0.0), np.where(hits < n, high, 1.0)
+    misses = n - hits
+    low = beta.ppf(tail, hits, misses + 1)
+    high = beta.ppf(1.0 - tail, hits + 1, misses)
+    low = np.where(hits > 0, low, 0.0)
+    high = np.where(misses > 0, high, 1.0)
+    return low, high
 
 
 def standard_error(values: Floats) -> Any:
@@ -130,10 +135,11 @@ def pooled(each: Floats) -> Floats:
         return each[0]
     common_mean = (n @ mean) / total
     off = mean - common_mean
-    fourth = fourth + 4 * off * third + 6 * off**2 * second + n * off**4
-    third = third + 3 * off * second + n * off**3
-    second = second + n * off**2
-    return np.array([total, common_mean, second.sum(), third.sum(), fourth.sum()])
+    square = off * off
+    fourths = fourth + 4 * off * third + 6 * square * second + n * square**2
+    thirds = third + 3 * off * second + n * off * square
+    seconds = second + n * square
+    return np.array([total, common_mean, seconds.sum(), thirds.sum(), fourths.sum()])
 
 
 class Spread(NamedTuple):
@@ -208,8 +214,10 @@ def sums(y: Floats) -> Floats:
     """
     a, b = y[0], y[1]
     with np.errstate(invalid="ignore"):
-        totals = [len(a), np.sum(a + b), np.sum(a * a + b * b)]
+        both, squares = np.sum(a + b), np.sum(a * a + b * b)
+        totals = [len(a), both, squares]
         for mixed in y[2:]:
             step = mixed - a
-            totals += [np.sum(step * step), np.sum(b * step), np.sum(step)]
+            jansen, saltelli = np.sum(step * step), np.sum(b * step)
+            totals += [jansen, saltelli, np.sum(step)]
     return np.array(totals, dtype=np.float64)

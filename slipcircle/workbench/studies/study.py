@@ -186,8 +186,9 @@ class Study:
         statuses = [Status(s) for s in self._kept["status"].tolist()]
         named = {"status": [s.name for s in statuses], "reason": [s.reason for s in statuses]}
         frame = library("pandas").DataFrame({**self.samples, **named})
-        frame.attrs["units"] = {n: q.unit for n, q in OUTCOMES.items()}
-        frame.attrs["units"] |= {u.key: u.unit for u in self.design.inputs.values()}
+        units = {name: quantity.unit for name, quantity in OUTCOMES.items()}
+        units |= {number.key: number.unit for number in self.design.inputs.values()}
+        frame.attrs["units"] = units
         return frame
 
     def to_xarray(self) -> Any:
@@ -275,8 +276,10 @@ class Study:
             if np.all(each < np.inf):
                 half = float(student(each, self.confidence))
                 return Estimate(value, max(0.0, value - half), value + half)
-        low, high = ranks(p, self.n, self.confidence)
-        return Estimate(value, *(self._at_share(output, (rank - 0.5) / self.n) for rank in (low, high)))
+        lower, upper = ranks(p, self.n, self.confidence)
+        low = self._at_share(output, (lower - 0.5) / self.n)
+        high = self._at_share(output, (upper - 0.5) / self.n)
+        return Estimate(value, low, high)
 
     def _at_share(self, output: str, share: float) -> float:
         """The value that such a share of the samples does not exceed; NaN beyond all of them."""

@@ -1,0 +1,125 @@
+"""Soils of a layered ground, and what is wrong with them, with the layers that they make up, and with surcharges."""
+
+from __future__ import annotations  # so that a signature says ArrayLike
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from slipcircle.base.checks import mistakes, raise_all
+from slipcircle.core.scene.friction import law_mistakes
+from slipcircle.core.scene.ground import FAR, points_errors
+
+# The numbers of a soil that vary beside its friction, and all of them as one a lane.
+SOIL_NUMBERS = ("unit_weight", "cohesion", "saturated_unit_weight", "cohesion_gradient", "pore_ratio")
+LANE_NUMBERS = (*SOIL_NUMBERS, "peak", "residual")
+
+
+@dataclass(frozen=True)
+class Soil:
+    """A soil of a layered ground.
+
+    Parameters
+    ----------
+    unit_weight : float or array_like
+        gamma, N/m^3.
+    cohesion : float or array_like
+        c, Pa; at and above the datum where there is a gradient.
+    friction : float, array_like or mapping
+        Friction coefficient tan(phi); or a law of slip, ``{"law": "exponential", "peak": 0.4, "residual": 0.2,
+        "length": 0.5}``, of which all soils along an arc share the law and its length.
+    saturated_unit_weight : float or array_like, optional
+        Below the water level, N/m^3.
+    cohesion_gradient : float or array_like
+        What c grows by for each metre below the datum, Pa/m.
+    datum : float, optional
+        y below which c grows, m.
+    pore_ratio : float or array_like
+        r_u: pore pressure over the vertical stress of the layers above, at the start; in the place of a water level.
+    name : str
+    """
+
+    unit_weight: ArrayLike
+    cohesion: ArrayLike = 0.0
+    friction: Any = 0.0
+    saturated_unit_weight: ArrayLike | None = None
+    cohesion_gradient: ArrayLike = 0.0
+    datum: float | None = None
+    pore_ratio: ArrayLike = 0.0
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        raise_all(f"Soil {self.name}".rstrip(), soil_mistakes(self))
+
+    @property
+    def peak(self) -> Any:
+        """Friction coefficient at the start."""
+        return self.friction["peak"] if isinstance(self.friction, Mapping) else self.friction
+
+    @property
+    def residual(self) -> Any:
+        """Friction coefficient after much slip."""
+        return self.friction["residual"] if isinstance(self.friction, Mapping) else self.friction
+
+
+def soil_mistakes(soil: Soil) -> list[str]:
+    """A sentence for each number of a soil that no soil has."""
+    positive, stress = (0.0, 1e6, "a positive unit weight in N/m^3"), (-5e-324, 1e12, "a stress of at least 0 in Pa")
+    bounds = {
+        "unit_weight": positive,
+        "saturated_unit_weight": positive,
+        "cohesion": stress,
+        "cohesion_gradient": (-5e-324, 1e12, "a growth of at least 0 in Pa/m"),
+        "pore_ratio": (-5e-324, 1.0, "at least 0 and below 1"),
+    }
+    numbers = {name: getattr(soil, name) for name in bounds if getattr(soil, name) is not None}
+    found = mistakes(numbers, {name: bounds[name] for name in numbers}) + law_mistakes(soil.friction)
+    if isinstance(soil.friction, Mapping) and not {"peak", "residual", "length"} <= {*soil.friction}:
+        found.append("friction.law: must have a peak, a residual and a length, to be shared along an arc")
+    if soil.datum is None and not found and np.any(np.asarray(soil.cohesion_gradient)):
+        found.append("datum: is missing: y below which the cohesion grows, in m")
+    return found
+
+
+def layer_mistakes(
+    layers: Sequence[tuple[Soil, Any]], surcharge: Sequence[Any], strength: str = "base", foreland: Any = None
+) -> list[str]:
+    """A sentence for each mistake in the layers of a section, its foreland and its surcharges."""
+    pairs = list(layers)
+    if not pairs or not all(isinstance(p, tuple | list) and len(p) == 2 and isinstance(p[0], Soil) for p in pairs):
+        return ["layers: must be pairs of a Soil and its top, from the ground down; the top of the first is None"]
+    found = []
+    if pairs[0][1] is not None:
+        found.append(f"layers[0]: top = {pairs[0][1]!r}: must be None, as its top is the ground")
+    for k, (_, top) in enumerate(pairs[1:], 1):
+        if top is None:
+            found.append(f"layers[{k}]: top is missing: a height in m, or points from left to right")
+        elif np.ndim(top) > 1:
+            found += points_errors(f"layers[{k}]: top", top, True)
+        else:
+            found += mistakes({"top": top}, {"top": (-FAR, FAR, "a height in m, or points from left to right")})
+    if strength not in ("base", "mass"):
+        found.append(f"strength = {strength!r}: must be 'base' or 'mass'")
+    if foreland is not None and not isinstance(foreland, Soil):
+        found.append(f"foreland = {foreland!r}: must be a Soil")
+    elif foreland is not None and strength == "mass":
+        found.append("foreland: cannot be combined with strength = 'mass', by which the sole of the mass keeps its own")
+    soils = {id(s): s for s in (*(soil for soil, _ in pairs), foreland) if isinstance(s, Soil)}.values()
+    names = [s.name for s in soils]
+    found += [
+        f"layers: {name!r} is the name of two soils; give each its own" for name in {*names} if names.count(name) > 1
+    ]
+    laws = {
+        tuple(v for n, v in s.friction.items() if n not in ("peak", "residual"))
+        for s in soils
+        if isinstance(s.friction, Mapping) and all(np.ndim(v) == 0 for v in s.friction.values())
+    }
+    if len(laws) > 1:
+        found.append("layers: the soils along an arc share one law of slip and one length")
+    for k, load in enumerate(surcharge):
+        if np.shape(load) != (4,) or not np.all(np.isfinite(load)) or not load[0] < load[1] or min(load[2:]) < 0.0:
+            found.append(f"surcharge[{k}] = {load!r}: must be x1 < x2 in m and pressures there of at least 0 in Pa")
+    return found

@@ -1,0 +1,166 @@
+"""Layered sections: weights and strength along the arc against their definitions, motions against other solvers."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from layered_sections import differences, random_section, strength_by_quadrature
+
+from slipcircle import Scene, Section, solve
+from slipcircle.core import LayeredSection, Soil
+from slipcircle.core.flow import compiled
+from slipcircle.core.scene.coordinates import changed_fields, replace_unchecked
+from slipcircle.core.scene.parameters import with_parameters
+
+TURNING = ["rotation", "centripetal"]
+GROUND = [(-60, 20), (0, 20), (40, 0), (120, 0)]
+LEVEL = [(-60, 10), (0, 9), (40, 0), (120, 0)]
+TOPS = (None, 18.5, 2.0, -1.0)
+
+# Unit weight in kN/m^3, cohesion in kPa, angles of friction at first and after much slip; length in m.
+PROFILES: dict[str, tuple[Any, float]] = {
+    "one soil in four layers, under water": ([(19, 4, 15, 15)] * 4, 0.0),
+    "constant friction": ([(18, 0, 30, 30), (19, 0, 18, 18), (17, 0, 8, 8), (21, 0, 22, 22)], 0.0),
+    "softening": ([(18, 3, 30, 24), (19, 2, 20, 15), (17, 1, 9, 6), (21, 0, 23, 20)], 0.8),
+}
+# Factor of safety, peak velocity, its time, run-out and duration, by DOP853 in time with rtol = 2e-13, of a program
+# that shares nothing with this one; peak and run-out at the base also by integrating omega^2 over phi.
+MOTIONS = {
+    ("one soil in four layers, under water", "base"): (0.596759692, 3.383403121, 3.2576491, 14.307542564, 6.646433899),
+    ("one soil in four layers, under water", "mass"): (0.596759692, 3.383403121, 3.2576491, 14.307542564, 6.646433899),
+    ("constant friction", "base"): (0.825856281, 1.426745748, 3.1488264, 5.778618682, 6.367348012),
+    ("constant friction", "mass"): (0.825856281, 1.482511601, 3.2754324, 6.242993876, 6.615546788),
+    ("softening", "base"): (0.913425561, 1.915602114, 4.2903403, 8.397668319, 7.563534201),
+    ("softening", "mass"): (0.913425561, 2.025732503, 4.4431712, 9.189842726, 7.823357243),
+}
+
+
+def tangent(degrees: Any) -> Any:
+    return np.tan(np.deg2rad(degrees))
+
+
+def profile(name: str, strength: str = "base", **given: Any) -> LayeredSection:
+    """The slope of `MOTIONS` with the soils of one of its profiles."""
+    rows, length = PROFILES[name]
+    soils = []
+    for k, (unit_weight, cohesion, peak, residual) in enumerate(rows):
+        law = {"law": "exponential", "peak": tangent(peak), "residual": tangent(residual), "length": length}
+        soils.append(Soil(1e3 * unit_weight, 1e3 * cohesion, law if length else tangent(peak), name=f"soil {k}"))
+    level = LEVEL if "water" in name else None
+    layers = list(zip(soils, TOPS, strict=True))
+    return LayeredSection(GROUND, (30, 45), 48.0, level=level, layers=layers, strength=strength, **given)
+
+
+def test_moments_and_stretches_are_those_of_the_definitions() -> None:
+    """To 30 digits; 200 sections by ``python tests/layered_sections.py``."""
+    rng = np.random.default_rng(7)
+    for _ in range(5):
+        assert max(differences(random_section(rng))) < 1e-12
+
+
+@pytest.mark.parametrize("strength", ["base", "mass"])
+def test_strength_after_a_rotation_is_its_integral_along_the_arc(strength: str) -> None:
+    """With water, pore pressure ratios, cohesion that grows with depth, surcharges and saturated weights."""
+    rng = np.random.default_rng(8)
+    for _ in range(4):
+        section = random_section(rng, everything=True, strength=strength)
+        computed, expected = strength_by_quadrature(section, rng.uniform(-0.3, 0.6), rng.uniform())
+        np.testing.assert_allclose(computed, expected, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize(("name", "strength"), MOTIONS)
+def test_motions_are_those_of_another_integrator(name: str, strength: str) -> None:
+    motion = solve(Scene(profile(name, strength), effects=TURNING))
+    computed = (motion.factor_of_safety, motion.peak.velocity, motion.peak.time, motion.run_out, motion.duration)
+    digits = [2e-9, 2e-9, 3e-8, 2e-9, 2e-9]  # the time of the peak is given to 7 decimals
+    for value, expected, tolerance in zip(computed, MOTIONS[name, strength], digits, strict=True):
+        assert value == pytest.approx(expected, rel=tolerance)
+
+
+@pytest.mark.parametrize("strength", ["base", "mass"])
+def test_one_soil_in_many_layers_is_the_homogeneous_section(strength: str) -> None:
+    soil = Soil(19e3, 4e3, 0.27, name="clay")
+    layers = [(soil, top) for top in (None, 17.0, [(-60, 15), (20, 4), (120, -3)], -1.0)]
+    layered = LayeredSection(GROUND, (30, 45), 48.0, level=LEVEL, layers=layers, strength=strength)
+    section = Section(GROUND, (30, 45), 48.0, 19e3, level=LEVEL)
+    one = solve(Scene(section, 0.27, {"cohesion": {"cohesion": 4e3}} | {e: {} for e in TURNING}))
+    many = solve(Scene(layered, effects=TURNING))
+    for name in ("factor_of_safety", "limit_friction", "run_out", "duration"):
+        assert getattr(many, name) == pytest.approx(getattr(one, name), rel=1e-13)
+    assert many.peak.velocity == pytest.approx(one.peak.velocity, rel=1e-13)
+
+
+@pytest.mark.parametrize("strength", ["base", "mass"])
+def test_lanes_of_soil_numbers_are_the_scenes_that_they_stand_for(strength: str) -> None:
+    section = profile("softening", strength)
+    values = {"soils.soil 2.friction.peak": tangent([9.0, 8.0, 10.0]), "soils.soil 1.unit_weight": [19e3, 18e3, 20e3]}
+    lanes = {name: np.array(value) for name, value in values.items()}
+    ensemble = solve(Scene(replace_unchecked(section, changed_fields(section, lanes)), effects=TURNING), accuracy=1e-12)
+    for k in range(3):
+        one = solve(with_parameters(Scene(section, effects=TURNING), {n: float(v[k]) for n, v in lanes.items()}))
+        assert ensemble.run_out[k] == pytest.approx(one.run_out, rel=1e-10)
+        assert ensemble.factor_of_safety[k] == pytest.approx(one.factor_of_safety, rel=1e-12)
+
+
+def test_lanes_of_circles_and_boundaries() -> None:
+    section = profile("constant friction")
+    lanes = {"radius": np.array([48.0, 47.5]), "layers.3.top": np.array([2.0, 2.4])}
+    ensemble = solve(Scene(replace_unchecked(section, changed_fields(section, lanes)), effects=TURNING), accuracy=1e-12)
+    for k in range(2):
+        one = solve(with_parameters(Scene(section, effects=TURNING), {n: float(v[k]) for n, v in lanes.items()}))
+        assert ensemble.run_out[k] == pytest.approx(one.run_out, rel=1e-9)
+
+
+def test_without_a_compiler_motions_are_the_same() -> None:
+    with_compiler = solve(Scene(profile("softening"), effects=TURNING))
+    with compiled.numpy_only():
+        without = solve(Scene(profile("softening"), effects=TURNING))
+    assert without.run_out == pytest.approx(with_compiler.run_out, rel=1e-11)
+
+
+def test_a_foreland_decides_how_far_a_mass_gets() -> None:
+    run_outs = [
+        solve(
+            Scene(
+                profile("constant friction", foreland=Soil(18e3, 0.0, tangent(angle), name="foreland")), effects=TURNING
+            )
+        ).run_out
+        for angle in (5.0, 15.0, 30.0)
+    ]
+    as_exit = solve(Scene(profile("constant friction"), effects=TURNING)).run_out
+    assert run_outs[0] > as_exit > run_outs[1] > run_outs[2]
+    exit_soil = profile("constant friction").soils[2]
+    same = profile("constant friction", foreland=Soil(18e3, 0.0, exit_soil.friction, name="foreland"))
+    assert solve(Scene(same, effects=TURNING)).run_out == pytest.approx(as_exit, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"layers": []}, "layers: must be pairs of a Soil and its top"),
+        ({"layers": [(Soil(19e3), 3.0)]}, "layers\\[0\\]: top = 3.0: must be None"),
+        ({"layers": [(Soil(19e3), None), (Soil(19e3, name="b"), None)]}, "layers\\[1\\]: top is missing"),
+        ({"strength": "both"}, "strength = 'both': must be 'base' or 'mass'"),
+        ({"foreland": Soil(19e3, name="f"), "strength": "mass"}, "foreland: cannot be combined"),
+        ({"surcharge": [(3.0, 1.0, 0.0, 0.0)]}, "surcharge\\[0\\]"),
+        ({"radius": 44.0, "centre": (30, 12)}, "above the centre's height|lies below the ground"),
+    ],
+)
+def test_mistakes_are_named(changes: dict[str, Any], message: str) -> None:
+    given: dict[str, Any] = {
+        "centre": (30, 45),
+        "radius": 48.0,
+        "layers": [(Soil(19e3, name="a"), None), (Soil(18e3, name="b"), 2.0)],
+    }
+    with pytest.raises(ValueError, match=message):
+        LayeredSection(GROUND, **given | changes)
+
+
+def test_what_soils_say_is_not_said_twice() -> None:
+    section = profile("constant friction")
+    with pytest.raises(ValueError, match=r"friction = 0\.3: is given by the soils"):
+        Scene(section, 0.3, TURNING)
+    with pytest.raises(ValueError, match=r"effects\.cohesion: is given by the soils"):
+        Scene(section, effects={"cohesion": {"cohesion": 3e3}})
+    with pytest.raises(ValueError, match="'layered_strength' is unknown"):
+        Scene(Section(GROUND, (30, 45), 48.0, 19e3), 0.3, {"layered_strength": {}})
