@@ -1,5 +1,6 @@
 """What every test starts from, and how the command line is asked in this process."""
 
+import io
 import json
 import re
 import shlex
@@ -8,6 +9,7 @@ from typing import Any
 
 import pytest
 from flint import ctx
+from PIL import Image
 
 from slipcircle.__main__ import main
 
@@ -18,6 +20,11 @@ def precision() -> Iterator[None]:
     before = ctx.prec
     yield
     ctx.prec = before
+
+
+def words_of(png: bytes) -> list[str]:
+    """What titles, axes and legends of a picture say, as the program writes it into the file."""
+    return str(getattr(Image.open(io.BytesIO(png)), "text", {}).get("Description", "")).split("\n")
 
 
 @pytest.fixture

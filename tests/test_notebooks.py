@@ -21,6 +21,7 @@ import nbformat
 import numpy as np
 import oracle
 import pytest
+from conftest import words_of
 from nbclient import NotebookClient
 from test_cost import QUICK
 
@@ -30,7 +31,6 @@ from derive.judge.paper import CLAIMS
 from generated import tiers
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Motion, Status, load, solve
-from slipcircle.workbench.outputs.pictures import words_of
 from slipcircle.workbench.outputs.report import ASSUMED
 
 ROOT = Path(__file__).parents[1]
@@ -41,11 +41,15 @@ METADATA = {
 }
 # Pictures that a notebook shows say in the file what their legends and axes say, as those of commands do.
 DESCRIBED = """
+from functools import wraps
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from slipcircle.workbench.outputs.plotstyle import described
 
-def print_png(canvas, target, *, metadata=None, pil_kwargs=None, plain=FigureCanvasAgg.print_png):
-    plain(canvas, target, metadata={"Description": chr(10).join(described(canvas.figure))}, pil_kwargs=pil_kwargs)
+undescribed = FigureCanvasAgg.print_png
+
+@wraps(undescribed)
+def print_png(canvas, target, **more):
+    undescribed(canvas, target, **more | {"metadata": {"Description": chr(10).join(described(canvas.figure))}})
 
 FigureCanvasAgg.print_png = print_png
 """
@@ -74,6 +78,8 @@ def run(path: Path, first: str = "") -> Any:
         )
         client.execute(env=env)
     del notebook.cells[0]
+    failed = [o for cell in notebook.cells for o in cell.get("outputs", []) if o.output_type == "error"]
+    assert not failed, failed  # as of a picture that cannot be displayed, which stops nothing
     notebook.metadata = METADATA
     for cell in notebook.cells:
         cell.metadata = {}

@@ -10,6 +10,7 @@ from typing import Any
 import matplotlib
 import numpy as np
 import pytest
+from conftest import words_of
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
@@ -148,7 +149,7 @@ def test_history_draws_the_motion(name: str) -> None:
         said = legend(ax)
         assert any(x.startswith("peak velocity: ") for x in said)
         assert any(x.startswith(plotstyle.ending(m)) for x in said)
-        assert name != "lifted" or not any("stand still" in x for x in said)
+        assert name != "lifted" or not any("equilibrium" in x for x in said)
 
 
 def test_words_stand_once_beside_each_other() -> None:
@@ -326,7 +327,7 @@ def test_the_map_of_a_search_is_darkest_where_most_dangerous_and_whole(depth: fl
 
 def test_a_stored_picture_says_what_it_shows() -> None:
     """Its title, axes and legends stand in the file, by which pictures in the repository are compared with today's."""
-    said = pictures.words_of(pictures.picture("ladder", ladder(SCENES["vaiont"]), "ladder.png"))
+    said = words_of(pictures.picture("ladder", ladder(SCENES["vaiont"]), "ladder.png"))
     assert {"run-out along the arc (m)", "with all effects: 677.3 m", "does not come to rest"} <= set(said)
 
 

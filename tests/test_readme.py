@@ -14,7 +14,7 @@ import pytest
 import test_accuracy
 import test_cost
 import test_kernels
-from conftest import columns
+from conftest import columns, words_of
 from matplotlib.figure import Figure
 
 import generated
@@ -25,7 +25,6 @@ from generated.tiers import BOUNDS
 from slipcircle import Motion, Unattainable, backanalyse, load, solve
 from slipcircle.workbench.cost import cost, costplot
 from slipcircle.workbench.outputs import pictures, plots
-from slipcircle.workbench.outputs.pictures import words_of
 from slipcircle.workbench.studies.ladder import ladder
 
 ROOT = Path(__file__).resolve().parent.parent

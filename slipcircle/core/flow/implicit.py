@@ -108,38 +108,49 @@ class _Implicit(Integrator):
 
     def step(self) -> None:
         self._prepare()
-        limit = float(min(self.next_break()[0], self.end_time[0]))
-        explicit = self._explicit_step()
-        functions, h = self._event_functions(), 4.0 * explicit
-        begin = float(self.time[0])
-        now = self._now(begin, self.cells[self.state_cells, 0])
-        event, creeps = ix.EVENT_NONE, False
-        while event == ix.EVENT_NONE and now.time < limit and not creeps:
-            to_limit = h >= limit - now.time
-            h = min(h, limit - now.time)
-            end = limit if to_limit else now.time + h
+        self.limit = float(min(self.next_break()[0], self.end_time[0]))
+        self.explicit = self._explicit_step()
+        self.functions = self._event_functions()
+        self.begin = float(self.time[0])
+        now, event = self._follow(self._now(self.begin, self.cells[self.state_cells, 0]))
+        self.cells[:] = self._cells_at(np.array([now.time]), now.states[:, None])
+        uneventful = event == ix.EVENT_NONE
+        if uneventful and now.time < self.limit:
+            self.status = ix.TOO_LONG
+            return
+        rate = now.registers[[self.program.roles["net"]]]
+        self.settle(np.array([event]), rate, np.array([uneventful]))
+
+    def _follow(self, now: _Now) -> tuple[_Now, int]:
+        """Steps up to the next event, or until no more are made: where that is, and which event."""
+        h, event = 4.0 * self.explicit, ix.EVENT_NONE
+        while event == ix.EVENT_NONE and now.time < self.limit and not self._creeps(now):
+            to_limit = h >= self.limit - now.time
+            h = min(h, self.limit - now.time)
+            end = self.limit if to_limit else now.time + h
             if not to_limit:
-                self.steps_left -= 1 if h > EXPLICIT * explicit else 10
-            endless = np.isinf(limit) and now.time - begin > ENDLESS
-            if self.steps_left <= 0 or end == now.time or endless:
+                self.steps_left -= 1 if h > EXPLICIT * self.explicit else 10
+            if self.steps_left <= 0 or end == now.time or self._is_endless(now):
                 break
             step = self._newton(now, h)
             if step is None or not step.error <= TOLERANCE:
                 self.steps_left -= to_limit
                 h *= 0.25 if step is None else max(SHRINKS, _step_factor(step.error))
                 continue
-            end, event = self._first_event(functions, step, now, end)
+            end, event = self._first_event(step, now, end)
             self._keep_peak(step, now, end)
             self._write(now.time, end, step)
             now = self._now(end, step.states(end)[:, 0])
-            creeps = np.isinf(limit) and abs(now.states[1]) < CREEP * abs(self.peak_omega[0])
             h *= min(GROWS, _step_factor(max(step.error, 1e-300)))
-        self.cells[:] = self._cells_at(np.array([now.time]), now.states[:, None])
-        if event == ix.EVENT_NONE and now.time < limit:
-            self.status = ix.TOO_LONG
-            return
-        rate = now.registers[[self.program.roles["net"]]]
-        self.settle(np.array([event]), rate, np.array([event == ix.EVENT_NONE]))
+        return now, event
+
+    def _creeps(self, now: _Now) -> bool:
+        """Whether a mass without an end is so slow, after it was faster, that it creeps for ever."""
+        slow = abs(now.states[1]) < CREEP * abs(self.peak_omega[0])
+        return bool(np.isinf(self.limit) and slow and now.time > self.begin)
+
+    def _is_endless(self, now: _Now) -> bool:
+        return bool(np.isinf(self.limit) and now.time - self.begin > ENDLESS)
 
     def _prepare(self) -> None:
         """What all implicit steps up to the next event share."""
@@ -198,24 +209,18 @@ class _Implicit(Integrator):
 
     def _newton(self, now: _Now, h: float) -> _Step | None:
         """A step; none where Newton's iteration does not converge."""
-        count, size_of_system = len(now.states), len(now.states) * POINTS
         first_rate = h * now.registers[self.rates]
         points, times = now.states + AT[:, None] * first_rate, now.time + AT * h
-        before = np.inf
+        least, before = np.maximum(np.abs(first_rate), 1e-300), np.inf
         for _ in range(ITERATIONS):
             registers = self._registers_at(times, points.T)
-            rates, jacobian = registers[self.rates].T, self._jacobian(times, points)
+            rates = registers[self.rates].T
             residual = points - now.states - h * WEIGHTS @ rates
-            coupling = np.einsum("ij,kjl->iljk", WEIGHTS, jacobian).reshape(size_of_system, size_of_system)
-            system = np.eye(size_of_system) - h * coupling
-            size = np.maximum(np.abs(points), np.abs(now.states))
-            size = np.maximum(size, np.maximum(np.abs(first_rate), 1e-300))
-            scaled = system * (size.ravel() / size.ravel()[:, None])
-            try:
-                move = np.linalg.solve(scaled, (residual / size).ravel())
-            except np.linalg.LinAlgError:
+            size = np.maximum(np.maximum(np.abs(points), np.abs(now.states)), least)
+            move = _solved(self._jacobian(times, points), h, residual, size)
+            if move is None:
                 return None
-            points = points - move.reshape(POINTS, count) * size
+            points = points - move * size
             largest = np.abs(move).max()
             if largest <= 4 * EPS or 1e-12 > largest > before / 4:
                 return _finished(now, h, times, points, registers, rates)
@@ -245,12 +250,10 @@ class _Implicit(Integrator):
                 functions.append((event + 1, partial(_distance, argument, lower, -1.0)))
         return functions
 
-    def _first_event(
-        self, functions: list[tuple[int, EventFunction]], step: _Step, now: _Now, end: float
-    ) -> tuple[float, int]:
+    def _first_event(self, step: _Step, now: _Now, end: float) -> tuple[float, int]:
         """When the first event of a step happens, and which."""
         first = ix.EVENT_NONE
-        for event, function in functions:
+        for event, function in self.functions:
             at = self._first_zero(function, step, now)
             if at <= end:
                 end, first = at, event
@@ -301,6 +304,18 @@ class _Implicit(Integrator):
         net = self._registers_at(times[rows], np.array([x, omega, *further]))[self.program.roles["net"]]
         states = [self.rotation[0] + direction * x, direction * omega, direction * net, self.slip[0] + x, *further]
         self.samples.states[: len(states), rows, column] = states
+
+
+def _solved(jacobian: Floats, h: float, residual: Floats, size: Floats) -> Floats | None:
+    """(I - h a x df/dy)^-1 residual, all in units of ``size``; none where that is singular."""
+    unknowns = residual.size
+    coupling = np.einsum("ij,kjl->iljk", WEIGHTS, jacobian).reshape(unknowns, unknowns)
+    system = (np.eye(unknowns) - h * coupling) * (size.ravel() / size.ravel()[:, None])
+    try:
+        move = np.linalg.solve(system, (residual / size).ravel())
+    except np.linalg.LinAlgError:
+        return None
+    return np.asarray(move.reshape(residual.shape))
 
 
 def _finished(now: _Now, h: float, times: Floats, points: Floats, registers: Floats, rates: Floats) -> _Step:

@@ -5,28 +5,24 @@ taken up again after any step; `generated.layout` says what stands where.
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import layout as ix
 from generated.series import scalar_ops, series_ops
-from slipcircle.core.flow.entries import Entry
+from slipcircle.core.flow.entries import LaneEntries
 from slipcircle.core.flow.pieces import Piece
 from slipcircle.core.flow.polynomials import increment
 from slipcircle.core.flow.program import Log, Program, Samples
 from slipcircle.core.flow.tables import Data
-
-if TYPE_CHECKING:
-    from slipcircle.core.flow.tangents import Tangents
 
 Floats = NDArray[np.float64]
 Lanes = NDArray[np.intp]
 NEGLIGIBLE = 2.0**-56  # of the largest term of a series, which a term has to be below to end the series early
 
 
-class LaneState:
+class LaneState(LaneEntries):
     """Some lanes of a program, each by itself; attributes are entries of the state, one number of each lane.
 
     Parameters
@@ -40,21 +36,9 @@ class LaneState:
         Which lanes of an ensemble these are; by default the first.
     samples, log : Samples, list, optional
         What to read off on the way, and where events of lane 0 are written.
-    tangents : Tangents, optional
+    tangents : slipcircle.core.flow.tangents.Tangents, optional
         Derivatives carried along, one direction in each lane; the lanes are alike otherwise.
     """
-
-    time, rotation, slip, direction = Entry(ix.TIME), Entry(ix.ROTATION), Entry(ix.SLIP), Entry(ix.DIRECTION)
-    lifted, status, steps, phases = Entry(ix.LIFTED), Entry(ix.STATUS), Entry(ix.STEPS), Entry(ix.PHASES)
-    order, factor, end_time = Entry(ix.ORDER), Entry(ix.FACTOR), Entry(ix.END_TIME)
-    one_way, first_only, passed = Entry(ix.ONE_WAY), Entry(ix.FIRST_ONLY), Entry(ix.PASSED)
-    peak_time, peak_rotation = Entry(ix.PEAK_TIME), Entry(ix.PEAK_ROTATION)
-    peak_omega, peak_rate = Entry(ix.PEAK_OMEGA), Entry(ix.PEAK_RATE)
-    reach_time, reach_rotation = Entry(ix.REACH_TIME), Entry(ix.REACH_ROTATION)
-    end_rotation, end_omega, end_rate = Entry(ix.END_ROTATION), Entry(ix.END_OMEGA), Entry(ix.END_RATE)
-    close, lift_time, rest_since = Entry(ix.CLOSE), Entry(ix.LIFT_TIME), Entry(ix.REST_SINCE)
-    turns, last_way = Entry(ix.TURNS), Entry(ix.LAST_WAY)
-    x, omega = Entry(ix.X), Entry(ix.OMEGA)  # rotation since the phase began, and its rate, in the direction of travel
 
     def __init__(
         self,
@@ -64,7 +48,7 @@ class LaneState:
         lanes: Lanes | None = None,
         samples: Samples | None = None,
         log: Log | None = None,
-        tangents: "Tangents | None" = None,
+        tangents: Any = None,
     ) -> None:
         self.program, self.tables, self.cells = program, tables, cells
         self.lanes = np.arange(cells.shape[1]) if lanes is None else lanes
@@ -176,8 +160,7 @@ class LaneState:
         highest = int(order.max())
         series = self._started(highest)
         watched = [roles["net"]] if at_rest else [roles["x"], roles["omega"]]
-        largest = np.zeros((len(watched), self.count)) if at_rest else np.abs(series[watched, 0])
-        negligible_terms = np.zeros(self.count)
+        cut = _EarlyEnd(series[watched, 0], room, at_rest)
         for n in range(highest):
             series_ops(program.series, series, self.cells, n)
             if not at_rest:
@@ -185,20 +168,15 @@ class LaneState:
                     series[register, n + 1] = np.where(n < order, series[rate, n] / (n + 1), 0.0)
             if not self.timed:
                 continue
-            power = n if at_rest else n + 1
-            term = np.abs(series[watched, power]) * room**power
-            counts = (term > NEGLIGIBLE * largest) | (largest == 0.0) | ~np.isfinite(largest)
-            largest = np.where(term > largest, term, largest)
-            negligible_terms = np.where(np.any(counts, axis=0), 0.0, negligible_terms + 1.0)
-            ends = (negligible_terms >= 2.0) & (n < order) & (n >= 2)
-            order = np.where(ends, np.minimum(order, n + 1), order)
+            known = n if at_rest else n + 1
+            order = cut.shortened(order, n, series[watched, known], known)
             if np.all(order <= n + 1):
                 series = series[:, : n + 2]
                 break
-        within = np.arange(series.shape[1])[:, None] < order
+        orders = np.arange(series.shape[1])
         for name in ("net", "normal", "upright"):
             if roles.get(name, -1) >= 0:
-                series[roles[name]] *= within
+                series[roles[name]] *= orders[:, None] < order
         return series, order
 
     def _started(self, order: int) -> Floats:
@@ -219,3 +197,21 @@ class LaneState:
         """Add to the increments of functions of time what a step adds."""
         for piece in self.timed:
             piece.increment += increment(piece.taylor(int(self.order.max())), tau)
+
+
+class _EarlyEnd:
+    """Where series end early, as two terms in a row are negligible at the end of the step beside the largest one."""
+
+    def __init__(self, first: Floats, room: Floats, at_rest: bool) -> None:
+        self.room = room
+        self.largest = np.zeros(first.shape) if at_rest else np.abs(first)
+        self.in_a_row = np.zeros(room.size)
+
+    def shortened(self, order: Floats, n: int, coefficients: Floats, power: int) -> Floats:
+        """The orders of lanes, after these coefficients of the watched registers, at a power of the time."""
+        term = np.abs(coefficients) * self.room**power
+        counts = (term > NEGLIGIBLE * self.largest) | (self.largest == 0.0) | ~np.isfinite(self.largest)
+        self.largest = np.where(term > self.largest, term, self.largest)
+        self.in_a_row = np.where(np.any(counts, axis=0), 0.0, self.in_a_row + 1.0)
+        ends = (self.in_a_row >= 2.0) & (n < order) & (n >= 2)
+        return np.where(ends, np.minimum(order, n + 1), order)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS
-from slipcircle.core.flow.entries import Entry
+from slipcircle.core.flow.entries import Entry, LaneEntries
 from slipcircle.core.flow.polynomials import shifted
 from slipcircle.core.flow.program import Table
 from slipcircle.core.flow.tables import Data
@@ -31,7 +31,7 @@ class Piece:
     number, value, increment, way = Entry(ix.PIECE), Entry(ix.VALUE), Entry(ix.INC), Entry(ix.WAY)
     upper, lower, scale, factor = Entry(ix.UPPER), Entry(ix.LOWER), Entry(ix.SCALE), Entry(ix.SCALED_BY)
 
-    def __init__(self, state: Any, slot: Table, data: Data) -> None:
+    def __init__(self, state: LaneEntries, slot: Table, data: Data) -> None:
         self.state, self.slot, self.data = state, slot, data
         self.kind, self.register, self.last = slot.kind, slot.register, len(data.breaks) - 1
 

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
+from slipcircle.core.flow.lane_state import LaneState
 from slipcircle.core.flow.pieces import Piece
 from slipcircle.core.flow.polynomials import derivative, shifted, value
 from slipcircle.core.flow.program import Program
@@ -62,11 +63,11 @@ class Tangents:
         self.series = np.zeros((0, 0, 0))
         self.tau = 0.0
 
-    def dot(self, state: Any, cell: int) -> Floats:
+    def dot(self, state: LaneState, cell: int) -> Floats:
         """Derivatives of a cell."""
         return state.cells[self.cells_of[cell]].copy() if cell in self.cells_of else self.none
 
-    def put(self, state: Any, cell: int, dots: Any) -> None:
+    def put(self, state: LaneState, cell: int, dots: Any) -> None:
         if cell in self.cells_of:
             state.cells[self.cells_of[cell]] = dots
 
@@ -77,7 +78,7 @@ class Tangents:
 
     # --- what a phase begins with ------------------------------------------------------------------------------------
 
-    def begin_pieces(self, state: Any) -> None:
+    def begin_pieces(self, state: LaneState) -> None:
         """Derivatives of the values and coefficients of tables where a phase begins."""
         for piece in state.pieces:
             if piece.kind == "time":
@@ -87,7 +88,7 @@ class Tangents:
             else:
                 self._begin_piece(state, piece)
 
-    def _begin_piece(self, state: Any, piece: Piece) -> None:
+    def _begin_piece(self, state: LaneState, piece: Piece) -> None:
         """Of the coefficients f c_j(u) p^j: f the factor, u the argument within the piece, p its unit.
 
         Their derivative is f p^j (c_j (f'/f + j p'/p) + (j + 1) c_(j+1) u' + c_j'), c_j' those of the table itself.
@@ -108,7 +109,7 @@ class Tangents:
             cell = ix.VALUE if power == 0 else ix.Q1 + power - 1
             self.put(state, cells + cell, piece.factor[0] * unit**power * dots)
 
-    def _argument(self, state: Any, piece: Piece) -> tuple[float, Floats, float]:
+    def _argument(self, state: LaneState, piece: Piece) -> tuple[float, Floats, float]:
         """The argument of a table within its piece, its derivatives, and the unit of the program's argument."""
         scale = float(piece.scale[0])
         growth = self.growth.tables[piece.slot.name].scale
@@ -123,7 +124,7 @@ class Tangents:
         omega = float(state.omega[0])
         return math.log(omega * scale / edge), self.dot(state, ix.OMEGA) / omega + growth, 1.0
 
-    def _taylor(self, state: Any, piece: Piece, order: int) -> tuple[Floats, Floats]:
+    def _taylor(self, state: LaneState, piece: Piece, order: int) -> tuple[Floats, Floats]:
         """Taylor coefficients about now of a function of time, and their derivatives at a fixed time, (terms, ...)."""
         growth = self.growth.tables[piece.slot.name]
         terms, known = np.zeros(order + 2), piece.taylor(order + 1)[: order + 2, 0]
@@ -132,7 +133,7 @@ class Tangents:
         by_scale = state.time[0] * (n + 1) * terms[1:] + n * terms[:-1]
         return terms[:-1], terms[:-1, None] * growth.factor + by_scale[:, None] * growth.scale
 
-    def start_series(self, state: Any, series: Floats) -> None:
+    def start_series(self, state: LaneState, series: Floats) -> None:
         """The tangents of functions of time, as increments since the phase began."""
         for piece in state.timed:
             if piece.register in self.registers_of:
@@ -147,19 +148,19 @@ class Tangents:
         self.series, self.tau = series, float(tau[0])
         self.rates = [float(value(series[rate][:, 0], self.tau)) for _, _, rate in self.states]
 
-    def leave_standstill(self, state: Any) -> None:
+    def leave_standstill(self, state: LaneState) -> None:
         """g = omega."""
         self.rest_dot = -self.dot(state, ix.OMEGA) / self.rates[1]
         state.omega = 0.0
         self._leave(state, self.rest_dot)
 
-    def leave_contact(self, state: Any) -> None:
+    def leave_contact(self, state: LaneState) -> None:
         """g = n, the normal force."""
         register = state.program.roles["normal"]
         slope = float(value(derivative(self.series[register])[:, 0], self.tau))
         self._leave(state, -self.along(register, self.series, self.tau) / slope)
 
-    def leave_edge(self, state: Any, piece: Piece, lower: bool, rate: float) -> None:
+    def leave_edge(self, state: LaneState, piece: Piece, lower: bool, rate: float) -> None:
         """g = the argument of a table less its edge, which goes with the table's scale."""
         growth = self.growth.tables[piece.slot.name].scale
         edge = float(piece.data.breaks[piece.index[0] + (not lower)].flat[0]) / float(piece.scale[0])
@@ -172,7 +173,7 @@ class Tangents:
             event_dot = -(edge * growth + self.dot(state, ix.OMEGA)) / rate
         self._leave(state, event_dot)
 
-    def leave_rest(self, state: Any, sudden: bool) -> None:
+    def leave_rest(self, state: LaneState, sudden: bool) -> None:
         """g = the drive at rest; where it has leapt, the break, of which the time in s is given."""
         self.event_dot = self.none
         drive, net = state.program.roles["cell_drive"], state.program.roles["net"]
@@ -184,16 +185,16 @@ class Tangents:
         self.rates = [0.0 for _ in self.states]
         self._leave(state, event_dot)
 
-    def leave_now(self, state: Any) -> None:
+    def leave_now(self, state: LaneState) -> None:
         """A time that is given in s."""
         self.rates = self._rates_now(state)
         self._leave(state, -state.time[0] * self.growth.time)
 
-    def _rates_now(self, state: Any) -> list[float]:
+    def _rates_now(self, state: LaneState) -> list[float]:
         registers = state.registers()
         return [float(registers[rate, 0]) for _, _, rate in self.states]
 
-    def _leave(self, state: Any, event_dot: Floats) -> None:
+    def _leave(self, state: LaneState, event_dot: Floats) -> None:
         """Total derivatives where the lane is now, for a phase that begins here."""
         omega = state.omega[0]
         moved = self.dot(state, ix.X) + omega * event_dot
@@ -206,20 +207,20 @@ class Tangents:
         }
         self.event_dot = event_dot
 
-    def enter(self, state: Any) -> None:
+    def enter(self, state: LaneState) -> None:
         """At fixed times again, now that the rates of what begins are known."""
         for (cell, _, _), rate in zip(self.states[1:], self._rates_now(state)[1:], strict=True):
             self.put(state, cell, self.totals[cell] - rate * self.event_dot)
         self.event_dot = self.none
 
-    def enter_or_rest(self, state: Any) -> None:
+    def enter_or_rest(self, state: LaneState) -> None:
         if state.status[0] == ix.MOVING:
             self.enter(state)
         else:
             self.put(state, ix.OMEGA, 0.0)
             self.event_dot = self.none
 
-    def enter_from_rest(self, state: Any, sudden: bool) -> None:
+    def enter_from_rest(self, state: LaneState, sudden: bool) -> None:
         """Where the drive passes zero smoothly, it and its derivatives are zero."""
         if sudden:
             self.enter(state)
@@ -228,7 +229,7 @@ class Tangents:
             self.put(state, ix.OMEGA, 0.0)
             self.event_dot = self.none
 
-    def pass_break(self, state: Any) -> None:
+    def pass_break(self, state: LaneState) -> None:
         """A function of time has leapt, at a time that is given in s, and the phase goes on."""
         event_dot = -state.time[0] * self.growth.time
         after = self._rates_now(state)
@@ -237,15 +238,15 @@ class Tangents:
 
     # --- outcomes ----------------------------------------------------------------------------------------------------
 
-    def rotation_dot(self, state: Any) -> Floats:
+    def rotation_dot(self, state: LaneState) -> Floats:
         """Derivatives of the rotation where the lane is, or where it is at its end time."""
         travelled = self.dot(state, ix.X) + state.omega[0] * self.end_dot
         return self.dot(state, ix.ROTATION) + state.direction[0] * travelled
 
-    def keep_reach(self, state: Any) -> None:
+    def keep_reach(self, state: LaneState) -> None:
         self.reach_dot = self.rotation_dot(state)
 
-    def keep_peak(self, state: Any, time: float, rate: float, series: Floats | None) -> None:
+    def keep_peak(self, state: LaneState, time: float, rate: float, series: Floats | None) -> None:
         """Of the greatest speed: within a step, at the end, where a force leaps, or where a phase begins."""
         if series is not None:
             self.peak_dot = self.along(state.program.roles["omega"], series, time - float(state.time[0]))

@@ -49,13 +49,11 @@ class InputDerivatives:
 
     def __init__(self, lanes: Lanes, names: Sequence[str]) -> None:
         self.lanes, self.names, self.none = lanes, names, np.zeros(len(names))
-        arc, problem = lanes.arc, lanes.problem
+        arc = lanes.arc
         radius, gravity = self.relative("radius", arc.radius), self.relative("gravity", arc.gravity)
         unit_weight = self.relative("unit_weight", arc.unit_weight)
         self.time_growth, self.speed_growth, self.radius_growth = (radius - gravity) / 2, (radius + gravity) / 2, radius
-        coefficients = {n: float(problem.cells[problem.program.places[n], 0]) for n in _COEFFICIENTS}
-        geometry = self._arc(arc, coefficients) if isinstance(arc, Arc) else self._section(arc, coefficients)
-        self.inputs, alpha, inertia, cover = geometry
+        self.inputs, alpha, inertia, cover = self._geometry()
         self.growths = {
             "half_angle": alpha / float(arc.half_angle),
             "gravity": gravity,
@@ -75,7 +73,13 @@ class InputDerivatives:
         end_dot = self.one("end_time") / float(lanes.time_scale)
         self.growth = InputGrowth(self.time_growth, end_dot, self.tables)
         velocity_growth = self.relative("initial_velocity", lanes.velocity) - self.speed_growth
-        self.omega = problem.cells[ix.OMEGA, 0] * velocity_growth
+        self.omega = lanes.problem.cells[ix.OMEGA, 0] * velocity_growth
+
+    def _geometry(self) -> "_Geometry":
+        """Derivatives of the arc's coefficients and angle, and of its moment of inertia and cover."""
+        arc, problem = self.lanes.arc, self.lanes.problem
+        coefficients = {n: float(problem.cells[problem.program.places[n], 0]) for n in _COEFFICIENTS}
+        return self._arc(arc, coefficients) if isinstance(arc, Arc) else self._section(arc, coefficients)
 
     def _arc(self, arc: Arc, coefficients: Mapping[str, float]) -> "_Geometry":
         alpha = float(arc.half_angle)

@@ -24,8 +24,8 @@ ARC_BOUNDS: Mapping[str, Bounds] = {
     "width": (1e-6, 1e9, "a positive length in m"),
 }
 QUANTITIES = tuple(ARC_BOUNDS)
-GRAVITY = 9.81
-WIDTH = 1.0  # by default
+GRAVITY = 9.81  # by default
+WIDTH = 1.0
 
 
 # What `Arc(given=...)` holds; the other coefficients are their quotients.

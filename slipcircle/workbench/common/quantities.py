@@ -150,7 +150,7 @@ HISTORY: Mapping[str, Quantity] = {
         Quantity("normal_stress", "Pa", "mean normal stress", "at.normal_stress"),
         Quantity("effective_stress", "Pa", "mean effective stress", "effective_stress_at"),
         Quantity("friction", "", "friction coefficient", "friction_at"),
-        Quantity("holding_friction", "", "friction coefficient needed to stand still", "holding_friction_at"),
+        Quantity("holding_friction", "", "friction coefficient required for equilibrium", "holding_friction_at"),
         Quantity("kinetic_energy", "J", "kinetic energy", "energy_at.kinetic_end"),
         Quantity("work_of_gravity_and_shaking", "J", "work of gravity and shaking", "energy_at.work"),
         Quantity("dissipation", "J", "dissipation", "energy_at.dissipation"),

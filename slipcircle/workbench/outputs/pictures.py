@@ -61,13 +61,6 @@ def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> 
     return content.getvalue()
 
 
-def words_of(png: bytes) -> list[str]:
-    """What titles, axes and legends of a picture say that `render` has drawn as .png."""
-    from PIL import Image
-
-    return str(getattr(Image.open(io.BytesIO(png)), "text", {}).get("Description", "")).split("\n")
-
-
 def _played(film: "Film") -> bytes:
     """A film as a GIF that holds its last frame; what does not move is drawn once."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg

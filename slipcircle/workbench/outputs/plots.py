@@ -7,7 +7,7 @@ where no curve can run into them.
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from textwrap import shorten
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -34,62 +34,83 @@ from slipcircle.workbench.studies.ladder import Rung
 
 __all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]
 
-# What `history` draws: for each picture its symbol, and columns of `HISTORY` with their line and name.
-HISTORIES: Mapping[str, tuple[str, tuple[tuple[str, str, str], ...]]] = {
-    "velocity": (" $v$", (("velocity", "main", ""),)),
-    "displacement": (" $s$", (("displacement", "main", ""),)),
-    "rotation": (" $\\phi$", (("rotation", "main", ""),)),
+
+class Curve(NamedTuple):
+    """A column of `HISTORY` as a curve: its line, and its name in a legend."""
+
+    column: str
+    line: str = "main"
+    label: str = ""
+
+
+# What `history` draws: for each picture its symbol and its curves, of which the first is the quantity itself.
+HISTORIES: Mapping[str, tuple[str, tuple[Curve, ...]]] = {
+    "velocity": (" $v$", (Curve("velocity"),)),
+    "displacement": (" $s$", (Curve("displacement"),)),
+    "rotation": (" $\\phi$", (Curve("rotation"),)),
     "friction": (
         "",
-        (("friction", "main", "mobilised $\\mu$"), ("holding_friction", "other", "needed to stand still")),
+        (Curve("friction", "main", "mobilised $\\mu$"), Curve("holding_friction", "other", "required for equilibrium")),
     ),
-    "normal_stress": ("", (("normal_stress", "main", "total $\\sigma_n$"), ("effective_stress", "other", "effective"))),
+    "normal_stress": (
+        "",
+        (Curve("normal_stress", "main", "total $\\sigma_n$"), Curve("effective_stress", "other", "effective")),
+    ),
 }
-_TALL = 3.0  # the friction needed to stand still is seen up to so many times the greatest mobilised one
+_TALL = 3.0  # times the greatest mobilised friction, up to which that required for equilibrium is in view
 OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 
 
 def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool = False) -> Any:
     """One of `HISTORIES` over time, with the peak velocity, the reach of a mass that swings back, and the end marked.
 
-    Besides the friction stands the one at which the mass would stand still where it is. A brief one stands beside
-    another, which says what the marks are and when.
+    The friction is drawn with that required for equilibrium where the mass is. A brief one stands beside another, which
+    explains the marks.
     """
     known("history: what", what, HISTORIES)
-    ax, quantity = axis(ax), HISTORY[what]
-    symbol, curves = HISTORIES[what]
-    columns = drawn(motion)
-    values = columns[what]
-    curves = tuple(curve for curve in curves if curve[0] == what or _differs(columns[curve[0]], values))
-    factor, unit = prefixed(np.concatenate([columns[name] for name, _, _ in curves]), quantity.unit)
+    ax, columns, quantity = axis(ax), drawn(motion), HISTORY[what]
+    symbol, every = HISTORIES[what]
+    times, values = columns["time"], columns[what]
+    curves = [curve for curve in every if curve.column == what or _differs(columns[curve.column], values)]
+    factor, unit = prefixed(np.concatenate([columns[curve.column] for curve in curves]), quantity.unit)
     if quantity.degrees:
         factor, unit = math.degrees(1.0), "deg"
     ax.set(xlabel="time $t$ (s)", ylabel=f"{quantity.label}{symbol} ({unit or '–'})")
     if not motion.moves:
         return still(motion, ax)
-    for name, line, words in curves:
-        ax.plot(columns["time"], factor * columns[name], label=words if len(curves) > 1 else None, **LINES[line])
-    for role, time, words in _marks(motion, what == "displacement"):
-        value = factor * _read(time, columns["time"], values)
-        shown = f"{number(value)} {unit}".rstrip()
-        ax.axvline(time, **LINES["help"])
-        mark(ax, time, value, role, shown if brief and role != "reach" else f"{words}: {shown} at {number(time)} s")
-    ax.grid(alpha=0.3)
+    for curve in curves:
+        label = curve.label if len(curves) > 1 else None
+        ax.plot(times, factor * columns[curve.column], label=label, **LINES[curve.line])
     ax.margins(y=0.08)
-    ax.set_xlim(0.0, motion.duration)
     is_level = np.ptp(values) <= 1e-9 * np.max(np.abs(values))
     if what == "friction" or is_level:
-        _from_zero(ax, [factor * columns[name] for name, _, _ in curves])
+        _from_zero(ax, [factor * columns[curve.column] for curve in curves])
+    _mark_times(ax, motion, (times, factor * values), unit, what == "displacement", brief)
+    ax.grid(alpha=0.3)
+    ax.set_xlim(0.0, motion.duration)
     legend(ax)
     if what == "displacement":
         _rotation_axis(ax, float(np.asarray(motion.plan.scene.arc.radius)))
     return ax
 
 
+def _mark_times(
+    ax: Any, motion: Motion, curve: tuple[Floats, Floats], unit: str, with_reach: bool, brief: bool
+) -> None:
+    """Marks on a curve over time, each with its value, and unless it is a brief one with its name and its time."""
+    for role, time, name in _marks(motion, with_reach):
+        value = _read(time, *curve)
+        label = f"{number(value)} {unit}".rstrip()
+        if not brief or role == "reach":
+            label = f"{name}: {label} at {number(time)} s"
+        ax.axvline(time, **LINES["help"])
+        mark(ax, time, value, role, label)
+
+
 def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
     """Show curves above zero, the others up to `_TALL` times the greatest value of the first.
 
-    Where next to nothing presses no friction is enough for the mass to stand still.
+    Where next to nothing presses no friction is enough for equilibrium.
     """
     tops = [float(np.max(curve, initial=0.0, where=np.isfinite(curve))) for curve in curves]
     top = min(max(tops), _TALL * tops[0] or math.inf)

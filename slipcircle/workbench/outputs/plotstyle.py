@@ -118,12 +118,14 @@ def empty(words: str, ax: Any, *sides: str) -> Any:
 
 def described(figure: Any) -> list[str]:
     """What titles, axes and legends of a figure say; not the texts at points, which may hold measured times."""
-    said = [part.get_suptitle() for part in (figure, *figure.subfigs)]
+    texts = [part.get_suptitle() for part in (figure, *figure.subfigs)]
+    legends = list(figure.legends)
     for ax in figure.axes:
-        said += [ax.get_title(), ax.get_title("left"), ax.get_xlabel(), ax.get_ylabel()]
-        if (explained := ax.get_legend()) is not None:
-            said += [text.get_text() for text in explained.get_texts()]
-    return [text for text in said if text]
+        texts += [ax.get_title(), ax.get_title("left"), ax.get_xlabel(), ax.get_ylabel()]
+        legends += filter(None, [ax.get_legend()])
+    for explained in legends:
+        texts += [text.get_text() for text in explained.get_texts()]
+    return [text for text in texts if text]
 
 
 def ending(motion: Motion) -> str:

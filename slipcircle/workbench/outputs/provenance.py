@@ -95,22 +95,31 @@ def comments(file: str) -> dict[str, str]:
 
 def _of_scene(scene: Scene) -> Iterator[Input]:
     """Numbers of the section, then what laws and effects were given, by their declarations, and where it ends."""
-    known, of_arc = by_name(scene), arc_numbers(scene.arc)
-    for name in ("initial_velocity", *of_arc):
-        yield Input(name, _shown(scene.numbers[name]), known[name].si)
+    keys = by_name(scene)
+    for name in ("initial_velocity", *arc_numbers(scene.arc)):
+        yield Input(name, _shown(scene.numbers[name]), keys[name].si)
     for name, coefficient in (scene.arc.given or {}).items():
         yield Input(f"given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given")
-    laws = [("friction" + ".rate" * k, n, LAWS.get(n), own) for k, (n, own) in enumerate(law_parts(scene.friction))]
-    for path, name, declared, given in (*laws, *((e, "yes", EFFECTS[e], own) for e, own in scene.called.items())):
+    for place, (name, given) in enumerate(law_parts(scene.friction)):
+        path = "friction.rate" if place else "friction"
         if name == "constant":
             yield Input(path, _shown(given["coefficient"]), "", "friction coefficient, tan(phi)")
-            continue
-        yield Input(path, name, "", declared.help if declared else "Python function of slip")
-        for p in declared.parameters if declared else ():
-            if p.name in given:
-                yield Input(f"{path}.{p.name}", _shown(given[p.name]), p.unit, p.help)
+        elif name in LAWS:
+            yield from _declared(path, name, LAWS[name], given)
+        else:
+            yield Input(path, name, "", "Python function of slip")
+    for name, given in scene.called.items():
+        yield from _declared(name, "yes", EFFECTS[name], given)
     end = ("when the mass rests", "") if scene.end_time is None else (_shown(scene.end_time), "s")
     yield Input("end_time", *end, "time of the end")
+
+
+def _declared(path: str, value: str, declaration: Any, given: Mapping[str, Any]) -> Iterator[Input]:
+    """A law or an effect, and the parameters that it was given."""
+    yield Input(path, value, "", declaration.help)
+    for parameter in declaration.parameters:
+        if parameter.name in given:
+            yield Input(f"{path}.{parameter.name}", _shown(given[parameter.name]), parameter.unit, parameter.help)
 
 
 def _shown(value: Any) -> str:

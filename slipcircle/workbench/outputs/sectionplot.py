@@ -241,7 +241,7 @@ def _scenery(ax: Any, mass: Mass, soil: Any, view: View) -> None:
         chord = number(2 * mass.radius * math.sin(float(soil.half_angle)))
         depth = number(float(soil.depth))
         dip = number(math.degrees(1.5 * math.pi - mass.ends.mean()))
-        words = f"chord, which stands for the ground:\n{chord} m, depth {depth} m, dip {dip} deg"
+        words = f"chord in place of the ground:\n{chord} m, depth {depth} m, dip {dip} deg"
         ax.plot(*mass.ground.T, label=words, **SCENERY["ground"])
     else:
         view = _firm_layer(ax, soil, view)

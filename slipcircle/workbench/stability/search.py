@@ -132,12 +132,8 @@ def critical(
         best, step = search.refined(best, share * step)
     circle = _described(slope, *search.circles(best[:1]))
     least = circle.factor_of_safety[method] or np.inf
-    deep = _bottomless(slope)
-    unlimited = not slope.layers and slope.friction == 0.0 and slope.base is None and entry is None and exit is None
-    if unlimited and least > deep:
-        deepest = f"the critical circle runs infinitely deep, where the factor tends to {deep:.4g}"
-        advice = "give the base of the soil, or where the circle comes out (exit)"
-        raise InputError("critical", [f"{{friction}} = 0 without a base: {deepest}; {advice}"])
+    if entry is None and exit is None:
+        _refuse_bottomless(slope, least)
     tell(f"least factor {least:.6g} by {method}")
     warnings = [circle.warning, *_reached_ends(search, circle), *_reached_limits(search, best[:1], circle)]
     values = np.concatenate(search.values)
@@ -267,13 +263,21 @@ def _skin(slope: Slope) -> str:
     return f", tan(phi)/tan(slope) = {slope.friction / steepest:.4g} if dry" if steepest < 1e6 else ""
 
 
-def _bottomless(slope: Slope) -> float:
-    """The factor of ever deeper circles without friction: that of a step between level grounds, beside which all else
-    is small. F = 4 a c/(gamma H sin(a)^2) of circles about it with half the opening a, least where tan(a) = 2 a.
+def _refuse_bottomless(slope: Slope, least: float) -> None:
+    """Raise a ValueError where, without friction and base, ever deeper circles are worse than the best one.
+
+    Beside their size all is small but the step H between level grounds: F = 4 a c/(gamma H sin(a)^2) of circles about
+    it with half the opening a, least where tan(a) = 2 a.
     """
-    if slope.layers:
-        return np.inf
+    if slope.layers or slope.friction or slope.base is not None:
+        return
     assert slope.unit_weight is not None
     ground = np.asarray(slope.ground)
     step = abs(float(ground[-1, 1] - ground[0, 1])) * slope.unit_weight
-    return 0.0 if slope.k_h > 0.0 else 5.5199 * slope.cohesion / step if step and not slope.k_h else np.inf
+    deepest = 5.5199 * slope.cohesion / step if step and not slope.k_h else np.inf
+    if slope.k_h > 0.0:
+        deepest = 0.0
+    if least > deepest:
+        words = f"the critical circle runs infinitely deep, where the factor tends to {deepest:.4g}"
+        advice = "give the base of the soil, or where the circle comes out (exit)"
+        raise InputError("critical", [f"{{friction}} = 0 without a base: {words}; {advice}"])
