@@ -30,9 +30,9 @@ def add_files(parser: argparse.ArgumentParser, picture: str, **tables: str) -> N
 
 def check_files(options: argparse.Namespace) -> None:
     """See that all files of a command can be written and its pictures drawn, before the work."""
-    given = vars(options)
-    outputs = {f"--{name}": given[name] for name in ("plot", "report", "csv", "npz") if given.get(name)}
-    scenes = given.get("scenes") or [name for name in [given.get("scene")] if name]
+    values = vars(options)
+    outputs = {f"--{name}": values[name] for name in ("plot", "report", "csv", "npz") if values.get(name)}
+    scenes = values.get("scenes") or [name for name in [values.get("scene")] if name]
     files.check(options.command, outputs, [str(find(name)) for name in scenes])
     if "--plot" in outputs or "--report" in outputs:
         for path in options.plot or [""]:
