@@ -1,10 +1,10 @@
 """What commands share: their common options, the checks before the work, errors that name the scene."""
 
 import argparse
-import re
 from collections.abc import Callable
 from typing import TypeVar
 
+from slipcircle.base.checks import InputError
 from slipcircle.core import Scene
 from slipcircle.workbench.common import files
 from slipcircle.workbench.files.scenefile import find
@@ -43,6 +43,8 @@ def with_scene_context(scene: Scene, work: Callable[[Scene], T]) -> T:
     """What a function makes of a scene; an error says of which scene, and names the key of its file."""
     try:
         return work(scene)
-    except ValueError as error:
-        message = re.sub("end_time(?!_)", "end_time_s", str(error))
+    except InputError as error:
+        message = error.worded(lambda name: {"end_time": "end_time_s"}.get(name, name))
         raise ValueError(f"{scene.name}: {message}") from error
+    except ValueError as error:
+        raise ValueError(f"{scene.name}: {error}") from error
