@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7f222895b265c20b8b7e7d13618397a429bd0b783c34254b17cf0833eadf6a89
+# sha256 of the text below: 627399b2c59ddc4271f8601c7d5e7939c32571c89c697d4793bc8a47cf40c66e
 """The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref:
@@ -39,8 +39,7 @@ class Fragment(NamedTuple):
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
     of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be
     omitted. ``states`` are series with those of their rates. Each of ``tables`` has its name, is of slip, speed,
-        rotation or
-    time, with the series of its argument (of time, its own) and the degree of its pieces.
+    rotation or time, with the series of its argument (of time, its own) and the degree of its pieces.
     """
 
     words: tuple[str, ...]

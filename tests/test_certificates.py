@@ -144,7 +144,7 @@ def test_rounding_of_random_programs_stays_within_its_bound(window: bool) -> Non
         if window:
             lower = rng.uniform(0.5, 1.0)
             upper = rng.uniform(lower, min(1.0, 1.1 * lower))
-            tape = rounding.scaled(rounding.specialise(record, 0.0, patches.SMALL), 3, patches.SMALL, patches.UNDERFLOW)
+            tape = patches.scaled(rounding.specialise(record, 0.0, patches.SMALL), 3, patches.SMALL, patches.UNDERFLOW)
         else:
             lower = rng.choice([rng.uniform(0.01, 1.5), 2.0 ** rng.uniform(-300, -5)])
             upper = lower * rng.choice([1.0, 1.0 + 2.0**-20, 1.03, 1.9])

@@ -97,10 +97,12 @@ def triangles() -> dict[str, Expr]:
     for name, weight in WEIGHTS.items():
         n, direction = _split(weight)
         direction = direction.subs({cos(theta): x / rho, sin(theta): y / rho})
-        integrand = expand(simplify(rho**n / n * direction * _P / rho**2))
-        form = Add(*(_along_edge(term) for term in Add.make_args(integrand)))
+        over_theta = rho**n / n * direction
+        integrand = expand(simplify(over_theta * _P / rho**2))
+        form = Add(*map(_along_edge, Add.make_args(integrand)))
         at_2 = diff(form, _T2) + diff(form, _LOG) / _rho(_T2)  # dL/dt2 = 1/r2, proved in `prove`
-        prove_zero(at_2 - integrand.subs(_T, _T2), f"{name}: the triangle's integral grows with t2 as it must")
+        slope = integrand.subs(_T, _T2)
+        prove_zero(at_2 - slope, f"{name}: the triangle's integral grows with t2 as it must")
         prove_zero(form.subs({_T2: _T1, _LOG: 0}), f"{name}: an edge without length has none")
         integrals[name] = form
     return integrals
@@ -117,12 +119,13 @@ def _along_edge(term: Expr) -> Expr:
 # Integrals over t from t1 to t2 with their differences of near equals divided out: r2 - r1 and t2 r2 - t1 r1 are small
 # for short edges. They are proved where they are used.
 _D = _T2 - _T1
+_TOTAL = _T1 + _T2
 _SUM = _rho(_T1) + _rho(_T2)
 _PRIMITIVES = {
-    _rho(_T): _D / 4 * ((_T1 + _T2) ** 2 / _SUM + _SUM) + _P**2 * _LOG / 2,
+    _rho(_T): _D / 4 * (_TOTAL**2 / _SUM + _SUM) + _P**2 * _LOG / 2,
     1 / _rho(_T): _LOG,
-    _T / _rho(_T): _D * (_T1 + _T2) / _SUM,
-    _T: _D * (_T1 + _T2) / 2,
+    _T / _rho(_T): _D * _TOTAL / _SUM,
+    _T: _D * _TOTAL / 2,
     _T**2: _D * (_T1**2 + _T1 * _T2 + _T2**2) / 3,
 }
 
@@ -155,7 +158,8 @@ def closed() -> tuple[Expr, ...]:
             sector = primitive.subs(theta, ANGLE)
         else:
             sector = primitive.subs(at_2) - primitive.subs(at_1)
-        rings.append(sector - triangle.subs(_T2 - _T1, d).subs(of_edge, simultaneous=True))
+        below = triangle.subs(_T2 - _T1, d).subs(of_edge, simultaneous=True)
+        rings.append(sector - below)
     return tuple(rings)
 
 
@@ -177,8 +181,10 @@ def rings() -> tuple[Expr, ...]:
     }
     for name, form in forms.items():
         n, direction = _split(WEIGHTS[name])
-        integral = (1 - r**n) / n / r ** (2 if direction == 1 else 3)
-        prove_zero(form.subs(G, 1 - r**2).subs(sqrt(r**2), r) - integral, f"{name}: the ring over dtheta")
+        power = 2 if direction == 1 else 3
+        integral = (1 - r**n) / n / r**power
+        in_r = form.subs(G, 1 - r**2).subs(sqrt(r**2), r)
+        prove_zero(in_r - integral, f"{name}: the ring over dtheta")
     return tuple(forms.values())
 
 
@@ -205,9 +211,11 @@ def slices() -> dict[str, Expr]:
     outward = Matrix([SINE, -COSINE])
     along = Matrix([COSINE, SINE])
     balance = force - _N * outward - _S * along
-    middle = Matrix([SINE, -COSINE + HEIGHT / 2])
-    moment = expand(middle[0] * force[1] - middle[1] * force[0])
-    radial = expand(expand(balance.dot(outward)).subs(_CIRCLE))
+    x = SINE
+    y = -COSINE + HEIGHT / 2
+    moment = expand(x * force[1] - y * force[0])
+    radial = expand(balance.dot(outward))
+    radial = expand(radial.subs(_CIRCLE))
     normal = solve(radial, _N)[0]
     strength = COHESION + (_N - PRESSURE) * MU
     # Of the weight along the radius, -y/rho and x/rho over a strip: their integrals over y, where drho = y/rho dy.

@@ -125,7 +125,8 @@ def minimax(
             coefficients, level, denominators = _levelled(samples, basis, references, denominators, above, below)
             numerators = (matrix * arb_mat([[c] for c in coefficients])).entries()
             errors = _errors(samples, numerators, denominators)
-            worst = max(abs(float(e)) for e in errors)
+            sizes = (abs(float(e)) for e in errors)
+            worst = max(sizes)
             if worst < least:
                 least = worst
                 best = coefficients
@@ -194,8 +195,9 @@ def _exchange(errors: list[arb], references: list[int]) -> list[int]:
         elif abs(error) > abs(last):
             largest[-1] = i
     while len(largest) > len(references):
-        first_is_smaller = abs(errors[largest[0]]) < abs(errors[largest[-1]])
-        largest.pop(0 if first_is_smaller else -1)
+        first = abs(errors[largest[0]])
+        last = abs(errors[largest[-1]])
+        largest.pop(0 if first < last else -1)
     return largest if len(largest) == len(references) else references
 
 

@@ -157,7 +157,8 @@ def near_value(code: Code, closed: Expr, piece: Pieces) -> Value:
         h = near(code, closed, piece)
         return code.fma(x, h.high, x * h.low)
     u = code.u
-    w = code.fma(u, excess(code, closed, piece), u)
+    q = excess(code, closed, piece)
+    w = code.fma(u, q, u)
     return to_limit(closed, w) * x
 
 
@@ -174,8 +175,10 @@ def logarithm(code: Code, b: Value) -> Value:
     s = code.put("significand", b) - 1.0
     q = s / (s + 2.0)
     z = q * q
-    bent = code.fma(z, code.horner(z, coefficients), -s)
-    power = code.fma(code.put("exponent", b), ln2, s)
+    p = code.horner(z, coefficients)
+    bent = code.fma(z, p, -s)
+    exponent = code.put("exponent", b)
+    power = code.fma(exponent, ln2, s)
     return code.fma(q, bent, power)
 
 

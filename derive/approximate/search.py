@@ -58,7 +58,8 @@ def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Varia
         for form in forms:
             record = certificates.plain(form)
             goal = TIERS[tier].goal(record)
-            certify.prove(record | {"bound": goal, "bound_to_quarter_pi": goal, "bound_underflow": math.inf})
+            goals = {"bound": goal, "bound_to_quarter_pi": goal, "bound_underflow": math.inf}
+            certify.prove(record | goals)
     except ProofError:
         return []
     return forms
@@ -76,8 +77,10 @@ def rises(closed: Expr, seam: float) -> bool:
 @cache
 def baseline(closed: Expr, seam: float) -> Far:
     """The baseline whose operations leave the least error, by an estimate of half an ulp each, over ulp(F)."""
-    points = [seam + (HALF_PI - seam) * k / 24 for k in range(25)]
-    values = [(x, float(at(closed, arb(x)))) for x in points]
+    values = []
+    for k in range(25):
+        x = seam + (HALF_PI - seam) * k / 24
+        values.append((x, float(at(closed, arb(x)))))
     about = end(closed)
 
     def rank(far: Far) -> tuple[float, ...]:

@@ -98,7 +98,8 @@ def error(record: Record, part: Patch, lower: float, upper: float) -> float:
         with working(BITS):
             exact = truth.value(record["definition"], arb(TOP))
             clipped = exact / truth.limit(record["definition"]) - 1
-            bound += float(clipped.abs_upper()) * 2.0**24 * UP
+            ulps = float(clipped.abs_upper()) * 2.0**24
+            bound += ulps * UP
     return bound
 
 
@@ -145,8 +146,9 @@ def halve(
         heapq.heapreplace(boxes, box(number, lower, middle))
         heapq.heappush(boxes, box(number, middle, upper))
         halvings -= 1
-    bound = max((-x.minus_bound for x in boxes), default=0.0)
-    return bound, [_in_alpha(parts[x.number], x) for x in _worst_of_each(boxes)]
+    bounds = (-x.minus_bound for x in boxes)
+    worst = [_in_alpha(parts[x.number], x) for x in _worst_of_each(boxes)]
+    return max(bounds, default=0.0), worst
 
 
 def _worst_of_each(boxes: list[Box]) -> list[Box]:
@@ -173,8 +175,9 @@ def prove(record: Record) -> float:
     """
     if record["sha256"] != digest(record):
         raise rejected("digest", record, digest(record), record["sha256"])
-    if record["assumptions"] != assumptions(record):
-        raise rejected("assumptions", record, record["assumptions"], assumptions(record))
+    stated = record["assumptions"]
+    if stated != assumptions(record):
+        raise rejected("assumptions", record, stated, assumptions(record))
     try:
         _check_program(record)
         proved = max(_prove_claim(record, claim, parts) for claim, parts in by_claim(record).items())

@@ -13,7 +13,7 @@ from flint import arb, arb_series
 
 from derive.check import rounding, truth
 from derive.check.records import Record
-from derive.check.rounding import DOWN, ROUNDING_BITS, UP, VALUE, Tape, Unbounded, specialise
+from derive.check.rounding import DOWN, ROUNDING_BITS, TINY, UP, VALUE, Node, Tape, Unbounded, specialise
 from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Definition, Model, Segment, ball, working
 
 SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1]: one window stands for every power of two s
@@ -106,7 +106,8 @@ class Patch:
                 divisor = self.below(t)
                 difference = difference / divisor
                 exact = exact / divisor
-            distance = (float(difference.abs_upper()) * UP + total) * UP
+            largest = float(difference.abs_upper()) * UP
+            distance = (largest + total) * UP
             smallest = float(exact.abs_lower()) * DOWN
             if not (distance < math.inf and smallest >= 0):
                 raise Unbounded("the error is not finite")
@@ -124,21 +125,26 @@ class Patch:
 
     def window(self, top: float, bottom: float) -> "Patch":
         """For every alpha = s xi, s in [bottom, top] a power of two, xi in [1/2, 1]."""
-        tape = rounding.scaled(self.tape, self.order, top, bottom)
+        tape = scaled(self.tape, self.order, top, bottom)
         return replace(self, tape=tape, lower=0.5, upper=1.0, top=top)
 
 
 def patch(definition: Definition, tape: Tape, segment: Segment, lower: float, upper: float) -> Patch:
     """Models of the program and of the exact function, and of what lies between them."""
     first, *others = (truth.kernel(statement, segment) for statement in definition)
-    second = others[0] if others else None
+    second = None
+    if others:
+        (second,) = others
     order = 0 if second or segment.lower else CUBE
     centre = segment.centre
     with working(BITS):
         fat = ball(min(lower, centre), max(upper, centre))
-        computed = truth.model(ideal(tape, arb(centre)), ideal(tape, fat), order)
+        thin = arb(centre)
+        computed = truth.model(ideal(tape, thin), ideal(tape, fat), order)
         if second is None:
-            difference = Model(computed.main - first.main, computed.last - first.last, computed.power)
+            main = computed.main - first.main
+            last = computed.last - first.last
+            difference = Model(main, last, computed.power)
         else:
             difference = _times_denominator(computed, first, second, fat - centre)
     return Patch(tape, segment, lower, upper, difference, first, second, order)
@@ -149,8 +155,9 @@ def _times_denominator(computed: Model, first: Model, second: Model, t: arb) -> 
     computed_rest, first_rest, second_rest = (
         model.last * arb(0, 1) * t.abs_upper() ** model.power for model in (computed, first, second)
     )
+    main = computed.main * second.main - first.main
     last = computed_rest * second(t) + computed.main(t) * second_rest - first_rest
-    return Model(computed.main * second.main - first.main, last, 0)
+    return Model(main, last, 0)
 
 
 def fine_patches(definition: Definition, tape: Tape, segment: Segment, lower: float, upper: float) -> Iterator[Patch]:
@@ -191,3 +198,70 @@ def near_zero(record: Record) -> Patch:
     """The patch [0, SMALL], whose windows stand for powers of two."""
     tape = specialise(record, 0.0, SMALL)
     return patch(record["definition"], tape, SEGMENTS[0], 0.0, SMALL)
+
+
+def scaled(tape: Tape, degree: int, top: float, bottom: float) -> Tape:
+    """The tape over xi in [1/2, 1], for alpha = s xi with any power of two s in [bottom, top] at once.
+
+    Every value has a degree k, and is s**k times the value on the new tape; rounding scales with it, underflow is at
+    most TINY/2 bottom**-k. Where degrees meet in a sum, or would exceed that of the result, factors s**j are taken as
+    unknown between 0 and top**j.
+    """
+    scaling = _Scaling(top, bottom)
+    for node in tape:
+        scaling.append(node, degree)
+    if scaling.degrees[-1] != degree:
+        raise Unbounded("near zero the program is not of the order of the kernel")
+    return tuple(scaling.tape)
+
+
+class _Scaling:
+    """The tape that `scaled` makes, the degrees of its values, and where the old values are on it."""
+
+    def __init__(self, top: float, bottom: float) -> None:
+        self.top = top
+        self.bottom = bottom
+        self.tape: list[Node] = []
+        self.degrees: list[int] = []
+        self.place: list[int] = []
+
+    def append(self, node: Node, highest: int) -> None:
+        """Append an operation of the old tape; ``highest`` is the degree of the result."""
+        args = [self.place[a] for a in node.args]
+        degrees = [self.degrees[a] for a in args]
+        kind = node.kind
+        if kind == "x":
+            degree = 1
+        elif kind == "const":
+            degree = 0 if node.value else highest
+        elif kind in ("neg", "error") and len(set(degrees)) == 1:
+            degree = degrees[0]
+        elif kind in ("add", "sub"):
+            degree = min(degrees)
+            args = [self.lower(a, degree) for a in args]
+        elif kind in ("mul", "fma", "div"):
+            first, second, *others = degrees
+            product = first - second if kind == "div" else first + second
+            degree = min(product, highest, *others)
+            lowered = self.lower(args[0], degree - product + first)
+            summands = [self.lower(a, degree) for a in args[2:]]
+            args = [lowered, args[1], *summands]
+        else:
+            raise Unbounded(f"{kind} near zero")
+        self.place.append(self.put(node._replace(args=tuple(args)), degree))
+
+    def put(self, node: Node, degree: int) -> int:
+        """Append a value of a degree, with what may underflow of it."""
+        floor = TINY
+        for _ in range(degree):
+            floor /= self.bottom  # in steps: bottom**-degree overflows
+        self.tape.append(node._replace(floor=floor / 2 if degree > 0 else TINY))
+        self.degrees.append(degree)
+        return len(self.tape) - 1
+
+    def lower(self, i: int, degree: int) -> int:
+        """The value with its degree lowered, a power of s being taken as unknown."""
+        by = self.degrees[i] - degree
+        if not by:
+            return i
+        return self.put(Node("scale", (i,), self.top**by), degree)

@@ -7,8 +7,9 @@ class ProofError(Exception):
     """
 
     def __init__(self, claim: str, found: object, wanted: object = 0, check: str = "") -> None:
-        # As they are, so that it passes between processes.
-        super().__init__(claim, str(found), str(wanted), check)
+        # All four, so that it passes between processes.
+        arguments = (claim, str(found), str(wanted), check)
+        super().__init__(*arguments)
         self.check = check
 
     def __str__(self) -> str:

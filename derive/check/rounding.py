@@ -93,9 +93,11 @@ def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
     if node.kind in ("add", "sub"):
         # Doubles not below 2**(k - 1) are multiples of 2**(k - 53), and so is their sum: a double, if at most 2**k.
         smaller = min(float(values[i].abs_lower()) for i in node.args) * DOWN
-        if smaller > 0 and largest <= math.ldexp(1.0, math.frexp(smaller)[1]):
+        _, k = math.frexp(smaller)
+        if smaller > 0 and largest <= math.ldexp(1.0, k):
             return 0.0
-    half = math.ldexp(1.0, math.frexp(largest)[1] - 54)
+    _, k = math.frexp(largest)
+    half = math.ldexp(1.0, k - 54)
     if node.kind == "log":
         half *= 2 * LOG_ULPS
     return (half + node.floor) * UP
@@ -229,7 +231,9 @@ class _Specialise:
     def exponent(self, i: int) -> int:
         """The k with 3/4 <= value 2**-k < 3/2 on the whole range."""
         low, high = self.range(i)
-        k = math.frexp(float(low))[1] if low >= Fraction(1, 2**1022) else 0
+        k = 0
+        if low >= Fraction(1, 2**1022):
+            _, k = math.frexp(float(low))
         k -= low * Fraction(2) ** -k < Fraction(3, 4)
         scale = Fraction(2) ** -k
         if not Fraction(3, 4) <= low * scale <= high * scale < Fraction(3, 2):
@@ -331,70 +335,3 @@ def specialise(record: Record, lower: float, upper: float) -> Tape:
     """The tape of the program for alpha in [lower, upper]."""
     with working(ROUNDING_BITS):
         return _Specialise(record, lower, upper).run(record["output"])
-
-
-def scaled(tape: Tape, degree: int, top: float, bottom: float) -> Tape:
-    """The tape over xi in [1/2, 1], for alpha = s xi with any power of two s in [bottom, top] at once.
-
-    Every value has a degree k, and is s**k times the value on the new tape; rounding scales with it, underflow is at
-    most TINY/2 bottom**-k. Where degrees meet in a sum, or would exceed that of the result, factors s**j are taken as
-    unknown between 0 and top**j.
-    """
-    scaling = _Scaling(top, bottom)
-    for node in tape:
-        scaling.append(node, degree)
-    if scaling.degrees[-1] != degree:
-        raise Unbounded("near zero the program is not of the order of the kernel")
-    return tuple(scaling.tape)
-
-
-class _Scaling:
-    """The tape that `scaled` makes, the degrees of its values, and where the old values are on it."""
-
-    def __init__(self, top: float, bottom: float) -> None:
-        self.top = top
-        self.bottom = bottom
-        self.tape: list[Node] = []
-        self.degrees: list[int] = []
-        self.place: list[int] = []
-
-    def append(self, node: Node, highest: int) -> None:
-        """Append an operation of the old tape; ``highest`` is the degree of the result."""
-        args = [self.place[a] for a in node.args]
-        degrees = [self.degrees[a] for a in args]
-        kind = node.kind
-        if kind == "x":
-            degree = 1
-        elif kind == "const":
-            degree = 0 if node.value else highest
-        elif kind in ("neg", "error") and len(set(degrees)) == 1:
-            degree = degrees[0]
-        elif kind in ("add", "sub"):
-            degree = min(degrees)
-            args = [self.lower(a, degree) for a in args]
-        elif kind in ("mul", "fma", "div"):
-            first, second, *others = degrees
-            product = first - second if kind == "div" else first + second
-            degree = min(product, highest, *others)
-            lowered = self.lower(args[0], degree - product + first)
-            summands = [self.lower(a, degree) for a in args[2:]]
-            args = [lowered, args[1], *summands]
-        else:
-            raise Unbounded(f"{kind} near zero")
-        self.place.append(self.put(node._replace(args=tuple(args)), degree))
-
-    def put(self, node: Node, degree: int) -> int:
-        """Append a value of a degree, with what may underflow of it."""
-        floor = TINY
-        for _ in range(degree):
-            floor /= self.bottom  # in steps: bottom**-degree overflows
-        self.tape.append(node._replace(floor=floor / 2 if degree > 0 else TINY))
-        self.degrees.append(degree)
-        return len(self.tape) - 1
-
-    def lower(self, i: int, degree: int) -> int:
-        """The value with its degree lowered, a power of s being taken as unknown."""
-        by = self.degrees[i] - degree
-        if not by:
-            return i
-        return self.put(Node("scale", (i,), self.top**by), degree)

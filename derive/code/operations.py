@@ -66,8 +66,9 @@ def _to_odd(a: Floats, b: Floats) -> Floats:
     rounded, lost = two_sum(a, b)
     bits = rounded.view(np.int64)
     towards_sum = np.where((lost > 0) == (rounded > 0), 1, -1)
-    even = bits & 1 == 0
-    return np.asarray(np.where((lost != 0) & even, bits + towards_sum, bits).view(np.float64))
+    inexact_and_even = (lost != 0) & (bits & 1 == 0)
+    to_odd = np.where(inexact_and_even, bits + towards_sum, bits)
+    return np.asarray(to_odd.view(np.float64))
 
 
 def exponent(x: Floats) -> Floats:
@@ -95,7 +96,8 @@ class Operation:
 
 
 def _infix(sign: str, meaning: Callable[..., Any], binds: int, right: int) -> Operation:
-    return Operation(f"{{0}} {sign} {{1}}", f"{{0}} {sign} {{1}}", meaning, binds, (binds, right))
+    text = f"{{0}} {sign} {{1}}"
+    return Operation(text, text, meaning, binds, (binds, right))
 
 
 OPERATIONS = {

@@ -87,7 +87,8 @@ class _Text:
         if i in self.polynomials:
             return self._polynomial(*self.polynomials[i]), 9
         while len(self._operation(op)) > WIDTH - 24:  # room for the name
-            self._name(max(op.args, key=lambda a: len(self.text[a][0])))
+            longest = max(op.args, key=lambda a: len(self.text[a][0]))
+            self._name(longest)
         return self._operation(op), OPERATIONS[op.kind].binds
 
     def _polynomial(self, x: int, coefficients: Sequence[float]) -> str:
@@ -126,7 +127,8 @@ class _Text:
             name = f"{first}_{k}"
         line = self.language.statement.format(name=name, text=text)
         if len(line) > WIDTH:
-            line = "\n".join(textwrap.wrap(line, WIDTH - 8, subsequent_indent="    ", break_long_words=False))
+            lines = textwrap.wrap(line, WIDTH - 8, subsequent_indent="    ", break_long_words=False)
+            line = "\n".join(lines)
         self.lines.append(line)
         self.text[i] = (name, 9)
 
@@ -181,7 +183,8 @@ def seam(program: Program) -> tuple[float, int, int] | None:
         return None
     chosen, near, far = output.args
     less = program.ops[chosen]
-    if less.kind != "less" or [program.ops[i].kind for i in less.args] != ["input", "const"]:
+    compared = [program.ops[i].kind for i in less.args]
+    if less.kind != "less" or compared != ["input", "const"]:
         return None
     return float(program.ops[less.args[1]].value), near, far  # type: ignore[arg-type]
 
@@ -231,7 +234,9 @@ def _call(program: Program, i: int, part: Part) -> tuple[str, int] | None:
         one = program.ops[i]
         other = part.program.ops[k]
         if k not in bound and other.kind != "input":
-            if (one.kind, one.value, len(one.args)) != (other.kind, other.value, len(other.args)):
+            if (one.kind, one.value) != (other.kind, other.value):
+                return False
+            if len(one.args) != len(other.args):
                 return False
             if not all(map(same, one.args, other.args)):
                 return False

@@ -14,4 +14,7 @@ a, b, omega_0, t = sp.symbols("a b omega_0 t", real=True)  # d(omega)/dt = a - b
 
 def in_words(form: sp.Expr) -> str:
     """A form as one reads it: powers raised, products by a blank, ``x_star`` as x*."""
-    return str(sp.sstr(form)).replace("**", "^").replace("*", " ").replace("_star", "*")
+    text = str(sp.sstr(form))
+    text = text.replace("**", "^")
+    text = text.replace("*", " ")
+    return text.replace("_star", "*")

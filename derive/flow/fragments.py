@@ -6,8 +6,33 @@ from itertools import chain, combinations
 from sympy import Expr, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin, sstr, sympify
 
 from derive.algebra.remainders import Select
-from derive.declare import effects as declared
-from derive.declare.effects import ALL_EFFECTS, BY_PSI, DEGREE, FALL, LAMBDA, LAWS, LEVEL, MU, OMEGA, PRESS, SLIP, THETA
+from derive.declare.effects import (
+    ALL_EFFECTS,
+    BY_PSI,
+    DEGREE,
+    EFFECTIVE,
+    FALL,
+    J_R,
+    J_THETA,
+    LAMBDA,
+    LAWS,
+    LEVEL,
+    MU,
+    OMEGA,
+    OMEGA_2,
+    POLAR,
+    PRESS,
+    PRESS_SLOPE,
+    REMAINING_SLOPE,
+    SLIP,
+    SPEED,
+    THETA,
+    TURNING_SLOPE,
+    A,
+    Effect,
+    Law,
+    formulas,
+)
 from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, cell, series, total, varying
 
 # What every scene gives, all over Theta*.
@@ -28,7 +53,7 @@ FRICTION = cell("friction")
 # In the rate of a state these count in full: there is no base to subtract.
 TOTALS = {x: (ZERO, series(str(x))) for x in (NORMAL, FRICTION, MU)}
 # A Python function of slip, which the runtime turns into pieces.
-CALLABLE = declared.Law("callable", "1.14", (), ("slip",), "a function of the slip, in pieces", degree=DEGREE)
+CALLABLE = Law("callable", "1.14", (), ("slip",), "a function of the slip, in pieces", degree=DEGREE)
 
 
 def seen(q: Symbol) -> Symbol:
@@ -38,7 +63,7 @@ def seen(q: Symbol) -> Symbol:
 
 def sign(q: Symbol) -> Expr:
     """What a component is multiplied by to be seen so: J_theta and the slope of J_r are odd in psi."""
-    odd_in_psi = (FALL, declared.PRESS_SLOPE, declared.TURNING_SLOPE, declared.REMAINING_SLOPE)
+    odd_in_psi = (FALL, PRESS_SLOPE, TURNING_SLOPE, REMAINING_SLOPE)
     return DIRECTION if q in odd_in_psi else ONE
 
 
@@ -59,17 +84,11 @@ def position() -> dict[Symbol, tuple[Expr, Increment]]:
 
 def scaled(e: Expr) -> Expr:
     """A moment over Theta*, in the functions of the position and the parameters alone."""
-    over_theta = {
-        declared.J_THETA: THETA * FALL,
-        declared.J_R: THETA * PRESS,
-        LAMBDA: THETA * LEVEL,
-        declared.A: declared.POLAR / LEVEL,
-        declared.OMEGA_2: OMEGA**2,
-    }
+    over_theta = {J_THETA: THETA * FALL, J_R: THETA * PRESS, LAMBDA: THETA * LEVEL, A: POLAR / LEVEL, OMEGA_2: OMEGA**2}
     return expand(expand(expand(e).subs(over_theta)) / THETA)
 
 
-def quantities(effect: declared.Effect) -> dict[str, Expr]:
+def quantities(effect: Effect) -> dict[str, Expr]:
     """What an effect adds to the quantities of the balance."""
     return {
         "driving": scaled(effect.fall),
@@ -79,7 +98,7 @@ def quantities(effect: declared.Effect) -> dict[str, Expr]:
     }
 
 
-def odd(effect: declared.Effect) -> set[Symbol]:
+def odd(effect: Effect) -> set[Symbol]:
     """The parameters that change sign in a mirror, in which the drive does and nothing else, or ValueError."""
     symbols = sorted({p.symbol for p in effect.parameters if p.symbol is not None}, key=str)
     for chosen in chain.from_iterable(combinations(symbols, n) for n in range(len(symbols) + 1)):
@@ -88,9 +107,9 @@ def odd(effect: declared.Effect) -> set[Symbol]:
     raise ValueError(f"{effect.name}: no signs of its parameters make its terms the same in a mirror")
 
 
-def _symmetric(effect: declared.Effect, chosen: Sequence[Symbol]) -> bool:
+def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
     """Whether a mirror in which these parameters change sign turns the drive round and leaves all else."""
-    mirror = {x: -x for x in (FALL, declared.PRESS_SLOPE, *chosen)}
+    mirror = {x: -x for x in (FALL, PRESS_SLOPE, *chosen)}
     for quantity, e in quantities(effect).items():
         mirrored = -e if quantity == "driving" else e
         if expand(e.xreplace(mirror) - mirrored) != 0:
@@ -98,11 +117,11 @@ def _symmetric(effect: declared.Effect, chosen: Sequence[Symbol]) -> bool:
     return True
 
 
-def moving(effect: declared.Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]:
+def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]:
     """What may change along a phase: base and increment by symbol."""
     speed = (ZERO, series("omega"))
     variables = position()
-    variables |= {OMEGA: speed, declared.SPEED: speed, SLIP: (BEGAN, series("x"))}
+    variables |= {OMEGA: speed, SPEED: speed, SLIP: (BEGAN, series("x"))}
     if effect is None:
         return variables
     odd_parameters = odd(effect)
@@ -127,7 +146,7 @@ def powers(table: str, argument: str, degree: int) -> Increment:
     return {(argument,) * k: cell(f"{table}.Q{k}") for k in range(1, degree + 1)}
 
 
-def of_effect(effect: declared.Effect) -> Fragment:
+def of_effect(effect: Effect) -> Fragment:
     """What an effect adds to the quantities of the balance, and the rates of its states."""
     if effect.turns:
         return rotation(effect)
@@ -138,7 +157,7 @@ def of_effect(effect: declared.Effect) -> Fragment:
         low.whole(f"d{x}", f"{x}_less", str(x))
     low.moving = {**low.moving, **TOTALS}
     rate = expand(effect.growth * OMEGA)
-    rate = rate.subs(declared.EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
+    rate = rate.subs(EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
     inputs = []
     optional = []
     tables = []
@@ -153,7 +172,7 @@ def of_effect(effect: declared.Effect) -> Fragment:
         if p.optional:
             optional.append(name)
     return low.fragment(
-        (f"({effect.equation}) {effect.help}", *declared.formulas(effect)),
+        (f"({effect.equation}) {effect.help}", *formulas(effect)),
         quantities(effect),
         inputs=inputs,
         optional=optional,
@@ -162,7 +181,7 @@ def of_effect(effect: declared.Effect) -> Fragment:
     )
 
 
-def of_law(law: declared.Law) -> Fragment:
+def of_law(law: Law) -> Fragment:
     """Friction of a law: its base and its increment, from its formula or as the polynomial of a table's piece."""
     low = Lowering(law.name, moving())
     words = [f"({law.equation}) {law.help}"]
@@ -185,7 +204,7 @@ def of_law(law: declared.Law) -> Fragment:
     return low.fragment(words, {"mu": value}, tables=((law.name, variable, argument, law.degree),))
 
 
-def _log_speed(law: declared.Law, low: Lowering) -> None:
+def _log_speed(law: Law, low: Lowering) -> None:
     """The logarithm of the speed over that where the phase began; the first piece, below the table, is constant."""
     beyond = cell("beyond")
     start = cell("start_speed")
@@ -197,7 +216,7 @@ def _log_speed(law: declared.Law, low: Lowering) -> None:
     low.put("log", "log_speed", "relative_speed")
 
 
-def pieces(law: declared.Law) -> tuple[list[Expr], list[list[Expr]]]:
+def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
     """Where the pieces of a law with kinks begin, over its scale, and their polynomials in what is beyond.
 
     A piece takes the branch of each minimum or maximum that holds there: a constant piece is exactly its parameter.
@@ -234,7 +253,7 @@ def gravity() -> Fragment:
     return low.fragment(words, {"driving": FALL, "pressing": PRESS})
 
 
-def rotation(effect: declared.Effect) -> Fragment:
+def rotation(effect: Effect) -> Fragment:
     """The turning of the weight: its components where the phase begins, and the series that they turn by."""
     low = Lowering(effect.name, {})
     for q, slope in BY_PSI.items():
@@ -245,7 +264,7 @@ def rotation(effect: declared.Effect) -> Fragment:
     low.put("lin", "upright", str(press), low.sum(increment))
     words = [
         f"({effect.equation}) {effect.help}",
-        *declared.formulas(effect),
+        *formulas(effect),
         "q(psi - x) = q - q vers x - q' sin x, of J_theta, J_r and their slopes",
     ]
     return low.fragment(words, {})
@@ -313,9 +332,7 @@ def energy() -> Fragment:
     return low.fragment(words, {}, states={"work": driving * omega, "dissipation": brakes * omega})
 
 
-def fragments(
-    effects: Sequence[declared.Effect] = ALL_EFFECTS, laws: Sequence[declared.Law] = LAWS
-) -> dict[str, Fragment]:
+def fragments(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> dict[str, Fragment]:
     """All fragments by name, of these effects and laws."""
     every = {"gravity": gravity()}
     for effect in effects:

@@ -159,7 +159,8 @@ class Lowering:
         x = self.register(increment)
         results = f"sin({x})", f"vers({x})"
         self.operate("turn", results, x)
-        return total((sine, series(results[0])), (versine, series(results[1])))
+        sine_of_x, versine_of_x = map(series, results)
+        return total((sine, sine_of_x), (versine, versine_of_x))
 
     def operate(self, operation: str, results: Iterable[str], z: str, *numbers: str) -> None:
         """Append an operation on the register z; one that takes t dz/dt too has it made first."""

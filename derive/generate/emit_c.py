@@ -66,7 +66,7 @@ class CText:
         """The inline function of one program."""
         lines, (result,) = statements(program, C, [*parts, *self.parts])
         (argument,) = program.inputs
-        code = "".join(f"    {line}\n" for text in (*lines, f"return {result};") for line in text.split("\n"))
+        code = textwrap.indent("\n".join([*lines, f"return {result};", ""]), "    ")
         python = re.sub(r"const double (\w+ = )", r"\1", code).replace(";\n", "\n")
         python = re.sub(r"-?0x[0-9a-f.]+p[-+]\d+", r"hexadecimal('\g<0>')", python)
         self.reader.check(program, name, f"def {name}({argument}):\n{python}")
@@ -77,29 +77,34 @@ class CText:
         pieces = seam(program)
         if not pieces:
             counts = program.operations()
-            if sum(counts.values()) + DIVISION * counts["div"] <= SHORT:
-                kind = "short"
-            else:
-                kind = "whole"
+            cost = sum(counts.values()) + DIVISION * counts["div"]
+            kind = "short" if cost <= SHORT else "whole"
             return f"{self.body(name, program)}#define {name}_KIND {kind}\n"
         at, *outputs = pieces
-        parts = [
-            Part(f"{name}_{side}", without_dead(replace(program, outputs=(output,))))
-            for side, output in zip(("near", "far"), outputs, strict=True)
-        ]
-        where = (f"/* alpha < {at} */\n", f"/* alpha >= {at}, in b = pi/2 - alpha */\n")
-        text = "".join(words + self.body(part.name, part.program) for words, part in zip(where, parts, strict=True))
+        comments = (f"/* alpha < {at} */", f"/* alpha >= {at}, in b = pi/2 - alpha */")
+        parts = []
+        text = ""
+        for side, output, comment in zip(("near", "far"), outputs, comments, strict=True):
+            piece = without_dead(replace(program, outputs=(output,)))
+            part = Part(f"{name}_{side}", piece)
+            parts.append(part)
+            text += f"{comment}\n{self.body(part.name, piece)}"
         text += self.body(name, program, parts)
-        limits = "".join(f"#define {name}_BELOW_{t} {pattern(at, t, False)}\n" for t in ("double", "float"))
-        return f"{text}#define {name}_KIND pieces\n{limits}"
+        text += f"#define {name}_KIND pieces\n"
+        for number in ("double", "float"):
+            text += f"#define {name}_BELOW_{number} {pattern(at, number, False)}\n"
+        return text
 
 
 def pattern(limit: float, number: str, included: bool = True) -> str:
     """The bits of the largest double, or float, that is not above a positive limit, or below it."""
     width = {"double": 64, "float": 32}[number]
     nearest = np.array(limit, f"float{width}")
-    inside = float(nearest) < limit or (included and float(nearest) == limit)
-    return f"UINT{width}_C({int(nearest.view(f'uint{width}')) - (not inside):#x})"
+    bits = int(nearest.view(f"uint{width}"))
+    value = float(nearest)
+    if value > limit or (value == limit and not included):
+        bits -= 1
+    return f"UINT{width}_C({bits:#x})"
 
 
 def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str] | None = None) -> str:
@@ -140,7 +145,8 @@ def _loops_and_table(tiers: Sequence[tuple[str, str]]) -> tuple[list[str], list[
             single = identifier(kernel, "float32") if (kernel, "float32") in tiers else name
             float_loops.append(f"LOOP(float, {single}, FORM, LEVEL)")
             of_float = f"(void *){single}_##LEVEL##_float"
-        rows.append(f'{{"{kernel}", "{tier}", {{{of_float}, (void *){name}_##LEVEL##_double}}}},')
+        of_double = f"(void *){name}_##LEVEL##_double"
+        rows.append(f'{{"{kernel}", "{tier}", {{{of_float}, {of_double}}}}},')
     table = ["static Ufunc ufuncs_##LEVEL[] = {", *rows, "{NULL, NULL, {NULL, NULL}}};"]
     return double_loops + float_loops, table
 
@@ -159,7 +165,9 @@ def _bodies(form: str, programs: Programs, words: Mapping[tuple[str, str, str], 
     text = f"#undef FMA\n#define FMA(a, b, c) {FORMS[form]}\n\n{c.text}"
     for kernel, tier in _tiers(programs):
         key = (kernel, tier, form)
-        text += f"\n{_comment(words.get(key, ''))}{c.functions(f'{identifier(kernel, tier)}_{form}', programs[key])}"
+        name = f"{identifier(kernel, tier)}_{form}"
+        comment = _comment(words.get(key, ""))
+        text += f"\n{comment}{c.functions(name, programs[key])}"
     return text
 
 

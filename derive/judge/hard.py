@@ -129,7 +129,10 @@ def drive(rows: Iterable[tuple[str, ...]], press: Any, mu: Any, limit: Any) -> A
     cells = {"pressing_0": press, "press_0": press, "mu_0": mu, "LIMIT": limit}
     cells |= dict.fromkeys(("driving_0", "fall_0"), press * limit)
     for operation, name, *operands in rows:
-        values = [np.float64(x[1:]) if x[0] == "=" else cells.get(x, np.float64(0)) for x in operands]
+        values = []
+        for x in operands:
+            number = np.float64(x[1:]) if x[0] == "=" else cells.get(x, np.float64(0))
+            values.append(number)
         cells[name] = OPERATIONS[operation].meaning(*values)
     return cells["drive"]
 
@@ -210,10 +213,13 @@ def measured() -> list[Result]:
             computed = float(ours[case.function](*arrays))
         exact = _exact(form, case.arguments)
         with mpmath.workdps(_DIGITS):
-            naive_error = float(abs(naive - exact) / abs(exact)) if math.isfinite(naive) else abs(naive)
+            size = abs(exact)
+            ulp = float(np.spacing(float(size)))
+            naive_error = abs(naive)
+            if math.isfinite(naive):
+                naive_error = float(abs(naive - exact) / size)
             error = abs(computed - exact)
-            ulp = float(np.spacing(abs(float(exact))))
-            results.append(Result(*case, form.words, naive_error, float(error / abs(exact)), float(error / ulp)))
+            results.append(Result(*case, form.words, naive_error, float(error / size), float(error / ulp)))
     return results
 
 

@@ -67,7 +67,8 @@ def reaction() -> Pair:
     """Components of the traction on the arc: pressure against the outward normal, shear against the velocity."""
     tangent = _direction(theta).diff(theta)
     outward = Matrix([tangent[1], -tangent[0]])
-    pressure, shear = basis(*(-sigma_n * outward - tau_n * tangent))
+    x, y = -sigma_n * outward - tau_n * tangent
+    pressure, shear = basis(x, y)
     return pressure, shear * sign(omega)
 
 
@@ -91,8 +92,10 @@ def end(start: Symbol) -> Expr:
     return start + Integral(omega_of(r), (r, 0, t))
 
 
-AREA = simplify((r * _direction(theta)).jacobian([r, theta]).det())  # over dr dtheta
-ARC = sqrt(simplify(sum((R * f(theta)).diff(theta) ** 2 for f in (cos, sin))))  # over dtheta, on the circle
+_POSITION = r * _direction(theta)
+_TANGENT = (R * _direction(theta)).diff(theta)
+AREA = simplify(_POSITION.jacobian([r, theta]).det())  # over dr dtheta
+ARC = sqrt(simplify(_TANGENT.dot(_TANGENT)))  # over dtheta, on the circle
 STRESS_SUM = Integral(sigma(u), (u, 0, 2 * alpha))  # along the arc, over the angle from its first end
 
 
@@ -102,7 +105,8 @@ def chord() -> Expr:
     first = R * _direction(theta_1)
     second = R * _direction(theta_1 + 2 * alpha)
     ray = r * _direction(theta)
-    return solve(Matrix.hstack(ray - first, second - first).det(), r)[0]
+    collinear = Matrix.hstack(ray - first, second - first).det()
+    return solve(collinear, r)[0]
 
 
 @cache
@@ -139,7 +143,9 @@ def radial() -> Expr:
     """R times the integral of sigma_n over the angle: (2.1) with (1.8), (1.11), (1.12), (2.3), (2.4), over ell."""
     weight = rho * GRAVITY[0]
     inertia = rho * rate(2)[0]
-    return expand((body(inertia * AREA) - body(weight * AREA)) / reaction()[0].coeff(sigma_n))
+    pressure, _ = reaction()
+    balance = body(inertia * AREA) - body(weight * AREA)
+    return expand(balance / pressure.coeff(sigma_n))
 
 
 def step(equation: str) -> Expr:
@@ -149,12 +155,15 @@ def step(equation: str) -> Expr:
 
 def momentum() -> Pair:
     """Both sides of (3.8), over ell rho."""
-    return expand(step("3.8 left") / (ell * rho)), expand(step("3.8") / (ell * rho))
+    left = step("3.8 left") / (ell * rho)
+    right = step("3.8") / (ell * rho)
+    return expand(left), expand(right)
 
 
 def lever() -> Expr:
     """What mu sigma* is multiplied by, in (3.8) over ell rho g R^3."""
-    resistance = -momentum()[1].coeff(sigma_mean) / (g * R**3)
+    _, right = momentum()
+    resistance = -right.coeff(sigma_mean) / (g * R**3)
     return simplify(resistance / mu * rho * g * DEPTH)
 
 
@@ -170,16 +179,21 @@ def dimensional() -> dict[str, Expr]:
     """The same in dimensions (2.21), (3.9), with c2 = sqrt(a b g/R), c0 = sqrt(a/b g/R) and c1 = R c0."""
     clock = sqrt(g / R)
     in_seconds = {t: t * clock, a: c0 * c2 / clock**2, b: c2 / c0}
-    velocity, rotation = (motion(x).subs(in_seconds, simultaneous=True) for x in ("angular_velocity", "rotation"))
-    rate = simplify(clock * velocity)
+    angular_velocity, rotation = (
+        motion(x).subs(in_seconds, simultaneous=True) for x in ("angular_velocity", "rotation")
+    )
+    rate = simplify(clock * angular_velocity)
     phi = simplify(rotation)
-    return {"omega": rate, "phi": phi, "v": (R * rate).subs(c0, c1 / R), "s": (R * phi).subs(c0, c1 / R)}
+    velocity = (R * rate).subs(c0, c1 / R)
+    displacement = (R * phi).subs(c0, c1 / R)
+    return {"omega": rate, "phi": phi, "v": velocity, "s": displacement}
 
 
 def series(motion: Expr) -> tuple[Expr, Expr, Expr]:
     """A motion, the first term of its expansion in time, and the order of the second."""
-    terms = Add.make_args(sp.series(motion, t, 0, 6).removeO())
-    first, second = sorted(terms, key=lambda x: degree(x, t))[:2]
+    expansion = sp.series(motion, t, 0, 6).removeO()
+    terms = sorted(Add.make_args(expansion), key=lambda x: degree(x, t))
+    first, second = terms[:2]
     return motion, first, O(t ** degree(second, t))
 
 

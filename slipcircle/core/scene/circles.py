@@ -10,42 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import slopes
-from slipcircle.base.checks import EPS, two_sum
+from slipcircle.base.checks import EPS
+from slipcircle.core.scene.doubledouble import DoubleDouble
 
 Floats = NDArray[np.float64]
 _GAUSS = [((1.0 + x) / 2, w / 2) for x, w in zip(*np.polynomial.legendre.leggauss(slopes.NODES), strict=True)]
 MEASURES = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
 _BLOCK = 1 << 14  # edges at a time: their arrays stay in the cache
-DoubleDouble = tuple[Any, Any]  # a number as the sum of two doubles (Dekker 1971), about 32 digits
-
-
-def _halves(a: Any) -> DoubleDouble:
-    high = 134217729.0 * a
-    high = high - (high - a)
-    return high, a - high
-
-
-def _product(a: Any, b: Any) -> DoubleDouble:
-    value = a * b
-    a1, a2 = _halves(a)
-    b1, b2 = _halves(b)
-    return value, ((a1 * b1 - value) + a1 * b2 + a2 * b1) + a2 * b2
-
-
-def _plus(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
-    high, low = two_sum(a[0], b[0])
-    return two_sum(high, low + (a[1] + b[1]))
-
-
-def _times(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
-    high, low = _product(a[0], b[0])
-    return two_sum(high, low + (a[0] * b[1] + a[1] * b[0]))
-
-
-def _clearance(x: DoubleDouble, y: DoubleDouble, radius: Any) -> DoubleDouble:
-    """R^2 - x^2 - y^2, which is small for points near the circle."""
-    squares = _plus(_times(x, x), _times(y, y))
-    return _plus(_product(radius, radius), (-squares[0], -squares[1]))
 
 
 class Cut(NamedTuple):
@@ -126,8 +97,7 @@ def _clearances(points: Floats, centre: Floats, radius: Floats) -> tuple[Floats,
     clear = r * r - x * x - y * y
     lane, vertex = np.nonzero(np.abs(clear) < 0.1 * r * r)  # where a difference of near equals takes two doubles
     near = np.broadcast_to(points, (*clear.shape, 2))[lane, vertex]
-    from_centre = [two_sum(near[:, k], -centre[lane, k]) for k in (0, 1)]
-    clear[lane, vertex] = _clearance(from_centre[0], from_centre[1], radius[lane])[0]
+    clear[lane, vertex] = _clearance(_difference(near, centre[lane]), radius[lane]).high
     size = np.abs(points).max(axis=2) + np.abs(centre).max(axis=1)[:, None]
     return clear, clear > 32 * EPS * r * (r + size)
 
@@ -153,34 +123,51 @@ def _with_both_ends_outside(at: Any, points: Floats, centre: Floats, radius: Flo
     line = np.broadcast_to(points, (len(radius), *points.shape[1:]))
     p = line[lane, edge]
     q = line[lane, edge + 1]
-    along = [two_sum(q[:, k], -p[:, k]) for k in (0, 1)]
-    from_centre = [two_sum(p[:, k], -centre[lane, k]) for k in (0, 1)]
-    b = _plus(_times(from_centre[0], along[0]), _times(from_centre[1], along[1]))
-    d = _plus(_times(along[0], along[0]), _times(along[1], along[1]))
-    clear = _clearance(from_centre[0], from_centre[1], radius[lane])
-    discriminant = _plus(_times(b, b), _times(d, clear))[0]
-    root = np.sqrt(np.maximum(discriminant, 0.0))
-    start = np.maximum((-b[0] - root) / d[0], 0.0)
-    return start, np.minimum(2 * root / d[0], 1.0 - start)
+    u, v = _difference(q, p)
+    from_centre = _difference(p, centre[lane])
+    x, y = from_centre
+    b = x * u + y * v
+    d = u * u + v * v
+    discriminant = b * b + d * _clearance(from_centre, radius[lane])
+    root = np.sqrt(np.maximum(discriminant.high, 0.0))
+    start = np.maximum((-b.high - root) / d.high, 0.0)
+    return start, np.minimum(2 * root / d.high, 1.0 - start)
+
+
+def _difference(points: Floats, others: Floats) -> tuple[DoubleDouble, DoubleDouble]:
+    """Of points (k, 2), its x and y without error."""
+    return DoubleDouble.difference(points[:, 0], others[:, 0]), DoubleDouble.difference(points[:, 1], others[:, 1])
+
+
+def _clearance(point: tuple[DoubleDouble, DoubleDouble], radius: Floats) -> DoubleDouble:
+    """R^2 - rho^2 of points from the centre, which is small near the circle."""
+    x, y = point
+    r = DoubleDouble(radius)
+    return r * r - (x * x + y * y)
 
 
 def stretches(parts: Cut) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.bool_]]:
     """Circle and number of every whole stretch; and which circles hold an end of the ground."""
-    count = parts.leaves.sum(axis=1) - (parts.leaves & (parts.stretch < 0)).any(axis=1)
+    from_start = (parts.leaves & (parts.stretch < 0)).any(axis=1)  # the ground begins inside the circle
+    count = parts.leaves.sum(axis=1) - from_start
+    to_end = parts.enters.sum(axis=1) > count
+    both_ends = (parts.first[:, 0] > 0.0) & (parts.second[:, -1] > 0.0)
+    all_inside = both_ends & ~parts.leaves.any(axis=1)
     lanes = np.repeat(np.arange(len(count)), count)
-    number = np.arange(len(lanes)) - np.repeat(np.cumsum(count) - count, count)
-    open_ended = (parts.leaves & (parts.stretch < 0)).any(axis=1) | (parts.enters.sum(axis=1) > count)
-    none = (parts.first[:, 0] > 0.0) & (parts.second[:, -1] > 0.0) & ~parts.leaves.any(axis=1)
-    return lanes, number, open_ended | none
+    before = np.cumsum(count) - count
+    number = np.arange(len(lanes)) - np.repeat(before, count)
+    return lanes, number, from_start | to_end | all_inside
 
 
 def ends(parts: Cut, number: Any) -> tuple[Floats, Floats]:
     """The left and the right crossing of one stretch for each circle, (2, n) each."""
     mine = parts.stretch == np.asarray(number)[:, None]
-    each = np.arange(len(parts.x))
-    i = (each, np.argmax(parts.enters & mine, axis=1))
-    j = (each, np.argmax(parts.leaves & mine, axis=1))
-    return np.stack([parts.x[i], parts.y[i]]), np.stack([parts.x[j] + parts.e_x[j], parts.y[j] + parts.e_y[j]])
+    lane = np.arange(len(parts.x))
+    first = lane, np.argmax(parts.enters & mine, axis=1)
+    last = lane, np.argmax(parts.leaves & mine, axis=1)
+    left = np.stack([parts.x[first], parts.y[first]])
+    right = np.stack([parts.x[last] + parts.e_x[last], parts.y[last] + parts.e_y[last]])
+    return left, right
 
 
 def moments(parts: Cut, mine: NDArray[np.bool_]) -> dict[str, Floats]:
@@ -230,33 +217,28 @@ def _ring_moments(parts: Cut, u: Floats, v: Floats) -> Floats:
     area, polar, inertia, radial, moment, radial_s, moment_s = totals
     x = parts.x
     y = parts.y
-    cross = parts.x * v - parts.y * u
-    by_edge = [
-        area,
-        polar,
-        inertia,
-        radial * x + radial_s * u,
-        radial * y + radial_s * v,
-        moment * x + moment_s * u,
-        moment * y + moment_s * v,
-    ]
-    return np.array([(values * cross).sum(axis=1) for values in by_edge])
+    radial_x = radial * x + radial_s * u
+    radial_y = radial * y + radial_s * v
+    moment_x = moment * x + moment_s * u
+    moment_y = moment * y + moment_s * v
+    by_edge = np.array([area, polar, inertia, radial_x, radial_y, moment_x, moment_y])
+    return np.asarray((by_edge * (x * v - y * u)).sum(axis=2))
 
 
 def thickness(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
     """The greatest distance from the arc to the ground towards the centre, for each circle."""
-    d2 = parts.e_x**2 + parts.e_y**2
-    along = -(parts.x * parts.e_x + parts.y * parts.e_y)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        s = np.where((along > 0.0) & (along < d2), along / d2, 0.0)  # foot of the perpendicular
-    inner = (1.0 - s) * parts.first + s * parts.second + s * (1.0 - s) * d2
-    g = np.minimum(np.where(mine, np.maximum(np.maximum(parts.first, parts.second), inner), 0.0).max(axis=1), 1.0)
-    return g / (1.0 + np.sqrt(1.0 - g))
+    square = parts.e_x**2 + parts.e_y**2
+    to_foot = -(parts.x * parts.e_x + parts.y * parts.e_y)  # of the perpendicular from the centre
+    on_edge = (to_foot > 0.0) & (to_foot < square)
+    share = np.divide(to_foot, square, out=np.zeros(square.shape), where=on_edge)
+    at_foot = (1.0 - share) * parts.first + share * parts.second + share * (1.0 - share) * square
+    gap = np.maximum(np.maximum(parts.first, parts.second), at_foot)  # 1 - rho^2
+    greatest = np.minimum(np.where(mine, gap, 0.0).max(axis=1), 1.0)
+    return greatest / (1.0 + np.sqrt(1.0 - greatest))
 
 
 def below_ground(parts: Cut, mine: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Which circles have their centre below the ground of the stretch."""
-    over: NDArray[np.bool_] = (
-        (parts.x <= 0.0) & (parts.x + parts.e_x >= 0.0) & (parts.x * parts.e_y <= parts.y * parts.e_x)
-    )
-    return np.any(mine & over & (parts.e_x > 0.0), axis=1)
+    around_centre = (parts.x <= 0.0) & (parts.x + parts.e_x >= 0.0) & (parts.e_x > 0.0)
+    above_centre = parts.x * parts.e_y <= parts.y * parts.e_x
+    return np.any(mine & around_centre & above_centre, axis=1)

@@ -80,7 +80,10 @@ class HeightIntegrals(NamedTuple):
         horizontally, by minus the edge's slope times that. The line's ends take their continuations with them.
         """
         first, last = _first_turn(first, last)
-        start, stop = (np.clip(x[..., None], self.pieces.low[0], self.pieces.high[0]) for x in (first, last))
+        low = self.pieces.low[0]
+        high = self.pieces.high[0]
+        start = np.clip(first[..., None], low, high)
+        stop = np.clip(last[..., None], low, high)
         x = self.line[0, self.edge, 0]
         run = np.diff(self.line[0, :, 0])[self.edge]
         second = (np.cos(start) - np.cos(stop) - x * (stop - start)) / run
@@ -96,9 +99,10 @@ class HeightIntegrals(NamedTuple):
     def at(self, angle: Floats) -> Floats:
         """Height above the arc of a single circle at angles, (...,)."""
         angle, _ = _first_turn(angle, angle)
-        above = (self.pieces.low[0] <= angle[..., None]) & (angle[..., None] < self.pieces.high[0])
+        beta = angle[..., None]
+        above = (self.pieces.low[0] <= beta) & (beta < self.pieces.high[0])
         x, y = self.line[0, self.edge].T
-        height = y + self.slope[0] * (np.sin(angle)[..., None] - x) + np.cos(angle)[..., None]
+        height = y + self.slope[0] * (np.sin(beta) - x) + np.cos(beta)
         return np.where(above, height, 0.0).sum(axis=-1)
 
 
@@ -123,23 +127,30 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     """
     points = _continued(points, centre, radius)
     line = (points - centre[:, None]) / radius[:, None, None]
-    slope = _slope(*np.moveaxis(np.diff(points, axis=1), -1, 0))
-    parts = cut(points, centre, radius)
-    outside = (parts.e_x == 0.0) & (parts.e_y == 0.0)
-    end = line[:, 1:, 0]
-    before = _outside(line[:, :-1], slope, line[:, :-1, 0], np.where(outside, end, parts.x))
-    after = _outside(line[:, :-1], slope, np.where(outside, end, parts.x + parts.e_x), end)
+    run, rise = np.moveaxis(np.diff(points, axis=1), -1, 0)
+    slope = _slope(run, rise)
+    lower, upper = _halves(cut(points, centre, radius), line, slope)
 
-    lower = [_inside(parts), before[0], after[0]]
-    upper = [before[1], after[1]]
     turn = 2 * np.pi
-    every = [*(p.turned(-turn) for p in upper), *lower, *upper, *(p.turned(turn) for p in lower)]
-    columns = (np.concatenate(same, axis=1) for same in zip(*every, strict=True))
-    pieces = _Pieces(*columns)
-    edge = np.tile(np.arange(end.shape[1]), len(every))
+    two_turns = [*(p.turned(-turn) for p in upper), *lower, *upper, *(p.turned(turn) for p in lower)]
+    pieces = _Pieces(*(np.concatenate(columns, axis=1) for columns in zip(*two_turns, strict=True)))
+    edge = np.tile(np.arange(slope.shape[1]), len(two_turns))
     used = np.flatnonzero((pieces.span > 0.0).any(axis=0))
     edge = edge[used]
     return HeightIntegrals(_Pieces(*(column[:, used] for column in pieces)), slope[:, edge], edge, line)
+
+
+def _halves(parts: Cut, line: Floats, slope: Floats) -> tuple[list[_Pieces], list[_Pieces]]:
+    """Pieces over the lower halves of circles, below all three parts of edges, and over the upper halves."""
+    start = line[:, :-1]
+    first = line[:, :-1, 0]
+    last = line[:, 1:, 0]
+    missed = (parts.e_x == 0.0) & (parts.e_y == 0.0)
+    enters = np.where(missed, last, parts.x)
+    leaves = np.where(missed, last, parts.x + parts.e_x)
+    before, before_upper = _outside(start, slope, first, enters)
+    after, after_upper = _outside(start, slope, leaves, last)
+    return [_inside(parts), before, after], [before_upper, after_upper]
 
 
 def _continued(points: Floats, centre: Floats, radius: Floats) -> Floats:
@@ -175,8 +186,12 @@ def _outside(start: Floats, slope: Floats, first: Floats, last: Floats) -> tuple
     """Of parts of edges outside circles from one x to another, over the lower and over the upper half."""
     x = np.clip(first, -1.0, 1.0)
     x_2 = np.clip(last, -1.0, 1.0)
-    y, y_2 = (start[..., 1] + slope * (at - start[..., 0]) for at in (x, x_2))
-    cosine, cosine_2 = (np.sqrt((1.0 - at) * (1.0 + at)) for at in (x, x_2))
+    start_x = start[..., 0]
+    start_y = start[..., 1]
+    y = start_y + slope * (x - start_x)
+    y_2 = start_y + slope * (x_2 - start_x)
+    cosine = np.sqrt((1.0 - x) * (1.0 + x))
+    cosine_2 = np.sqrt((1.0 - x_2) * (1.0 + x_2))
     above = (x_2 > x) & (y + y_2 > 0.0)
     span = np.where(above, _span(x_2 - x, cosine, cosine_2), 0.0)
     low = np.arctan2(x, cosine)

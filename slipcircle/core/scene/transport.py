@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.core.scene.coordinates import indices_of
-from slipcircle.core.scene.heights import height_integrals
+from slipcircle.core.scene.heights import HeightIntegrals, height_integrals
 from slipcircle.core.scene.section import Section
 
 Floats = NDArray[np.float64]
@@ -112,24 +112,26 @@ def _surface(section: Section, edges: Floats) -> _Surface:
     (points,), (centre,), (radius,) = section._circle
     before = start - (points[vertex] - centre) / radius
     square = (edge**2).sum(axis=1)
-    return _Surface(vertex, edge, start, part, (before * edge).sum(axis=1) / square, (part * edge).sum(axis=1) / square)
+    skipped = (before * edge).sum(axis=1) / square
+    share = (part * edge).sum(axis=1) / square
+    return _Surface(vertex, edge, start, part, skipped, share)
 
 
 def _moments_by_vertex(surface: _Surface, vertices: int) -> dict[str, Floats]:
     """Derivatives of the integrals over the mass by each vertex, (V, 2): of f (v x ds), with v one hat function."""
     at, weight = _along(surface.start, surface.part)
-    x, y = np.moveaxis(surface.start[:, None] + at[..., None] * surface.part[:, None], -1, 0)
+    x = surface.start[:, :1] + at * surface.part[:, :1]
+    y = surface.start[:, 1:] + at * surface.part[:, 1:]
     r = np.hypot(x, y)
     integrands = {"polar": r, "inertia": r * r, "radial_x": x / r, "radial_y": y / r, "moment_x": x, "moment_y": y}
     second = surface.skipped[:, None] + at * surface.share[:, None]  # hat function of an edge's second vertex
+    hats = np.stack([1.0 - second, second]) * weight
+    along_normal = np.einsum("fkn,hkn->hfk", np.stack([*integrands.values()]), hats)
     normal = np.stack([-surface.part[:, 1], surface.part[:, 0]], axis=1)
-    derivatives = {}
-    for name, f in integrands.items():
-        by_vertex = np.zeros((vertices, 2))
-        for k, hat in ((0, 1.0 - second), (1, second)):
-            np.add.at(by_vertex, surface.vertex + k, (f * hat * weight).sum(axis=1)[:, None] * normal)
-        derivatives[name] = by_vertex
-    return derivatives
+    by_vertex = np.zeros((len(integrands), vertices, 2))
+    for k, integrals in enumerate(along_normal):
+        by_vertex[:, surface.vertex + k] += integrals[..., None] * normal
+    return dict(zip(integrands, by_vertex, strict=True))
 
 
 def _ends_by_vertex(surface: _Surface, angles: Floats, vertices: int) -> Floats:
@@ -152,20 +154,22 @@ def _along(start: Floats, edge: Floats) -> tuple[Floats, Floats]:
 
     By Gauss; on an edge longer than its distance p from the centre in asinh(t/p), in which r = p cosh is entire.
     """
-    length = np.hypot(*edge.T)
-    foot = (start * edge).sum(axis=1) / length  # t of the start, from the foot of the perpendicular
-    distance = np.abs(start[:, 0] * edge[:, 1] - start[:, 1] * edge[:, 0]) / length
+    x, y = start[:, :1], start[:, 1:]
+    u, v = edge[:, :1], edge[:, 1:]
+    length = np.hypot(u, v)
+    foot = (x * u + y * v) / length  # t of the start, from the foot of the perpendicular
+    distance = np.abs(x * v - y * u) / length
     long = length > distance
     p = np.where(long, np.maximum(distance, 1e-9), 1.0)
-    low, high = (np.where(long, np.arcsinh(end / p), end)[:, None] for end in (foot, foot + length))
-    node = (low + high) / 2 + (high - low) / 2 * _NODES
-    t = np.where(long[:, None], p[:, None] * np.sinh(node), node)
-    stretching = np.where(long[:, None], p[:, None] * np.cosh(node), 1.0)  # dt by the node
-    weight = stretching * (high - low) / 2 * _WEIGHTS
-    return (t - foot[:, None]) / length[:, None], weight / length[:, None]
+    low, high = (np.where(long, np.arcsinh(end / p), end) for end in (foot, foot + length))
+    half = (high - low) / 2
+    node = (low + high) / 2 + half * _NODES
+    t = np.where(long, p * np.sinh(node), node)
+    dt = np.where(long, p * np.cosh(node), 1.0)  # by the node
+    return (t - foot) / length, dt * half * _WEIGHTS / length
 
 
-def _ground_heights(section: Section) -> Any:
+def _ground_heights(section: Section) -> HeightIntegrals:
     return height_integrals(*section._circle)
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import raise_all
+from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.series import Floats
 from slipcircle.core import Section
 from slipcircle.workbench.stability.family import Search
@@ -132,13 +132,8 @@ def critical(
         best, step = search.refined(best, share * step)
     circle = _described(slope, *search.circles(best[:1]))
     least = circle.factor_of_safety[method] or np.inf
-    deep = _bottomless(slope)
-    unlimited = not slope.layers and slope.friction == 0.0 and slope.base is None and entry is None and exit is None
-    if unlimited and least > deep:
-        raise ValueError(
-            f"critical: friction = 0 without a base: the critical circle runs infinitely deep, where the "
-            f"factor tends to {deep:.4g}; give the base of the soil, or where the circle comes out (exit)"
-        )
+    if entry is None and exit is None:
+        _refuse_bottomless(slope, least)
     tell(f"least factor {least:.6g} by {method}")
     warnings = [circle.warning, *_reached_ends(search, circle), *_reached_limits(search, best[:1], circle)]
     values = np.concatenate(search.values)
@@ -226,22 +221,22 @@ def _by_method(factors: Mapping[str, Floats]) -> dict[str, float | None]:
 
 def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) -> list[str]:
     if not isinstance(slope, Slope):
-        return [f"slope = {slope!r}: must be a Slope; search finds that of a file"]
+        return [f"{{slope}} = {slope!r}: must be a Slope; search finds that of a file"]
     ground = np.asarray(slope.ground)
-    mistakes = [] if method in [*METHODS] else [f"method = {method!r}: must be one of {', '.join(METHODS)}"]
+    mistakes = [] if method in [*METHODS] else [f"{{method}} = {method!r}: must be one of {', '.join(METHODS)}"]
     if not isinstance(depth, int | float) or not 0.0 <= depth < float(np.ptp(ground)):
-        mistakes.append(f"depth = {depth!r}: must be at least 0 and below the size of the ground, in m")
+        mistakes.append(f"{{depth}} = {depth!r}: must be at least 0 and below the size of the ground, in m")
     for name, pair in limits.items():
         mistakes += _limit_mistakes(name, pair, ground)
     if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
-        mistakes.append("ground: is level; nothing drives a slide")
+        mistakes.append("{ground}: is level; nothing drives a slide")
     elif not depth and slope.cohesion == 0.0 and not slope.layers:
         mistakes.append(
-            f"cohesion = 0: the least factor is that of an ever thinner skin{_skin(slope)}; give a least depth"
+            f"{{cohesion}} = 0: the least factor is that of an ever thinner skin{_skin(slope)}; give a least depth"
         )
     elif not depth and slope.friction and slope.pressure:
         mistakes.append(
-            "pressure: is the same along every circle, and lifts the thin ones; give a water level or a pore "
+            "{pressure}: is the same along every circle, and lifts the thin ones; give a water level or a pore "
             "pressure ratio, or a least depth"
         )
     return mistakes
@@ -251,8 +246,8 @@ def _limit_mistakes(name: str, pair: Any, ground: Floats) -> list[str]:
     try:
         low, high = (-np.inf, np.inf) if pair is None else map(float, pair)
     except (TypeError, ValueError):
-        return [f"{name} = {pair!r}: must be two numbers, the least and the greatest x"]
-    given = f"{name} = [{low:.10g}, {high:.10g}]"
+        return [f"{{{name}}} = {pair!r}: must be two numbers, the least and the greatest x"]
+    given = f"{{{name}}} = [{low:.10g}, {high:.10g}]"
     if not low <= high:
         return [f"{given}: must be the least and the greatest x, in this order"]
     if high < ground[0, 0] or low > ground[-1, 0]:
@@ -268,13 +263,21 @@ def _skin(slope: Slope) -> str:
     return f", tan(phi)/tan(slope) = {slope.friction / steepest:.4g} if dry" if steepest < 1e6 else ""
 
 
-def _bottomless(slope: Slope) -> float:
-    """The factor of ever deeper circles without friction: that of a step between level grounds, beside which all else
-    is small. F = 4 a c/(gamma H sin(a)^2) of circles about it with half the opening a, least where tan(a) = 2 a.
+def _refuse_bottomless(slope: Slope, least: float) -> None:
+    """Raise a ValueError where, without friction and base, ever deeper circles are worse than the best one.
+
+    Beside their size all is small but the step H between level grounds: F = 4 a c/(gamma H sin(a)^2) of circles about
+    it with half the opening a, least where tan(a) = 2 a.
     """
-    if slope.layers:
-        return np.inf
+    if slope.layers or slope.friction or slope.base is not None:
+        return
     assert slope.unit_weight is not None
     ground = np.asarray(slope.ground)
     step = abs(float(ground[-1, 1] - ground[0, 1])) * slope.unit_weight
-    return 0.0 if slope.k_h > 0.0 else 5.5199 * slope.cohesion / step if step and not slope.k_h else np.inf
+    deepest = 5.5199 * slope.cohesion / step if step and not slope.k_h else np.inf
+    if slope.k_h > 0.0:
+        deepest = 0.0
+    if least > deepest:
+        words = f"the critical circle runs infinitely deep, where the factor tends to {deepest:.4g}"
+        advice = "give the base of the soil, or where the circle comes out (exit)"
+        raise InputError("critical", [f"{{friction}} = 0 without a base: {words}; {advice}"])

@@ -20,9 +20,9 @@ Floats = NDArray[np.float64]
 METHOD_NAMES = ("paper", "ordinary", "bishop")
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is meaningless
 _TOUCH = 1e-12  # over R: as near to the arc, a boundary touches it
-_LEAST_FACTOR = 5e-3
+_LEAST_FACTOR = 5e-3  # by Bishop's method
 _NEWTON_STEPS = 20
-_CLOSE = 1e-9  # Bishop's: smallest factor, iterations, relative change
+_CLOSE = 1e-9  # relative change of a converged factor
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
 
 

@@ -1,0 +1,47 @@
+"""Numbers of about 32 digits, each the sum of two doubles (Dekker 1971), for differences of near equals."""
+
+from dataclasses import dataclass
+from typing import Any, Self
+
+from slipcircle.base.checks import two_sum
+
+_SPLITTER = 134217729.0  # 2^27 + 1
+
+
+@dataclass(frozen=True, slots=True)
+class DoubleDouble:
+    """Arrays of such numbers: high + low, with low below the rounding of high."""
+
+    high: Any
+    low: Any = 0.0
+
+    @classmethod
+    def difference(cls, a: Any, b: Any) -> Self:
+        """Of doubles, without error."""
+        return cls(*two_sum(a, -b))
+
+    def __add__(self, other: Self) -> Self:
+        high, low = two_sum(self.high, other.high)
+        return type(self)(*two_sum(high, low + (self.low + other.low)))
+
+    def __sub__(self, other: Self) -> Self:
+        return self + type(self)(-other.high, -other.low)
+
+    def __mul__(self, other: Self) -> Self:
+        product = self.high * other.high
+        error = _product_error(self.high, other.high, product)
+        crossed = self.high * other.low + self.low * other.high
+        return type(self)(*two_sum(product, error + crossed))
+
+
+def _product_error(a: Any, b: Any, product: Any) -> Any:
+    """a b - product, by halves of a and b whose products are exact."""
+    a_high, a_low = _halves(a)
+    b_high, b_low = _halves(b)
+    return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
+
+
+def _halves(a: Any) -> tuple[Any, Any]:
+    shifted = _SPLITTER * a
+    high = shifted - (shifted - a)
+    return high, a - high
