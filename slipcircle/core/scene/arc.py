@@ -130,16 +130,16 @@ class Arc(SlidingBody, Generic[Numbers]):
         asked = "; theta_1 and theta_2 are in rad: were they in degrees?" if turns else ""
         yield (
             np.ravel(ends[1] <= ends[0]),
-            lambda k: f"theta_2 = {two[k]:.10g} deg: must be above theta_1 = {one[k]:.10g} deg; swap them?",
+            lambda k: f"{{theta_2}} = {two[k]:.10g} deg: must be above {{theta_1}} = {one[k]:.10g} deg; swap them?",
         )
         yield (
             np.isnan(weight),
-            lambda k: f"theta_2 - theta_1 = {two[k] - one[k]:.10g} deg: must be at most 180 deg{asked}",
+            lambda k: f"{{theta_2}} - {{theta_1}} = {two[k] - one[k]:.10g} deg: must be at most 180 deg{asked}",
         )
         yield (
             weight <= 0.0,
             lambda k: (
-                f"theta_1 = {one[k]:.10g} deg, theta_2 = {two[k]:.10g} deg: it presses on nothing; "
+                f"{{theta_1}} = {one[k]:.10g} deg, {{theta_2}} = {two[k]:.10g} deg: it presses on nothing; "
                 f"the middle of the arc must lie between 180 and 360 deg, below its centre{asked}"
             ),
         )
