@@ -8,13 +8,13 @@ along the arc: what changes from one stretch of it to the next needs a kink ther
 from __future__ import annotations
 
 from collections.abc import Collection
-from itertools import combinations
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from generated import slopes
+from slipcircle.workbench.stability.arcs import MIDDLE, Points, SlopeArrays, crossing_angles, height_at, points_along
 
 Floats = NDArray[np.float64]
 METHOD_NAMES = ("paper", "ordinary", "bishop")
@@ -23,56 +23,6 @@ _TOUCH = 1e-12  # over R: as near to the arc, a boundary touches it
 _LEAST_FACTOR = 5e-3  # by Bishop's method
 _NEWTON_STEPS = 20
 _CLOSE = 1e-9  # relative change of a converged factor
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
-
-
-class SoilArrays(NamedTuple):
-    """Numbers of the soil of a layer, for one slope or for n of them, () or (n,)."""
-
-    cohesion: Any
-    friction: Any
-    unit_weight: Any
-    pore_ratio: Any = 0.0
-    saturated_unit_weight: Any = None
-    cohesion_gradient: Any = 0.0
-    datum: Any = None
-
-
-class SlopeArrays(NamedTuple):
-    """One slope, or n of them: lines (1 or n, V, 2), numbers () or (n,)."""
-
-    ground: Floats
-    soils: tuple[SoilArrays, ...]  # of the layers from the ground down
-    tops: tuple[Floats, ...] = ()  # of each layer but the first, whose top is the ground
-    level: Floats | None = None
-    water_unit_weight: Any = 9810.0
-    pressure: Any = 0.0
-    k_h: Any = 0.0
-    pond: Any = None
-    surcharge: Any = ()  # from x1 to x2, q1 and q2
-    crack: Any = 0.0
-    crack_water: Any = 0.0
-
-    def only(self, lanes: Any) -> SlopeArrays:
-        """Some of n slopes."""
-
-        def some(value: Any) -> Any:
-            if isinstance(value, SoilArrays):
-                return SoilArrays(*map(some, value))
-            if isinstance(value, tuple):
-                return tuple(map(some, value))
-            return value[lanes] if isinstance(value, np.ndarray) and value.ndim and len(value) > 1 else value
-
-        return SlopeArrays(*map(some, self))
-
-    def lines(self) -> list[Floats]:
-        """All of them: tops of layers, water level, pond."""
-        found = [self.ground, *self.tops] + ([] if self.level is None else [self.level])
-        if self.pond is not None:
-            height = np.reshape(self.pond, (-1, 1))
-            x = np.broadcast_to(self.ground[:, [0, -1], 0], (max(len(height), len(self.ground)), 2))
-            found.append(np.stack(np.broadcast_arrays(x, height), axis=-1))
-        return found
 
 
 class _Slices(NamedTuple):
@@ -83,12 +33,10 @@ class _Slices(NamedTuple):
     there, and of their saturated parts; and the part of the ground below a pond, with minus the water's.
     """
 
-    arcs: int  # how many
-    arc: NDArray[np.int64]  # number of the arc of each interval
-    ends: Floats  # sines and cosines of both ends of each interval, (2, 2, intervals)
-    weight: Floats  # of a point in the integral over the angle
+    points: Points
     sine: Floats
     cosine: Floats
+    end_sine: Floats  # of both ends of each interval, (2, intervals)
     steps: Floats  # of the unit weight below each surface, (surfaces, intervals)
     shaken: Floats  # 1 of a surface of soil, 0 of one of water
     tops: Floats  # of the surfaces above the centre, not below the arc, (surfaces, points, intervals)
@@ -129,15 +77,22 @@ class _Slices(NamedTuple):
         on_ground = self.load * self.cosine * -self.ground / np.hypot(self.sine, self.ground)
         return self.sum_of_surfaces(by_surface) + on_ground - self.uplift
 
+    def bishop_normal(self, factor: Floats) -> Floats:
+        """Effective normal stress of Bishop's simplified method."""
+        by_arc = factor[self.points.arc]
+        return slopes.bishop_normal(
+            self.sine, self.cosine, self.vertical, self.pressure, self.cohesion, self.friction, by_arc
+        )
+
     def integral(self, values: Any) -> Floats:
         """Over each arc."""
-        by_interval = (self.weight * values).sum(axis=0)
-        return np.bincount(self.arc, by_interval, self.arcs).astype(np.float64)
+        by_interval = (self.points.weight * values).sum(axis=0)
+        return np.bincount(self.points.arc, by_interval, len(self.points.radius)).astype(np.float64)
 
     def facing(self, way: Floats) -> _Slices:
         """The same with positive angles down-slope, for arcs that slide to the right (1) or to the left (-1)."""
-        sign = way[self.arc]
-        return self._replace(sine=self.sine * sign, ends=self.ends * np.array([sign, np.ones_like(sign)])[:, None])
+        sign = way[self.points.arc]
+        return self._replace(sine=self.sine * sign, end_sine=self.end_sine * sign)
 
 
 def circle_factors(
@@ -178,35 +133,40 @@ def circle_factors(
     below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
     """
     first, last = (np.arctan2(p[:, 0] - centre[:, 0], centre[:, 1] - p[:, 1]) for p in (left, right))
-    valid = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
-    below = (first < 0.0) & (last > 0.0) & (_height_at(slope.ground, centre[:, 0]) >= centre[:, 1])
-    valid &= ~below
-    slices = _slices(slope, centre, radius, first, last, valid, pieces)
+    upright = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
+    valid = upright & ~_below_ground(slope, centre, first, last)
+    slices = _slices(slope, points_along(slope, centre, radius, first, last, valid, pieces))
     facing, negligible = _facing(slices)
     if np.any(slope.crack):
         first, last, valid = _cracked(slope, centre, radius, first, last, facing, valid)
-        slices = _slices(slope, centre, radius, first, last, valid, pieces)
-    arc_angle = np.where(valid, last - first, np.nan)
+        slices = _slices(slope, points_along(slope, centre, radius, first, last, valid, pieces))
     slices = slices.facing(facing)
     driving = slices.integral(slices.driving_moment(slices.coefficients()))
-    driving += _crack_water(slope, centre, radius, np.where(facing > 0.0, first, last))
+    driving += _crack_water(slope, radius, np.where(facing > 0.0, first, last))
     driving = np.where(valid & (facing != 0.0) & (driving > negligible), driving, np.nan)
+    length = np.where(valid, last - first, np.nan)
+    return {**_factors(slices, driving, length, methods), "facing": facing}
 
+
+def _factors(slices: _Slices, driving: Floats, length: Floats, methods: Collection[str]) -> dict[str, Floats]:
+    """Resistance over drive by the methods, NaN by others, and the share of the arcs under negative normal stress."""
     normal = slices.ordinary_normal()
+    negative = slices.integral(normal < 0.0) / length
     ordinary = slices.integral(slices.cohesion + slices.friction * normal) / driving
-    negative = slices.integral(normal < 0.0) / arc_angle
-    paper = bishop = np.full(len(radius), np.nan)
+    paper = bishop = np.full(len(driving), np.nan)
     if "paper" in methods:
-        friction = np.maximum(slices.integral(slices.friction * slices.radial_normal()), 0.0)
-        paper = (slices.integral(slices.cohesion) + friction) / driving
+        friction = slices.integral(slices.friction * slices.radial_normal())
+        paper = (slices.integral(slices.cohesion) + np.maximum(friction, 0.0)) / driving
     if "bishop" in methods:
         bishop = _bishop(slices, driving, ordinary)
-        by_arc = bishop[slices.arc]
-        normal = slopes.bishop_normal(
-            slices.sine, slices.cosine, slices.vertical, slices.pressure, slices.cohesion, slices.friction, by_arc
-        )
-        negative = np.maximum(negative, slices.integral(normal < 0.0) / arc_angle)
-    return {"paper": paper, "ordinary": ordinary, "bishop": bishop, "facing": facing, "negative": negative}
+        normal = slices.bishop_normal(bishop)
+        negative = np.maximum(negative, slices.integral(normal < 0.0) / length)
+    return {"paper": paper, "ordinary": ordinary, "bishop": bishop, "negative": negative}
+
+
+def _below_ground(slope: SlopeArrays, centre: Floats, first: Floats, last: Floats) -> Any:
+    """Which arcs have the centre of their circle below the ground."""
+    return (first < 0.0) & (last > 0.0) & (height_at(slope.ground, centre[:, 0]) >= centre[:, 1])
 
 
 def _facing(slices: _Slices) -> tuple[Floats, Floats]:
@@ -221,7 +181,7 @@ def _cracked(
 ) -> tuple[Floats, Floats, Any]:
     """Arcs that begin at the bottom of a tension crack: where the ground is its depth above them."""
     lowered = slope.ground - np.stack(np.broadcast_arrays(0.0, np.reshape(slope.crack, (-1, 1))), axis=-1)
-    angles = _crossing_angles(lowered, centre, radius)
+    angles = crossing_angles(lowered, centre, radius)
     between = (angles > first[:, None]) & (angles < last[:, None])
     from_left = np.where(between, angles, np.inf).min(axis=1)
     from_right = np.where(between, angles, -np.inf).max(axis=1)
@@ -231,189 +191,136 @@ def _cracked(
     return np.where(deep_enough, first, 0.0), np.where(deep_enough, last, 0.0), valid & deep_enough
 
 
-def _crack_water(slope: SlopeArrays, centre: Floats, radius: Floats, bottom: Floats) -> Any:
+def _crack_water(slope: SlopeArrays, radius: Floats, bottom: Floats) -> Any:
     """Moment of the water in a crack above the upper end of the arc: gamma_w h^2/2 at a third of its height."""
     depth = slope.crack_water / radius
     force = np.divide(slope.water_unit_weight, slope.soils[0].unit_weight) * depth**2 / 2
     return force * (np.cos(bottom) - depth / 3)
 
 
-def _kinks(slope: SlopeArrays, centre: Floats, radius: Floats) -> list[Floats]:
-    """Angles at which an integrand may not be smooth, (n, any) each: vertices and crossings of lines and arcs."""
-    lines = slope.lines()
-    kinks = [_vertex_angles(line, centre, radius) for line in lines]
-    kinks += [_crossing_angles(line, centre, radius) for line in lines[1:]]
-    x = [_crossings(one, other) for one, other in combinations(lines, 2)]
-    x += [np.array([[x1, x2]]) for x1, x2, _, _ in slope.surcharge]
-    kinks += [np.arcsin(np.clip((at - centre[:, :1]) / radius[:, None], -1.0, 1.0)) for at in x]
-    for soil in slope.soils:
-        if np.any(soil.cohesion_gradient):
-            reach = np.arccos(np.clip((centre[:, 1] - soil.datum) / radius, -1.0, 1.0))[:, None]
-            kinks += [reach, -reach]
-    return kinks
+class _Layers(NamedTuple):
+    """Boundaries above points, and the layer at the base of each interval."""
+
+    ground: Floats  # above the centre
+    tops: Floats  # of the layers, not below the arc, (layers, points, intervals)
+    base: NDArray[np.int64]
+
+    def at_base(self, values: Floats) -> Floats:
+        """Of numbers (layers, intervals) those of the base."""
+        return values[self.base, np.arange(len(self.base))]
 
 
-def _crossings(one: Floats, other: Floats) -> Floats:
-    """x where two lines (1 or n, V, 2), which go on horizontally, cross each other, (1 or n, any); NaN for none."""
-    one, other = _extended(one), _extended(other)
-    (p, u), (q, v) = ((line[:, :-1], np.diff(line, axis=1)) for line in (one, other))
-    p, u, q, v = p[:, :, None], u[:, :, None], q[:, None], v[:, None]
-    across, apart = u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0], q - p
-    with np.errstate(divide="ignore", invalid="ignore"):
-        s = (apart[..., 0] * v[..., 1] - apart[..., 1] * v[..., 0]) / across
-        t = (apart[..., 0] * u[..., 1] - apart[..., 1] * u[..., 0]) / across
-        x = np.where((s > 0.0) & (s < 1.0) & (t > 0.0) & (t < 1.0), p[..., 0] + s * u[..., 0], np.nan)
-    return x.reshape(len(x), -1)
+class _Water(NamedTuple):
+    """What water adds to the surfaces and to the stresses on the arc, over gamma R."""
+
+    steps: list[Floats]
+    tops: list[Floats]
+    vertical: Any  # weight of a pond
+    relieved: Any  # pressure that a pond has at the arc's height
 
 
-def _slices(
-    slope: SlopeArrays, centre: Floats, radius: Floats, first: Floats, last: Floats, valid: Any, pieces: int
-) -> _Slices:
-    """Cut valid arcs at all kinks, and lay slices above the points of each interval."""
-    count = len(radius)
-    kinks = [np.linspace(first, last, pieces + 1, axis=1), *_kinks(slope, centre, radius)]
-    every = np.concatenate(kinks, axis=1)
-    angles = np.sort(np.clip(every[:, ~np.all(np.isnan(every), axis=0)], first[:, None], last[:, None]), axis=1)
-    arc, k = np.nonzero((np.diff(angles, axis=1) > 0.0) & valid[:, None])
-    low = angles[arc, k]
-    high = angles[arc, k + 1]
-    half = (high - low) / 2
-    middle = (low + high) / 2
-    angle = middle + half * _NODES[:, None]  # points first: sums over them are sums of rows
-    sine = np.sin(angle)
-    cosine = np.cos(angle)
-    scale = radius[arc]
-    at_middle = centre[arc, 0] + scale * np.sin(middle)
+def _layers(slope: SlopeArrays, points: Points) -> _Layers:
+    """Tops of layers, each cut off by those above it."""
+    depth = np.cos(points.angle)
+    lines = [points.above_centre(line) for line in (slope.ground, *slope.tops)]
+    boundaries = np.minimum.accumulate(np.stack(lines), axis=0)
+    ground = boundaries[0]
+    # At an end of the arc rounding may leave no ground above it: then the layers that end there count.
+    lowest = np.minimum(-depth, ground)[MIDDLE] - _TOUCH
+    base = np.count_nonzero(boundaries[:, MIDDLE] >= lowest, axis=0) - 1
+    return _Layers(ground, np.maximum(boundaries, -depth), base)
 
-    def above_centre(lines: Floats) -> Floats:
-        """Height of a line above the centre at each point, over R."""
-        x, y, gradient = _edges(lines, arc, at_middle)
-        return (y - centre[arc, 1] + gradient * (centre[arc, 0] - x)) / scale + gradient * sine
 
-    def of_interval(value: Any) -> Floats:
-        return np.broadcast_to(np.asarray(value, dtype=np.float64), count)[arc]
+def _saturated(slope: SlopeArrays, points: Points, layers: _Layers, unit_weight: Floats) -> tuple[Floats, Floats]:
+    """Steps of the unit weight below the water level, and the tops of the wet parts of layers; none without."""
+    soils = slope.soils
+    if slope.level is None or all(soil.saturated_unit_weight is None for soil in soils):
+        return np.empty((0, unit_weight.shape[1])), np.empty((0, *points.angle.shape))
+    given = [s.unit_weight if s.saturated_unit_weight is None else s.saturated_unit_weight for s in soils]
+    excess = (points.of_layers(given) - unit_weight) / unit_weight[0]
+    wet = np.minimum(layers.tops, points.above_centre(slope.level))
+    return np.diff(excess, axis=0, prepend=0.0), np.maximum(wet, -np.cos(points.angle))
 
-    def of_soils(name: str) -> Floats:
-        """A number of each layer, (layers, intervals)."""
-        return np.stack([of_interval(getattr(soil, name)) for soil in slope.soils])
 
-    unit_weight = of_soils("unit_weight")
-    stress_scale = unit_weight[0] * scale
-    water = of_interval(slope.water_unit_weight) / unit_weight[0]
-    boundaries = np.minimum.accumulate([above_centre(line) for line in (slope.ground, *slope.tops)], axis=0)
-    ground, tops = boundaries[0], np.maximum(boundaries, -cosine)
-    steps, shaken = [np.diff(unit_weight / unit_weight[0], axis=0, prepend=0.0)], [1.0] * len(tops)
-    surfaces = [tops]
-    pressure = of_interval(slope.pressure) / stress_scale
+def _pond(slope: SlopeArrays, points: Points, layers: _Layers, water: Floats) -> _Water:
+    """Standing water: minus its weight on the ground below its level, which is what makes it buoyant."""
+    if slope.pond is None:
+        return _Water([], [], 0.0, 0.0)
+    depth = np.cos(points.angle)
+    level = (points.of_interval(slope.pond) - points.centre[points.arc, 1]) / points.scale
+    on_top = np.maximum(level - np.maximum(layers.ground, -depth), 0.0)
+    buoyed = np.maximum(np.minimum(layers.ground, level), -depth)
+    return _Water([-water[None]], [buoyed[None]], water * on_top, water * np.maximum(level + depth, 0.0))
+
+
+def _pressure(slope: SlopeArrays, points: Points, layers: _Layers, overburden: Floats, water: Floats) -> Floats:
+    """Pore pressure on the arc: of a soil with a ratio by the weight above, else of the level; and a constant."""
+    ratio = layers.at_base(points.of_layers([soil.pore_ratio for soil in slope.soils]))
+    pressure = ratio * overburden
     if slope.level is not None:
-        level = above_centre(slope.level)
-        head = np.maximum(level + cosine, 0.0)
-        if any(soil.saturated_unit_weight is not None for soil in slope.soils):
-            saturated = [
-                s.unit_weight if s.saturated_unit_weight is None else s.saturated_unit_weight for s in slope.soils
-            ]
-            excess = np.stack([of_interval(value) for value in saturated]) - unit_weight
-            steps.append(np.diff(excess / unit_weight[0], axis=0, prepend=0.0))
-            surfaces.append(np.maximum(np.minimum(tops, level), -cosine))
-            shaken += [1.0] * len(tops)
-    of_soil = sum(np.einsum("si,spi->pi", d, top + cosine) for d, top in zip(steps, surfaces, strict=True))
-    inner = len(_NODES) // 2  # at an end of the arc, rounding may leave no ground above it
-    lowest = np.minimum(-cosine, ground)[inner] - _TOUCH
-    base, interval = np.count_nonzero(boundaries[:, inner] >= lowest, axis=0) - 1, np.arange(len(arc))
-    ratio = of_soils("pore_ratio")[base, interval]
-    pressure = pressure + ratio * of_soil
-    if slope.level is not None:
+        head = np.maximum(points.above_centre(slope.level) + np.cos(points.angle), 0.0)
         pressure = pressure + np.where(ratio > 0.0, 0.0, water * head)
-    load = _surcharge(slope, centre[arc, 0] + scale * sine, at_middle) / stress_scale
-    vertical, uplift = of_soil + load, pressure
-    if slope.pond is not None:
-        pond = (of_interval(slope.pond) - centre[arc, 1]) / scale
-        steps.append(-water[None])
-        surfaces.append(np.maximum(np.minimum(ground, pond), -cosine)[None])
-        shaken.append(0.0)
-        vertical = vertical + water * np.maximum(pond - np.maximum(ground, -cosine), 0.0)
-        uplift = pressure - water * np.maximum(pond + cosine, 0.0)
-    cohesion = of_soils("cohesion")[base, interval] / stress_scale
-    if any(np.any(soil.cohesion_gradient) for soil in slope.soils):
-        datum = np.stack([of_interval(0.0 if s.datum is None else s.datum) for s in slope.soils])[base, interval]
-        below_datum = np.maximum((datum - centre[arc, 1]) / scale + cosine, 0.0)
-        cohesion = cohesion + of_soils("cohesion_gradient")[base, interval] / unit_weight[0] * below_datum
+    return pressure + points.of_interval(slope.pressure) / _stress_scale(slope, points)
+
+
+def _cohesion(slope: SlopeArrays, points: Points, layers: _Layers) -> Floats:
+    """Cohesion at the base, which may grow with the depth below a datum."""
+    soils = slope.soils
+    cohesion = layers.at_base(points.of_layers([soil.cohesion for soil in soils])) / _stress_scale(slope, points)
+    if any(np.any(soil.cohesion_gradient) for soil in soils):
+        datum = layers.at_base(points.of_layers([0.0 if soil.datum is None else soil.datum for soil in soils]))
+        growth = layers.at_base(points.of_layers([soil.cohesion_gradient for soil in soils]))
+        below = np.maximum((datum - points.centre[points.arc, 1]) / points.scale + np.cos(points.angle), 0.0)
+        cohesion = cohesion + growth / points.of_interval(soils[0].unit_weight) * below
+    return np.broadcast_to(cohesion, points.angle.shape)
+
+
+def _stress_scale(slope: SlopeArrays, points: Points) -> Floats:
+    """gamma R of each interval, Pa, with the unit weight of the first layer."""
+    return points.of_interval(slope.soils[0].unit_weight) * points.scale
+
+
+def _slices(slope: SlopeArrays, points: Points) -> _Slices:
+    """The slices above points."""
+    sine = np.sin(points.angle)
+    cosine = np.cos(points.angle)
+    layers = _layers(slope, points)
+    unit_weight = points.of_layers([soil.unit_weight for soil in slope.soils])
+    water = points.of_interval(slope.water_unit_weight) / unit_weight[0]
+    wet_steps, wet_tops = _saturated(slope, points, layers, unit_weight)
+    steps = np.concatenate([np.diff(unit_weight / unit_weight[0], axis=0, prepend=0.0), wet_steps])
+    tops = np.concatenate([layers.tops, wet_tops])
+    overburden = np.einsum("si,spi->pi", steps, tops + cosine)
+    pressure = _pressure(slope, points, layers, overburden, water)
+    load = _surcharge(slope, points) / _stress_scale(slope, points)
+    pond = _pond(slope, points, layers, water)
     return _Slices(
-        arcs=count,
-        arc=arc,
-        ends=np.array([np.sin([low, high]), np.cos([low, high])]),
-        weight=half * _WEIGHTS[:, None],
+        points=points,
         sine=sine,
         cosine=cosine,
-        steps=np.concatenate(steps),
-        shaken=np.array(shaken),
-        tops=np.concatenate(surfaces),
+        end_sine=np.sin([points.low, points.high]),
+        steps=np.concatenate([steps, *pond.steps]),
+        shaken=np.array([1.0] * len(steps) + [0.0] * len(pond.steps)),
+        tops=np.concatenate([tops, *pond.tops]),
         load=load,
-        ground=ground,
-        vertical=vertical,
+        ground=layers.ground,
+        vertical=overburden + load + pond.vertical,
         pressure=pressure,
-        uplift=uplift,
-        cohesion=np.broadcast_to(cohesion, sine.shape),
-        friction=of_soils("friction")[base, interval],
-        k_h=of_interval(slope.k_h),
+        uplift=pressure - pond.relieved,
+        cohesion=_cohesion(slope, points, layers),
+        friction=layers.at_base(points.of_layers([soil.friction for soil in slope.soils])),
+        k_h=points.of_interval(slope.k_h),
     )
 
 
-def _surcharge(slope: SlopeArrays, x: Floats, middle: Floats) -> Floats:
+def _surcharge(slope: SlopeArrays, points: Points) -> Floats:
     """Pressure of the surcharges above points, Pa."""
+    x = points.centre[points.arc, 0] + points.scale * np.sin(points.angle)
     total = np.zeros_like(x)
     for x1, x2, q1, q2 in slope.surcharge:
-        inside = (middle > x1) & (middle < x2)
+        inside = (points.middle > x1) & (points.middle < x2)
         total += np.where(inside, q1 + (q2 - q1) * (x - x1) / (x2 - x1), 0.0)
     return total
-
-
-def _vertex_angles(lines: Floats, centre: Floats, radius: Floats) -> Floats:
-    """Angles of the arcs' points below or above vertices of lines (1 or n, V, 2)."""
-    return np.arcsin(np.clip((lines[..., 0] - centre[:, :1]) / radius[:, None], -1.0, 1.0))
-
-
-def _crossing_angles(lines: Floats, centre: Floats, radius: Floats) -> Floats:
-    """Angles at which lines cross arcs, NaN for edges that do not.
-
-    An edge's height above the arc, c + s sin(beta) + cos(beta), is 0 at beta = atan(s) +- acos(-c/sqrt(1 + s^2)).
-    """
-    lines = _extended(lines)
-    x, y = ((lines[..., k] - centre[:, k, None]) / radius[:, None] for k in (0, 1))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        slope = np.diff(y, axis=1) / np.diff(x, axis=1)
-        middle = np.arctan(slope)
-        half = np.arccos((slope * x[:, :-1] - y[:, :-1]) / np.hypot(1.0, slope))
-        angles = np.concatenate([middle - half, middle + half], axis=1)
-        sine = np.sin(angles)
-    on_edge = (sine >= np.tile(x[:, :-1], 2)) & (sine <= np.tile(x[:, 1:], 2))
-    return np.where(on_edge, angles, np.nan)
-
-
-def _extended(lines: Floats) -> Floats:
-    """Lines that go on horizontally beyond both ends."""
-    far = 1e12 * np.array([[-1.0, 0.0], [1.0, 0.0]])
-    return np.concatenate([lines[:, :1] + far[:1], lines, lines[:, -1:] + far[1:]], axis=1)
-
-
-def _edges(lines: Floats, line: Any, x: Floats) -> tuple[Floats, Floats, Floats]:
-    """Of the edge of a line (1 or n, V, 2) at each x: a point, x and y, and its gradient, 0 beyond the line's ends."""
-    vertices = lines.shape[1]
-    if len(lines) == 1:
-        passed = np.searchsorted(lines[0, :, 0], x)
-        line = np.zeros(1, dtype=np.int64)
-    else:
-        passed = np.count_nonzero(lines[line, :, 0] < x[:, None], axis=1)
-    left = np.clip(passed - 1, 0, vertices - 1)
-    run, rise = np.moveaxis(np.diff(lines, axis=1, append=lines[:, -1:]), -1, 0)
-    gradient = np.divide(rise, run, out=np.zeros(run.shape), where=run > 0.0)
-    return lines[line, left, 0], lines[line, left, 1], np.where(passed > 0, gradient[line, left], 0.0)
-
-
-def _height_at(lines: Floats, x: Floats) -> Floats:
-    """Of lines, one for all or one for each x."""
-    at, y, gradient = _edges(lines, np.arange(len(x)), x)
-    return y + gradient * (x - at)
 
 
 def _bishop(slices: _Slices, driving: Floats, start: Floats) -> Floats:
@@ -422,7 +329,7 @@ def _bishop(slices: _Slices, driving: Floats, start: Floats) -> Floats:
     By Newton's steps for all arcs at once, within the range of y in which m_alpha = cos - y mu sin is at least
     ``LEAST_LEVER`` at all ends of intervals, between which it has no minimum.
     """
-    arc = slices.arc
+    arc = slices.points.arc
     friction = slices.friction
     lowest, highest = _lever_range(slices)
     strength = slopes.bishop_strength(slices.cosine, slices.vertical, slices.pressure, slices.cohesion, friction)
@@ -443,16 +350,17 @@ def _bishop(slices: _Slices, driving: Floats, start: Floats) -> Floats:
 
 def _lever_range(slices: _Slices) -> tuple[Floats, Floats]:
     """Least and greatest 1/F for which m_alpha stays above its least value, of each arc."""
-    sine, cosine = slices.ends
+    sine = slices.end_sine
+    cosine = np.cos([slices.points.low, slices.points.high])
     most = 1.0 / _LEAST_FACTOR
     sine = slices.friction * sine
     room = cosine - LEAST_LEVER
     with np.errstate(divide="ignore", invalid="ignore"):
         above = np.where(sine > 0.0, np.maximum(room, 0.0) / sine, most)
         below = np.where((sine < 0.0) & (room < 0.0), room / sine, 0.0)
-    lowest = np.zeros(slices.arcs)
-    highest = np.full(slices.arcs, most)
+    lowest = np.zeros(len(slices.points.radius))
+    highest = np.full(len(slices.points.radius), most)
     for k in (0, 1):
-        np.minimum.at(highest, slices.arc, above[k])
-        np.maximum.at(lowest, slices.arc, below[k])
+        np.minimum.at(highest, slices.points.arc, above[k])
+        np.maximum.at(lowest, slices.points.arc, below[k])
     return lowest, highest

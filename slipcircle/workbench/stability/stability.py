@@ -16,7 +16,8 @@ from numpy.typing import ArrayLike
 from generated.effects import LAWS
 from slipcircle.base.checks import InputError, raise_all
 from slipcircle.core import LayeredSection, Section, Soil, law_parts, layer_mistakes, pond_errors, slope_errors
-from slipcircle.workbench.stability.slices import Floats, SlopeArrays, SoilArrays, circle_factors
+from slipcircle.workbench.stability.arcs import SlopeArrays, SoilArrays
+from slipcircle.workbench.stability.slices import Floats, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
