@@ -119,10 +119,7 @@ def _parts(
     law, rate = _laws(content.get("friction"))
     on_slope = "ground" in content
     tables = _tables(law or "constant", rate or RATE_LAWS[0], on_slope)
-    known = {table: value for table, value in content.items() if table != "arc" or not on_slope}
-    if not law:  # of a law that is anybody's guess nothing else can be judged
-        known["friction"] = {"law": content["friction"]["law"], "coefficient": 0.0}
-    document = Document(known, tables)
+    document = _document(content, tables, law)
     given, keys = document.arguments, _keys(tables, document.typed)
     mistakes = ["arc: and ground exclude each other; leave one out"] if on_slope and "arc" in content else []
     mistakes += document.mistakes
@@ -145,6 +142,14 @@ def _parts(
     plain_friction = friction["coefficient"] if law == "constant" and not rate else friction
     parts = {"arc": arc, "friction": plain_friction, "effects": effects, "uncertain": document.uncertain}
     return {**parts, "stability": stability, "name": Path(file).stem, **given[""]}, keys
+
+
+def _document(content: Mapping[str, Any], tables: Mapping[str, Table], law: str) -> Document:
+    """What a file says; of an arc beside a ground nothing, and of a law that is anybody's guess nothing but its name."""
+    known = {table: value for table, value in content.items() if table != "arc" or "ground" not in content}
+    if not law:
+        known["friction"] = {"law": content["friction"]["law"], "coefficient": 0.0}
+    return Document(known, tables)
 
 
 def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tuple[Arc | None, list[str]]:
