@@ -277,7 +277,7 @@ def test_the_command(asked: Any, said: Any, tmp_path: Path, monkeypatch: pytest.
         assert any(re.match(rf"{number} +{re.escape(way)} ", line) for line in lines), way
     assert any(line.startswith("Frontier: ") for line in lines)
     fails = Row("f", "printed form", float("inf"), (1.5,), 3.0)
-    monkeypatch.setattr(cost, "measure", lambda names, tell: [fails])
+    monkeypatch.setattr(cost, "measure", lambda names, report: [fails])
     assert json.loads(said("cost --json"), parse_constant=pytest.fail)["rows"][0]["error"] is None
 
 
@@ -331,7 +331,7 @@ def test_what_is_not_installed_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cost, "find_spec", lambda name: None)
     said: list[str] = []
     assert all(r.ours for r in cost.measured(scenes.subject("constant friction", False), said.append))
-    assert said == [f"constant friction: {name} is missing, and left out" for name in ("scipy", "heyoka")]
+    assert said == [f"constant friction: {name} is missing, and not included" for name in ("scipy", "heyoka")]
 
 
 def test_rows_of_sections() -> None:

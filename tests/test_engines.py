@@ -192,7 +192,11 @@ def test_a_run_continues(tmp_path: Path) -> None:
     assert sorted(tmp_path.glob("block-*.npz")) == files
 
 
-def test_an_interrupt_keeps_what_is_finished(tmp_path: Path, told_at_once: None) -> None:
+def test_an_interrupt_keeps_what_is_finished(
+    tmp_path: Path, told_at_once: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(engines, "_AHEAD", 4)  # blocks that threads may finish meanwhile
+
     def interrupt(_: str) -> None:
         raise KeyboardInterrupt
 

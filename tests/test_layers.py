@@ -4,6 +4,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from layered_benchmarks import CASES, solved
+from layered_benchmarks import differences as differences_of
 from layered_sections import differences, random_section, strength_by_quadrature
 
 from slipcircle import Scene, Section, solve
@@ -11,6 +13,8 @@ from slipcircle.core import LayeredSection, Soil
 from slipcircle.core.flow import compiled
 from slipcircle.core.scene.coordinates import changed_fields, replace_unchecked
 from slipcircle.core.scene.parameters import with_parameters
+from slipcircle.workbench.stability.search import at_circle
+from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 
 TURNING = ["rotation", "centripetal"]
 GROUND = [(-60, 20), (0, 20), (40, 0), (120, 0)]
@@ -164,3 +168,39 @@ def test_what_soils_say_is_not_said_twice() -> None:
         Scene(section, effects={"cohesion": {"cohesion": 3e3}})
     with pytest.raises(ValueError, match="'layered_strength' is unknown"):
         Scene(Section(GROUND, (30, 45), 48.0, 19e3), 0.3, {"layered_strength": {}})
+
+
+# --- layered slopes --------------------------------------------------------------------------------------------------
+
+GIVEN = [case for case in CASES if "circle" in case]
+SEARCHED = ["ACADS 1c", "D&W 14.4 #79", "Low 1989 #24 phi=0"]  # all: python tests/layered_benchmarks.py
+
+
+@pytest.mark.parametrize("case", GIVEN, ids=lambda case: case["name"])
+def test_factors_of_published_circles(case: dict[str, Any]) -> None:
+    """Beside values that are given to four decimals."""
+    for name, difference in differences_of(case, solved(case)).items():
+        assert abs(difference) < 6e-5 / case[name] + 2e-5
+
+
+@pytest.mark.parametrize("case", [case for case in CASES if case["name"] in SEARCHED], ids=lambda case: case["name"])
+def test_least_factors_of_published_slopes(case: dict[str, Any]) -> None:
+    assert abs(differences_of(case, solved(case))["bishop"]) < 1e-3
+
+
+def test_a_drowned_slope_is_the_buoyant_one_in_all_methods() -> None:
+    """Archimedes: with water level far above, weights less that of water and no water."""
+    drowned = Slope(GROUND, 5e3, 0.4, 20e3, pond=40.0)
+    buoyant = Slope(GROUND, 5e3, 0.4, 20e3 - 9810.0)
+    section = Section(GROUND, (30, 45), 48.0, 1.0)
+    for method, factor in at_circle(buoyant, section).factor_of_safety.items():
+        assert at_circle(drowned, section).factor_of_safety[method] == pytest.approx(factor, rel=1e-13)
+
+
+def test_strips_are_the_definition() -> None:
+    """The factor that a motion starts from, by the paper's method with strips, is the one of statics."""
+    section = profile("constant friction")
+    slope = Slope(GROUND, layers=section.layers)
+    statics = at_circle(slope, Section(GROUND, (30, 45), 48.0, 1.0)).factor_of_safety["paper"]
+    assert solve(Scene(section, effects=TURNING)).factor_of_safety == pytest.approx(statics, rel=1e-10)
+    assert factors_of_safety(Scene(section))["paper"] == pytest.approx(statics, rel=1e-12)

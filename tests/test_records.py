@@ -281,12 +281,15 @@ def test_a_record_scaled_to_a_peak_in_a_file(tmp_path: Path, records: Any) -> No
         ("", "holds = 'ground'\npulse = 'sine'", "exclude each other"),
         ("", "holds = 'ground'\ncycles = 2", "shaking.cycles: does not belong to a record"),
         ("", "holds = 'ground'\nvertical_record = 'nowhere.csv'", "nowhere.csv"),
+        ("", "holds = 'ground'\nrecord = 'one.csv'", "has one column and no times; give shaking.step_s, the time"),
     ],
 )
 def test_a_file_says_what_its_record_is(tmp_path: Path, arc: str, shaking: str, said: str) -> None:
     write(tmp_path, "time s,acc m/s2\n0,0\n1,-1.962\n2,0\n", "r.csv")
     text = f"[arc]\nradius_m = 60\ntheta_1_deg = 215\ntheta_2_deg = 280\nunit_weight_kN_m3 = 19\n{arc}\n[friction]\n"
-    path = write(tmp_path, f"{text}angle_deg = 30\n[shaking]\nrecord = 'r.csv'\nunits = 'm/s2'\n{shaking}\n", "s.toml")
+    write(tmp_path, "0\n1\n", "one.csv")
+    shaking += "" if "one.csv" in shaking else "\nrecord = 'r.csv'"
+    path = write(tmp_path, f"{text}angle_deg = 30\n[shaking]\nunits = 'm/s2'\n{shaking}\n", "s.toml")
     with pytest.raises(ValueError, match=re.escape(said)):
         load(path)
 

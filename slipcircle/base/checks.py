@@ -1,9 +1,10 @@
 """One clear error for bad input: every mistake at once, each with the field, the value and what is allowed."""
 
 import math
-from collections.abc import Callable, Collection, Iterable, Mapping
+import re
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from os import PathLike
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,6 +13,65 @@ EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
 Bounds = tuple[float, float, str]  # lower, upper (both open), and the same in words
 Fault = tuple[Any, Callable[[int], str]]  # which lanes have a mistake, and what to say of one
+
+
+_ARGUMENT = re.compile(r"\{(~?)([a-z_][\w.]*)\}")
+
+
+class Message(str):
+    """A sentence about input, written with ``{name}`` for an argument: its name, or what it is called elsewhere.
+
+    Of ``{~path.name}`` only the last part is shown, where the path was said before.
+    """
+
+    __slots__ = ("template",)
+    template: str
+
+    def __new__(cls, template: str) -> Self:
+        message = super().__new__(cls, _worded(template, str))
+        message.template = template
+        return message
+
+    def worded(self, name_of: Callable[[str], str]) -> str:
+        """The sentence with other names of arguments, such as the keys of a file."""
+        return _worded(self.template, name_of)
+
+    def within(self, path: str) -> "Message":
+        """The sentence about arguments of a table or an effect: the first is named by its path."""
+        first = _ARGUMENT.sub(rf"{{\g<1>{path}.\g<2>}}", self.template, count=1)
+        head, brace, rest = first.partition("}")
+        return Message(head + brace + _ARGUMENT.sub(rf"{{~{path}.\g<2>}}", rest))
+
+    @classmethod
+    def of(cls, text: str) -> "Message":
+        """A text as a message."""
+        return text if isinstance(text, Message) else Message(text)
+
+
+def _worded(template: str, name_of: Callable[[str], str]) -> str:
+    """A template with the names of its arguments."""
+
+    def name(found: re.Match[str]) -> str:
+        full = name_of(found[2])
+        return full.rpartition(".")[2] if found[1] else full
+
+    return _ARGUMENT.sub(name, template)
+
+
+class InputError(ValueError):
+    """What is wrong with input, a `Message` each; the text of the error names arguments as Python does."""
+
+    def __init__(self, what: str, messages: Iterable[str]) -> None:
+        self.what = what
+        self.messages = tuple(map(Message.of, messages))
+        super().__init__((f"{what}: " if what else "") + "; ".join(self.messages))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return InputError, (self.what, [m.template for m in self.messages])
+
+    def worded(self, name_of: Callable[[str], str]) -> str:
+        """The sentences with other names of arguments."""
+        return "; ".join(m.worded(name_of) for m in self.messages)
 
 
 def plain(value: Any) -> Any:
@@ -47,7 +107,7 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one:
             value = np.asarray(None)
         many = name in one and value.ndim > 0
         if many or value.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
-            found.append(f"{name} = {shown(fields[name])}: must be {'one number' if many else allowed}")
+            found.append(f"{{{name}}} = {shown(fields[name])}: must be {'one number' if many else allowed}")
             continue
         bad = ~(np.isfinite(value) & (value > lower) & (value < upper))
         if np.any(bad):
@@ -56,8 +116,8 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one:
             between = (
                 f", between {0.0 if lower == -5e-324 else lower:g} and {upper:g}" if far and upper < INFINITY else ""
             )
-            found.append(f"{name} = {worst:.10g}: must be {allowed}{between}")
-    return found
+            found.append(f"{{{name}}} = {worst:.10g}: must be {allowed}{between}")
+    return [Message(m) for m in found]
 
 
 _KINDS = {
@@ -72,14 +132,15 @@ _KINDS = {
 def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable[Any]) -> list[str]:
     """A sentence for each declared parameter that is missing, odd or out of bounds, and for what is none of them."""
     wanted = {p.name: p for p in parameters if p.kind != "rotation"}
-    found = [f"{path}: {n!r} is missing: {p.help}" for n, p in wanted.items() if n not in given and not p.optional]
+    needed = {n: p for n, p in wanted.items() if not p.optional}
+    found: list[str] = [f"{path}: {n!r} is missing: {p.help}" for n, p in needed.items() if n not in given]
     found += [f"{path}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}" for n in given if n not in wanted]
     sign = {-5e-324: ", at least 0", 0.0: ", positive"}
     for name, p in wanted.items():
         value = given.get(name)
         if name in given and p.kind in ("number", "list", "series") and p.key and not callable(value):
             words = f"{p.help}{sign.get(min(p.lower, 0.0), '')} ({p.unit})"
-            found += [f"{path}.{m}" for m in mistakes(given, {name: (p.lower, p.upper, words)})]
+            found += [Message.of(m).within(path) for m in mistakes(given, {name: (p.lower, p.upper, words)})]
         elif name in given:
             right = {
                 "number": False,
@@ -90,7 +151,7 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable
             }
             if not right.get(p.kind, value in p.kind.split("|")):
                 allowed = _KINDS.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
-                found.append(f"{path}.{name} = {shown(value)}: must be {allowed}: {p.help}")
+                found.append(Message(f"{{{path}.{name}}} = {shown(value)}: must be {allowed}: {p.help}"))
     return found
 
 
@@ -105,10 +166,10 @@ def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
     return []
 
 
-def raise_all(what: str, found: list[str]) -> None:
-    """Raise one ValueError that lists the mistakes, if there are any."""
+def raise_all(what: str, found: Sequence[str]) -> None:
+    """Raise one error that lists the mistakes, if there are any."""
     if found:
-        raise ValueError(f"{what}: " + "; ".join(found))
+        raise InputError(what, found)
 
 
 def complaint(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
@@ -117,5 +178,5 @@ def complaint(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
         if np.any(bad):
             k = int(np.argmax(bad))
             where = ", ".join(str(i) for i in np.unravel_index(k, shape)) if np.size(bad) > 1 else ""
-            return [f"lane [{where}]: {said(k)}" if np.size(bad) > 1 else said(k)]
+            return [Message(f"lane [{where}]: {said(k)}" if np.size(bad) > 1 else said(k))]
     return []

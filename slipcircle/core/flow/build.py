@@ -134,14 +134,20 @@ class _Builder:
             link.cell_definitions[symbol] = ("set", ZERO)
         for quantity in dict.fromkeys((*QUANTITIES, "mu", *factors)):
             self._sum(quantity)
-        chosen = [FRAGMENTS[name] for name in ("gravity", *effects, *laws, *extra)]
-        given = [x for fragment in chosen for x in fragment.inputs if x not in link.cell_definitions]
-        self.inputs = [*INPUTS, *given]
+        self._collect_inputs([FRAGMENTS[name] for name in ("gravity", *effects, *laws, *extra)])
+
+    def _collect_inputs(self, chosen: list[Any]) -> None:
+        """The numbers that a scene has to give, and the states with their rates."""
+        defined = self.link.cell_definitions
+        self.inputs = list(INPUTS)
         self.rates = {"x": "omega", "omega": "net"}
         for fragment in chosen:
+            self.inputs += [name for name in fragment.inputs if name not in defined]
             self.rates |= dict(fragment.states)
-        further = {tangent(s, j): tangent(rate, j) for j in self.directions for s, rate in self.rates.items()}
-        self.states = self.rates | further
+        self.states = dict(self.rates)
+        for j in self.directions:
+            for state, rate in self.rates.items():
+                self.states[tangent(state, j)] = tangent(rate, j)
 
     def _take(self, name: str, friction: str = "mu") -> None:
         """Take a fragment's definitions; the friction coefficient of a law may be one of two factors."""
@@ -188,27 +194,41 @@ class _Builder:
 
     def resolve(self) -> None:
         """The registers and cells that serve what the integrator reads."""
+        self._fix_cells()
         link = self.link
-        table_cells = [cell for table in self.tables for cell in table.cells]
-        varied_of_tables = [cell for table in self.tables for cell in table.varied]
-        self.varied = [*self.rates, "ROTATION", "SLIP", *self.inputs, *varied_of_tables]
-        self.read = [*self.rates, *self.rates.values(), *READ_REGISTERS, *(table.argument for table in self.tables)]
-        tangents = [tangent(name, j) for j in self.directions for name in self.varied]
-        self.fixed = list(dict.fromkeys((*CELLS, *self.rates, *self.inputs, *table_cells, *tangents)))
-        roots = [*self.read, *self.extra, *(tangent(name, j) for j in self.directions for name in self.read)]
-        link.cells |= {name: name for name in self.fixed}
-        link.registers |= {name: name for name in self.states}
-        for j in self.directions:
-            link.cell_definitions[tangent("LIMIT", j)] = ("set", tangent("limit_0", j))
-        link.cell_definitions["departed"] = self._departed({*self.states, *table_cells})
-        link.mark_shared(dict.fromkeys(roots))
-        self.registers = {name: link.register(name) for name in dict.fromkeys(roots)}
+        self.read = [*self.rates, *self.rates.values(), *READ_REGISTERS]
+        self.read += [table.argument for table in self.tables]
+        roots = dict.fromkeys([*self.read, *self.extra, *self._in_directions(self.read)])
+        link.mark_shared(roots)
+        self.registers = {name: link.register(name) for name in roots}
         self._drop_constants()
         for name in (*self.states.values(), *self.extra):
             if self.registers[name] is None:
                 self.registers[name] = link.zero_register(name)
-        names = (*OUTPUT_CELLS.values(), *(tangent("drive", j) for j in self.directions))
+        names = [*OUTPUT_CELLS.values(), *self._in_directions(["drive"])]
         self.outputs = {name: link.cell(name) for name in names}
+
+    def _fix_cells(self) -> None:
+        """The cells that a lane begins with, in their order, and what follows from them alone."""
+        link, table_cells = self.link, list[str]()
+        self.varied = [*self.rates, "ROTATION", "SLIP", *self.inputs]
+        for table in self.tables:
+            table_cells += table.cells
+            self.varied += table.varied
+        tangents = self._in_directions(self.varied)
+        self.fixed = list(dict.fromkeys((*CELLS, *self.rates, *self.inputs, *table_cells, *tangents)))
+        for name in self.fixed:
+            link.cells[name] = name
+        for name in self.states:
+            link.registers[name] = name
+        for j in self.directions:
+            link.cell_definitions[tangent("LIMIT", j)] = ("set", tangent("limit_0", j))
+        link.cell_definitions["departed"] = self._departed({*self.states, *table_cells})
+
+    def _in_directions(self, names: Iterable[str]) -> list[str]:
+        """The tangents of names, direction by direction."""
+        names = list(names)
+        return [tangent(name, j) for j in self.directions for name in names]
 
     def _departed(self, moving: set[str]) -> Operation:
         """What is zero as long as the limit friction is that of the start: whatever it depends on has not changed."""

@@ -73,7 +73,8 @@ def engine() -> Any:
 def encoded(program: Program) -> bytes:
     """A program as the C integrator reads it: sizes, roles, operations, states and tables, as 32-bit integers."""
     rates, others = _split(program)
-    series, later = _encoded_series(program, rates), _encoded_series(program, others)
+    series = _encoded_series(program, rates)
+    later = _encoded_series(program, others)
     scalar = list[int]()
     for kind, *names in program.scalar:
         scalar += [SCALAR[kind], *names]
@@ -108,7 +109,8 @@ def _begin(register: int) -> int:
 def _split(program: Program) -> tuple[list[int], list[int]]:
     """Operations that rates need, and those that wait until the series of the states are complete."""
     needed = {rate for _, _, rate in program.states}
-    rates, others = list[int](), list[int]()
+    rates = list[int]()
+    others = list[int]()
     for k in reversed(range(len(program.series))):
         kind, *names = program.series[k]
         if needed & {*_results(kind, names)}:
@@ -159,14 +161,17 @@ def integrate(
     level : str, optional
         The kind of processor to run for, one of those that the binary names in ``LEVELS``; by default the best.
     """
-    binary, count = module(), cells.shape[1]
+    binary = module()
+    count = cells.shape[1]
     if not count:
         return
     number = binary.LEVELS[level] if level else min(binary.LEVELS.values())
     pieces = _pieces(tables, count)
     times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
     notes = _NOTHING if log is None else np.empty((NOTES, 4))
-    code, order, left = encoded(program), int(cells[ix.ORDER].max()), 1
+    code = encoded(program)
+    order = int(cells[ix.ORDER].max())
+    left = 1
     while left:
         left, noted = binary.walk(code, pieces, cells, order, 0, count, ROUNDS, times, states, notes, number)
         if log is not None:
@@ -180,10 +185,13 @@ def begin_phase(program: Program, tables: Sequence[Data], cells: Floats) -> Floa
 
 def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: int = 0) -> Floats:
     """As `slipcircle.core.flow.integrate.registers`: where lanes are within their phases."""
-    binary, count = module(), cells.shape[1]
+    binary = module()
+    count = cells.shape[1]
     values = np.zeros((len(program.registers), count))
     if count:
-        code, pieces, level = encoded(program), _pieces(tables, count), min(binary.LEVELS.values())
+        code = encoded(program)
+        pieces = _pieces(tables, count)
+        level = min(binary.LEVELS.values())
         binary.walk(code, pieces, cells, LOWEST, 0, count, begins, _NOTHING, values, _NOTHING, level)
     return values
 

@@ -39,7 +39,8 @@ ENDLESS = 1e12  # dimensionless time, thirty thousand years and more, after whic
 ITERATIONS = 12
 # Of one lane, breaks of what changes with time not included. A step no longer than some explicit ones counts for ten:
 # then the motion is not stiff, but trembles or swings for long.
-MOST_STEPS, EXPLICIT = 2_000, 8.0
+MOST_STEPS = 2_000
+EXPLICIT = 8.0
 GROWS, SHRINKS, SAFETY = 4.0, 0.1, 0.9  # factors of the step from one to the next
 
 
@@ -67,7 +68,9 @@ def integrate(
     for lane in which:
         tables = [table.lanes([lane]) for table in with_tangents.tables]
         one = _Implicit(program, tables, with_tangents.cells[:, [lane]], np.array([lane]), samples, log)
-        one.status, one.steps, one.integrated = ix.MOVING, 0.0, integrated
+        one.status = ix.MOVING
+        one.steps = 0.0
+        one.integrated = integrated
         with np.errstate(all="ignore"):
             one.restart_phase()
             while one.status[0] <= ix.RESTING:
@@ -123,7 +126,8 @@ class _Implicit(Integrator):
 
     def _follow(self, now: _Now) -> tuple[_Now, int]:
         """Steps up to the next event, or until no more are made: where that is, and which event."""
-        h, event = 4.0 * self.explicit, ix.EVENT_NONE
+        h = 4.0 * self.explicit
+        event = ix.EVENT_NONE
         while event == ix.EVENT_NONE and now.time < self.limit and not self._creeps(now):
             to_limit = h >= self.limit - now.time
             h = min(h, self.limit - now.time)
@@ -154,7 +158,8 @@ class _Implicit(Integrator):
 
     def _prepare(self) -> None:
         """What all implicit steps up to the next event share."""
-        (self.tangent,), own = self.program.tangents, len(self.program.states) // 2
+        (self.tangent,) = self.program.tangents
+        own = len(self.program.states) // 2
         self.own_cells = [cell for cell, _, _ in self.program.states[:own]]
         self.own_rates = [rate for _, _, rate in self.program.states[:own]]
         self.state_cells = [cell for cell, _, _ in self.program.states[: self.integrated]]
@@ -175,7 +180,8 @@ class _Implicit(Integrator):
     def _cells_at(self, times: Floats, states: Floats) -> Floats:
         """Cells of this lane at some times in some states, (states, times)."""
         cells = np.repeat(self.cells, times.size, axis=1)
-        cells[ix.TIME], cells[self.state_cells] = times, states
+        cells[ix.TIME] = times
+        cells[self.state_cells] = states
         there = LaneState(self.program, self._tables(times.size), cells)
         for piece, value, increment in zip(there.timed, self.first_values, self.first_increments, strict=True):
             piece.increment = increment + piece.taylor(1)[0] - value
@@ -210,8 +216,10 @@ class _Implicit(Integrator):
     def _newton(self, now: _Now, h: float) -> _Step | None:
         """A step; none where Newton's iteration does not converge."""
         first_rate = h * now.registers[self.rates]
-        points, times = now.states + AT[:, None] * first_rate, now.time + AT * h
-        least, before = np.maximum(np.abs(first_rate), 1e-300), np.inf
+        points = now.states + AT[:, None] * first_rate
+        times = now.time + AT * h
+        least = np.maximum(np.abs(first_rate), 1e-300)
+        before = np.inf
         for _ in range(ITERATIONS):
             registers = self._registers_at(times, points.T)
             rates = registers[self.rates].T
@@ -233,7 +241,8 @@ class _Implicit(Integrator):
 
     def _event_functions(self) -> list[tuple[int, EventFunction]]:
         """Events, with what of states and registers is above zero before them."""
-        roles, sign = self.program.roles, -1.0 if self.lifted[0] > 0.0 else 1.0
+        roles = self.program.roles
+        sign = -1.0 if self.lifted[0] > 0.0 else 1.0
         functions: list[tuple[int, EventFunction]] = [(ix.EVENT_STANDSTILL, lambda y, r: y[1])]
         if roles["normal"] >= 0:
             functions.append((ix.EVENT_LIFT_OFF, lambda y, r: sign * r[roles["normal"]]))
@@ -242,8 +251,10 @@ class _Implicit(Integrator):
         for number, piece in enumerate(self.pieces):
             if piece.kind == "time":
                 continue
-            event, argument = ix.EVENT_BREAKPOINT + 2 * number, 1 if piece.kind == "speed" else 0
-            upper, lower = float(piece.upper[0]), float(piece.lower[0])
+            event = ix.EVENT_BREAKPOINT + 2 * number
+            argument = 1 if piece.kind == "speed" else 0
+            upper = float(piece.upper[0])
+            lower = float(piece.lower[0])
             if np.isfinite(upper):
                 functions.append((event, partial(_distance, argument, upper, 1.0)))
             if piece.kind == "speed" and lower:
@@ -256,7 +267,8 @@ class _Implicit(Integrator):
         for event, function in self.functions:
             at = self._first_zero(function, step, now)
             if at <= end:
-                end, first = at, event
+                end = at
+                first = event
         return end, first
 
     def _first_zero(self, function: EventFunction, step: _Step, now: _Now) -> float:
@@ -272,15 +284,19 @@ class _Implicit(Integrator):
             return np.inf
         low, high = (now.time, *step.times)[passes[0] : passes[0] + 2]
         at_low, at_high = values[passes[0] : passes[0] + 2]
-        least, turn = 2 * EPS * abs(high), 0
+        least = 2 * EPS * abs(high)
+        turn = 0
         while high - low > 2 * least:
             share = 0.5 if turn % 3 == 2 else at_low / (at_low - at_high)
             middle = min(max(low + share * (high - low), low + least), high - least)  # or only one end would move
-            at_middle, turn = at(middle), turn + 1
+            at_middle = at(middle)
+            turn = turn + 1
             if at_middle > 0.0:
-                low, at_low = middle, at_middle
+                low = middle
+                at_low = at_middle
             else:
-                high, at_high = middle, at_middle
+                high = middle
+                at_high = at_middle
         return float(high)
 
     def _keep_peak(self, step: _Step, now: _Now, end: float) -> None:
@@ -295,7 +311,8 @@ class _Implicit(Integrator):
         """Read the states off at sample times from one time up to another."""
         if self.samples is None:
             return
-        column, direction = int(self.lanes[0]), self.direction[0]
+        column = int(self.lanes[0])
+        direction = self.direction[0]
         times = self.samples.times[:, column]
         rows = slice(np.searchsorted(times, begin), np.searchsorted(times, end, side="right"))
         if not times[rows].size:

@@ -136,7 +136,8 @@ class Integrator(StickPhase):
         limit = np.minimum(self.next_break(), self.end_time)
         room = limit - self.time
         series, order = self.expand(room)
-        net, omega = series[roles["net"], :-1], series[roles["omega"]]
+        net = series[roles["net"], :-1]
+        omega = series[roles["omega"]]
         h = self._step_size(series, order, room)
         tau, event = self.find_event(series, h)
         uneventful = event == ix.EVENT_NONE
@@ -208,7 +209,8 @@ class Integrator(StickPhase):
 
     def _standstill(self, series: Floats, h: Floats) -> Floats:
         """When the speed falls to zero; at once where, from rest, the drive points backwards or is rounding."""
-        omega, net = series[self.program.roles["omega"]], series[self.program.roles["net"], :-1]
+        omega = series[self.program.roles["omega"]]
+        net = series[self.program.roles["net"], :-1]
         last, slope = value_and_slope(omega, h)
         from_rest = omega[0] == 0.0
         backwards = from_rest & ((net[0] < 0.0) | ((net[0] == 0.0) & (net[1] <= 0.0)))
@@ -279,13 +281,15 @@ class Integrator(StickPhase):
         if piece.kind == "slip":
             self.slip = piece.data.breaks[piece.index] / piece.scale
         else:
-            self.omega, self.passed = edge, np.where(lower, ix.SLOWER, ix.FASTER)
+            self.omega = edge
+            self.passed = np.where(lower, ix.SLOWER, ix.FASTER)
         if piece.data.open:
             self.status[(piece.number == piece.last) & (lower == 0)] = ix.NEED
 
     def _enter_phase(self, rate: Floats) -> None:
         """Begin another phase on the way; its drive is fresh or carried over, whichever is known better."""
-        drive, scale = self.role("drive").copy(), self.role("drive_scale").copy()
+        drive = self.role("drive").copy()
+        scale = self.role("drive_scale").copy()
         pieces_before = [piece.number.copy() for piece in self.timed]
         self.advance_origin()
         self.begin_phase()
@@ -298,7 +302,8 @@ class Integrator(StickPhase):
     def carry_net_moment(self, rate: Floats, drive: Floats, scale: Floats) -> None:
         """Keep the net moment through an event where its rounding is less than that of computing the drive anew."""
         net = self.registers()[self.program.roles["net"]]
-        fresh, fresh_scale = self.role("drive"), self.role("drive_scale")
+        fresh = self.role("drive")
+        fresh_scale = self.role("drive_scale")
         carried_scale = scale + EPS * (np.abs(rate) + np.abs(net - fresh) + np.abs(drive))
         better = carried_scale < fresh_scale
         fresh[better] += (rate - net)[better]
@@ -315,7 +320,8 @@ class Integrator(StickPhase):
         """What is asked for ends while the lane moves."""
         self.status = status
         self.end_rotation = self.rotation + self.direction * self.x
-        self.end_omega, self.end_rate = self.direction * self.omega, self.direction * rate
+        self.end_omega = self.direction * self.omega
+        self.end_rate = self.direction * rate
         self.update_reach()
 
 
@@ -323,7 +329,8 @@ class _FirstEvent:
     """The first event of a step in each lane, found by looking for one after the other in what is left of the step."""
 
     def __init__(self, h: Floats) -> None:
-        self.time, self.event = h, np.full(h.shape, ix.EVENT_NONE)
+        self.time = h
+        self.event = np.full(h.shape, ix.EVENT_NONE)
 
     def consider(self, event: int, at: Floats) -> None:
         self.event = np.where(at <= self.time, event, self.event)

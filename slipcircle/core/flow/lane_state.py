@@ -50,9 +50,13 @@ class LaneState(LaneEntries):
         log: Log | None = None,
         tangents: Any = None,
     ) -> None:
-        self.program, self.tables, self.cells = program, tables, cells
+        self.program = program
+        self.tables = tables
+        self.cells = cells
         self.lanes = np.arange(cells.shape[1]) if lanes is None else lanes
-        self.samples, self.log, self.tangents = samples, log, tangents
+        self.samples = samples
+        self.log = log
+        self.tangents = tangents
         self.pieces = [Piece(self, slot, data) for slot, data in zip(program.tables, tables, strict=True)]
         self.timed = [piece for piece in self.pieces if piece.kind == "time"]
 
@@ -70,7 +74,8 @@ class LaneState(LaneEntries):
         if chosen.size == self.count:
             return self
         tables = [table.lanes(chosen) for table in self.tables]
-        cells, lanes = self.cells[:, chosen], self.lanes[chosen]
+        cells = self.cells[:, chosen]
+        lanes = self.lanes[chosen]
         return type(self)(self.program, tables, cells, lanes, self.samples, self.log, self.tangents)
 
     def apply_to(self, mask: Any, method: str, *arguments: Any) -> None:
@@ -156,7 +161,9 @@ class LaneState(LaneEntries):
             (registers, orders, lanes); zero beyond a lane's order.
         order : ndarray
         """
-        program, roles, order = self.program, self.program.roles, self.order.copy()
+        program = self.program
+        roles = self.program.roles
+        order = self.order.copy()
         highest = int(order.max())
         series = self._started(highest)
         watched = [roles["net"]] if at_rest else [roles["x"], roles["omega"]]

@@ -291,35 +291,50 @@ class Lanes:
         problem = self.problem.with_steady_shaking()
         program, cells = problem.program, problem.cells
         places, roles = program.places, program.roles
-        cells[ix.OMEGA], cells[ix.DIRECTION] = 0.0, np.where(cells[places["fall"]] < 0.0, -1.0, 1.0)
-        cells[places["k_h"]], shaken = 0.0, cells.copy()
-        shaken[places["k_h"]] = cells[ix.DIRECTION]  # a unit of k_h, the way in which gravity drives
-        engine().begin_phase(program, problem.tables, cells)
-        engine().begin_phase(program, problem.tables, shaken)
-        driving, resisting, normal = _forces(program, cells)
-        driving_shaken, resisting_shaken, normal_shaken = _forces(program, shaken)
+        downhill = np.where(cells[places["fall"]] < 0.0, -1.0, 1.0)
+        cells[ix.OMEGA], cells[ix.DIRECTION], cells[places["k_h"]] = 0.0, downhill, 0.0
+        shaken = cells.copy()
+        shaken[places["k_h"]] = downhill  # a unit of k_h, the way in which gravity drives
+        for each in (cells, shaken):
+            engine().begin_phase(program, problem.tables, each)
         mu, limit = cells[roles["cell_mu"]], cells[roles["cell_limit"]]
-        pressed = normal > 0.0
         with np.errstate(all="ignore"):
-            frictionless, frictionless_shaken = driving - resisting, driving_shaken - resisting_shaken
-            excess, excess_shaken = frictionless - mu * normal, frictionless_shaken - mu * normal_shaken
-            exact_excess = np.where(pressed, normal * (limit - mu), excess)  # keeps its digits near the limit
-            yielding = -exact_excess / (excess_shaken - excess)
-            lifted = normal + yielding * (normal_shaken - normal) < 0.0
-            yielding_lifted = -frictionless / (frictionless_shaken - frictionless)
-            strength = resisting + np.where(pressed, mu * normal, 0.0)
-            return {
-                "limit_friction": np.where(pressed, limit, np.where(frictionless > 0.0, np.inf, -np.inf)),
-                "friction": mu,
-                "factor_of_safety": np.where(driving > 8 * EPS * abs(normal), strength / driving, np.inf),
-                "yield_coefficient": np.where(lifted, yielding_lifted, yielding) + 0.0,
-            }
+            return _equilibrium(_forces(program, cells), _forces(program, shaken), mu, limit)
 
 
-def _forces(program: Program, cells: Floats) -> tuple[Any, Any, Any]:
-    """What drives, what resists beside friction, and what presses, where phases begin, over Theta*."""
-    driving, resisting, normal = (cells[program.roles[f"cell_{name}"]] for name in ("driving", "resisting", "normal0"))
-    return driving, resisting, normal
+def _equilibrium(at_rest: "_Forces", shaken: "_Forces", mu: Floats, limit: Floats) -> dict[str, Floats]:
+    """`Lanes.statics` from the forces at rest and under a unit of k_h, the friction and the limit friction."""
+    driving, resisting, normal = at_rest
+    pressed = normal > 0.0
+    frictionless = driving - resisting
+    excess = frictionless - mu * normal
+    exact_excess = np.where(pressed, normal * (limit - mu), excess)  # keeps its digits near the limit
+    frictionless_shaken = shaken.driving - shaken.resisting
+    excess_shaken = frictionless_shaken - mu * shaken.normal
+    yielding = -exact_excess / (excess_shaken - excess)
+    lifted = normal + yielding * (shaken.normal - normal) < 0.0
+    yielding_lifted = -frictionless / (frictionless_shaken - frictionless)
+    strength = resisting + np.where(pressed, mu * normal, 0.0)
+    return {
+        "limit_friction": np.where(pressed, limit, np.where(frictionless > 0.0, np.inf, -np.inf)),
+        "friction": mu,
+        "factor_of_safety": np.where(driving > 8 * EPS * abs(normal), strength / driving, np.inf),
+        "yield_coefficient": np.where(lifted, yielding_lifted, yielding) + 0.0,
+    }
+
+
+class _Forces(NamedTuple):
+    """What drives, what resists beside friction, and what presses, over Theta*."""
+
+    driving: Any
+    resisting: Any
+    normal: Any
+
+
+def _forces(program: Program, cells: Floats) -> _Forces:
+    """The forces where phases begin."""
+    roles = program.roles
+    return _Forces(cells[roles["cell_driving"]], cells[roles["cell_resisting"]], cells[roles["cell_normal0"]])
 
 
 # --- lanes of a scene ------------------------------------------------------------------------------------------------

@@ -28,12 +28,22 @@ class Piece:
         Entries of the state, as `generated.layout` says; of a function of time ``lower`` is its increment at ``upper``.
     """
 
-    number, value, increment, way = Entry(ix.PIECE), Entry(ix.VALUE), Entry(ix.INC), Entry(ix.WAY)
-    upper, lower, scale, factor = Entry(ix.UPPER), Entry(ix.LOWER), Entry(ix.SCALE), Entry(ix.SCALED_BY)
+    number = Entry(ix.PIECE)
+    value = Entry(ix.VALUE)
+    increment = Entry(ix.INC)
+    way = Entry(ix.WAY)
+    upper = Entry(ix.UPPER)
+    lower = Entry(ix.LOWER)
+    scale = Entry(ix.SCALE)
+    factor = Entry(ix.SCALED_BY)
 
     def __init__(self, state: LaneEntries, slot: Table, data: Data) -> None:
-        self.state, self.slot, self.data = state, slot, data
-        self.kind, self.register, self.last = slot.kind, slot.register, len(data.breaks) - 1
+        self.state = state
+        self.slot = slot
+        self.data = data
+        self.kind = slot.kind
+        self.register = slot.register
+        self.last = len(data.breaks) - 1
 
     @property
     def cells(self) -> Floats:
@@ -70,10 +80,12 @@ class Piece:
 
     def _enter_rotation(self) -> tuple[Floats, Floats]:
         """The piece ahead, in the direction of travel, of a function of the rotation, which goes either way."""
-        rotation, direction = self.state.rotation, self.state.direction
+        rotation = self.state.rotation
+        direction = self.state.direction
         down_slope = direction > 0.0
         self.number = self.data.entered(rotation, down_slope)
-        edge, next_edge = self.data.begins(self.index), self.data.begins(np.minimum(self.index + 1, self.last))
+        edge = self.data.begins(self.index)
+        next_edge = self.data.begins(np.minimum(self.index + 1, self.last))
         above = np.where(self.number < self.last, next_edge, np.inf)
         below = np.where(self.number > 0, edge, -np.inf)
         self.upper = direction * (np.where(down_slope, above, below) - rotation)
@@ -81,7 +93,8 @@ class Piece:
 
     def _edges(self) -> tuple[Floats, Floats]:
         """Where the piece begins and ends."""
-        edge, next_edge = self.data.breaks[self.index], self.data.breaks[np.minimum(self.index + 1, self.last)]
+        edge = self.data.breaks[self.index]
+        next_edge = self.data.breaks[np.minimum(self.index + 1, self.last)]
         return edge, np.where(self.number < self.last, next_edge, np.inf)
 
     def _enter_slip(self) -> tuple[Floats, Floats]:
@@ -93,8 +106,10 @@ class Piece:
     def _enter_speed(self) -> tuple[Floats, Floats]:
         """Polynomials of the logarithm of the speed; piece 0, below the first speed, is constant."""
         edge, next_edge = self._edges()
-        speed, inside = self.state.omega * self.scale, self.number > 0
-        self.upper, self.lower = next_edge / self.scale, np.where(inside, edge / self.scale, 0.0)
+        speed = self.state.omega * self.scale
+        inside = self.number > 0
+        self.upper = next_edge / self.scale
+        self.lower = np.where(inside, edge / self.scale, 0.0)
         ratio = np.where(inside & (speed > 0.0), speed / np.where(inside, edge, 1.0), 1.0)
         return np.log(ratio), np.ones_like(ratio)
 
@@ -131,14 +146,16 @@ class Piece:
 
     def taylor(self, order: int) -> Floats:
         """Taylor coefficients of a function of time about now, in the dimensionless time; as many as it has."""
-        polynomial, local = self.data.polynomial(self.index), self._local()
+        polynomial = self.data.polynomial(self.index)
+        local = self._local()
         if not self.data.sine:
             powers = np.arange(len(polynomial))
             return shifted(polynomial, local) * self.scale ** powers[:, None] * self.factor
         amplitude, rate, phase = polynomial
         angle = rate * local + phase
         waves = (np.sin(angle), np.cos(angle), -np.sin(angle), -np.cos(angle))
-        size, terms = amplitude * self.factor, []
+        size = amplitude * self.factor
+        terms = []
         for power in range(order + 1):
             terms.append(size * waves[power % 4])
             size = size * (rate * self.scale / (power + 1))

@@ -26,7 +26,8 @@ def value(series: Floats, at: Any) -> Floats:
 
 def value_and_slope(series: Floats, at: Floats) -> tuple[Floats, Floats]:
     """The value and the derivative at a time."""
-    total, slope = series[-1].copy(), np.zeros_like(at)
+    total = series[-1].copy()
+    slope = np.zeros_like(at)
     for coefficient in series[-2::-1]:
         slope = slope * at + total
         total = total * at + coefficient
@@ -79,7 +80,8 @@ def first_root(series: Floats, h: Floats) -> Floats:
         noise = 4 * EPS * value(np.abs(dipping), h[dips])
         below = least < -noise  # a polynomial that only touches zero does not cross it
         crosses[dips[below]] = True
-        end[dips[below]], last[dips[below]] = lowest[below], least[below]
+        end[dips[below]] = lowest[below]
+        last[dips[below]] = least[below]
     root = np.full(h.shape, np.inf)
     k = np.flatnonzero(crosses)
     if k.size:
@@ -101,7 +103,8 @@ def bracketed_root(series: Floats, low: Floats, at_low: Floats, high: Floats, at
     for _ in range(MOST_ITERATIONS):
         residual, slope = value_and_slope(series, root)
         beyond = (residual > 0.0) ^ falls
-        low, high = np.where(beyond, low, root), np.where(beyond, root, high)
+        low = np.where(beyond, low, root)
+        high = np.where(beyond, root, high)
         newton = root - residual / slope
         inside = (newton >= low) & (newton <= high)
         next_root = np.where(inside, newton, 0.5 * (low + high))

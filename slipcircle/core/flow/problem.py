@@ -129,29 +129,25 @@ def build_problem(
         numbers.add_layers(called["layered_strength"], rotates(effects), upslope, accuracy)
     for name, parameters in laws:
         numbers.add_law(name, parameters)
-    with np.errstate(over="ignore"):  # what overflows is refused where it is asked for
-        numbers.inputs |= {
-            "omega": velocity / numbers.radius * numbers.time_scale,
-            "END_TIME": end_time / numbers.time_scale,
-            "LIMIT": abs(arc.moment_coefficients.limit_friction),
-            # The steps of one scene cost next to nothing, whatever their order.
-            "ORDER": order(min(accuracy, FINEST) if lanes == 1 else accuracy),
-            "FACTOR": STEP,
-            "CLOSE": np.inf,
-            "LIFT_TIME": np.nan,
-            "ONE_WAY": _one_way(called.get("shaking", {})),
-            "FIRST_ONLY": choose(end_time == np.inf, _first_only({*effects, *recipe[2]}, laws, numbers.inputs), 0.0),
-        }
-    cells, places = program.blank(lanes), program.places
+    numbers.inputs["ONE_WAY"] = _one_way(called.get("shaking", {}))
+    numbers.inputs["FIRST_ONLY"] = choose(
+        end_time == np.inf, _first_only({*effects, *recipe[2]}, laws, numbers.inputs), 0.0
+    )
+    numbers.add_start(velocity, end_time)
+    # The steps of one scene cost next to nothing, whatever their order.
+    numbers.inputs["ORDER"] = order(min(accuracy, FINEST) if lanes == 1 else accuracy)
+    cells = program.blank(lanes)
     for name, value in numbers.inputs.items():
-        if name in places:
-            cells[places[name]] = value
+        if name in program.places:
+            cells[program.places[name]] = value
     data = list[Data]()
-    for table in program.tables:
+    functions: dict[int, Callable[[Any], Any]] = {}
+    for k, table in enumerate(program.tables):
         function, scale, factor = numbers.tables[table.name]
         data.append(function)
         cells[table.cells + ix.SCALE], cells[table.cells + ix.SCALED_BY] = scale, factor
-    functions = {k: numbers.functions[t.name] for k, t in enumerate(program.tables) if t.name in numbers.functions}
+        if table.name in numbers.functions:
+            functions[k] = numbers.functions[table.name]
     return Problem(program, data, cells, numbers.time_scale, functions, recipe)
 
 
@@ -181,6 +177,14 @@ class _Numbers:
     def __post_init__(self) -> None:
         self.time_scale, self.radius = plain(self.arc.time_scale), plain(self.arc.radius)
         self.inputs: dict[str, Any] = self.arc.moment_coefficients.inputs()
+
+    def add_start(self, velocity: Any, end_time: Any) -> None:
+        """How the motion starts, when it ends, and what the integrator remembers at first."""
+        with np.errstate(over="ignore"):  # what overflows is refused where it is asked for
+            self.inputs["omega"] = velocity / self.radius * self.time_scale
+            self.inputs["END_TIME"] = end_time / self.time_scale
+        self.inputs["LIMIT"] = abs(self.arc.moment_coefficients.limit_friction)
+        self.inputs |= {"FACTOR": STEP, "CLOSE": np.inf, "LIFT_TIME": np.nan}
 
     def add_effect(self, effect: str, given: Mapping[str, Any], rotating: bool) -> None:
         """What an effect gives: numbers by their symbols, functions of time or of the rotation as tables."""

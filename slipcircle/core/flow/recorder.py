@@ -27,14 +27,17 @@ class Recorder(LaneState):
         direction = self.direction[k]
         self.peak_time[k] = time[k]
         self.peak_rotation[k] = self.rotation[k] + direction * x[k]
-        self.peak_omega[k], self.peak_rate[k] = direction * speed[k], direction * rate[k]
+        self.peak_omega[k] = direction * speed[k]
+        self.peak_rate[k] = direction * rate[k]
         if self.tangents and k.size:
             self.tangents.keep_peak(self, float(time[0]), float(rate[0]), series)
 
     def update_peak_within(self, series: Floats, tau: Floats) -> None:
         """The greatest speed within a step, where the net moment falls through zero."""
         roles = self.program.roles
-        x, omega, net = series[roles["x"]], series[roles["omega"]], series[roles["net"], :-1]
+        x = series[roles["x"]]
+        omega = series[roles["omega"]]
+        net = series[roles["net"], :-1]
         at = self._peak_time(net, tau)
         k = np.flatnonzero(np.isfinite(at))
         if k.size:
@@ -45,7 +48,8 @@ class Recorder(LaneState):
 
     def _peak_time(self, net: Floats, tau: Floats) -> Floats:
         """When the net moment falls through zero, at first or beyond a trough; infinite where it does not."""
-        rate, slope = value(net, tau), value(derivative(net), tau)
+        rate = value(net, tau)
+        slope = value(derivative(net), tau)
         at_zero = net[0] == 0.0
         drives = (net[0] > 0.0) | (at_zero & (net[1] > 0.0))
         at = np.full(self.count, np.inf)
@@ -54,7 +58,8 @@ class Recorder(LaneState):
             at[falls] = first_root(divided_by_time(net, at_zero)[:, falls], tau[falls])
         hump = np.flatnonzero((net[0] < 0.0) & (net[1] > 0.0) & (rate < 0.0) & (slope < 0.0))
         if hump.size:
-            part, slopes = net[:, hump], derivative(net[:, hump])
+            part = net[:, hump]
+            slopes = derivative(net[:, hump])
             top = bracketed_root(slopes, np.zeros(hump.size), slopes[0], tau[hump], slope[hump])
             greatest = value(part, top)
             root = bracketed_root(part, top, greatest, tau[hump], rate[hump])
@@ -65,7 +70,8 @@ class Recorder(LaneState):
         """Where the lane is now may be farthest from its start."""
         rotation = self.rotation + self.direction * self.x
         k = np.flatnonzero(np.abs(rotation) > np.abs(self.reach_rotation))
-        self.reach_time[k], self.reach_rotation[k] = self.time[k], rotation[k]
+        self.reach_time[k] = self.time[k]
+        self.reach_rotation[k] = rotation[k]
         if self.tangents and k.size:
             self.tangents.keep_reach(self)
 
@@ -107,7 +113,8 @@ class Recorder(LaneState):
         return np.array([self.rotation[lane], 0.0, 0.0, self.slip[lane], *further])[:, None]
 
     def _states_along(self, lane: int, series: Floats, past: Floats) -> Any:
-        roles, direction = self.program.roles, self.direction[lane]
+        roles = self.program.roles
+        direction = self.direction[lane]
         registers = [roles["x"], roles["omega"], roles["net"], *(register for _, register, _ in self._further_states())]
         x, omega, net, *further = (value(series[register, :, lane, None], past) for register in registers)
         return self.rotation[lane] + direction * x, direction * omega, direction * net, self.slip[lane] + x, *further

@@ -26,7 +26,8 @@ class StickPhase(Recorder):
 
     def start_moving(self, rate: Floats) -> None:
         """A phase of motion begins, in the direction faced."""
-        self.status, self.passed = ix.MOVING, ix.NOTHING
+        self.status = ix.MOVING
+        self.passed = ix.NOTHING
         self.phases += 1.0
         self.turns += self.last_way * self.direction < 0.0
         self.last_way = self.direction
@@ -94,7 +95,8 @@ class StickPhase(Recorder):
         self.face()
         never = (self.first_only > 0.0) & (self.phases > 0.0) & self._never_rests()
         self.apply_to(never, "stay", np.full(self.count, ix.STOPPED))
-        allowed, drive = self.may_start() & ~never, self.role("drive")
+        allowed = self.may_start() & ~never
+        drive = self.role("drive")
         terms = np.abs(self.role("driving")) + self.role("resisting")
         rounding = EPS * (terms + self.role("mu") * np.abs(self.role("normal0")))
         margin = np.abs(drive) / np.maximum(rounding, 1e-300)
@@ -119,7 +121,9 @@ class StickPhase(Recorder):
     def stay(self, status: Floats) -> None:
         """The lane stays where it is, until its end."""
         self.status = status
-        self.end_rotation, self.end_omega, self.end_rate = self.rotation, 0.0, 0.0
+        self.end_rotation = self.rotation
+        self.end_omega = 0.0
+        self.end_rate = 0.0
         self.direction = 0.0
         self.rest_since = np.minimum(self.rest_since, self.end_time)  # later by rounding at most
         self.read_samples(self.time, np.full(self.count, np.inf))
@@ -131,12 +135,14 @@ class StickPhase(Recorder):
         limit = self.next_break()
         room = np.where(np.isfinite(limit), limit - self.time, 1.0)
         ahead = np.zeros((5, self.count))
-        ahead[STRETCH], ahead[[STARTS, LIFTS]] = room, np.inf
+        ahead[STRETCH] = room
+        ahead[[STARTS, LIFTS]] = np.inf
         self._look_ahead(room, ahead)
         both_ways = self.one_way == 0.0
         if np.any(both_ways):
             self.apply_to(both_ways, "reverse")
-            part, part_ahead = self.part(both_ways), ahead[:, both_ways]
+            part = self.part(both_ways)
+            part_ahead = ahead[:, both_ways]
             part._look_ahead(room[both_ways], part_ahead)
             ahead[:, both_ways] = part_ahead
         self.advance_functions_of_time(ahead[STRETCH])
@@ -190,7 +196,8 @@ class StickPhase(Recorder):
 
     def change_contact_at_rest(self) -> None:
         """Contact is lost, or made again, while the mass rests."""
-        self.lifted, self.passed = 1.0 - self.lifted, ix.LIFT
+        self.lifted = 1.0 - self.lifted
+        self.passed = ix.LIFT
         self.apply_to(self.lifted > 0.0, "note_lift_off")
         self.begin_phase()
 

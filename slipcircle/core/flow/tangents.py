@@ -50,10 +50,13 @@ class Tangents:
     """Derivatives of one motion, of which each lane carries one direction."""
 
     def __init__(self, program: Program, cells: Floats, growth: InputGrowth) -> None:
-        (tangent,), own = program.tangents, len(program.states) // 2
-        self.cells_of, self.registers_of = tangent.cells, tangent.registers
+        (tangent,) = program.tangents
+        own = len(program.states) // 2
+        self.cells_of = tangent.cells
+        self.registers_of = tangent.registers
         self.states = program.states[:own]
-        self.growth, self.none = growth, np.zeros(cells.shape[1])
+        self.growth = growth
+        self.none = np.zeros(cells.shape[1])
         self.event_dot = self.none  # of the time at which the phase that is being begun begins
         self.peak_dot = self.rest_dot = self.reach_dot = self.none
         end = cells[ix.END_TIME, 0]
@@ -94,7 +97,8 @@ class Tangents:
         Their derivative is f p^j (c_j (f'/f + j p'/p) + (j + 1) c_(j+1) u' + c_j'), c_j' those of the table itself.
         """
         scale_growth, factor_growth, by_parameter = self.growth.tables[piece.slot.name]
-        number, cells = piece.index[:1], piece.slot.cells
+        number = piece.index[:1]
+        cells = piece.slot.cells
         local, local_dot, unit = self._argument(state, piece)
         unit_growth = scale_growth if piece.kind == "slip" else self.none
         degree = piece.slot.degree
@@ -127,7 +131,8 @@ class Tangents:
     def _taylor(self, state: LaneState, piece: Piece, order: int) -> tuple[Floats, Floats]:
         """Taylor coefficients about now of a function of time, and their derivatives at a fixed time, (terms, ...)."""
         growth = self.growth.tables[piece.slot.name]
-        terms, known = np.zeros(order + 2), piece.taylor(order + 1)[: order + 2, 0]
+        terms = np.zeros(order + 2)
+        known = piece.taylor(order + 1)[: order + 2, 0]
         terms[: len(known)] = known
         n = np.arange(order + 1)
         by_scale = state.time[0] * (n + 1) * terms[1:] + n * terms[:-1]
@@ -145,7 +150,8 @@ class Tangents:
 
     def end_step(self, series: Floats, tau: Floats) -> None:
         """Keep the series of a step, and the rates of the states at its end, before anything jumps."""
-        self.series, self.tau = series, float(tau[0])
+        self.series = series
+        self.tau = float(tau[0])
         self.rates = [float(value(series[rate][:, 0], self.tau)) for _, _, rate in self.states]
 
     def leave_standstill(self, state: LaneState) -> None:
@@ -176,7 +182,8 @@ class Tangents:
     def leave_rest(self, state: LaneState, sudden: bool) -> None:
         """g = the drive at rest; where it has leapt, the break, of which the time in s is given."""
         self.event_dot = self.none
-        drive, net = state.program.roles["cell_drive"], state.program.roles["net"]
+        drive = state.program.roles["cell_drive"]
+        net = state.program.roles["net"]
         if sudden:
             event_dot = -state.time[0] * self.growth.time
         else:

@@ -48,11 +48,16 @@ class InputDerivatives:
     """
 
     def __init__(self, lanes: Lanes, names: Sequence[str]) -> None:
-        self.lanes, self.names, self.none = lanes, names, np.zeros(len(names))
+        self.lanes = lanes
+        self.names = names
+        self.none = np.zeros(len(names))
         arc = lanes.arc
-        radius, gravity = self.relative("radius", arc.radius), self.relative("gravity", arc.gravity)
+        radius = self.relative("radius", arc.radius)
+        gravity = self.relative("gravity", arc.gravity)
         unit_weight = self.relative("unit_weight", arc.unit_weight)
-        self.time_growth, self.speed_growth, self.radius_growth = (radius - gravity) / 2, (radius + gravity) / 2, radius
+        self.time_growth = (radius - gravity) / 2
+        self.speed_growth = (radius + gravity) / 2
+        self.radius_growth = radius
         self.inputs, alpha, inertia, cover = self._geometry()
         self.growths = {
             "half_angle": alpha / float(arc.half_angle),
@@ -77,7 +82,8 @@ class InputDerivatives:
 
     def _geometry(self) -> "_Geometry":
         """Derivatives of the arc's coefficients and angle, and of its moment of inertia and cover."""
-        arc, problem = self.lanes.arc, self.lanes.problem
+        arc = self.lanes.arc
+        problem = self.lanes.problem
         coefficients = {n: float(problem.cells[problem.program.places[n], 0]) for n in _COEFFICIENTS}
         return self._arc(arc, coefficients) if isinstance(arc, Arc) else self._section(arc, coefficients)
 
@@ -98,9 +104,13 @@ class InputDerivatives:
 
     def _section(self, section: Section, coefficients: Mapping[str, float]) -> "_Geometry":
         grown = section_derivatives(section, self.names)
-        m, own, way = grown.moments, section.moments, section.facing
-        theta, alpha = own["moment_of_inertia"], float(section.half_angle)
-        opened, inertia = (grown.ends[1] - grown.ends[0]) / 2, m["inertia"] / theta
+        m = grown.moments
+        own = section.moments
+        way = section.facing
+        theta = own["moment_of_inertia"]
+        alpha = float(section.half_angle)
+        opened = (grown.ends[1] - grown.ends[0]) / 2
+        inertia = m["inertia"] / theta
         changes = {
             "fall": -way * m["moment_x"],
             "fall_slope": -m["moment_y"],
@@ -158,7 +168,8 @@ class InputDerivatives:
 
     def _factor(self, effect: str, given: Mapping[str, Any], name: str) -> Floats:
         """Relative growth of what a function of time is multiplied by: shaking's amplitude, scale or peak."""
-        amount, shaken = float(factor(effect, given, name)), given[name]
+        amount = float(factor(effect, given, name))
+        shaken = given[name]
         if isinstance(shaken, Pulse):
             return self.relative(f"{effect}.{'vertical_amplitude' if name == 'vertical' else 'amplitude'}", amount)
         greatest = given["horizontal"].greatest if effect == "shaking" else 1.0
@@ -178,7 +189,8 @@ class InputDerivatives:
 
     def _add_pieces(self, path: str, name: str, given: Mapping[str, Any]) -> None:
         """Of a law of slip in pieces: its length scales the argument, and the pieces are linear in its coefficients."""
-        length, by_parameter = PIECES[name][0], list[Data]()
+        length = PIECES[name][0]
+        by_parameter = list[Data]()
         for parameter in self.names:
             coefficient = parameter.removeprefix(f"{path}.")
             by_parameter.append(_by_coefficient(name, given, coefficient if coefficient != length else ""))
@@ -190,7 +202,8 @@ class InputDerivatives:
         problem = self.lanes.problem
         for p in LAWS[name].parameters:
             cell = f"{name}.{p.name}"
-            places, value = problem.program.places, float(given[p.name])
+            places = problem.program.places
+            value = float(given[p.name])
             scaled = float(problem.cells[places[cell], 0]) if cell in places else 0.0
             by_value = scaled / value if value else 1.0
             parameter = "friction" if name == "constant" else f"{path}.{p.name}"
@@ -200,9 +213,11 @@ class InputDerivatives:
 def _by_coefficient(name: str, given: Mapping[str, Any], coefficient: str) -> Data:
     """The derivative of a law's pieces by a coefficient, in which they are linear; zero for what is none of its own."""
     numbers = {key: float(value) for key, value in given.items()}
-    up, down = dict(numbers), dict(numbers)
+    up = dict(numbers)
+    down = dict(numbers)
     if coefficient in numbers:
         up[coefficient] += 1.0
         down[coefficient] -= 1.0
-    above, below = of_law(name, up), of_law(name, down)
+    above = of_law(name, up)
+    below = of_law(name, down)
     return above._replace(coefficients=(above.coefficients - below.coefficients) / 2)

@@ -88,7 +88,8 @@ def _with_directions(problem: Problem, inputs: InputDerivatives) -> Problem:
     """The problem of one lane as one of many, each of which carries the derivatives by one parameter."""
     problem = problem.with_outputs(directions=1)
     cells = np.repeat(problem.cells, len(inputs.names), axis=1)
-    places, (tangent,) = problem.program.places, problem.program.tangents
+    places = problem.program.places
+    (tangent,) = problem.program.tangents
     for name, dot in inputs.inputs.items():
         if name in places and places[name] in tangent.cells:
             cells[tangent.cells[places[name]]] = dot
@@ -104,8 +105,10 @@ class _Run:
     """
 
     def __init__(self, problem: Problem, inputs: InputDerivatives, stiff_step: float) -> None:
-        self.inputs, self.stiff_step = inputs, stiff_step
-        self.implicit_from, self.later_events = np.inf, list[Any]()
+        self.inputs = inputs
+        self.stiff_step = stiff_step
+        self.implicit_from = np.inf
+        self.later_events = list[Any]()
         integrate_all(problem, log=self.later_events, integrator=self._integrate)
 
     def _integrate(
@@ -133,9 +136,14 @@ class _Run:
 
 def _in_si(lanes: Lanes, inputs: InputDerivatives, run: _Run) -> Floats:
     """Derivatives of outputs: of dimensionless ones, and of the units that they are multiplied by."""
-    state, tangents, growth = run.state, run.tangents, inputs.growth
-    unit_of_time, radius = float(lanes.time_scale), float(np.asarray(lanes.arc.radius))
-    peak, end, reach = state.peak_omega[0], state.end_rotation[0], state.reach_rotation[0]
+    state = run.state
+    tangents = run.tangents
+    growth = inputs.growth
+    unit_of_time = float(lanes.time_scale)
+    radius = float(np.asarray(lanes.arc.radius))
+    peak = state.peak_omega[0]
+    end = state.end_rotation[0]
+    reach = state.reach_rotation[0]
     peak_dot = np.sign(peak) * tangents.peak_dot + peak * inputs.speed_growth
     run_out_dot = tangents.rotation_dot(state) + end * inputs.radius_growth
     reach_dot = tangents.reach_dot + reach * inputs.radius_growth

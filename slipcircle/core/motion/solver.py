@@ -15,6 +15,7 @@ import numpy as np
 
 from generated.effects import ALL_EFFECTS
 from generated.layout import MOST_TURNS
+from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.flow.lanes import BLOCK, lanes_of
 from slipcircle.core.motion.motion import FINAL_ENTRIES, Motion, final_entries
@@ -75,39 +76,36 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
 
 
 def _refuse(motion: Motion) -> None:
-    """A single scene without an answer."""
+    """Raise an error for a single scene without a result."""
     scene, status = motion.plan.scene, motion.status
     speed = float(np.asarray(scene.initial_velocity))
     if math.isfinite(motion.run_out + motion.outcomes["peak_velocity"] + speed * speed):
         return  # without an answer they are NaN
-    asked = f"initial_velocity = {scene.initial_velocity!r}, end_time = {scene.end_time!r}"
     turns = any(ALL_EFFECTS[e].turns for e in motion.plan.effects)
-    if status == Status.UPRIGHT:
-        time = motion.stopped_at
-        raise ValueError(
-            f"initial_velocity = {scene.initial_velocity!r}, friction: the chord stands upright after {time:.6g} s and "
-            "the mass would hang over, which this method cannot follow; give an earlier end_time or a lower velocity"
-        )
     stands = "shaking" in motion.plan.effects and not motion.factor_of_safety < 1.0  # but for what shakes it
     overflows = status == Status.FAILED and not stands and scene.end_time is None and speed * speed < math.inf
-    if not turns and (status == Status.ENDLESS or overflows):
-        raise ValueError(
-            "end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s"
+    velocity, end_time = (f"{{{n}}} = {getattr(scene, n)!r}" for n in ("initial_velocity", "end_time"))
+    few_turnings = status == Status.ENDLESS and motion.turnings < 20
+    if status == Status.UPRIGHT:
+        why = (
+            f"{velocity}, friction: the chord stands upright after {motion.stopped_at:.6g} s and the mass would hang "
+            "over, which this method cannot follow; give an earlier {end_time} or a lower velocity"
         )
-    if status == Status.ENDLESS and motion.turnings < 20 and (brake := motion.brake) > STRONGEST:
-        raise ValueError(
+    elif not turns and (status == Status.ENDLESS or overflows):
+        why = "{end_time}: this slide never rests, as its geometry is frozen; add rotation, or give {end_time} in s"
+    elif few_turnings and motion.brake > STRONGEST:
+        why = (
             f"friction, drag: they brake too strongly to be followed: the speed falls by e in 1/q of a radian, q = "
-            f"{brake:.2g}, at most {STRONGEST:.0e} can be; give a greater xi or less friction"
+            f"{motion.brake:.2g}, at most {STRONGEST:.0e} can be; give a greater xi or less friction"
         )
-    if status == Status.ENDLESS and motion.turnings < 20:
-        raise ValueError(
-            "end_time: this mass creeps to its rest, ever more slowly as what resists falls with the speed, or trembles"
-            f" on: it has not rested after {motion.stopped_at:.3g} s; give end_time in s"
+    elif few_turnings:
+        why = (
+            "{end_time}: this mass creeps to its rest, ever more slowly as what resists falls with the speed, or "
+            f"trembles on: it has not rested after {motion.stopped_at:.3g} s; give {{end_time}} in s"
         )
-    if status == Status.ENDLESS:
+    elif status == Status.ENDLESS:
         times = min(motion.turnings, MOST_TURNS)
-        raise ValueError(
-            f"end_time = {scene.end_time!r}: this mass turns back {times} times and more without resting; give an "
-            "earlier end in s"
-        )
-    raise ValueError(f"{asked}: the motion overflows; give a lower velocity or an earlier end")
+        why = f"{end_time}: this mass turns back {times} times and more without resting; give an earlier end in s"
+    else:
+        why = f"{velocity}, {end_time}: the motion overflows; give a lower velocity or an earlier end"
+    raise InputError("", [why])

@@ -124,22 +124,22 @@ class Arc(SlidingBody, Generic[Numbers]):
         """Lanes that are no arcs, or press on nothing."""
         ends = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
         one, two = (np.degrees(np.ravel(end)) for end in ends)
-        with np.errstate(invalid="ignore"):
-            weight = np.ravel(kernels.radial_weight(*ends))
+        with np.errstate(invalid="ignore"):  # J_r/Theta*: NaN beyond a half disc, and where the ends are no angles
+            weight = np.ravel(kernels.radial_weight_per_inertia(self.half_angle) * self._cosine_of_dip)
         turns = np.any(np.abs(ends[0]) > 4 * np.pi)  # 12.6 rad are more than anybody turns, and few degrees
         asked = "; theta_1 and theta_2 are in rad: were they in degrees?" if turns else ""
         yield (
             np.ravel(ends[1] <= ends[0]),
-            lambda k: f"theta_2 = {two[k]:.10g} deg: must be above theta_1 = {one[k]:.10g} deg; swap them?",
+            lambda k: f"{{theta_2}} = {two[k]:.10g} deg: must be above {{theta_1}} = {one[k]:.10g} deg; swap them?",
         )
         yield (
             np.isnan(weight),
-            lambda k: f"theta_2 - theta_1 = {two[k] - one[k]:.10g} deg: must be at most 180 deg{asked}",
+            lambda k: f"{{theta_2}} - {{theta_1}} = {two[k] - one[k]:.10g} deg: must be at most 180 deg{asked}",
         )
         yield (
             weight <= 0.0,
             lambda k: (
-                f"theta_1 = {one[k]:.10g} deg, theta_2 = {two[k]:.10g} deg: it presses on nothing; "
+                f"{{theta_1}} = {one[k]:.10g} deg, {{theta_2}} = {two[k]:.10g} deg: it presses on nothing; "
                 f"the middle of the arc must lie between 180 and 360 deg, below its centre{asked}"
             ),
         )
@@ -178,22 +178,29 @@ class Arc(SlidingBody, Generic[Numbers]):
                 polar_moment_per_inertia=g["resistance_factor"] * g["dynamic_coefficient"] / g["moment_of_inertia"],
             )
         alpha = self.half_angle
-        # Quotients come from reduced functions, so that thin arcs do not underflow.
-        dynamic = kernels.dynamic_coefficient(alpha)
-        per_inertia = self.normal_load()
-        polar_per_inertia = kernels.polar_moment_per_inertia(alpha)
+        limit_friction, static_normal_stress, polar_per_inertia = self._quotients
         return Dimensionless(
             moment_of_inertia=kernels.moment_of_inertia(alpha),
             radial_weight=kernels.radial_weight(self.theta_1, self.theta_2),
             weight_moment=self.facing * kernels.weight_moment(self.theta_1, self.theta_2),
             resistance_factor=kernels.resistance_factor(alpha),
-            dynamic_coefficient=dynamic,
-            # J_r/lambda = (J_r/Theta*) (A Theta*/I_p*), by lambda A = I_p*
-            static_normal_stress=per_inertia * dynamic / polar_per_inertia,
-            limit_friction=self.facing * kernels.limit_friction(self.theta_1, self.theta_2),
-            radial_weight_per_inertia=per_inertia,
+            dynamic_coefficient=kernels.dynamic_coefficient(alpha),
+            static_normal_stress=static_normal_stress,
+            limit_friction=limit_friction,
+            radial_weight_per_inertia=self.normal_load,
             polar_moment_per_inertia=polar_per_inertia,
         )
+
+    @cached_property
+    def _quotients(self) -> tuple[Any, Any, Any]:
+        """J_theta/J_r, J_r/lambda and I_p*/Theta*, from reduced functions, so that thin arcs do not underflow."""
+        if self.given is not None:
+            d = self.dimensionless
+            return d.limit_friction, d.static_normal_stress, d.polar_moment_per_inertia
+        polar_per_inertia = kernels.polar_moment_per_inertia(self.half_angle)
+        # J_r/lambda = (J_r/Theta*) (A Theta*/I_p*), by lambda A = I_p*
+        static = self.normal_load * kernels.dynamic_coefficient(self.half_angle) / polar_per_inertia
+        return self.facing * kernels.limit_friction(self.theta_1, self.theta_2), static, polar_per_inertia
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
@@ -208,28 +215,33 @@ class Arc(SlidingBody, Generic[Numbers]):
     @cached_property
     def moment_coefficients(self) -> MomentCoefficients:
         """What the balance needs; r_u is a share of the static normal stress."""
-        d = self.dimensionless
         weight, radial = self.amplitudes_per_inertia
-        press = self.normal_load()
-        limit = d.limit_friction
+        press = self.normal_load
+        limit, static_normal_stress, polar_per_inertia = self._quotients
         return MomentCoefficients(
             limit * press,
             weight * (press / radial),
             press,
             -radial * (limit * press / weight),
-            press / d.static_normal_stress,
-            d.polar_moment_per_inertia,
+            press / static_normal_stress,
+            polar_per_inertia,
             limit,
             1.0,
         )
 
+    @cached_property
     def normal_load(self) -> Any:
         """J_r/Theta* at the start."""
         if self.given is not None:
             return self.dimensionless.radial_weight_per_inertia
+        return self.amplitudes_per_inertia[1] * self._cosine_of_dip
+
+    @property
+    def _cosine_of_dip(self) -> Any:
+        """cos(psi) = -sin(theta_m), with the rounding of theta_m, which a steep dip shows."""
         ends = (np.asarray(theta, dtype=np.float64) for theta in (self.theta_1, self.theta_2))
-        total, lost = two_sum(*ends)  # a steep dip shows the rounding of theta_m; cos(psi) = -sin(theta_m)
-        return self.amplitudes_per_inertia[1] * -(np.sin(total / 2) + np.cos(total / 2) * (lost / 2))
+        total, lost = two_sum(*ends)
+        return -(np.sin(total / 2) + np.cos(total / 2) * (lost / 2))
 
     @cached_property
     def polar_moment(self) -> Any:

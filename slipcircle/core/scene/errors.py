@@ -34,17 +34,17 @@ def _not_one_stretch(section: Any) -> Fault:
         x, y = centre[k].tolist()
         r = radius[k]
         line = ground[k % len(ground)]
-        which = f"centre = [{x:.10g}, {y:.10g}], radius = {r:.10g}"
+        which = f"{{centre}} = [{x:.10g}, {y:.10g}], {{radius}} = {r:.10g}"
         if count[k] > 1 or (count[k] == 1 and held[k]):
             ends = zip(left[lane == k], right[lane == k], strict=True)
             stretches = ", ".join(f"[{a:.6g}, {b:.6g}]" for a, b in ends)
             short = " besides one that an end of the ground cuts short" if held[k] else ""
-            return f"{which}: cuts off several stretches of the ground; choose one by between = {stretches}{short}"
+            return f"{which}: cuts off several stretches of the ground; choose one by {{between}} = {stretches}{short}"
         if held[k]:
             beyond = f"x = {x - r:.6g} or {x + r:.6g}"
             return f"{which}: an end of the ground lies inside the circle; the ground must go on beyond {beyond}"
         if section.between is not None and circles.stretches(section._cut.only([k]))[0].size:
-            return f"between = {section.between!r}: no stretch of the ground inside the circle lies there"
+            return f"{{between}} = {section.between!r}: no stretch of the ground inside the circle lies there"
         (first_x, first_y), (last_x, last_y) = line[[0, -1]].tolist()
         reach = f"from [{first_x:.6g}, {first_y:.6g}] to [{last_x:.6g}, {last_y:.6g}]"
         return f"{which}: misses the ground, which reaches {reach}"
@@ -58,7 +58,7 @@ def _below_ground(section: Any) -> Fault:
     first, last = section._angles
     return (
         circles.below_ground(section._cut, section._mine) | (last <= first),
-        lambda k: f"centre = {centre[k].tolist()}: lies below the ground; a slip circle's lies above it",
+        lambda k: f"{{centre}} = {centre[k].tolist()}: lies below the ground; a slip circle's lies above it",
     )
 
 
@@ -70,7 +70,9 @@ def _below_base(section: Any) -> Fault:
     base = section.base
     return (
         lowest < base - 1e-9 * radius,
-        lambda k: f"radius = {radius[k]:.10g}: the circle goes down to y = {lowest[k]:.6g}, below base = {base:.10g}",
+        lambda k: (
+            f"{{radius}} = {radius[k]:.10g}: the circle goes down to y = {lowest[k]:.6g}, below {{base}} = {base:.10g}"
+        ),
     )
 
 

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import InputError
 from slipcircle.base.series import Pulse, Series
 
 _FACTORS = ("amplitude", "vertical_amplitude", "scale", "peak")
@@ -14,7 +15,7 @@ _FITTING = {  # to each way to say what shakes
 }
 STRONGEST = 5.0  # g, beyond which no ground has shaken
 _OF_RECORDS = ("record", "units", "column", "step", "start", "gaps")
-_IN_FILES = "record: a file's name belongs into a scene file; in Python give {} = slipcircle.Record.read(path, ...)"
+_IN_FILES = "{{record}}: a file's name belongs into a scene file; in Python give {} = slipcircle.Record.read(path, ...)"
 
 
 def resolved(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
@@ -30,8 +31,10 @@ def resolved(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
             return _shaking(given)
         if name == "pore_pressure":
             return _water(given)
+    except InputError as error:
+        raise InputError("", [message.within(f"effects.{name}") for message in error.messages]) from error
     except ValueError as error:
-        raise ValueError(f"effects.{name}: {error}") from error
+        raise InputError("", [f"{{effects.{name}}}: {error}"]) from error
     return dict(given)
 
 
@@ -59,15 +62,15 @@ def _water(given: Mapping[str, Any]) -> dict[str, Any]:
     """A ratio and a pressure: numbers, or functions of time from lists with their times."""
     rest = {k: v for k, v in given.items() if k != "time"}
     if "record" in given:
-        raise ValueError(_IN_FILES.format("pressure"))
+        raise InputError("", [_IN_FILES.format("pressure")])
     strange = next((k for k in _OF_RECORDS if k in given), None)
     if strange is not None:
-        raise ValueError(f"{strange} belongs to a record; leave it out, or give record")
+        raise InputError("", [f"{{{strange}}}: belongs to a record; leave it out, or give {{record}}"])
     if "time" not in given:  # without it a list is an ensemble
         return rest
     lists = {k: v for k, v in rest.items() if not callable(v) and np.ndim(v) == 1}
     if np.ndim(given["time"]) != 1 or not lists:
-        raise ValueError("time and ratio or pressure: must be lists of numbers")
+        raise InputError("", ["{time} and {ratio} or {pressure}: must be lists of numbers"])
     return rest | {k: Series(np.asarray(given["time"]), np.asarray(v)) for k, v in lists.items()}
 
 
@@ -80,21 +83,21 @@ def _shaking(given: Mapping[str, Any]) -> dict[str, Any]:
 
 def _as_series(given: Mapping[str, Any]) -> dict[str, Any]:
     if "record" in given:
-        raise ValueError(_IN_FILES.format("horizontal"))
+        raise InputError("", [_IN_FILES.format("horizontal")])
     ways = [w for w in _FITTING if w in given]
     if len(ways) != 1:
-        raise ValueError(f"{' and '.join(ways)} exclude each other; leave one out")
+        raise InputError("", [" and ".join(f"{{{w}}}" for w in ways) + " exclude each other; leave one out"])
     way = ways[0]
     strange = [k for k in given if k not in _FITTING[way] and k not in (way, "two_way")]
     if strange:
-        raise ValueError(f"{strange[0]} does not belong to a {way}; leave it out")
+        raise InputError("", [f"{{{strange[0]}}} does not belong to a {way}; leave it out"])
     if "scale" in given and "peak" in given:
-        raise ValueError("scale and peak exclude each other; leave one out")
+        raise InputError("", ["{scale} and {peak} exclude each other; leave one out"])
     if way == "horizontal":
         return dict(given)
     missing = [k for k in ("amplitude", "duration") if k not in given]
     if missing:
-        raise ValueError(f"{missing[0]} is missing: a pulse needs it")
+        raise InputError("", [f"{{{missing[0]}}} is missing: a pulse needs it"])
     pulse = Pulse(
         given["pulse"], 1.0, *(float(given.get(k, v)) for k, v in (("start", 0.0), ("duration", 0.0), ("cycles", 1.0)))
     )
@@ -110,7 +113,6 @@ def _check_strength(given: Mapping[str, Any]) -> None:
             continue
         peak = float(np.max(np.abs(factor("shaking", given, name)))) * record.greatest
         if peak > STRONGEST:
-            raise ValueError(
-                f"{name} reaches {peak:.6g} g, and no ground has shaken with more than {STRONGEST:g} g: its values are "
-                'over gravity; in Python give their unit, such as Record(t, a, units="cm/s2")'
-            )
+            unlikely = f"{{{name}}} reaches {peak:.6g} g, and no ground has shaken with more than {STRONGEST:g} g"
+            unit = 'its values are over gravity; in Python give their unit, such as Record(t, a, units="cm/s2")'
+            raise InputError("", [f"{unlikely}: {unit}"])

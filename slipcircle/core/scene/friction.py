@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from generated.effects import LAWS
-from slipcircle.base.checks import mistakes, parameter_mistakes
+from slipcircle.base.checks import mistakes, parameter_mistakes, shown
 
 RATE_LAWS = tuple(name for name, law in LAWS.items() if law.depends_on == ("speed",))
 
@@ -20,15 +20,15 @@ def law_mistakes(given: Any) -> list[str]:
             {"friction": given},
             {"friction": (-5e-324, np.inf, "a friction coefficient, tan(phi): a number of at least 0")},
         )
-    found = _named_mistakes(given, "friction", tuple(LAWS))
-    if not found and "rate" in given:
+    faults = _named_faults(given, "friction", tuple(LAWS))
+    if not faults and "rate" in given:
         if not may_have_rate(given["law"]):
-            found.append(f"friction.rate: {given['law']} is no law of slip; leave one out")
+            faults.append(f"friction.rate: {given['law']} is no law of slip; leave one out")
         elif not isinstance(given["rate"], Mapping):
-            found.append(f"friction.rate = {given['rate']!r}: must be a law of speed with its parameters")
+            faults.append(f"friction.rate = {shown(given['rate'])}: must be a law of speed with its parameters")
         else:
-            found += _named_mistakes(given["rate"], "friction.rate", RATE_LAWS)
-    return found
+            faults += _named_faults(given["rate"], "friction.rate", RATE_LAWS)
+    return faults
 
 
 def may_have_rate(law: str) -> bool:
@@ -36,25 +36,28 @@ def may_have_rate(law: str) -> bool:
     return not {"speed", "time"} & set(LAWS[law].depends_on)
 
 
-def _named_mistakes(given: Mapping[str, Any], path: str, known: tuple[str, ...]) -> list[str]:
+def _named_faults(given: Mapping[str, Any], path: str, known: tuple[str, ...]) -> list[str]:
     """A sentence for each mistake in a law by name."""
     name = given.get("law")
     if name not in known:
         return [f"{path}.law = {name!r}: must be one of {', '.join(known)}"]
-    own = {k: v for k, v in given.items() if k != "law" and (k, path) != ("rate", "friction")}
-    first, *others = LAWS[name].parameters
-    found = parameter_mistakes(path, own, LAWS[name].parameters)
-    if first.kind == "list" and not found:
-        place, values = (np.asarray(own[p.name], dtype=float) for p in (first, *others))
-        if place.ndim != 1 or place.shape != values.shape or place.size < 2:
-            found.append(
-                f"{path}.{first.name} and {path}.coefficient: must be two lists of equal length, two values at least"
-            )
-        elif name == "tabulated" and (place[0] != 0.0 or np.any(np.diff(place) <= 0.0)):
-            found.append(f"{path}.slip: must start at 0 and increase")
-        elif np.any(np.diff(place) <= 0.0):
-            found.append(f"{path}.{first.name}: must increase")
-    return found
+    parameters = {k: v for k, v in given.items() if k != "law" and (k, path) != ("rate", "friction")}
+    declared = LAWS[name].parameters
+    faults = parameter_mistakes(path, parameters, declared)
+    if declared[0].kind == "list" and not faults:
+        faults += _table_faults(path, name, parameters)
+    return faults
+
+
+def _table_faults(path: str, name: str, parameters: Mapping[str, Any]) -> list[str]:
+    """What is wrong with a law that is a table: its slips, speeds or times, and the coefficients there."""
+    places, values = (np.asarray(parameters[p.name], dtype=float) for p in LAWS[name].parameters)
+    argument = f"{path}.{LAWS[name].parameters[0].name}"
+    if places.ndim != 1 or places.shape != values.shape or places.size < 2:
+        return [f"{{{argument}}} and {{{path}.coefficient}}: must be two lists of equal length, two values at least"]
+    if name == "tabulated" and (places[0] != 0.0 or np.any(np.diff(places) <= 0.0)):
+        return [f"{{{argument}}}: must start at 0 and increase"]
+    return [f"{{{argument}}}: must increase"] if np.any(np.diff(places) <= 0.0) else []
 
 
 def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:

@@ -19,14 +19,14 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
 
     def at(bad: Any, words: str) -> Fault:
         places = np.argmax(bad, axis=1)
-        return bad.any(axis=1), lambda k: f"{name}[{places[k]}] = {lines[k, places[k]].tolist()}: {words}"
+        return bad.any(axis=1), lambda k: f"{{{name}}}[{places[k]}] = {lines[k, places[k]].tolist()}: {words}"
 
     yield at(~(np.abs(lines) < FAR).all(axis=2), "must be two finite numbers within 1e9 m")
     yield at(~step.any(axis=2), "is the point before it; leave one out")
     yield at(step[..., 0] < 0.0, "lies left of the point before it; order them by x")
     yield (
         lines[:, -1, 0] == lines[:, 0, 0],
-        lambda _: f"{name}: all points lie above each other; it must reach from left to right",
+        lambda _: f"{{{name}}}: all points lie above each other; it must reach from left to right",
     )
 
 
@@ -39,7 +39,7 @@ def points_errors(name: str, given: Any, many: bool) -> list[str]:
     axes = range(2, 16 if many else 3)
     shape = points.shape
     if points.dtype.kind not in "iuf" or points.ndim not in axes or shape[-1] != 2 or shape[-2] < 2:
-        return [f"{name}: must be a list of at least two points [x, y] in m, from left to right"]
+        return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
     lines = points.reshape(-1, *shape[-2:]).astype(np.float64)
     return complaint(line_errors(name, lines), shape[:-2])
 
@@ -68,10 +68,11 @@ def pond_errors(grounds: Floats, levels: Floats) -> Fault:
 
     def sentence(k: int) -> str:
         if not both[k].any():
-            return "level: lies beside the ground; it must reach over it"
+            return "{level}: lies beside the ground; it must reach over it"
         at = int(np.argmax(excess[k]))
         return (
-            f"level: stands {excess[k, at]:.4g} m above the ground at x = {x[k, at]:.10g}; ponds are not yet possible"
+            f"{{level}}: stands {excess[k, at]:.4g} m above the ground at x = {x[k, at]:.10g}; ponds are not yet "
+            "possible"
         )
 
     return ~both.any(axis=1) | (excess.max(axis=1) > 1e-9 * size), sentence
@@ -110,13 +111,13 @@ def section_errors(given: Mapping[str, Any], axes: Mapping[str, int]) -> list[st
         pair = given["between"]
         is_pair = pair is None or (np.shape(pair) == (2,) and pair[0] < pair[1])
         right = {"centre": np.shape(given["centre"])[-1:] == (2,), "between": is_pair}
-        errors = [f"{n} = {given[n]!r}: must be {bounds[n][2]}" for n in right if not right[n]]
+        errors = [f"{{{n}}} = {given[n]!r}: must be {bounds[n][2]}" for n in right if not right[n]]
     errors += _lines_errors(given, many=True)
     if errors:
         return errors
     shapes = {n: np.shape(given[n]) for n in axes if given[n] is not None}
     leading = {n: np.empty(shape[: len(shape) - axes[n]]) for n, shape in shapes.items()}
-    return shape_mistakes(leading) or [f"{n}: is empty" for n, lanes in leading.items() if not np.size(lanes)]
+    return shape_mistakes(leading) or [f"{{{n}}}: is empty" for n, lanes in leading.items() if not np.size(lanes)]
 
 
 def _bounds_of(given: Mapping[str, Any]) -> dict[str, Bounds]:
@@ -148,7 +149,7 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
         "angle": (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)"),
     }
     given = {n: v for n, v in {"height": height, "run": run, "angle": angle}.items() if v is not None}
-    found = [] if len(given) == 2 else ["angle or run: give one of them"]
+    found = [] if len(given) == 2 else ["{angle} or {run}: give one of them"]
     raise_all("simple_slope", mistakes(given, {n: bounds[n] for n in given}) + found)
     if angle is not None:
         run = 0.0 if angle > 1.5707963 else height / float(np.tan(angle))
@@ -188,15 +189,15 @@ def circle_through(
 
 
 def _through_errors(chord: Floats, half: Floats, radius: Any, depth: Any) -> list[str]:
-    errors = ["radius or depth: give one of them"] if (radius is None) == (depth is None) else []
+    errors = ["{radius} or {depth}: give one of them"] if (radius is None) == (depth is None) else []
     if np.any(chord[..., 0] == 0.0):
         errors.append("the two points lie above each other; a slip circle leads from one side to the other")
     elif radius is not None and np.any(np.asarray(radius) < half):
         least = f"at least half the distance of the points, {np.max(half):.10g}"
-        errors.append(f"radius = {np.min(radius):.10g}: must be {least}")
+        errors.append(f"{{radius}} = {np.min(radius):.10g}: must be {least}")
     elif depth is not None and np.any((np.asarray(depth) <= 0.0) | (np.asarray(depth) > half)):
         most = f"at most half the distance of the points, {np.min(half):.10g}"
-        errors.append(f"depth = {np.max(depth):.10g}: must be above 0 and {most}")
+        errors.append(f"{{depth}} = {np.max(depth):.10g}: must be above 0 and {most}")
     return errors
 
 

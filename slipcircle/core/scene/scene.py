@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS
-from slipcircle.base.checks import INFINITY, Bounds, mistakes, parameter_mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, parameter_mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Array, Numbers
 from slipcircle.base.series import Pulse, Series
 from slipcircle.core.scene.arc import Arc
@@ -118,43 +118,36 @@ class Scene(Generic[Numbers]):
         def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
-        effects, found = _named(self.effects)
+        effects, faults = _named(self.effects)
         object.__setattr__(self, "effects", effects)
+        faults += _arc_faults(self.arc, effects) + self._field_faults()
+        if isinstance(self.arc, LayeredSection):
+            faults += layered_mistakes(self.friction, effects)
+            object.__setattr__(self, "friction", self.arc.friction)
+        else:
+            faults += law_mistakes(self.friction)
+        for name, parameters in effects.items():
+            if of_effect := _effect_mistakes(name, parameters):
+                faults += of_effect
+                continue
+            try:
+                effects[name] = resolved(name, parameters)
+            except InputError as error:
+                faults += error.messages
+        if not faults:
+            faults += shape_mistakes({n: v for n, v in self.numbers.items() if np.ndim(v)})
+        raise_all(f"Scene {self.name}".rstrip(), faults)
+
+    def _field_faults(self) -> list[str]:
+        """What is wrong with how the scene starts and ends, and with what it asks for."""
         bounds: dict[str, Bounds] = {"initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s")}
         if self.end_time is not None:
             bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
-        known = isinstance(self.arc, Arc | Section)
-        found += [] if known else [f"arc = {self.arc!r}: must be an Arc or a Section"]
-        if isinstance(self.arc, Section):
-            found += [f"arc: {self.arc.no_motion}"] if self.arc.no_motion else []
-            if self.arc.level is not None and "ratio" in effects.get("pore_pressure", {}):
-                found.append(
-                    "effects.pore_pressure.ratio: cannot be combined with the level of the section, which "
-                    "says the pore pressure already; leave one out"
-                )
-        found += mistakes({n: getattr(self, n) for n in bounds}, bounds) + accuracy_mistakes(self.accuracy)
-        if isinstance(self.arc, LayeredSection):
-            found += layered_mistakes(self.friction, effects)
-            object.__setattr__(self, "friction", self.arc.friction)
-        else:
-            found += law_mistakes(self.friction)
-        if known and self.arc.given is not None and any(EFFECTS[e].turns for e in effects if e in EFFECTS):
-            found.append(
-                "arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"
-            )
-        for name, parameters in effects.items():
-            if said := _effect_mistakes(name, parameters):
-                found += said
-            else:
-                try:
-                    effects[name] = resolved(name, parameters)
-                except ValueError as error:
-                    found.append(str(error))
-        found += [] if found else shape_mistakes({n: v for n, v in self.numbers.items() if np.ndim(v)})
+        faults = [*mistakes({n: getattr(self, n) for n in bounds}, bounds), *accuracy_mistakes(self.accuracy)]
         uncertain: Any = self.uncertain
         if not isinstance(uncertain, Mapping):
-            found.append(f"uncertain = {uncertain!r}: must be a mapping from numbers to their distributions")
-        raise_all(f"Scene {self.name}".rstrip(), found)
+            faults.append(f"uncertain = {uncertain!r}: must be a mapping from numbers to their distributions")
+        return faults
 
     @property
     def called(self) -> Mapping[str, Mapping[str, Any]]:
@@ -231,6 +224,23 @@ def _named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
         if not isinstance(parameters, Mapping)
     ]
     return {str(e): dict(parameters) for e, parameters in given.items() if isinstance(parameters, Mapping)}, found
+
+
+def _arc_faults(arc: Any, effects: Mapping[str, Mapping[str, Any]]) -> list[str]:
+    """What keeps an arc or a section from moving under some effects."""
+    if not isinstance(arc, Arc | Section):
+        return [f"arc = {arc!r}: must be an Arc or a Section"]
+    faults: list[str] = []
+    if isinstance(arc, Section) and arc.no_motion:
+        faults.append(f"arc: {arc.no_motion}")
+    if isinstance(arc, Section) and arc.level is not None and "ratio" in effects.get("pore_pressure", {}):
+        faults.append(
+            "{effects.pore_pressure.ratio}: cannot be combined with the level of the section, which says the pore "
+            "pressure already; leave one out"
+        )
+    if arc.given is not None and any(EFFECTS[e].turns for e in effects if e in EFFECTS):
+        faults.append("arc.given: belongs to the initial position and cannot be combined with rotation; leave one out")
+    return faults
 
 
 def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:

@@ -1,10 +1,10 @@
 """What commands share: their common options, the checks before the work, errors that name the scene."""
 
 import argparse
-import re
 from collections.abc import Callable
 from typing import TypeVar
 
+from slipcircle.base.checks import InputError
 from slipcircle.core import Scene
 from slipcircle.workbench.common import files
 from slipcircle.workbench.files.scenefile import find
@@ -30,9 +30,9 @@ def add_files(parser: argparse.ArgumentParser, picture: str, **tables: str) -> N
 
 def check_files(options: argparse.Namespace) -> None:
     """See that all files of a command can be written and its pictures drawn, before the work."""
-    given = vars(options)
-    outputs = {f"--{name}": given[name] for name in ("plot", "report", "csv", "npz") if given.get(name)}
-    scenes = given.get("scenes") or [name for name in [given.get("scene")] if name]
+    values = vars(options)
+    outputs = {f"--{name}": values[name] for name in ("plot", "report", "csv", "npz") if values.get(name)}
+    scenes = values.get("scenes") or [name for name in [values.get("scene")] if name]
     files.check(options.command, outputs, [str(find(name)) for name in scenes])
     if "--plot" in outputs or "--report" in outputs:
         for path in options.plot or [""]:
@@ -43,6 +43,8 @@ def with_scene_context(scene: Scene, work: Callable[[Scene], T]) -> T:
     """What a function makes of a scene; an error says of which scene, and names the key of its file."""
     try:
         return work(scene)
-    except ValueError as error:
-        message = re.sub("end_time(?!_)", "end_time_s", str(error))
+    except InputError as error:
+        message = error.worded(lambda name: {"end_time": "end_time_s"}.get(name, name))
         raise ValueError(f"{scene.name}: {message}") from error
+    except ValueError as error:
+        raise ValueError(f"{scene.name}: {error}") from error

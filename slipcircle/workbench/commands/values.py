@@ -20,8 +20,8 @@ def times(text: str) -> NDArray[np.float64]:
         if not (0.0 <= first <= last and 0.0 < step and count <= MOST_TIMES):
             raise ValueError
     except (ValueError, ZeroDivisionError):
-        said = f"{text}: must be FROM:TO:STEP in s, such as 0:60:1, at most {MOST_TIMES} times"
-        raise argparse.ArgumentTypeError(said) from None
+        message = f"{text}: must be FROM:TO:STEP in s, such as 0:60:1, at most {MOST_TIMES} times"
+        raise argparse.ArgumentTypeError(message) from None
     return np.asarray(first + step * np.arange(int(count)), dtype=np.float64)
 
 
@@ -42,21 +42,21 @@ def observed(text: str) -> float | tuple[float, float]:
         raise argparse.ArgumentTypeError(f"{text}: must be a number, or one with its error: 400+-20") from None
 
 
-def by_key(option: str, given: Sequence[str], form: str, read: Callable[[str], Any]) -> dict[str, Any]:
+def by_key(option: str, texts: Sequence[str], form: str, read: Callable[[str], Any]) -> dict[str, Any]:
     """What stands in KEY=VALUE, by key; each key once."""
-    found: dict[str, Any] = {}
-    said = []
-    for text in given:
+    values: dict[str, Any] = {}
+    errors = []
+    for text in texts:
         key, _, value = text.partition("=")
         try:
-            if key in found:
+            if key in values:
                 raise ValueError
-            found[key] = read(value)
+            values[key] = read(value)
         except ValueError:
-            said.append(f"--{option} {text}: must be {form}")
-    if said:
-        raise ValueError("; ".join(said))
-    return found
+            errors.append(f"--{option} {text}: must be {form}")
+    if errors:
+        raise ValueError("; ".join(errors))
+    return values
 
 
 def bounds(text: str) -> tuple[float, float] | None:
@@ -70,8 +70,8 @@ def bounds(text: str) -> tuple[float, float] | None:
 def distribution(text: str) -> dict[str, Any]:
     """NAME:A:B, as a scene file has it."""
     name, *numbers = text.split(":")
-    wanted = DISTRIBUTIONS[name].parameters if name in DISTRIBUTIONS else ()
-    return {"distribution": name} | dict(zip(wanted, map(float, numbers), strict=True))
+    parameters = DISTRIBUTIONS[name].parameters if name in DISTRIBUTIONS else ()
+    return {"distribution": name} | dict(zip(parameters, map(float, numbers), strict=True))
 
 
 def levels(text: str) -> NDArray[np.float64]:

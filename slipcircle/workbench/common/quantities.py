@@ -43,8 +43,8 @@ class Quantity:
     def at(self, motion: Any, times: NDArray[np.float64]) -> NDArray[np.float64]:
         """The values of a quantity over time."""
         method, _, part = self.path.partition(".")
-        found = getattr(motion, method)(times)
-        return np.asarray(getattr(found, part) if part else found, dtype=np.float64)
+        values = getattr(motion, method)(times)
+        return np.asarray(getattr(values, part) if part else values, dtype=np.float64)
 
     def text(self, motion: Any) -> str:
         """A single motion's value as people read it, without digits that its error does not leave."""

@@ -4,6 +4,7 @@ Ratios within one run mean something; absolute times belong to the machine that 
 one function are timed in turns, so that what disturbs the machine disturbs all alike.
 """
 
+import math
 import time
 import tracemalloc
 from collections.abc import Callable, Sequence
@@ -73,34 +74,37 @@ class Row:
         return float(self.ns_1e4 or self.ns_1 or "nan")
 
 
-def measure(names: Sequence[str], tell: Callable[[str], object] = lambda said: None) -> list[Row]:
-    """Measure every way to compute the named functions, keys of `SUBJECTS` or a group of them; tell which it is at."""
-    names = [name for given in names for name in GROUPS.get(given, [given])]
-    if unknown := [n for n in names if n not in NAMES]:
-        raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join([*GROUPS, *NAMES])}")
+def measure(names: Sequence[str], report: Callable[[str], object] = lambda message: None) -> list[Row]:
+    """Measure every way to compute the named functions, keys of `SUBJECTS` or a group of them; report each."""
+    names = [name for group in names for name in GROUPS.get(group, [group])]
+    unknown = [name for name in names if name not in NAMES]
+    if unknown:
+        known = ", ".join([*GROUPS, *NAMES])
+        raise ValueError(f"function {unknown[0]!r} is unknown; known are {known}")
     if find_spec("flint") is None:
         raise ImportError("the reference needs python-flint: pip install 'slipcircle[derive]'")
     rows, start = [], time.monotonic()
     for done, name in enumerate(names):
-        left = (time.monotonic() - start) / max(done, 1) * (len(names) - done)
-        tell(f"measuring {name} ({done + 1} of {len(names)}{f', about {left:.0f} s left' if done else ''})")
+        each = (time.monotonic() - start) / max(done, 1)
+        left = f", about {each * (len(names) - done):.0f} s left" if done else ""
+        report(f"measuring {name} ({done + 1} of {len(names)}{left})")
         for make_subject in SUBJECTS[name]:
-            rows += judged(measured(make_subject(), tell))
+            rows += judged(measured(make_subject(), report))
     return rows
 
 
-def measured(subject: Subject, tell: Callable[[str], object] = lambda said: None) -> list[Row]:
+def measured(subject: Subject, report: Callable[[str], object] = lambda message: None) -> list[Row]:
     """Errors and times of all ways that are installed."""
     missing = [n for n in dict.fromkeys(way.needs for way in subject.ways) if n and find_spec(n) is None]
     for name in missing:
-        tell(f"{subject.name}: {name} is missing, and left out")
+        report(f"{subject.name}: {name} is missing, and not included")
     ways = [way for way in subject.ways if way.needs not in missing]
-    found: list[dict[str, Any]] = [{} for _ in ways]
+    times: list[dict[str, Any]] = [{} for _ in ways]
     for k in subject.sizes:
         counts = [_fitting(way, subject, SIZES[k]) for way in ways]
         arguments = {n: subject.bulk(n) for n in counts}
         works = [_work(way, arguments[n], n) for way, n in zip(ways, counts, strict=True)]
-        for row, work, n, seconds in zip(found, works, counts, interleaved(works), strict=True):
+        for row, work, n, seconds in zip(times, works, counts, interleaved(works), strict=True):
             row |= {"elements": n, TIMES[k]: median(seconds) / n * 1e9}
             if subject.weighed:
                 row["memory"] = _peak(work)
@@ -115,7 +119,7 @@ def measured(subject: Subject, tell: Callable[[str], object] = lambda said: None
             kind=way.kind,
             ours=way.ours,
         )
-        for way, row in zip(ways, found, strict=True)
+        for way, row in zip(ways, times, strict=True)
     ]
 
 
@@ -126,11 +130,11 @@ def _seen(way: Way, subject: Subject) -> dict[str, Any]:
     exact = subject.reference(way.kind)
     ulp, relative = exact.errors(way.function(*exact.points.astype(way.kind)))
     at, points = int(np.argmax(relative)), exact.points.T
-    found = {"error": float(relative[at]), "worst_input": tuple(points[at].tolist()), "points": len(points)}
+    seen = {"error": float(relative[at]), "worst_input": tuple(points[at].tolist()), "points": len(points)}
     if ulp is None:
-        return found
+        return seen
     at = int(np.argmax(np.abs(ulp)))
-    return found | {
+    return seen | {
         "ulp": float(abs(ulp[at])),
         "worst_input_ulp": tuple(points[at].tolist()),
         "profile": Profile(exact.points[0], ulp, relative),
@@ -200,10 +204,15 @@ def _timed(work: Callable[[], object], loops: int) -> float:
 
 def judged(rows: Sequence[Row]) -> list[Row]:
     """Mark the frontier: a way that another beats in time by more than `BEATEN` at no larger error names the winner."""
-    found = []
+    judged_rows = []
     for row in rows:
-        better = [r for r in rows if r.error <= row.error and r.price * BEATEN < row.price]
-        said = LOST + min(better, key=lambda r: r.price).way if better else FRONTIER
-        lost = "floor" if row.error != row.error else "no digit" if row.error >= 1 else ""
-        found.append(replace(row, verdict=lost or said))
-    return found
+        better = [other for other in rows if other.error <= row.error and other.price * BEATEN < row.price]
+        verdict = FRONTIER
+        if math.isnan(row.error):
+            verdict = "floor"
+        elif row.error >= 1:
+            verdict = "no digit"
+        elif better:
+            verdict = LOST + min(better, key=lambda other: other.price).way
+        judged_rows.append(replace(row, verdict=verdict))
+    return judged_rows

@@ -18,9 +18,10 @@ _OTHERS = {"marker": "s", "color": LINES["other"]["color"], "mfc": "white"}
 def overview(rows: Sequence[Row], figure: Any) -> None:
     """Rows of any functions on an empty figure of `size`."""
     functions = [[r for r in rows if r.function == name] for name in dict.fromkeys(row.function for row in rows)]
-    for line, of in zip(figure.subplots(len(functions), 2, squeeze=False), functions, strict=True):
-        frontier(of, line[0])
-        over_alpha(of, line[1])
+    lines = figure.subplots(len(functions), 2, squeeze=False)
+    for (left, right), of_function in zip(lines, functions, strict=True):
+        frontier(of_function, left)
+        over_alpha(of_function, right)
 
 
 def size(rows: Sequence[Row]) -> tuple[float, float]:

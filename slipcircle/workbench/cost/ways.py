@@ -121,14 +121,14 @@ def angles(count: int) -> Floats:
 def kernel(name: str) -> Subject:
     """A moment, weight or quotient of the arc."""
     rules = GAUSS_POINTS if name in INTEGRANDS else ()
-    found = [
+    ways = [
         *variants(name),
         Way("half-angle, NumPy", getattr(stable, name)),
         Way("printed, float64", partial(as_printed, name)),
         *(Way(f"Gauss, {n} points", partial(gauss_legendre, *INTEGRANDS[name], n)) for n in rules),
         Way(FLOOR, np.copy, into=lambda x, out: np.copyto(out, x)),
     ]
-    return Subject(name, found, partial(reference.kernel, name), angles)
+    return Subject(name, ways, partial(reference.kernel, name), angles)
 
 
 KERNELS = tuple(kernels.TEXTS)

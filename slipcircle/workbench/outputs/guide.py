@@ -1,4 +1,4 @@
-"""What a scene file may say, for people: every table, law and effect with its formula, keys, bounds and equation."""
+"""The scene file reference, for people: every table, law and effect with its formula, keys, bounds and equation."""
 
 import textwrap
 from collections.abc import Iterator
@@ -11,9 +11,9 @@ from slipcircle.workbench.stability.stability import COMPARED, METHODS
 WIDTH, INDENT = 100, 28
 HEAD = """\
 A scene is a TOML file. A key ends in the unit of its number: _deg, _m, _kPa, _kN_m3, ... [arc] and
-[friction] are needed. The table of an effect calls for it, even an empty one; what no table calls
-for is neither computed nor paid for. In place of [arc], [ground] and [circle] give a real slope,
-[water] its water level; Vaiont has an [arc], as no profile of it is at hand that could be cited.
+[friction] are needed. Adding a table, even an empty one, enables its effect; an effect without a
+table is not computed and costs nothing. In place of [arc], [ground] and [circle] give a real slope,
+[water] its water level; Vaiont has an [arc], as no citable profile is available.
 
 The balance of momentum, dimensionless (times over sqrt(R/g), stresses over sigma_ref, which is
 unit weight R (1 - cos alpha); numbers in brackets are the paper's equations and figures):
@@ -21,9 +21,9 @@ unit weight R (1 - cos alpha); numbers in brackets are the paper's equations and
   Theta domega/dt = J_theta - sign(omega) (resistance + lambda mu sigma'),
   sigma' = max(0, sigma - u); without effects sigma = J_r/lambda, u = resistance = 0
 
-alpha is half the opening angle, psi the dip of the chord, Theta the moment of inertia, J_r what the
-weight presses and J_theta its moment, A and lambda are (2.24) and (3.14). An effect adds to these;
-notebooks/0_the_method.ipynb derives them.
+alpha is half the opening angle, psi the dip of the chord, Theta the moment of inertia, J_r the
+radial weight and J_theta the moment of the weight; A and lambda are (2.24) and (3.14). An effect
+adds to these; notebooks/0_the_method.ipynb derives them.
 """
 
 

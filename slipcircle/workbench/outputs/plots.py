@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.core import Motion, in_time
-from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, prefixed
+from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, Quantity, prefixed
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
@@ -72,9 +72,7 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     symbol, every = HISTORIES[what]
     times, values = columns["time"], columns[what]
     curves = [curve for curve in every if curve.column == what or _differs(columns[curve.column], values)]
-    factor, unit = prefixed(np.concatenate([columns[curve.column] for curve in curves]), quantity.unit)
-    if quantity.degrees:
-        factor, unit = math.degrees(1.0), "deg"
+    factor, unit = _unit(quantity, [columns[curve.column] for curve in curves])
     ax.set(xlabel="time $t$ (s)", ylabel=f"{quantity.label}{symbol} ({unit or '–'})")
     if not motion.moves:
         return still(motion, ax)
@@ -92,6 +90,11 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     if what == "displacement":
         _rotation_axis(ax, float(np.asarray(motion.plan.scene.arc.radius)))
     return ax
+
+
+def _unit(quantity: Quantity, curves: Sequence[Floats]) -> tuple[float, str]:
+    """A factor for curves of a quantity, and the unit that they then have."""
+    return (math.degrees(1.0), "deg") if quantity.degrees else prefixed(np.concatenate(curves), quantity.unit)
 
 
 def _mark_times(

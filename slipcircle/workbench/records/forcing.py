@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
+from slipcircle.base.checks import InputError, Message
 from slipcircle.workbench.records.records import read_pore_pressure, read_record
 
 _OF_WATER = ("units", "column", "step", "start", "gaps")
@@ -10,8 +11,12 @@ _OF_RECORDS = ("holds", "units", "step", "start", "gaps")
 _BESIDE_RECORDS = ("two_way", "scale", "peak")
 
 
-def with_records(effects: Mapping[str, Mapping[str, Any]], gravity: float) -> dict[str, Mapping[str, Any]]:
+def with_records(
+    effects: Mapping[str, Mapping[str, Any]], gravity: float, uncertain: Mapping[str, Any]
+) -> dict[str, Mapping[str, Any]]:
     """Effects, of which those that name a record's file have its series instead; gravity in m/s^2.
+
+    Gravity must not be among the uncertain keys.
 
     Raises
     ------
@@ -24,8 +29,15 @@ def with_records(effects: Mapping[str, Mapping[str, Any]], gravity: float) -> di
         if "record" in effects.get(name, {}):
             try:
                 read[name] = readers[name](effects[name])
+            except InputError as error:
+                where = f"{error.what}: " if error.what else ""
+                templates = [Message(where + message.template) for message in error.messages]
+                raise InputError("", [template.within(f"effects.{name}") for template in templates]) from error
             except (ValueError, OSError) as error:
-                raise ValueError(f"effects.{name}: {error}") from error
+                raise InputError("", [f"{{effects.{name}}}: {error}"]) from error
+    gravities = [key for key in ("arc.gravity_m_s2", "ground.gravity_m_s2") if key in uncertain]
+    if gravities and "record" in effects.get("shaking", {}):
+        raise InputError("", [f"{gravities[0]}: must be one number with a record, which is read over gravity"])
     return read
 
 
@@ -34,7 +46,7 @@ def _pore_pressure(given: Mapping[str, Any]) -> dict[str, Any]:
     series = read_pore_pressure(given["record"], **{k: given[k] for k in _OF_WATER if k in given})
     other = next((k for k in ("time", *series) if k in given), None)
     if other is not None:
-        raise ValueError(f"{other} and record exclude each other; leave one out")
+        raise InputError("", [f"{{{other}}} and {{record}} exclude each other; leave one out"])
     return {k: v for k, v in given.items() if k not in ("record", *_OF_WATER)} | series
 
 
@@ -42,12 +54,13 @@ def _shaking(given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
     """k_h(t) and k_v(t) from a record, over gravity."""
     for way in ("horizontal", "pulse"):
         if way in given:
-            raise ValueError(f"{way} and record exclude each other; leave one out")
+            raise InputError("", [f"{{{way}}} and {{record}} exclude each other; leave one out"])
     known = {"record", "column", "vertical_record", "vertical_column", *_OF_RECORDS, *_BESIDE_RECORDS}
     if strange := [k for k in given if k not in known]:
-        raise ValueError(f"{strange[0]} does not belong to a record; leave it out")
+        raise InputError("", [f"{{{strange[0]}}}: does not belong to a record; leave it out"])
     if "holds" not in given:
-        raise ValueError('holds is missing: a record must say whether it holds "ground" or "driving" acceleration')
+        missing = '{holds}: is missing: a record must say whether it holds "ground" or "driving" acceleration'
+        raise InputError("", [missing])
     scaled = "scale" in given or "peak" in given
     common = {k: given[k] for k in _OF_RECORDS if k in given} | {"gravity": gravity, "scaled": scaled}
     series: dict[str, Any] = {"horizontal": read_record(given["record"], column=given.get("column"), **common)}

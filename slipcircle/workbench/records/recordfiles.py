@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.checks import INFINITY
+from slipcircle.base.checks import INFINITY, InputError
 from slipcircle.base.series import Floats
 
 UNITS = {"g": 0.0, "m/s2": 1.0, "cm/s2": 1e-2, "mm/s2": 1e-3, "%g": 0.0}  # m/s^2; g is the scene's own gravity
@@ -107,8 +107,8 @@ def parse(quantity: Quantity, name: str, path: Path, column: int | str | None, s
         if header:
             for what, given in (("column", column), ("step", step)):
                 if given is not None:
-                    raise ValueError(
-                        f"{name}: {what} = {given!r}: {kind} has one column and its own step; leave {what} out"
+                    raise InputError(
+                        "", [f"{name}: {{{what}}} = {given!r}: {kind} has one column and its own step; leave it out"]
                     )
             found = _wrapped(name, text, header)
             break
@@ -228,9 +228,11 @@ def _table(quantity: Quantity, name: str, text: str, column: int | str | None, s
     names = [re.sub(suffix, "", f) for f in fields]
     clock = next((k for k, n in enumerate(names) if re.fullmatch(r"t|time\w*|zeit|temps|tempo", n.lower())), None)
     if step is not None and clock is not None:
-        raise ValueError(f"{name}: step = {step!r}: its column {names[clock]!r} holds the times; leave step out")
+        raise InputError(
+            "", [f"{name}: {{step}} = {step!r}: its column {names[clock]!r} holds the times; leave it out"]
+        )
     if step is None and width == 1:
-        raise ValueError(f"{name}: has one column and no times; give step, the time between samples in s")
+        raise InputError("", [f"{name}: has one column and no times; give {{step}}, the time between samples in s"])
     if step is None:
         clock = clock or 0
     if fields and clock is not None and (said := re.search(_OTHER_CLOCK, fields[clock], re.IGNORECASE)):

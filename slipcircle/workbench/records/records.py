@@ -14,7 +14,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import EPS, INFINITY, Bounds, mistakes, raise_all
+from slipcircle.base.checks import EPS, INFINITY, Bounds, InputError, mistakes, raise_all
 from slipcircle.base.series import Floats, Series, bad_sample
 from slipcircle.core import STRONGEST
 from slipcircle.workbench.records.recordfiles import ACCELERATION, PORE_PRESSURE, UNITS, Found, Quantity, parse, unit_of
@@ -235,10 +235,9 @@ def _read(
         raise ValueError(f"{name}, line {found.lines[wrong[0]]}: {wrong[1]}")
     time = found.time if start is None else found.time - found.time[0] + start
     if time[0] < 0.0:
-        raise ValueError(
-            f"{name}, line {found.lines[0]}: time = {float(time[0])!r} s: must not be before 0, when the scene starts; "
-            "give start, the time of the first sample in s"
-        )
+        first = f"{name}, line {found.lines[0]}: time = {float(time[0])!r} s"
+        rule = "must not be before 0, when the scene starts; give {start}, the time of the first sample in s"
+        raise InputError("", [f"{first}: {rule}"])
     return found._replace(time=time, units=asked or found.units)
 
 

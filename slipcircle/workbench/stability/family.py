@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import InputError
 from slipcircle.base.series import Floats
 from slipcircle.core import circle_through, circle_touching
 from slipcircle.workbench.stability.slices import circle_factors
@@ -190,9 +191,8 @@ class Search:
         values = self.evaluate(q)
         order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
         if not order.size:
-            raise ValueError(
-                "critical: no circle is left that slides within the limits given; widen entry, exit, depth or base"
-            )
+            left = "no circle is left that slides within the limits given; widen entry, exit, depth or base"
+            raise InputError("critical", [left])
         valleys: list[int] = []
         while len(valleys) < _VALLEYS and order.size:
             best = order[0]

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import raise_all
+from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.series import Floats
 from slipcircle.core import Section
 from slipcircle.workbench.stability.family import Search
@@ -221,22 +221,22 @@ def _by_method(factors: Mapping[str, Floats]) -> dict[str, float | None]:
 
 def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) -> list[str]:
     if not isinstance(slope, Slope):
-        return [f"slope = {slope!r}: must be a Slope; search finds that of a file"]
+        return [f"{{slope}} = {slope!r}: must be a Slope; search finds that of a file"]
     ground = np.asarray(slope.ground)
-    mistakes = [] if method in [*METHODS] else [f"method = {method!r}: must be one of {', '.join(METHODS)}"]
+    mistakes = [] if method in [*METHODS] else [f"{{method}} = {method!r}: must be one of {', '.join(METHODS)}"]
     if not isinstance(depth, int | float) or not 0.0 <= depth < float(np.ptp(ground)):
-        mistakes.append(f"depth = {depth!r}: must be at least 0 and below the size of the ground, in m")
+        mistakes.append(f"{{depth}} = {depth!r}: must be at least 0 and below the size of the ground, in m")
     for name, pair in limits.items():
         mistakes += _limit_mistakes(name, pair, ground)
     if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
-        mistakes.append("ground: is level; nothing drives a slide")
+        mistakes.append("{ground}: is level; nothing drives a slide")
     elif not depth and slope.cohesion == 0.0 and not slope.layers:
         mistakes.append(
-            f"cohesion = 0: the least factor is that of an ever thinner skin{_skin(slope)}; give a least depth"
+            f"{{cohesion}} = 0: the least factor is that of an ever thinner skin{_skin(slope)}; give a least depth"
         )
     elif not depth and slope.friction and slope.pressure:
         mistakes.append(
-            "pressure: is the same along every circle, and lifts the thin ones; give a water level or a pore "
+            "{pressure}: is the same along every circle, and lifts the thin ones; give a water level or a pore "
             "pressure ratio, or a least depth"
         )
     return mistakes
@@ -246,8 +246,8 @@ def _limit_mistakes(name: str, pair: Any, ground: Floats) -> list[str]:
     try:
         low, high = (-np.inf, np.inf) if pair is None else map(float, pair)
     except (TypeError, ValueError):
-        return [f"{name} = {pair!r}: must be two numbers, the least and the greatest x"]
-    given = f"{name} = [{low:.10g}, {high:.10g}]"
+        return [f"{{{name}}} = {pair!r}: must be two numbers, the least and the greatest x"]
+    given = f"{{{name}}} = [{low:.10g}, {high:.10g}]"
     if not low <= high:
         return [f"{given}: must be the least and the greatest x, in this order"]
     if high < ground[0, 0] or low > ground[-1, 0]:
@@ -278,7 +278,6 @@ def _refuse_bottomless(slope: Slope, least: float) -> None:
     if slope.k_h > 0.0:
         deepest = 0.0
     if least > deepest:
-        raise ValueError(
-            f"critical: friction = 0 without a base: the critical circle runs infinitely deep, where the "
-            f"factor tends to {deepest:.4g}; give the base of the soil, or where the circle comes out (exit)"
-        )
+        words = f"the critical circle runs infinitely deep, where the factor tends to {deepest:.4g}"
+        advice = "give the base of the soil, or where the circle comes out (exit)"
+        raise InputError("critical", [f"{{friction}} = 0 without a base: {words}; {advice}"])

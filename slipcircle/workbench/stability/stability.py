@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
-from slipcircle.base.checks import raise_all
+from slipcircle.base.checks import InputError, raise_all
 from slipcircle.core import LayeredSection, Section, Soil, law_parts, layer_mistakes, pond_errors, slope_errors
 from slipcircle.workbench.stability.slices import Floats, SlopeArrays, SoilArrays, circle_factors
 
@@ -124,7 +124,7 @@ class Slope:
             found = [] if self.unit_weight is not None else ["unit_weight is missing"]
         found += slope_errors(given)
         if self.level is not None and self.pore_ratio != 0.0:
-            found.append(f"pore_ratio = {self.pore_ratio!r}: and level exclude each other; leave one out")
+            found.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; leave one out")
         if not found:
             ground = np.array(self.ground, dtype=np.float64)
             object.__setattr__(self, "ground", ground)
@@ -135,9 +135,9 @@ class Slope:
             if not self.layers and self.cohesion == 0.0 and self.friction == 0.0:
                 found.append("cohesion and friction are both 0: the slope has no strength")
             if self.crack_water > self.crack:
-                found.append(f"crack_water = {self.crack_water!r}: must be at most the depth of the crack")
+                found.append(f"{{crack_water}} = {self.crack_water!r}: must be at most the depth of the crack")
             if self.base is not None and self.base >= float(ground[:, 1].max()):
-                found.append(f"base = {self.base:.10g}: must lie below the highest point of the ground")
+                found.append(f"{{base}} = {self.base:.10g}: must lie below the highest point of the ground")
         raise_all("Slope", found)
 
     def arrays(self) -> SlopeArrays:
@@ -179,10 +179,9 @@ def require_drive(section: Section) -> None:
     area = float(section.area / np.square(section.radius))
     if abs(moment) <= 1e-9 * area:
         left, right = sorted((float(section.entry[0]), float(section.exit[0])))
-        raise ValueError(
-            f"Section: centre: nothing drives the mass from x = {left:.6g} to {right:.6g}: it is in balance about "
-            "the centre, as below level ground; choose a circle that cuts the slope"
-        )
+        where = f"{{centre}}: nothing drives the mass from x = {left:.6g} to {right:.6g}"
+        why = "it is in balance about the centre, as below level ground; choose a circle that cuts the slope"
+        raise InputError("Section", [f"{where}: {why}"])
 
 
 def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:

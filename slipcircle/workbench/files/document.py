@@ -1,0 +1,194 @@
+"""A TOML document read by the tables of a scene file: arguments in SI units, and a sentence for each mistake.
+
+Every mistake is reported at once, with its path in the file, its value and what is allowed there. Where a key is
+unknown, the key that was probably meant is named, and is then not reported as missing as well.
+"""
+
+import json
+import math
+from collections.abc import Mapping
+from difflib import get_close_matches
+from typing import Any
+
+from generated.effects import LAWS
+from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
+from slipcircle.workbench.files.keys import Key, Table, law_table
+from slipcircle.workbench.files.numbers import numbers
+
+_UNITS = ("_deg", "_kPa", "_m_s2", "_m_s", "_s", "_m")  # at the end of a key
+
+
+class Document:
+    """What a document says.
+
+    Attributes
+    ----------
+    arguments : dict of dict
+        Of each table, by the name of the argument; of a distribution its median.
+    typed : dict
+        The key of each argument, both with their tables.
+    uncertain : dict
+        Distributions by key, in the order of samples.
+    mistakes : list of str
+    wrong : set of str
+        Tables with a mistake.
+    """
+
+    def __init__(self, content: Mapping[str, Any], tables: Mapping[str, Table]) -> None:
+        self.arguments: dict[str, dict[str, Any]] = {}
+        self.typed: dict[str, str] = {}
+        self.uncertain: dict[str, Any] = {}
+        self.mistakes: list[str] = []
+        self.wrong: set[str] = set()
+        self._tables = tables
+        self._odd_distributions: dict[str, list[str]] = {}
+        self._missing: dict[str, str] = {}
+        self._meant: set[str] = set()  # keys that misspelt ones stand for
+        self._read_table("", content)
+        for path, words in self._missing.items():
+            self._report(path, *([] if path in self._meant else [f"{path}: is missing: {words}"]))
+        known = numbers(tables)  # their order is that of samples
+        self.uncertain = {key: self.uncertain[key] for key in known if key in self.uncertain}
+        odd = [sentence for key in known for sentence in self._odd_distributions.get(key, [])]
+        self.mistakes = odd + self.mistakes
+
+    def _report(self, path: str, *sentences: str) -> None:
+        """Keep sentences about a path, and that its table has a mistake."""
+        self.mistakes.extend(sentences)
+        self.wrong.add(path.partition(".")[0])
+
+    def _read_table(self, path: str, content: Mapping[str, Any]) -> None:
+        arguments = self.arguments.setdefault(path, {})
+        table, inner = self._tables[path], self._tables_in(path)
+        for name, value in content.items():
+            full = _joined(path, name)
+            if name in inner and isinstance(value, dict):
+                self._read_table(full, value)
+            elif name in inner:
+                self._report(full, f"{full} = {shown(value)}: must be a table [{full}]: {self._tables[full].title}")
+            elif name in table.keys:
+                key = table.keys[name]
+                self.typed[_joined(path, key.name)] = full
+                arguments[key.name] = self._argument(full, key, value, content, table)
+            else:
+                meant, advice = _advice(path, name, self._tables)
+                self._meant.add(meant)
+                self._report(full, f"{full} = {shown(value)}: is unknown; {advice}")
+        self._note_missing(path, content)
+        self._check_sets(path, content)
+        self._check_choices(path, content)
+
+    def _tables_in(self, path: str) -> dict[str, str]:
+        """The tables inside one, by their names there, with their paths."""
+        inside = [t for t in self._tables if t and t.rpartition(".")[0] == path]
+        return {t.removeprefix(f"{path}." if path else ""): t for t in inside}
+
+    def _argument(self, full: str, key: Key, value: Any, content: Mapping[str, Any], table: Table) -> Any:
+        """A value in SI units, of a distribution the median; None where it is wrong, which is reported."""
+        if isinstance(value, dict) and key.kind in ("number", "series"):
+            if odd := distribution_mistakes(value, (key.number.low, key.number.high)):
+                self._odd_distributions[full] = [f"{full}: {mistake}" for mistake in odd]
+                self._report(full)
+                return None
+            self.uncertain[full] = value
+            value = float(distribution_of(value).median())
+        wrong = [
+            f"{full}{place} = {shown(entry)}: must be {key.allowed}{_question(key, entry, table)}"
+            for place, entry in key.wrong(value)
+        ]
+        if key.kind == "series" and isinstance(value, list) and "time_s" not in content:
+            needs = "is a list, which needs its times beside it, time_s; or give one number"
+            wrong.append(f"{full} = {shown(value)}: {needs}")
+        if wrong:
+            self._report(full, *wrong)
+            return None
+        return key.convert(value)
+
+    def _note_missing(self, path: str, content: Mapping[str, Any]) -> None:
+        """Required keys and tables that a table lacks; they are reported once all misspelt keys are known."""
+        for name, key in self._tables[path].keys.items():
+            if key.required and name not in content:
+                self._missing[_joined(path, name)] = f"{key.title}, {key.allowed}"
+        for name, full in self._tables_in(path).items():
+            if self._tables[full].required and name not in content:
+                self._missing[full] = f"{self._tables[full].title}, a table [{full}]"
+
+    def _check_sets(self, path: str, content: Mapping[str, Any]) -> None:
+        """Of sets of keys all of one and none of the others are needed."""
+        sets = self._tables[path].sets
+        present = {key for keys in sets for key in keys if key in content}
+        misspelt = any(key.startswith(f"{path}." if path else "") for key in self._meant)
+        if not sets or present in map(set, sets) or misspelt:
+            return
+        fault = f"{' and '.join(sorted(present))} do not go together" if present else "something is missing"
+        self._report(path, f"{path}: {fault}; give {', or '.join(' with '.join(keys) for keys in sets)}")
+
+    def _check_choices(self, path: str, content: Mapping[str, Any]) -> None:
+        """Of a choice of keys exactly one is needed, or at least one."""
+        table = self._tables[path]
+        for choice in filter(None, (*table.one_of, table.any_of)):
+            present = [key for key in choice if key in content]
+            if choice in table.one_of and len(present) > 1:
+                self._report(path, f"{path}: {' and '.join(present)} exclude each other; leave one out")
+            elif not present:
+                misspelt = self._meant & {f"{path}.{key}" for key in choice}
+                words = f"{path}: {' or '.join(choice)} is missing: {table.keys[choice[-1]].title}"
+                self._report(path, *([] if misspelt else [words]))
+
+
+def shown(value: Any) -> str:
+    """A value as the file has it."""
+    if isinstance(value, bool | float):
+        text = str(value).lower()
+    else:
+        text = json.dumps(value, default=str, ensure_ascii=False)
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def _joined(path: str, name: str) -> str:
+    return f"{path}.{name}" if path else name
+
+
+def _question(key: Key, entry: Any, table: Table) -> str:
+    """What else to say of a wrong value: the key's title, and the word, unit or angle that was probably meant."""
+    if "|" in key.kind or key.name == "law":
+        guess = get_close_matches(str(entry), LAWS if key.name == "law" else key.kind.split("|"), 1)
+        return f": {key.title}" + "".join(f"; did you mean {word}?" for word in guess)
+    number = key.number
+    if isinstance(entry, bool) or not isinstance(entry, int | float) or not abs(entry) < math.inf:
+        return f": {key.title}"
+    low, high = number.limits.get("gt", 0.0), number.high
+    if entry > high and number.per_unit == 1e3:
+        return f": {key.title}; is that in {number.si}? 1 {number.unit} is 1000 {number.si}".replace("^", "")
+    angle = next((k for k, other in table.keys.items() if other.number.tangent and other.name == key.name), "")
+    if entry >= high and angle and not number.tangent:
+        return f": {key.title}; an angle? say {angle}"
+    beyond = 0.0 < entry <= low or abs(entry) >= high
+    if beyond and f"{high:g}" not in key.allowed:
+        return f": {key.title}; between {low:g} and {high:g}: is that another unit?"
+    return f": {key.title}"
+
+
+def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, str]:
+    """The path of the key that an unknown one in a table may stand for, and what to say about it.
+
+    In the same table what is like it, or alone has its unit; elsewhere only what is as good as the same.
+    """
+    within = {t: list(tables[t].keys) for t in tables}
+    for table in filter(None, tables):
+        parent, _, key = table.rpartition(".")
+        within[parent].append(key)
+    here = within[path]
+    laws = [law for law in LAWS if unknown in law_table(law).keys] if path == "friction" else []
+    if laws:
+        law = tables[path].keys["law"].kind
+        return f"{path}.{here[-1]}", f"it belongs to law = {' or '.join(laws)}, and the law is {law}; give law"
+    unit = next((u for u in _UNITS if unknown.endswith(u)), "_")
+    of_unit = [k for k in here if k.endswith(unit)]
+    for key in get_close_matches(unknown, here, 1) or (of_unit if len(of_unit) == 1 else []):
+        return _joined(path, key), f"did you mean {key}?"
+    for table in tables:
+        for key in get_close_matches(unknown, within[table], 1, 0.9):
+            place = f" in [{table}]" if table else " above the first table"
+            return _joined(table, key), f"did you mean {key}{place}?"
+    return "", f"known are {', '.join(here)}" if here else "this table has no keys"
