@@ -40,8 +40,10 @@ METADATA = {
     "language_info": {"name": "python"},
 }
 # Pictures that a notebook shows say in the file what their legends and axes say, as those of commands do.
+# Lines of progress are no output: how many there are depends on the machine.
 DESCRIBED = """
 from functools import wraps
+from derive import progress
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from slipcircle.workbench.outputs.plotstyle import described
 
@@ -52,6 +54,7 @@ def print_png(canvas, target, **more):
     undescribed(canvas, target, **more | {"metadata": {"Description": chr(10).join(described(canvas.figure))}})
 
 FigureCanvasAgg.print_png = print_png
+progress.FIRST = float("inf")
 """
 each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 

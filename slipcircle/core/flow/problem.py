@@ -120,7 +120,7 @@ def build_problem(
     """
     laws = law_parts(friction)
     recipe = _recipe(called, tuple(name for name, _ in laws))
-    effects, program = recipe[0], build_program(*recipe)
+    effects = recipe[0]
     numbers = _Numbers(arc)
     for effect in effects:
         numbers.add_effect(effect, called[effect], rotates(effects))
@@ -136,6 +136,12 @@ def build_problem(
     numbers.add_start(velocity, end_time)
     # The steps of one scene cost next to nothing, whatever their order.
     numbers.inputs["ORDER"] = order(min(accuracy, FINEST) if lanes == 1 else accuracy)
+    return _assembled(numbers, recipe, lanes)
+
+
+def _assembled(numbers: "_Numbers", recipe: tuple[tuple[str, ...], ...], lanes: int) -> Problem:
+    """A problem from its numbers and tables, each in the place that its program has for it."""
+    program = build_program(*recipe)
     cells = program.blank(lanes)
     for name, value in numbers.inputs.items():
         if name in program.places:

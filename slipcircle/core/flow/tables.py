@@ -255,31 +255,37 @@ def sampled(function: Callable[[Any], Any], end: float, known: Data | None = Non
     breaks, pieces, left = list[float](), list[Floats](), 0.0
     if known:
         *breaks, left = known.breaks.tolist()
-        pieces = [*known.coefficients[:-1]]
+        pieces = list(known.coefficients[:-1])
     width = end - left
     while left < end:
         width = min(width, end - left)
-        half = width / 2
-        asked = left + half * (1.0 + np.concatenate([_NODES, _CHECK]))
-        values = _values(function, asked)
-        cheb = np.polynomial.chebyshev.chebfit(_NODES, values[:TERMS], TERMS - 1)
-        far = np.abs(np.polynomial.chebyshev.chebval(_CHECK, cheb) - values[TERMS:]).max()
-        if far > CLOSE * np.abs(values).max():
-            width = half
+        piece = _piece(function, left, width)
+        if piece is None:
+            width /= 2
             if width < NARROWEST * end:
                 raise ValueError(
                     f"friction: the function changes too sharply near {left:.17g} to be followed; give a law by "
                     "name or a table whose kinks are known"
                 )
             continue
-        poly = np.polynomial.chebyshev.cheb2poly(cheb)
-        # From [-1, 1] to powers of what is beyond the left end.
-        local = np.polynomial.Polynomial(poly)(np.polynomial.Polynomial([-1.0, 1.0 / half])).coef
         breaks.append(left)
-        pieces.append(np.pad(local, (0, TERMS - local.size)))
+        pieces.append(piece)
         left += width
         width *= 2
     return Data(np.array([*breaks, end]), np.array([*pieces, pieces[-1]]), np.zeros(len(breaks) + 1), open=True)
+
+
+def _piece(function: Callable[[Any], Any], left: float, width: float) -> Floats | None:
+    """A function's coefficients in powers of what is beyond the left end; None where they do not come close to it."""
+    half = width / 2
+    values = _values(function, left + half * (1.0 + np.concatenate([_NODES, _CHECK])))
+    chebyshev = np.polynomial.chebyshev.chebfit(_NODES, values[:TERMS], TERMS - 1)
+    error = np.abs(np.polynomial.chebyshev.chebval(_CHECK, chebyshev) - values[TERMS:]).max()
+    if error > CLOSE * np.abs(values).max():
+        return None
+    centred = Polynomial(np.polynomial.chebyshev.cheb2poly(chebyshev))
+    coefficients = centred(Polynomial([-1.0, 1.0 / half])).coef
+    return np.pad(coefficients, (0, TERMS - coefficients.size))
 
 
 def _values(function: Callable[[Any], Any], asked: Floats) -> Floats:

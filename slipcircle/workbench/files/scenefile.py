@@ -119,38 +119,48 @@ def _parts(
     law, rate = _laws(content.get("friction"))
     on_slope = "ground" in content
     tables = _tables(law or "constant", rate or RATE_LAWS[0], on_slope)
-    mistakes = ["arc: and ground exclude each other; leave one out"] if on_slope and "arc" in content else []
     known = {table: value for table, value in content.items() if table != "arc" or not on_slope}
     if not law:  # of a law that is anybody's guess nothing else can be judged
         known["friction"] = {"law": content["friction"]["law"], "coefficient": 0.0}
     document = Document(known, tables)
     given, keys = document.arguments, _keys(tables, document.typed)
+    mistakes = ["arc: and ground exclude each other; leave one out"] if on_slope and "arc" in content else []
     mistakes += document.mistakes
     arc: Arc | Section | None = None
+    stability = None
     if not on_slope and "arc" not in document.wrong:
-        try:
-            arc = Arc(**given["arc"], given=given.get("arc.given"))
-        except InputError as error:
-            mistakes.append("; ".join(message.within("arc").worded(keys) for message in error.messages))
-    friction: Any = {"law": law} | given.get("friction", {})
-    if rate:
-        friction["rate"] = {"law": rate} | given.get("friction.rate", {})
+        arc, wrong = _arc(given, keys)
+        mistakes += wrong
+    friction = _friction(given, law, rate)
     if "friction" not in document.wrong:
         mistakes += [Message.of(mistake).worded(keys) for mistake in law_mistakes(friction)]
-    stability = None
-    if not mistakes:
-        effects = _effects(given, Path(file).parent)
+    effects = {} if mistakes else _effects(given, Path(file).parent)
+    if on_slope and not mistakes:
         try:
-            if on_slope:
-                arc, stability = _section(given, soil(friction, effects), tell)
+            arc, stability = _section(given, soil(friction, effects), tell)
         except InputError as error:
             mistakes = [_slope_message(error)]
     if mistakes:
         raise ValueError("\n".join(f"{file}: {mistake}" for mistake in mistakes))
-    if law == "constant" and not rate:
-        friction = friction["coefficient"]
-    parts = {"arc": arc, "friction": friction, "effects": effects, "uncertain": document.uncertain}
+    plain_friction = friction["coefficient"] if law == "constant" and not rate else friction
+    parts = {"arc": arc, "friction": plain_friction, "effects": effects, "uncertain": document.uncertain}
     return {**parts, "stability": stability, "name": Path(file).stem, **given[""]}, keys
+
+
+def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tuple[Arc | None, list[str]]:
+    """The arc of a file, or what is wrong with it."""
+    try:
+        return Arc(**given["arc"], given=given.get("arc.given")), []
+    except InputError as error:
+        return None, ["; ".join(message.within("arc").worded(keys) for message in error.messages)]
+
+
+def _friction(given: Mapping[str, dict[str, Any]], law: str, rate: str) -> dict[str, Any]:
+    """The law of slip of a file, with that of speed which multiplies it."""
+    friction: dict[str, Any] = {"law": law} | given.get("friction", {})
+    if rate:
+        friction["rate"] = {"law": rate} | given.get("friction.rate", {})
+    return friction
 
 
 def _laws(friction: Any) -> tuple[str, str]:
