@@ -121,8 +121,7 @@ def _parts(
     tables = _tables(law or "constant", rate or RATE_LAWS[0], on_slope)
     document = _document(content, tables, law)
     given, keys = document.arguments, _keys(tables, document.typed)
-    mistakes = ["arc: and ground exclude each other; leave one out"] if on_slope and "arc" in content else []
-    mistakes += document.mistakes
+    mistakes = document.mistakes
     arc: Arc | Section | None = None
     stability = None
     if not on_slope and "arc" not in document.wrong:
@@ -156,7 +155,10 @@ def _document(content: Mapping[str, Any], tables: Mapping[str, Table], law: str)
     known = {table: value for table, value in content.items() if table != "arc" or "ground" not in content}
     if not law:
         known["friction"] = {"law": content["friction"]["law"], "coefficient": 0.0}
-    return Document(known, tables)
+    document = Document(known, tables)
+    if len(known) < len(content):
+        document.mistakes.insert(0, "arc: and ground exclude each other; leave one out")
+    return document
 
 
 def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tuple[Arc | None, list[str]]:
