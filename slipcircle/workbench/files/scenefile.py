@@ -119,10 +119,7 @@ def _parts(
     law, rate = _laws(content.get("friction"))
     on_slope = "ground" in content
     tables = _tables(law or "constant", rate or RATE_LAWS[0], on_slope)
-    known = {table: value for table, value in content.items() if table != "arc" or not on_slope}
-    if not law:  # of a law that is anybody's guess nothing else can be judged
-        known["friction"] = {"law": content["friction"]["law"], "coefficient": 0.0}
-    document = Document(known, tables)
+    document = _document(content, tables, law)
     given, keys = document.arguments, _keys(tables, document.typed)
     mistakes = ["arc: and ground exclude each other; leave one out"] if on_slope and "arc" in content else []
     mistakes += document.mistakes
@@ -136,15 +133,30 @@ def _parts(
         mistakes += [Message.of(mistake).worded(keys) for mistake in law_mistakes(friction)]
     effects = {} if mistakes else _effects(given, Path(file).parent)
     if on_slope and not mistakes:
-        try:
-            arc, stability = _section(given, soil(friction, effects), tell)
-        except InputError as error:
-            mistakes = [_slope_message(error)]
+        arc, stability = _along_slope(given, soil(friction, effects), tell, file)
     if mistakes:
         raise ValueError("\n".join(f"{file}: {mistake}" for mistake in mistakes))
     plain_friction = friction["coefficient"] if law == "constant" and not rate else friction
     parts = {"arc": arc, "friction": plain_friction, "effects": effects, "uncertain": document.uncertain}
     return {**parts, "stability": stability, "name": Path(file).stem, **given[""]}, keys
+
+
+def _along_slope(
+    given: Mapping[str, dict[str, Any]], strength: Mapping[str, float], tell: Callable[[str], None], file: str
+) -> tuple[Section, Critical | None]:
+    """The section of a slope and its stability; an error names the keys of the file."""
+    try:
+        return _section(given, strength, tell)
+    except InputError as error:
+        raise ValueError(f"{file}: {_slope_message(error)}") from error
+
+
+def _document(content: Mapping[str, Any], tables: Mapping[str, Table], law: str) -> Document:
+    """What a file says, but for an arc beside a ground, and for the parameters of a law that is anybody's guess."""
+    known = {table: value for table, value in content.items() if table != "arc" or "ground" not in content}
+    if not law:
+        known["friction"] = {"law": content["friction"]["law"], "coefficient": 0.0}
+    return Document(known, tables)
 
 
 def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tuple[Arc | None, list[str]]:
