@@ -16,8 +16,8 @@ from slipcircle import Scene, backanalyse, ensemble, load, solve
 from slipcircle.base.series import Series
 from slipcircle.core.motion.states import Status
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.files.keys import schema
 from slipcircle.workbench.files.scenefile import load as read
+from slipcircle.workbench.files.schema import schema
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.ensemble import grid

@@ -14,8 +14,9 @@ import slipcircle
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Scene, load
 from slipcircle.workbench.common.files import write as write_file
-from slipcircle.workbench.files.keys import schema, tables_of
+from slipcircle.workbench.files.keys import tables_of
 from slipcircle.workbench.files.scenefile import load as read
+from slipcircle.workbench.files.schema import schema
 from slipcircle.workbench.outputs.guide import guide
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped

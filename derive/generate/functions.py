@@ -1,6 +1,5 @@
 """The functions of `generated`, each with its program, its domain and the words of its docstring."""
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
@@ -16,7 +15,7 @@ from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
 from derive.code.program import Program, program
-from derive.declare.effects import EFFECTS, LAWS, LIMITS, SECTION_EFFECTS, VALUE, Effect, Law, Parameter, formulas
+from derive.declare.effects import LAWS
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
 from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 
@@ -287,119 +286,3 @@ def laws() -> list[tuple[Program, str]]:
             inputs = tuple(x for x in ("slip", "speed", *(p.name for p in law.parameters)) if x in symbols)
             programs.append((program(f"friction_{law.name}", inputs, law.coefficient), f"friction: {law.help}"))
     return programs
-
-
-def effects_module() -> str:
-    """The runtime half of the effects: plain data."""
-    return _EFFECTS_HEAD + "\n".join(
-        [
-            f"LIMITS = {LIMITS!r}  # between which what has a unit lies",
-            "",
-            "LAWS = {",
-            *(f"    {law.name!r}: {_effect(law, 'Law')}," for law in LAWS),
-            "}",
-            "",
-            "EFFECTS = {",
-            *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in EFFECTS),
-            "}",
-            "",
-            "ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself",
-            *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in SECTION_EFFECTS),
-            "}",
-            "",
-        ]
-    )
-
-
-def _effect(e: Effect | Law, kind: str) -> str:
-    parameters = "".join(f"\n        {_parameter(p)}," for p in e.parameters)
-    parameters += "\n    " if parameters else ""
-    if isinstance(e, Effect):
-        more = f"{e.turns!r}, {e.any_of!r}, {formulas(e)!r}"
-    else:
-        more = f"{e.scale!r}, {e.kinks!r}"
-    return f"{kind}({e.name!r}, {e.equation!r}, ({parameters}), {e.depends_on!r}, {e.help!r}, {more})"
-
-
-def _parameter(p: Parameter) -> str:
-    """A parameter as data; its conversion to a dimensionless value is a lambda over the arc's scales."""
-    symbol = p.symbol.name if p.symbol is not None else ""
-    convert = sp.pycode(p.dimensionless, fully_qualified_modules=False)
-    for name in sorted((x.name for x in p.dimensionless.free_symbols if x != VALUE), key=len):
-        convert = re.sub(rf"\b{name}\b", f"scales[{name!r}]", convert)
-    bounds = f"{p.lower!r}, {p.upper!r}".replace("inf", "INFINITY")
-    words = f"{p.name!r}, {p.unit!r}, {bounds}, {p.help!r}, {p.key!r}, {p.per_unit!r}"
-    return (
-        f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r}, {_powers(p)!r})"
-    )
-
-
-def _powers(p: Parameter) -> tuple[tuple[str, float], ...]:
-    """The exponents of the value and of the scales in the product of powers that makes a parameter dimensionless."""
-    product = p.dimensionless
-    exponents = {x.name: sp.simplify(x * sp.diff(product, x) / product) for x in product.free_symbols}
-    return tuple((name, float(exponents[name])) for name in sorted(exponents))
-
-
-_EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for."""
-
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-
-from numpy import sqrt
-
-INFINITY = float("inf")
-
-
-@dataclass(frozen=True, slots=True)
-class Parameter:
-    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it.
-
-    ``powers`` are the exponents of the value and of the scales in ``dimensionless``, a product of powers.
-    """
-
-    name: str
-    unit: str
-    lower: float
-    upper: float
-    help: str
-    key: str
-    per_unit: float
-    symbol: str
-    dimensionless: Callable[[float, Mapping[str, float]], float]
-    optional: bool
-    kind: str
-    powers: tuple[tuple[str, float], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Law:
-    """A friction law: equation, parameters, what it depends on, help; its length scale, and the slips of its kinks."""
-
-    name: str
-    equation: str
-    parameters: tuple[Parameter, ...]
-    depends_on: tuple[str, ...]
-    help: str
-    scale: str
-    kinks: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Effect:
-    """A term of the equation of motion: equation, parameters, what it depends on, help, whether the mass turns.
-
-    At least one parameter of ``any_of`` is needed. ``formulas`` say what it adds to the balance.
-    """
-
-    name: str
-    equation: str
-    parameters: tuple[Parameter, ...]
-    depends_on: tuple[str, ...]
-    help: str
-    turns: bool
-    any_of: tuple[str, ...] = ()
-    formulas: tuple[str, ...] = ()
-
-
-'''

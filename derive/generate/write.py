@@ -19,7 +19,7 @@ from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
 from derive.flow import emit as flow
 from derive.flow import layout, series
-from derive.generate import emit_c, functions, slopes
+from derive.generate import effects, emit_c, functions, slopes
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
@@ -39,7 +39,7 @@ def files(proved: list[Record]) -> dict[str, str]:
         "layout.py": layout.python(),
         "definitions.py": definitions_module(closed),
         "_evaluate.py": _template("_evaluate.py"),
-        "effects.py": functions.effects_module(),
+        "effects.py": effects.module(),
         "flow.py": flow.module(),
         "kernels.py": emit.module("Moments, weights and quotients of the arc, from their definitions.", kernels),
         "_flow.c": c_flow,

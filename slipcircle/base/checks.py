@@ -135,24 +135,31 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable
     needed = {n: p for n, p in wanted.items() if not p.optional}
     found: list[str] = [f"{path}: {n!r} is missing: {p.help}" for n, p in needed.items() if n not in given]
     found += [f"{path}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}" for n in given if n not in wanted]
-    sign = {-5e-324: ", at least 0", 0.0: ", positive"}
     for name, p in wanted.items():
-        value = given.get(name)
-        if name in given and p.kind in ("number", "list", "series") and p.key and not callable(value):
-            words = f"{p.help}{sign.get(min(p.lower, 0.0), '')} ({p.unit})"
-            found += [Message.of(m).within(path) for m in mistakes(given, {name: (p.lower, p.upper, words)})]
-        elif name in given:
-            right = {
-                "number": False,
-                "list": False,
-                "series": hasattr(value, "kinks"),
-                "flag": isinstance(value, bool),
-                "text": isinstance(value, str | int | PathLike),
-            }
-            if not right.get(p.kind, value in p.kind.split("|")):
-                allowed = _KINDS.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
-                found.append(Message(f"{{{path}.{name}}} = {shown(value)}: must be {allowed}: {p.help}"))
+        if name in given:
+            found += _value_mistakes(path, p, given[name])
     return found
+
+
+_SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
+
+
+def _value_mistakes(path: str, p: Any, value: Any) -> list[str]:
+    """What is wrong with the value of a declared parameter."""
+    if p.kind in ("number", "list", "series") and p.key and not callable(value):
+        words = f"{p.help}{_SIGNS.get(min(p.lower, 0.0), '')} ({p.unit})"
+        return [Message.of(m).within(path) for m in mistakes({p.name: value}, {p.name: (p.lower, p.upper, words)})]
+    right = {
+        "number": False,
+        "list": False,
+        "series": hasattr(value, "kinks"),
+        "flag": isinstance(value, bool),
+        "text": isinstance(value, str | int | PathLike),
+    }
+    if right.get(p.kind, value in p.kind.split("|")):
+        return []
+    allowed = _KINDS.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
+    return [Message(f"{{{path}.{p.name}}} = {shown(value)}: must be {allowed}: {p.help}")]
 
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:

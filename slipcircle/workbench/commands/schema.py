@@ -16,7 +16,7 @@ def options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
-    from slipcircle.workbench.files.keys import schema
+    from slipcircle.workbench.files.schema import schema
     from slipcircle.workbench.outputs.guide import guide
 
     return Answer(schema, [guide()])

@@ -82,23 +82,31 @@ def distribution_mistakes(given: Mapping[str, Any], limits: tuple[float, float])
     if name not in DISTRIBUTIONS:
         asked = "".join(f"; did you mean {n}?" for n in get_close_matches(str(name), DISTRIBUTIONS, 1))
         return [f"distribution = {name!r}: must be one of {', '.join(DISTRIBUTIONS)}{asked}"]
-    kind, rest = DISTRIBUTIONS[name], {k: v for k, v in given.items() if k != "distribution"}
-    found = [f"{k}: is missing" for k in kind.parameters if k not in rest]
-    found += [f"{k}: is unknown; known are {', '.join(kind.parameters)}" for k in rest if k not in kind.parameters]
-    for k, v in rest.items():
-        if k in kind.parameters and (isinstance(v, bool) or not isinstance(v, int | float) or not math.isfinite(v)):
-            found.append(f"{k} = {v!r}: must be a finite number")
-    if found or (found := [rule for rule, holds in kind.rules.items() if not holds(rest)]):
-        return found
-    distribution = distribution_of(given)
+    kind, numbers = DISTRIBUTIONS[name], {k: v for k, v in given.items() if k != "distribution"}
+    known = kind.parameters
+    faults = [f"{k}: is missing" for k in known if k not in numbers]
+    faults += [f"{k}: is unknown; known are {', '.join(known)}" for k in numbers if k not in known]
+    for k in known:
+        value = numbers.get(k, 0.0)
+        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+            faults.append(f"{k} = {value!r}: must be a finite number")
+    faults = faults or [rule for rule, holds in kind.rules.items() if not holds(numbers)]
+    return faults or _limit_mistakes(distribution_of(given), *limits)
+
+
+def _limit_mistakes(distribution: Any, lower: float, upper: float) -> list[str]:
+    """Where a distribution leaves the limits of its number.
+
+    The ends of a normal distribution have no meaning: samples out of bounds are counted instead.
+    """
     low, high = map(float, distribution.support())
-    # The ends of a normal distribution have no meaning: samples out of bounds are counted instead.
-    least = min(limits[0], 0.0) if limits[0] < 1.0 else limits[0]
+    least = min(lower, 0.0) if lower < 1.0 else lower
+    faults = []
     if math.isfinite(low) and low < least:
-        found.append(f"reaches down to {low:g}, and must stay above {least:g}")
-    if math.isfinite(high) and high > limits[1]:
-        found.append(f"reaches up to {high:g}, and must stay below {limits[1]:g}")
+        faults.append(f"reaches down to {low:g}, and must stay above {least:g}")
+    if math.isfinite(high) and high > upper:
+        faults.append(f"reaches up to {high:g}, and must stay below {upper:g}")
     middle = float(distribution.median())
-    if not found and not limits[0] <= middle <= limits[1]:
-        found.append(f"its median {middle:g} must be between {limits[0]:g} and {limits[1]:g}")
-    return found
+    if not faults and not lower <= middle <= upper:
+        faults.append(f"its median {middle:g} must be between {lower:g} and {upper:g}")
+    return faults

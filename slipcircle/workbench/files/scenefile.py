@@ -119,38 +119,62 @@ def _parts(
     law, rate = _laws(content.get("friction"))
     on_slope = "ground" in content
     tables = _tables(law or "constant", rate or RATE_LAWS[0], on_slope)
-    mistakes = ["arc: and ground exclude each other; leave one out"] if on_slope and "arc" in content else []
-    known = {table: value for table, value in content.items() if table != "arc" or not on_slope}
-    if not law:  # of a law that is anybody's guess nothing else can be judged
-        known["friction"] = {"law": content["friction"]["law"], "coefficient": 0.0}
-    document = Document(known, tables)
+    document = _document(content, tables, law)
     given, keys = document.arguments, _keys(tables, document.typed)
-    mistakes += document.mistakes
+    mistakes = document.mistakes
     arc: Arc | Section | None = None
+    stability = None
     if not on_slope and "arc" not in document.wrong:
-        try:
-            arc = Arc(**given["arc"], given=given.get("arc.given"))
-        except InputError as error:
-            mistakes.append("; ".join(message.within("arc").worded(keys) for message in error.messages))
-    friction: Any = {"law": law} | given.get("friction", {})
-    if rate:
-        friction["rate"] = {"law": rate} | given.get("friction.rate", {})
+        arc, wrong = _arc(given, keys)
+        mistakes += wrong
+    friction = _friction(given, law, rate)
     if "friction" not in document.wrong:
         mistakes += [Message.of(mistake).worded(keys) for mistake in law_mistakes(friction)]
-    stability = None
-    if not mistakes:
-        effects = _effects(given, Path(file).parent)
-        try:
-            if on_slope:
-                arc, stability = _section(given, soil(friction, effects), tell)
-        except InputError as error:
-            mistakes = [_slope_message(error)]
+    effects = {} if mistakes else _effects(given, Path(file).parent)
+    if on_slope and not mistakes:
+        arc, stability = _along_slope(given, soil(friction, effects), tell, file)
     if mistakes:
         raise ValueError("\n".join(f"{file}: {mistake}" for mistake in mistakes))
-    if law == "constant" and not rate:
-        friction = friction["coefficient"]
-    parts = {"arc": arc, "friction": friction, "effects": effects, "uncertain": document.uncertain}
+    plain_friction = friction["coefficient"] if law == "constant" and not rate else friction
+    parts = {"arc": arc, "friction": plain_friction, "effects": effects, "uncertain": document.uncertain}
     return {**parts, "stability": stability, "name": Path(file).stem, **given[""]}, keys
+
+
+def _along_slope(
+    given: Mapping[str, dict[str, Any]], strength: Mapping[str, float], tell: Callable[[str], None], file: str
+) -> tuple[Section, Critical | None]:
+    """The section of a slope and its stability; an error names the keys of the file."""
+    try:
+        return _section(given, strength, tell)
+    except InputError as error:
+        raise ValueError(f"{file}: {_slope_message(error)}") from error
+
+
+def _document(content: Mapping[str, Any], tables: Mapping[str, Table], law: str) -> Document:
+    """What a file says, but for an arc beside a ground, and for the parameters of a law that is anybody's guess."""
+    known = {table: value for table, value in content.items() if table != "arc" or "ground" not in content}
+    if not law:
+        known["friction"] = {"law": content["friction"]["law"], "coefficient": 0.0}
+    document = Document(known, tables)
+    if len(known) < len(content):
+        document.mistakes.insert(0, "arc: and ground exclude each other; leave one out")
+    return document
+
+
+def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tuple[Arc | None, list[str]]:
+    """The arc of a file, or what is wrong with it."""
+    try:
+        return Arc(**given["arc"], given=given.get("arc.given")), []
+    except InputError as error:
+        return None, ["; ".join(message.within("arc").worded(keys) for message in error.messages)]
+
+
+def _friction(given: Mapping[str, dict[str, Any]], law: str, rate: str) -> dict[str, Any]:
+    """The law of slip of a file, with that of speed which multiplies it."""
+    friction: dict[str, Any] = {"law": law} | given.get("friction", {})
+    if rate:
+        friction["rate"] = {"law": rate} | given.get("friction.rate", {})
+    return friction
 
 
 def _laws(friction: Any) -> tuple[str, str]:

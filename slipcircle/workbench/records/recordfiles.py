@@ -217,31 +217,49 @@ def _table(quantity: Quantity, name: str, text: str, column: int | str | None, s
     head, separator, width = _first_row(quantity, name, text)
     fields = _fields(text.split("\n", head)[:head], separator, width)
     if step is not None and column is None and not fields and width > 1:
-        values, lines = _values(name, text, head, separator)
-        if _along_lines(lines):
-            return Found(step * np.arange(float(values.size)), values, "", lines)
+        found = _row_by_row(name, text, head, separator, step)
+        if found is not None:
+            return found
     values, lines = _values(name, text, head, separator, width)
     if any(map(_is_number, fields)) and width > 1:  # no header, but a sample that is spoilt
         _values(name, text, head - 1, separator, width)
     numbers, lines = values.reshape(-1, width), lines[::width]
     suffix = rf"\s*[(\[]([^)\]]*)[)\]]\s*$|_({quantity.suffix})$"
     names = [re.sub(suffix, "", f) for f in fields]
-    clock = next((k for k, n in enumerate(names) if re.fullmatch(r"t|time\w*|zeit|temps|tempo", n.lower())), None)
+    clock = _clock(name, fields, names, width, step)
+    chosen = _column(quantity, name, column, names, [k for k in range(width) if k != clock])
+    unit = re.search(suffix, fields[chosen]) if fields else None
+    units = unit_of(unit.group(1) or unit.group(2) or "", quantity) if unit else None
+    if clock is None:
+        time = float(step or 0.0) * np.arange(float(len(numbers)))
+    else:
+        time = numbers[:, clock].copy()
+    return Found(time, numbers[:, chosen].copy(), units or "", lines)
+
+
+def _row_by_row(name: str, text: str, head: int, separator: str | None, step: float) -> Found | None:
+    """Values along the lines, where these are no rows of columns."""
+    values, lines = _values(name, text, head, separator)
+    if not _along_lines(lines):
+        return None
+    return Found(step * np.arange(float(values.size)), values, "", lines)
+
+
+def _clock(name: str, fields: list[str], names: list[str], width: int, step: float | None) -> int | None:
+    """The column that holds the times; None where they follow from a step."""
+    timed = (k for k, n in enumerate(names) if re.fullmatch(r"t|time\w*|zeit|temps|tempo", n.lower()))
+    clock = next(timed, None)
     if step is not None and clock is not None:
-        raise InputError(
-            "", [f"{name}: {{step}} = {step!r}: its column {names[clock]!r} holds the times; leave it out"]
-        )
+        why = f"its column {names[clock]!r} holds the times; leave it out"
+        raise InputError("", [f"{name}: {{step}} = {step!r}: {why}"])
     if step is None and width == 1:
         raise InputError("", [f"{name}: has one column and no times; give {{step}}, the time between samples in s"])
     if step is None:
         clock = clock or 0
-    if fields and clock is not None and (said := re.search(_OTHER_CLOCK, fields[clock], re.IGNORECASE)):
-        raise ValueError(f"{name}: its column {fields[clock]!r} says {said.group(1)}: must be s; convert the times")
-    chosen = _column(quantity, name, column, names, [k for k in range(width) if k != clock])
-    match = re.search(suffix, fields[chosen]) if fields else None
-    unit = (unit_of(match.group(1) or match.group(2) or "", quantity) or "") if match else ""
-    time = float(step or 0.0) * np.arange(float(len(numbers))) if clock is None else numbers[:, clock].copy()
-    return Found(time, numbers[:, chosen].copy(), unit, lines)
+    unit = re.search(_OTHER_CLOCK, fields[clock], re.IGNORECASE) if fields and clock is not None else None
+    if unit is not None and clock is not None:
+        raise ValueError(f"{name}: its column {fields[clock]!r} says {unit.group(1)}: must be s; convert the times")
+    return clock
 
 
 def _said(line: str) -> str:

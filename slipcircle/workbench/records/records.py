@@ -218,8 +218,8 @@ def _read(
         raise ValueError(f'gaps = {gaps!r}: must be "refuse" or "linear"')
     given = {n: v for n, v in (("step", step), ("start", start)) if v is not None}
     raise_all(name, mistakes(given, {n: _TIMES[n] for n in given}))
-    asked = None if units is None else unit_of(units, quantity)
-    if units is not None and asked is None:
+    asked = "" if units is None else unit_of(units, quantity)
+    if asked is None:
         raise ValueError(f"{name}: units = {units!r}: must be one of {quantity.choice}")
     found = parse(quantity, name, Path(path), column, step)
     if found.units and asked and found.units != asked:
@@ -228,6 +228,11 @@ def _read(
         )
     if not found.units and not asked:
         raise ValueError(f"{name}: units are missing: its header names none; give units, one of {quantity.choice}")
+    return found._replace(time=_checked_times(name, found, start, gaps), units=asked or found.units)
+
+
+def _checked_times(name: str, found: Found, start: float | None, gaps: str) -> Floats:
+    """The times of samples that are in order, finite, without a gap that is refused, and not before the scene."""
     wrong = bad_sample(found.time, found.values)
     if wrong is None and gaps == "refuse":
         wrong = _gap(found.time)
@@ -238,7 +243,7 @@ def _read(
         first = f"{name}, line {found.lines[0]}: time = {float(time[0])!r} s"
         rule = "must not be before 0, when the scene starts; give {start}, the time of the first sample in s"
         raise InputError("", [f"{first}: {rule}"])
-    return found._replace(time=time, units=asked or found.units)
+    return time
 
 
 def _gap(time: Floats) -> tuple[int, str] | None:

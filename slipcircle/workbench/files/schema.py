@@ -1,0 +1,83 @@
+"""The JSON Schema of a scene file, for editors: which tables and keys there are, and what each may hold."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from generated.effects import EFFECTS, LAWS
+from slipcircle.core import RATE_LAWS, may_have_rate
+from slipcircle.workbench.common.distributions import DISTRIBUTIONS
+from slipcircle.workbench.files.keys import SLOPING, Key, Table, law_table, tables_of
+
+_LIMITS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum"}
+_DISTRIBUTIONS = [{"$ref": f"#/$defs/{name}"} for name in DISTRIBUTIONS]
+
+
+def schema() -> dict[str, Any]:
+    """The JSON Schema (draft 2020-12) of a scene file: with an arc, or with a ground and a circle in its place."""
+    tables = tables_of("constant")
+    defs = {
+        name: _object(
+            {"distribution": {"const": name}} | {k: {"type": "number"} for k in kind.parameters},
+            f"{name} distribution, in the key's unit; {kind.help}".rstrip("; "),
+            ["distribution", *kind.parameters],
+        )
+        for name, kind in DISTRIBUTIONS.items()
+    }
+
+    def defined(name: str, table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
+        defs[name] = _schema_of_table(table, more)
+        return {"$ref": f"#/$defs/{name}"}
+
+    given = defined("given", tables["arc.given"])
+    rates = {"anyOf": [defined(f"rate_{law}", law_table(law, RATE_LAWS)) for law in RATE_LAWS]}
+    laws = [defined(f"friction_{law}", law_table(law), {"rate": rates} if may_have_rate(law) else {}) for law in LAWS]
+    inner = {"arc": defined("arc", tables["arc"], {"given": given}), "friction": {"anyOf": laws}}
+    inner |= {name: defined(name, tables[name]) for name in EFFECTS}
+    inner |= {name: _schema_of_table(table) for name, table in SLOPING.items()}
+    found = _schema_of_table(tables[""], inner)
+    found["required"] = ["friction"]
+    found["oneOf"] = [
+        {"required": ["arc"], "not": {"anyOf": [{"required": [t]} for t in SLOPING]}},
+        {"required": ["ground", "circle"], "not": {"required": ["arc"]}},
+    ]
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **found, "$defs": defs}
+
+
+def _schema_of_table(table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
+    keys = {k: _schema_of_key(key) for k, key in table.keys.items()}
+    found = _object(keys | dict(more), table.title, [k for k, key in table.keys.items() if key.required])
+    needs: list[Any] = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
+    needs += [{"anyOf": [{"required": [k]} for k in table.any_of]}] if table.any_of else []
+    needs += [{"oneOf": [{"required": list(keys)} for keys in table.sets]}] if table.sets else []
+    return found | ({"allOf": needs} if needs else {})
+
+
+def _object(properties: Mapping[str, Any], title: str, required: list[str]) -> dict[str, Any]:
+    return {
+        "type": "object",
+        "title": title,
+        "properties": dict(properties),
+        "required": required,
+        "additionalProperties": False,
+    }
+
+
+def _schema_of_key(key: Key) -> dict[str, Any]:
+    """What a key may hold; a number may be uncertain, unless it is fixed."""
+    number: dict[str, Any] = {"type": "number"} | {_LIMITS[k]: v for k, v in key.number.limits.items()}
+    many = {"type": "array", "items": number}
+    pair = many | {"minItems": 2, "maxItems": 2}
+    either = [number, *_DISTRIBUTIONS]
+    kinds: dict[str, dict[str, Any]] = {
+        "text": {"type": "string"},
+        "flag": {"type": "boolean"},
+        "number": {"anyOf": either},
+        "fixed": number,
+        "list": many,
+        "series": {"anyOf": [*either, many]},
+        "pair": pair,
+        "points": {"type": "array", "items": pair, "minItems": 2},
+    }
+    words = key.kind.split("|")
+    choice = {"const": key.kind} if len(words) == 1 else {"enum": words}
+    return kinds.get(key.kind, choice) | {"title": key.title, "description": key.allowed}
