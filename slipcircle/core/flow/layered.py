@@ -1,6 +1,6 @@
 """The strength of a layered section as tables of the rotation, in the same pieces for all of its functions."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,8 +30,7 @@ def rotation_tables(
     accuracy : float
         Relative error asked for.
     """
-    kinks = section.arc_strength.rotation_kinks
-    circles = kinks.shape[1]
+    circles = section.arc_strength.rotation_kinks.shape[1]
     lanes = max(function.coefficients.shape[1] for function in terms.values())
 
     def values(rotation: Floats) -> Floats:
@@ -40,26 +39,44 @@ def rotation_tables(
             return np.concatenate([function.parts(rotation) for function in terms.values()])
         return np.stack([function(rotation) for function in terms.values()])
 
-    start = np.zeros(circles)
     if rotates:
-        c = section.moment_coefficients
-        upright = np.broadcast_to(np.arctan2(c.normal_load, c.normal_load_slope), (lanes,))
-        last = upright.max(keepdims=True) if circles == 1 else upright
-        first = last - np.pi if upslope else start
-        tolerance = accuracy / 100 if lanes > 1 else FINEST / 100
-        breaks, coefficients = between_kinks(values, kinks, first, last, tolerance)
+        tolerance = (accuracy if lanes > 1 else FINEST) / 100
+        breaks, coefficients = _in_pieces(section, values, lanes, upslope, tolerance)
     else:
-        constant = values(start[None])[:, 0]
-        breaks, coefficients = start[None], np.zeros((1, TERMS, *constant.shape))
+        breaks = np.zeros((1, circles))
+        constant = values(breaks)[:, 0]
+        coefficients = np.zeros((1, TERMS, *constant.shape))
         coefficients[0, 0] = constant
-    ends = np.cumsum([len(function.coefficients) for function in terms.values()])
-    tables = {}
-    for k, (name, function) in enumerate(terms.items()):
-        if circles == 1:
-            parts = coefficients[:, :, ends[k] - len(function.coefficients) : ends[k], 0]
-            table = (parts.reshape(-1, parts.shape[-1]) @ function.coefficients).reshape(*parts.shape[:2], -1)
-            starts = breaks[:, 0]
-        else:
-            table, starts = np.ascontiguousarray(coefficients[:, :, k]), np.ascontiguousarray(breaks)
-        tables[name] = Data(starts, table[..., 0] if lanes == 1 else table, np.zeros(len(breaks)))
+    if circles == 1:
+        tables = _combined(list(terms.values()), breaks[:, 0], coefficients[..., 0])
+    else:
+        tables = [(np.ascontiguousarray(breaks), np.ascontiguousarray(c)) for c in np.moveaxis(coefficients, 2, 0)]
+    jumps = np.zeros(len(breaks))
+    if lanes == 1:
+        tables = [(starts.reshape(-1), values[..., 0]) for starts, values in tables]
+    return {name: Data(*table, jumps) for name, table in zip(terms, tables, strict=True)}
+
+
+def _in_pieces(
+    section: LayeredSection, values: Callable[[Floats], Floats], lanes: int, upslope: bool, tolerance: float
+) -> tuple[Floats, Floats]:
+    """The functions between their kinks, until J_r cos(phi) - J_r' sin(phi) falls to 0."""
+    kinks = section.arc_strength.rotation_kinks
+    c = section.moment_coefficients
+    upright = np.broadcast_to(np.arctan2(c.normal_load, c.normal_load_slope), (lanes,))
+    last = upright.max(keepdims=True) if kinks.shape[1] == 1 else upright
+    first = last - np.pi if upslope else np.zeros_like(last)
+    return between_kinks(values, kinks, first, last, tolerance)
+
+
+def _combined(functions: list[OfRotation], breaks: Floats, parts: Floats) -> list[tuple[Floats, Floats]]:
+    """Breaks and coefficients (pieces, TERMS, lanes) of functions from those of their parts (pieces, TERMS, parts)."""
+    tables = []
+    first = 0
+    for function in functions:
+        count, lanes = function.coefficients.shape
+        mine = parts[:, :, first : first + count]
+        first += count
+        table = mine.reshape(-1, count) @ function.coefficients
+        tables.append((breaks, table.reshape(*mine.shape[:2], lanes)))
     return tables

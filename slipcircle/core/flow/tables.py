@@ -182,7 +182,7 @@ def turning(function: Callable[[Any], Any], kinks: Floats, least: Floats, most: 
 
 
 _TO_CHEBYSHEV = np.linalg.inv(np.cos(np.outer(np.arccos(_NODES), np.arange(TERMS))))
-_SHORTEST = 1e-3  # half the width of a piece, rad
+_SHORTEST = 2e-3  # width of a piece, rad
 
 
 def between_kinks(
@@ -210,32 +210,44 @@ def between_kinks(
     """
     inner = np.concatenate([[least], np.clip(kinks, least, most), [most]])
     wide = np.any(np.diff(inner, axis=0) > 1e-13, axis=1)
-    waiting = [(a, b) for a, b, some in zip(inner[:-1], inner[1:], wide, strict=True) if some]
-    done = list[tuple[Floats, Floats, Floats]]()
+    first, last = inner[:-1][wide], inner[1:][wide]
+    pieces = list[tuple[Floats, Floats]]()  # where they begin, and their coefficients
     scale = 0.0
-    while waiting:
-        first, second = (np.stack(ends) for ends in zip(*waiting, strict=True))
-        half = (second - first) / 2
-        at = first[:, None] + half[:, None] * (1.0 + _NODES[:, None])  # pieces, nodes, n
-        values = function(at.reshape(-1, at.shape[-1]))
-        values = values.reshape(len(values), *at.shape)
-        scale = max(scale, float(np.abs(values).max(initial=0.0)))
-        chebyshev = np.einsum("kj,fpjn->pkfn", _TO_CHEBYSHEV, values)
+    while len(first):
+        chebyshev = _chebyshev(function, first, last)
+        scale = max(scale, float(np.abs(chebyshev).max(initial=0.0)))
         rough = np.abs(chebyshev[:, -2:]).max(axis=(1, 2, 3)) > tolerance * scale
-        rough &= half.max(axis=1) > _SHORTEST
-        powers = np.einsum("tk,pkfn->ptfn", _POWERS, chebyshev)
-        lengths = np.where(half > 0.0, half, np.inf)[:, None, None] ** np.arange(TERMS)[:, None, None]
-        done += [(first[k], second[k], powers[k] / lengths[k]) for k in np.flatnonzero(~rough)]
-        waiting = [
-            ends
-            for k in np.flatnonzero(rough)
-            for middle in [(first[k] + second[k]) / 2]
-            for ends in [(first[k], middle), (middle, second[k])]
-        ]
-    done.sort(key=lambda piece: float(piece[0].sum()))
-    last = np.zeros_like(done[-1][2])
-    last[0] = function(done[-1][1][None])[:, 0]
-    return np.stack([p[0] for p in done] + [done[-1][1]]), np.stack([p[2] for p in done] + [last])
+        rough &= (last - first).max(axis=1) > _SHORTEST
+        smooth = np.flatnonzero(~rough)
+        pieces += zip(first[smooth], _in_powers(chebyshev[smooth], last[smooth] - first[smooth]), strict=True)
+        middle = (first[rough] + last[rough]) / 2
+        first, last = np.concatenate([first[rough], middle]), np.concatenate([middle, last[rough]])
+    return _in_order(pieces, inner[-1], function(inner[-1:])[:, 0])
+
+
+def _in_order(pieces: list[tuple[Floats, Floats]], end: Floats, value: Floats) -> tuple[Floats, Floats]:
+    """Breaks and coefficients of pieces from the least rotation on; beyond the end a constant."""
+    pieces = sorted(pieces, key=lambda piece: float(piece[0].sum()))
+    constant = np.zeros_like(pieces[0][1])
+    constant[0] = value
+    breaks = [start for start, _ in pieces]
+    coefficients = [powers for _, powers in pieces]
+    return np.stack([*breaks, end]), np.stack([*coefficients, constant])
+
+
+def _chebyshev(function: Callable[[Any], Any], first: Floats, last: Floats) -> Floats:
+    """Coefficients of Chebyshev of functions on pieces (pieces, n): (pieces, TERMS, functions, n)."""
+    half = (last - first) / 2
+    rotation = first[:, None] + half[:, None] * (1.0 + _NODES[:, None])  # pieces, nodes, n
+    values = function(rotation.reshape(-1, rotation.shape[-1]))
+    return np.einsum("kj,fpjn->pkfn", _TO_CHEBYSHEV, values.reshape(len(values), *rotation.shape))
+
+
+def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
+    """The same in powers of what is beyond the beginning of each piece."""
+    powers = np.einsum("tk,pkfn->ptfn", _POWERS, chebyshev)
+    half = np.where(width > 0.0, width / 2, np.inf)
+    return np.asarray(powers / half[:, None, None] ** np.arange(TERMS)[:, None, None])
 
 
 _CHECK = np.cos(np.pi * np.arange(2 * TERMS + 1) / (2 * TERMS))

@@ -91,35 +91,43 @@ def layer_mistakes(
     pairs = list(layers)
     if not pairs or not all(isinstance(p, tuple | list) and len(p) == 2 and isinstance(p[0], Soil) for p in pairs):
         return ["layers: must be pairs of a Soil and its top, from the ground down; the top of the first is None"]
-    found = []
-    if pairs[0][1] is not None:
-        found.append(f"layers[0]: top = {pairs[0][1]!r}: must be None, as its top is the ground")
-    for k, (_, top) in enumerate(pairs[1:], 1):
-        if top is None:
-            found.append(f"layers[{k}]: top is missing: a height in m, or points from left to right")
-        elif np.ndim(top) > 1:
-            found += points_errors(f"layers[{k}]: top", top, True)
-        else:
-            found += mistakes({"top": top}, {"top": (-FAR, FAR, "a height in m, or points from left to right")})
+    found = [m for k, (_, top) in enumerate(pairs) for m in _top_mistakes(k, top)]
     if strength not in ("base", "mass"):
         found.append(f"strength = {strength!r}: must be 'base' or 'mass'")
     if foreland is not None and not isinstance(foreland, Soil):
         found.append(f"foreland = {foreland!r}: must be a Soil")
     elif foreland is not None and strength == "mass":
         found.append("foreland: cannot be combined with strength = 'mass', by which the sole of the mass keeps its own")
-    soils = {id(s): s for s in (*(soil for soil, _ in pairs), foreland) if isinstance(s, Soil)}.values()
-    names = [s.name for s in soils]
-    found += [
-        f"layers: {name!r} is the name of two soils; give each its own" for name in {*names} if names.count(name) > 1
-    ]
-    laws = {
-        tuple(v for n, v in s.friction.items() if n not in ("peak", "residual"))
-        for s in soils
-        if isinstance(s.friction, Mapping) and all(np.ndim(v) == 0 for v in s.friction.values())
-    }
-    if len(laws) > 1:
-        found.append("layers: the soils along an arc share one law of slip and one length")
+    used = [soil for soil, _ in pairs] + ([foreland] if isinstance(foreland, Soil) else [])
+    found += _together_mistakes(list({id(soil): soil for soil in used}.values()))
     for k, load in enumerate(surcharge):
         if np.shape(load) != (4,) or not np.all(np.isfinite(load)) or not load[0] < load[1] or min(load[2:]) < 0.0:
             found.append(f"surcharge[{k}] = {load!r}: must be x1 < x2 in m and pressures there of at least 0 in Pa")
+    return found
+
+
+def _top_mistakes(k: int, top: Any) -> list[str]:
+    """What is wrong with the top of a layer, counted from 0 at the ground."""
+    if k == 0:
+        words = f"layers[0]: top = {top!r}: must be None, as its top is the ground"
+        return [] if top is None else [words]
+    if top is None:
+        return [f"layers[{k}]: top is missing: a height in m, or points from left to right"]
+    if np.ndim(top) > 1:
+        return points_errors(f"layers[{k}]: top", top, True)
+    return mistakes({"top": top}, {"top": (-FAR, FAR, "a height in m, or points from left to right")})
+
+
+def _together_mistakes(soils: list[Soil]) -> list[str]:
+    """What keeps soils from lying along one arc: equal names, laws of their own."""
+    names = [soil.name for soil in soils]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    found = [f"layers: {name!r} is the name of two soils; give each its own" for name in twice]
+    laws = set()
+    for soil in soils:
+        if isinstance(soil.friction, Mapping):
+            shared = {name: value for name, value in soil.friction.items() if name not in ("peak", "residual")}
+            laws.add(repr(sorted(shared.items())))
+    if len(laws) > 1:
+        found.append("layers: the soils along an arc share one law of slip and one length")
     return found

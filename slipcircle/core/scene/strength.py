@@ -172,36 +172,35 @@ class ArcStrength:
         return np.stack(rows)
 
     def _cohesion_growth(self, rotation: Floats) -> Floats:
-        """Parts of the resistance that grow with depth, of each soil one, (soils, M, circles), over R.
-
-        At the exit and the entry the value there goes on, not its growth; below a foreland its own rule does.
-        """
+        """Parts of the resistance that grow with depth, of each soil one, (soils, M, circles), over R."""
         first, last = self.span
-        found = np.zeros((len(self.section.soils), *rotation.shape))
-        _, centre, radius = self.section._circle
         there = self._space(rotation)
-        own = self.section.strength == "base"
-        positions = there if own else there - rotation
-        inside = np.clip(positions, first, np.inf if own and self.section.foreland is not None else last)
-        growth = self._growth(inside)
+        if self.section.strength == "mass":
+            there = there - rotation
+        limit = last if self.section.foreland is None else np.inf  # a foreland's own rule goes on beyond the exit
+        growth = self._growth(np.clip(there, first, limit))
+        *joints, exit_, entry = range(len(there))
         stretches = self.stretches
+        parts = np.zeros((len(self.section.soils), *rotation.shape))
         circle = np.arange(rotation.shape[1])
-        for k in range(stretches.joint.shape[1]):
-            found[stretches.before[:, k], :, circle] += growth[stretches.before[:, k], k, :, circle]
-            found[stretches.after[:, k], :, circle] -= growth[stretches.after[:, k], k, :, circle]
-        end, start = len(there) - 2, len(there) - 1
-        found[stretches.last, :, circle] += growth[stretches.last, end, :, circle]
-        found[stretches.first, :, circle] -= growth[stretches.first, start, :, circle]
-        if own:
-            for soil, at, beyond in (
-                (stretches.last, last, 0.0 if self.section.foreland else np.maximum(there[end] - last, 0.0)),
-                (stretches.first, first, np.maximum(first - there[start], 0.0)),
-            ):
-                for k, s in enumerate(self.section.soils):
-                    if s.datum is not None:
-                        depth = np.maximum((s.datum - centre[:, 1]) / radius + np.cos(at), 0.0)
-                        found[k] += np.where(soil == k, depth * beyond, 0.0)
-        return found
+        for k in joints:
+            parts[stretches.before[:, k], :, circle] += growth[stretches.before[:, k], k, :, circle]
+            parts[stretches.after[:, k], :, circle] -= growth[stretches.after[:, k], k, :, circle]
+        parts[stretches.last, :, circle] += growth[stretches.last, exit_, :, circle]
+        parts[stretches.first, :, circle] -= growth[stretches.first, entry, :, circle]
+        if self.section.foreland is None:
+            parts += self._held_value(stretches.last, last, np.maximum(there[exit_] - last, 0.0))
+        return parts + self._held_value(stretches.first, first, np.maximum(first - there[entry], 0.0))
+
+    def _held_value(self, soil: NDArray[np.intp], direction: Floats, length: Floats) -> Floats:
+        """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
+        _, centre, radius = self.section._circle
+        parts = np.zeros((len(self.section.soils), *length.shape))
+        for k, s in enumerate(self.section.soils):
+            if s.datum is not None:
+                depth = np.maximum((s.datum - centre[:, 1]) / radius + np.cos(direction), 0.0)
+                parts[k] = np.where(soil == k, depth * length, 0.0)
+        return parts
 
     @cached_property
     def rotation_kinks(self) -> Floats:
@@ -291,21 +290,35 @@ class ArcStrength:
         if np.any(remaining != changing):
             left = self._by_surface(remaining - changing) * self.mean_residual / theta
             terms |= self._gripping("remaining_normal", "remaining", "remaining_inertia", left)
+        terms["strength"] = self._cohesion()
+        terms["lift"] = self._lift()
+        empty = [n for n, term in terms.items() if isinstance(term, OfRotation) and not np.any(term.coefficients)]
+        return {name: term for name, term in terms.items() if name not in empty}
+
+    @property
+    def _weight_scale(self) -> Floats:
+        """gamma Theta* in N/m^3, by which weights come over Theta*, (lanes,)."""
         unit_weight = self.section._weighted[AREA] / self.section._moments["area"]
-        cohesion = self.section.of_soils(lambda s: s.cohesion) / (unit_weight * self.section._circle[2] * theta)
-        strength = [OfRotation(self._space, self._by_direction(cohesion))]
-        growth = self.section.of_soils(lambda s: s.cohesion_gradient) / (unit_weight * theta)
-        strength += [OfRotation(self._cohesion_growth, growth)] if np.any(growth) else []
-        peak = self.section.of_soils(lambda s: s.peak) / np.where(self.mean_peak > 0.0, self.mean_peak, 1.0)
+        return np.asarray(unit_weight * self.section._per_mean_weight[INERTIA])
+
+    def _cohesion(self) -> OfRotation:
+        """Strength without normal stress, over Theta*."""
+        cohesion = self.section.of_soils(lambda s: s.cohesion) / (self._weight_scale * self.section._circle[2])
+        constant = OfRotation(self._space, self._by_direction(cohesion))
+        growth = self.section.of_soils(lambda s: s.cohesion_gradient) / self._weight_scale
+        return _sum([constant, OfRotation(self._cohesion_growth, growth)]) if np.any(growth) else constant
+
+    def _lift(self) -> OfRotation:
+        """What water takes from the normal force, over the mean friction and Theta*: of the level, and of ratios."""
+        share = self.section.of_soils(lambda s: s.peak) / np.where(self.mean_peak > 0.0, self.mean_peak, 1.0)
         ratio = self.section.of_soils(lambda s: s.pore_ratio)
-        lift = []
-        if self.section.level is not None:
-            weight = np.where(ratio > 0.0, 0.0, peak) * self.section.water_unit_weight / (unit_weight * theta)
-            lift.append(OfRotation(self._heads, self._by_direction(weight)))
-        if np.any(ratio):
-            lift.append(OfRotation(self._overburden, self._by_surface(peak * ratio) / theta))
-        terms |= {name: _sum(parts) for name, parts in (("strength", strength), ("lift", lift)) if parts}
-        return {n: v for n, v in terms.items() if not isinstance(v, OfRotation) or np.any(v.coefficients)}
+        theta = self.section._per_mean_weight[INERTIA]
+        of_ratios = OfRotation(self._overburden, self._by_surface(share * ratio) / theta)
+        if self.section.level is None:
+            return of_ratios
+        weight = np.where(ratio > 0.0, 0.0, share) * self.section.water_unit_weight / self._weight_scale
+        of_level = OfRotation(self._heads, self._by_direction(weight))
+        return _sum([of_level, of_ratios]) if np.any(ratio) else of_level
 
     def _gripping(self, base: str, mass: str, inertia: str, coefficients: Floats) -> dict[str, Any]:
         """What friction takes hold of, with coefficients of the parts by surface: of weight and of inertia."""

@@ -79,19 +79,18 @@ class Strips:
         """The same up to any directions (circles, M), (integrals, surfaces, circles, M)."""
         edges = self.beta
         inside = np.clip(beta, edges[:, :1], edges[:, -1:])
-        k = np.clip(np.count_nonzero(edges[:, None, :] <= inside[..., None], axis=-1) - 1, 0, self.x.shape[1] - 2)
+        before = np.count_nonzero(edges[:, None, :] <= inside[..., None], axis=-1)
+        k = np.clip(before - 1, 0, self.x.shape[1] - 2)
         circle = np.arange(len(edges))[:, None]
-        start, end, x = self.x[circle, k], self.x[circle, k + 1], np.sin(inside)
-        low, high = self.left[:, circle, k], self.right[:, circle, k]
-        width = end - start
-        share = np.where(width > _THIN, np.clip((x - start) / np.where(width > _THIN, width, 1.0), 0.0, 1.0), 0.0)
-        at_start, at_end, here = (np.sqrt((1.0 - v) * (1.0 + v)) for v in (start, end, x))
-        # The edge is straight, the arc is not: heights of the edge above the arc's points, and the arc's sagitta.
-        straight = (1.0 - share) * at_start + share * at_end
-        height = np.maximum((1.0 - share) * low + share * high + (here - straight), 0.0)
-        part = strip_integrals(start, x, low, height, self.above[:, circle, k])
+        start = self.x[circle, k]
+        end = self.x[circle, k + 1]
+        x = np.sin(inside)
+        left = self.left[:, circle, k]
+        right = self.right[:, circle, k]
+        part = strip_integrals(start, x, left, _height_between(start, end, x, left, right), self.above[:, circle, k])
         if self.loads:
-            part = np.concatenate([part, self._load_integrals(start, end, start, x, low[0], high[0])], axis=1)
+            of_loads = self._load_integrals(start, end, start, x, left[0], right[0])
+            part = np.concatenate([part, of_loads], axis=1)
         return cumulative[:, :, circle, k] + part
 
     def _load_integrals(
@@ -114,6 +113,20 @@ class Strips:
             for row, value in zip(total, values, strict=True):
                 row += weight * (x2 - x1) * pressure * value
         return total[:, None]
+
+
+def _depth(x: Floats) -> Floats:
+    """Of the arc below the centre."""
+    return np.sqrt((1.0 - x) * (1.0 + x))
+
+
+def _height_between(start: Floats, end: Floats, x: Floats, left: Floats, right: Floats) -> Floats:
+    """Height above the arc at x of edges with given heights at both ends: they are straight, the arc is not."""
+    width = end - start
+    some = width > _THIN
+    share = np.where(some, np.clip((x - start) / np.where(some, width, 1.0), 0.0, 1.0), 0.0)
+    chord = (1.0 - share) * _depth(start) + share * _depth(end)
+    return np.maximum((1.0 - share) * left + share * right + (_depth(x) - chord), 0.0)
 
 
 def strip_integrals(x1: Floats, x2: Floats, left: Floats, right: Floats, above: NDArray[np.bool_]) -> Floats:
@@ -144,21 +157,29 @@ def ring_integrals(x: Any, y: Any, e_x: Any, e_y: Any) -> Floats:
     square = e_x * e_x + e_y * e_y
     reach = slopes.REACH * (np.hypot(x, y) + np.hypot(x + e_x, y + e_y))
     long = square > reach * reach
-    first, second = 1.0 - x * x - y * y, 1.0 - (x + e_x) ** 2 - (y + e_y) ** 2
-    found = np.zeros((7, *x.shape))
-    for s, weight in _GAUSS:
-        gap = np.where(long, 0.0, (1.0 - s) * first + s * second + s * (1.0 - s) * square)
-        area, polar, inertia, radial, moment = slopes.rings(gap)
-        at_x, at_y = x + s * e_x, y + s * e_y
-        values = (area, polar, inertia, radial * at_x, radial * at_y, moment * at_x, moment * at_y)
-        for total, value in zip(found, values, strict=True):
-            total += weight * value
-    found *= x * e_y - y * e_x
+    found = np.asarray(_by_quadrature(x, y, e_x, e_y, ~long))
     if np.any(long):
         a, b, c, d = x[long], y[long], e_x[long], e_y[long]
         angle = np.arctan2(a * d - b * c, a * (a + c) + b * (b + d))
         found[:, long] = slopes.closed(a, b, c, d, angle)
     return found
+
+
+def _by_quadrature(x: Floats, y: Floats, e_x: Floats, e_y: Floats, short: NDArray[np.bool_]) -> Floats:
+    """The same of short edges, by Gauss' rule along them over 1 - rho^2, a sum of positive terms."""
+    first = 1.0 - x * x - y * y
+    second = 1.0 - (x + e_x) ** 2 - (y + e_y) ** 2
+    square = e_x * e_x + e_y * e_y
+    found = np.zeros((7, *x.shape))
+    for s, weight in _GAUSS:
+        gap = np.where(short, (1.0 - s) * first + s * second + s * (1.0 - s) * square, 0.0)
+        area, polar, inertia, radial, moment = slopes.rings(gap)
+        at_x = x + s * e_x
+        at_y = y + s * e_y
+        values = (area, polar, inertia, radial * at_x, radial * at_y, moment * at_x, moment * at_y)
+        for total, value in zip(found, values, strict=True):
+            total += weight * value
+    return found * (x * e_y - y * e_x)
 
 
 # --- cutting -----------------------------------------------------------------------------------------------------
@@ -194,23 +215,25 @@ def cut_into_strips(
     lines = [_to_both_sides(line) for line in lines]
     edges = _edges(lines, first, last, extra)
     middle = (edges[:, :-1] + edges[:, 1:]) / 2
-    depth = np.sqrt((1.0 - edges) * (1.0 + edges))  # of the arc below the centre
-    pairs = [_heights(line, edges, middle) for line in lines]
-    at_middle = np.stack([(low + high) / 2 for low, high in pairs])
-    lows, highs = np.stack([low for low, _ in pairs]), np.stack([high for _, high in pairs])
-    arc = -np.sqrt((1.0 - middle) * (1.0 + middle))
-    left, right, above = list[Floats](), list[Floats](), []
+    arc = -_depth(middle)
+    lows, highs = np.stack([_heights(line, edges, middle) for line in lines], axis=1)
+    at_middle = (lows + highs) / 2
+    left, right, above = list[Floats](), list[Floats](), list[NDArray[np.bool_]]()
     for chosen in surfaces:
         rows = np.asarray(chosen)
-        which = rows[np.argmin(at_middle[rows], axis=0)][None]
-        inside = np.take_along_axis(at_middle, which, 0)[0] > arc
-        above.append(inside)
-        for values, heights, y in ((lows, left, depth[:, :-1]), (highs, right, depth[:, 1:])):
-            height = np.take_along_axis(values, which, 0)[0] + y
-            heights.append(np.where(inside, np.maximum(height, 0.0), 0.0))
+        lowest = rows[np.argmin(at_middle[rows], axis=0)][None]
+        above.append(_of_line(at_middle, lowest) > arc)
+        left.append(np.maximum(_of_line(lows, lowest) + _depth(edges[:, :-1]), 0.0))
+        right.append(np.maximum(_of_line(highs, lowest) + _depth(edges[:, 1:]), 0.0))
     tops = np.minimum.accumulate(at_middle[:layers], axis=0)
     base = np.maximum(np.count_nonzero(tops > arc, axis=0) - 1, 0)
-    return Strips(edges, np.stack(left), np.stack(right), np.stack(above), base, loads)
+    inside = np.stack(above)
+    return Strips(edges, np.stack(left) * inside, np.stack(right) * inside, inside, base, loads)
+
+
+def _of_line(values: Floats, line: Integers) -> Floats:
+    """Of values of all lines those of one in each strip."""
+    return np.asarray(np.take_along_axis(values, line, 0)[0])
 
 
 def _to_both_sides(line: Floats) -> Floats:

@@ -12,7 +12,7 @@ from slipcircle.workbench.common import files
 from slipcircle.workbench.outputs.plotstyle import described, missing
 
 if TYPE_CHECKING:
-    from slipcircle.workbench.outputs.sectionplot import Film
+    from slipcircle.workbench.outputs.film import Film
 
 _KINDS = ("png", "svg", "pdf", "jpg")
 _MOST = 20  # scenes in one picture
@@ -104,14 +104,11 @@ def _on_axis(draw: Callable[..., Any]) -> Callable[[Any, Any], Any]:
 
 def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
     """What draws which result on an empty figure, and its inches; loaded only where something is drawn."""
-    from slipcircle.workbench.outputs import plots, sectionplot, studyplots
+    from slipcircle.workbench.outputs import film, plots, sectionplot, studyplots
 
     return {
         "motions": (_stacked, lambda motions: (14.0, sum(plots.size(motion)[1] for motion in motions))),
-        "slide": (
-            lambda motions, figure: sectionplot.film(motions[0], figure, _FRAMES, _SECONDS),
-            lambda _: (7.0, 4.6),
-        ),
+        "slide": (lambda motions, figure: film.film(motions[0], figure, _FRAMES, _SECONDS), lambda _: (7.0, 4.6)),
         "section": (_on_axis(plots.section), lambda _: (8.0, 6.0)),
         "histories": (
             lambda motion, figure: plots.histories(motion, figure.subplots(2, 2).T.flat),

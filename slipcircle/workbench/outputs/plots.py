@@ -13,6 +13,7 @@ import numpy as np
 
 from slipcircle.core import Motion, in_time
 from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, Quantity, prefixed
+from slipcircle.workbench.outputs.film import animate
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
@@ -28,7 +29,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     width,
     work,
 )
-from slipcircle.workbench.outputs.sectionplot import animate, section
+from slipcircle.workbench.outputs.sectionplot import section
 from slipcircle.workbench.outputs.trace import Floats, drawn
 from slipcircle.workbench.studies.ladder import Rung
 

@@ -149,3 +149,26 @@ def work(motion: Motion) -> str:
 def still(motion: Motion, ax: Any) -> Any:
     """The axis of a mass that does not move."""
     return empty(f"does not move\nfactor of safety {number(motion.factor_of_safety)}", ax, "x", "y")
+
+
+def name_beside(ax: Any, words: str, at: Any, offset: Any, colour: str, **more: Any) -> None:
+    """Words beside what they name, in its colour."""
+    from matplotlib.patheffects import withStroke
+
+    ax.annotate(
+        words,
+        at,
+        offset,
+        textcoords="offset points",
+        color=colour,
+        fontsize="small",
+        zorder=6,
+        path_effects=[withStroke(linewidth=HALO, foreground="white")],
+        **more,
+    )
+
+
+def beside(ax: Any, words: str, at: Any, away: Any, **more: Any) -> None:
+    """Words beside a point, in a direction from it."""
+    offset = 12 * np.divide(away, np.hypot(*away))
+    name_beside(ax, words, at, offset, "black", ha="center", va="center", **more)

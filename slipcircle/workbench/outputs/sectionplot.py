@@ -1,30 +1,31 @@
 """The section as a picture to scale, after Figure 1-1: ground, slip circle, mass, water, and the forces on an arc."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from slipcircle.core import Arc, Motion, Section
 from slipcircle.workbench.files.loaded import stability_of
+from slipcircle.workbench.outputs.forces import draw_forces
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
-    FORCES,
     HALO,
     LINES,
     SCENERY,
     axis,
+    beside,
     ending,
     finish,
     mark,
+    name_beside,
     number,
 )
 from slipcircle.workbench.outputs.trace import Floats, toe_words
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
-_ARROWS = (-0.6, -0.2, 0.2, 0.6)  # where on the arc reactions are drawn, over alpha
 _SMALL = 0.12  # chord over view: below, the mass is a mark, without forces
 _SEEN, _WIDE = 0.02, 0.1  # displacements over the chord: which is drawn as it is, and what a smaller one is drawn as
 _MARGIN = 0.1  # of the view
@@ -154,7 +155,7 @@ def section(motion: Motion, ax: Any = None, forces: bool = False) -> Any:
     if with_forces:
         _radii(ax, mass, small)
         if not small:
-            _forces(ax, motion, mass, view.size)
+            draw_forces(ax, motion, mass, view.size)
     origin = " from the centre K" if is_arc else ""
     finish(ax, f"$x${origin} (m)", f"$y${origin} (m)")
     return ax
@@ -256,7 +257,7 @@ def _firm_layer(ax: Any, soil: Any, view: View) -> View:
     if soil.base is None:
         return view
     ax.axhline(soil.base, **SCENERY["firm layer"])
-    _name(ax, "firm layer", (view.left, soil.base), (5, -4), "0.2", va="top")
+    name_beside(ax, "firm layer", (view.left, soil.base), (5, -4), "0.2", va="top")
     below = soil.base - 0.08 * view.size
     return view._replace(bottom=min(view.bottom, below))
 
@@ -270,33 +271,10 @@ def _water_level(ax: Any, soil: Any, view: View) -> None:
     left, right = [min(view.left, first[0]), first[1]], [max(view.right, last[0]), last[1]]
     x, y = np.concatenate([[left], level, [right]]).T
     ax.plot(x, y, **SCENERY["water"])
-    _name(ax, "water level", (view.left, np.interp(view.left, x, y)), (5, -9), "#0072B2", va="top")
-
-
-def _name(ax: Any, words: str, at: Any, offset: Any, colour: str, **more: Any) -> None:
-    """Words beside what they name, in its colour."""
-    from matplotlib.patheffects import withStroke
-
-    ax.annotate(
-        words,
-        at,
-        offset,
-        textcoords="offset points",
-        color=colour,
-        fontsize="small",
-        zorder=6,
-        path_effects=[withStroke(linewidth=HALO, foreground="white")],
-        **more,
-    )
+    name_beside(ax, "water level", (view.left, np.interp(view.left, x, y)), (5, -9), "#0072B2", va="top")
 
 
 # --- centre, radii and forces of an arc ------------------------------------------------------------------------------
-
-
-def _beside(ax: Any, words: str, at: Any, away: Any, **more: Any) -> None:
-    """Words beside a point, in a direction from it."""
-    offset = 12 * np.divide(away, np.hypot(*away))
-    _name(ax, words, at, offset, "black", ha="center", va="center", **more)
 
 
 def _radii(ax: Any, mass: Mass, small: bool) -> None:
@@ -306,99 +284,12 @@ def _radii(ax: Any, mass: Mass, small: bool) -> None:
     depth = np.stack([(one + two) / 2, bottom])
     ax.plot(*depth.T, **SCENERY["depth"])
     if not small:
-        _beside(ax, "$P_1$", one, one)
-        _beside(ax, "$P_2$", two, two)
+        beside(ax, "$P_1$", one, one)
+        beside(ax, "$P_2$", two, two)
     radii = np.stack([one, mass.centre, two])
     ax.plot(*radii.T, zorder=1, label="radii $KP_1$, $KP_2$", **LINES["radius"])
     ax.plot(*mass.centre, **SCENERY["centre"])
-    _beside(ax, "K", mass.centre, -bottom, fontweight="bold")
-
-
-def _forces(ax: Any, motion: Motion, mass: Mass, size: float) -> None:
-    """The weight at the mass's centre, and reactions on the arc."""
-    middle, alpha = float(mass.ends.mean()), float(np.ptp(mass.ends)) / 2
-    length = min(0.16 * size, 0.9 * mass.radius * alpha)
-    centroid = mass.on_circle(middle) * _centroid_radius(alpha)
-    tip = centroid - [0.0, 1.25 * length]
-    _arrow(ax, centroid, tip, "weight", 2.2)
-    _beside(ax, "$W$", tip, (0.0, -1.0))
-    ax.set_ylim(bottom=min(ax.get_ylim()[0], tip[1] - 0.12 * size))
-    _reactions(ax, motion, mass.on_circle(middle + alpha * np.array(_ARROWS)), length)
-
-
-def _reactions(ax: Any, motion: Motion, places: Floats, length: float) -> None:
-    """Reactions at places of the arc about the origin: normal towards K, tangential against the motion."""
-    way = motion.plan.scene.arc.facing * (motion.phases[0].direction if motion.phases else 1)
-    symbols = {"normal": "dN"}
-    if float(motion.friction_at(0.0)) > 0.0 or "cohesion" in motion.plan.effects:
-        symbols["tangential"] = "dT"
-    for at in places:
-        outward = at / np.hypot(*at)
-        x, y = outward
-        along = way * np.array([-y, x])
-        _arrow(ax, at + 0.7 * length * outward, at, "normal", 1.6)
-        if "tangential" in symbols:
-            foot = at + 0.06 * length * outward
-            _arrow(ax, foot, foot - 0.55 * length * along, "tangential", 1.6)
-    for force, symbol in symbols.items():
-        ax.plot([], [], color=FORCES[force], lw=1.6, marker=">", ms=5, label=f"{force} reaction ${symbol}$")
-
-
-def _centroid_radius(alpha: float) -> float:
-    """A circular segment's centroid from the centre, over R: 2/3 sin^3 alpha/(alpha - sin alpha cos alpha)."""
-    area = alpha - math.sin(alpha) * math.cos(alpha)
-    return 2 / 3 * math.sin(alpha) ** 3 / area if alpha > 1e-3 else 1.0
-
-
-def _arrow(ax: Any, tail: Any, tip: Any, force: str, width: float) -> None:
-    """A force as an arrow."""
-    style = {"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0, "mutation_scale": 11}
-    ax.annotate("", tip, tail, arrowprops=style | {"color": FORCES[force], "lw": width}, zorder=5)
-
-
-# --- the slide itself, and the search for its circle -----------------------------------------------------------------
-
-
-class Film(NamedTuple):
-    """A section with a moving mass: what moves in it, a function that draws a frame by its number, and their times."""
-
-    figure: Any
-    moving: tuple[Any, ...]
-    draw: Callable[[int], tuple[Any, ...]]
-    times: Floats
-
-
-def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
-    """The section with the mass where it is at even times, which are shown in so many seconds; at rest one frame."""
-    from matplotlib.patches import Polygon
-
-    ax, soil = section(motion, None if figure is None else figure.add_subplot()), motion.plan.scene.arc
-    mass, turn_per_rotation = mass_of(soil, soil), magnified(motion) * float(soil.facing)
-    body = ax.add_patch(Polygon(mass.outline(), closed=True, zorder=4, **AREAS["moving"]))
-    times = np.linspace(0.0, motion.duration, frames if motion.moves else 1)
-    states = motion.at(times)
-    pace = f", shown {motion.duration / seconds:.2g} times as fast" if motion.moves else ""
-    title = ax.figure.suptitle(" ", fontsize="medium")
-
-    def draw(frame: int) -> tuple[Any, ...]:
-        body.set_xy(mass.outline(turn_per_rotation * float(states.rotation[frame])))
-        title.set_text(f"{times[frame]:.2f} s, {abs(float(states.velocity[frame])):.2f} m/s{pace}")
-        return body, title
-
-    draw(0)
-    return Film(ax.figure, (body, title), draw, times)
-
-
-def animate(motion: Motion, figure: Any = None, frames: int = 60, seconds: float = 5.0) -> Any:
-    """The slide as a matplotlib.animation.FuncAnimation: the section, with the mass where it is at even times.
-
-    An empty figure may be given, with a constrained layout; keep what is returned while it plays, or save it. Where the
-    mass does not move there is one frame.
-    """
-    from matplotlib.animation import FuncAnimation
-
-    slide = film(motion, figure, frames, seconds)
-    return FuncAnimation(slide.figure, slide.draw, len(slide.times), interval=1e3 * seconds / frames)
+    beside(ax, "K", mass.centre, -bottom, fontweight="bold")
 
 
 def critical_circle(critical: Critical, figure: Any) -> Any:

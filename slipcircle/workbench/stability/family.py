@@ -175,8 +175,8 @@ class Search:
             positions.append(np.linspace(first, last, _LEAST_ON_EDGE + 1))
         return np.unique(np.concatenate(positions))
 
-    def coarse(self, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
-        """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
+    def _coarse_family(self) -> tuple[Floats, Floats]:
+        """Circles between all pairs of positions, with all openings, and touching each boundary; and their steps."""
         ends = self._positions()
         numbers = np.indices((len(ends), len(ends), len(_SHARES))).reshape(3, -1)
         i, j, k = numbers[:, numbers[0] < numbers[1]]
@@ -184,10 +184,15 @@ class Search:
         q = np.column_stack([ends[i], ends[j], _SHARES[k], np.full(len(i), _NONE)])
         steps = np.column_stack([spacing[i], spacing[j], np.gradient(_SHARES)[k], np.zeros(len(i))])
         pairs = np.flatnonzero(k == 0)
+        families = [q]
         for edge in range(len(self.boundary_edges)):
-            touching = np.column_stack([q[pairs, :3], np.full(len(pairs), edge)])
-            q = np.concatenate([q, touching])
-            steps = np.concatenate([steps, steps[pairs]])
+            families.append(np.column_stack([q[pairs, :3], np.full(len(pairs), edge)]))
+        more = [steps[pairs]] * len(self.boundary_edges)
+        return np.concatenate(families), np.concatenate([steps, *more])
+
+    def coarse(self, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
+        """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
+        q, steps = self._coarse_family()
         values = self.evaluate(q)
         order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
         if not order.size:
@@ -202,6 +207,12 @@ class Search:
         tell(f"{len(values)} circles; following {len(valleys)}, from {values[valleys[0]]:.4g}")
         return q[valleys], steps[valleys]
 
+    def _neighbours(self, q: Floats, step: Floats) -> Floats:
+        """Of each circle all circles a step away in some of its numbers, and itself, (n, neighbours, 4)."""
+        near = q[:, None] + _OFFSETS * step[:, None]
+        near[..., :3] = np.clip(near[..., :3], [0.0, 0.0, _LEAST_SHARE], [self.along[-1], self.along[-1], 1.0])
+        return np.asarray(near)
+
     def refined(self, q: Floats, step: Floats) -> tuple[Floats, Floats]:
         """The best circles, in order, after all were followed to better neighbours on grids that shrink."""
         q = q.copy()
@@ -211,8 +222,7 @@ class Search:
             live = np.flatnonzero(np.any(now > _FINEST * step, axis=1))
             if not live.size:
                 break
-            near = q[live, None] + _OFFSETS * now[live, None]
-            near[..., :3] = np.clip(near[..., :3], [0.0, 0.0, _LEAST_SHARE], [self.along[-1], self.along[-1], 1.0])
+            near = self._neighbours(q[live], now[live])
             values = np.nan_to_num(self.evaluate(near.reshape(-1, 4)), nan=np.inf).reshape(len(live), -1)
             rows = np.arange(len(live))
             least = np.argmin(values, axis=1)

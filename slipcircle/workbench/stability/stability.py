@@ -245,12 +245,17 @@ def _lanes(
         numbers = {n: by_lane(strength[n]) for n in ("cohesion", "friction", "pore_ratio")}
         homogeneous = SoilArrays(**numbers, unit_weight=by_lane(section.unit_weight))
         slope = SlopeArrays(ground, (homogeneous,), pressure=by_lane(strength["pressure"]), **general)
+    return slope, _arcs(section, by_lane)
+
+
+def _arcs(section: Section, by_lane: Callable[..., Floats]) -> tuple[Floats, ...]:
+    """Centres, radii, left and right ends of arcs."""
     rightward = by_lane(section.facing)[:, None] > 0.0
     entry = by_lane(section.entry, 1)
     exit_ = by_lane(section.exit, 1)
     left = np.where(rightward, entry, exit_)
     right = np.where(rightward, exit_, entry)
-    return slope, (by_lane(section.centre, 1), by_lane(section.radius), left, right)
+    return by_lane(section.centre, 1), by_lane(section.radius), left, right
 
 
 def soil_arrays(soil: Soil, by_lane: Callable[[Any], Any]) -> SoilArrays:

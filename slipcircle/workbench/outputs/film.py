@@ -1,0 +1,53 @@
+"""The slide as a film: the section with the mass where it is at even times."""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.core import Motion
+from slipcircle.workbench.outputs.plotstyle import AREAS
+from slipcircle.workbench.outputs.sectionplot import magnified, mass_of, section
+from slipcircle.workbench.outputs.trace import Floats
+
+
+class Film(NamedTuple):
+    """A section with a moving mass: what moves in it, a function that draws a frame by its number, and their times."""
+
+    figure: Any
+    moving: tuple[Any, ...]
+    draw: Callable[[int], tuple[Any, ...]]
+    times: Floats
+
+
+def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
+    """The section with the mass where it is at even times, which are shown in so many seconds; at rest one frame."""
+    from matplotlib.patches import Polygon
+
+    ax, soil = section(motion, None if figure is None else figure.add_subplot()), motion.plan.scene.arc
+    mass, turn_per_rotation = mass_of(soil, soil), magnified(motion) * float(soil.facing)
+    body = ax.add_patch(Polygon(mass.outline(), closed=True, zorder=4, **AREAS["moving"]))
+    times = np.linspace(0.0, motion.duration, frames if motion.moves else 1)
+    states = motion.at(times)
+    pace = f", shown {motion.duration / seconds:.2g} times as fast" if motion.moves else ""
+    title = ax.figure.suptitle(" ", fontsize="medium")
+
+    def draw(frame: int) -> tuple[Any, ...]:
+        body.set_xy(mass.outline(turn_per_rotation * float(states.rotation[frame])))
+        title.set_text(f"{times[frame]:.2f} s, {abs(float(states.velocity[frame])):.2f} m/s{pace}")
+        return body, title
+
+    draw(0)
+    return Film(ax.figure, (body, title), draw, times)
+
+
+def animate(motion: Motion, figure: Any = None, frames: int = 60, seconds: float = 5.0) -> Any:
+    """The slide as a matplotlib.animation.FuncAnimation: the section, with the mass where it is at even times.
+
+    An empty figure may be given, with a constrained layout; keep what is returned while it plays, or save it. Where the
+    mass does not move there is one frame.
+    """
+    from matplotlib.animation import FuncAnimation
+
+    slide = film(motion, figure, frames, seconds)
+    return FuncAnimation(slide.figure, slide.draw, len(slide.times), interval=1e3 * seconds / frames)

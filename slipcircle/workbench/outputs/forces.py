@@ -1,0 +1,57 @@
+"""The forces on an arc as arrows, after Figure 1-1: weight, and the reactions of the slip surface."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from slipcircle.core import Motion
+from slipcircle.workbench.outputs.plotstyle import FORCES, beside
+from slipcircle.workbench.outputs.trace import Floats
+
+_ARROWS = (-0.6, -0.2, 0.2, 0.6)  # where on the arc reactions are drawn, over alpha
+
+
+def draw_forces(ax: Any, motion: Motion, mass: Any, size: float) -> None:
+    """The weight at the mass's centre, and reactions on the arc."""
+    middle, alpha = float(mass.ends.mean()), float(np.ptp(mass.ends)) / 2
+    length = min(0.16 * size, 0.9 * mass.radius * alpha)
+    centroid = mass.on_circle(middle) * _centroid_radius(alpha)
+    tip = centroid - [0.0, 1.25 * length]
+    _arrow(ax, centroid, tip, "weight", 2.2)
+    beside(ax, "$W$", tip, (0.0, -1.0))
+    ax.set_ylim(bottom=min(ax.get_ylim()[0], tip[1] - 0.12 * size))
+    _reactions(ax, motion, mass.on_circle(middle + alpha * np.array(_ARROWS)), length)
+
+
+def _reactions(ax: Any, motion: Motion, places: Floats, length: float) -> None:
+    """Reactions at places of the arc about the origin: normal towards K, tangential against the motion."""
+    way = motion.plan.scene.arc.facing * (motion.phases[0].direction if motion.phases else 1)
+    symbols = {"normal": "dN"}
+    if float(motion.friction_at(0.0)) > 0.0 or "cohesion" in motion.plan.effects:
+        symbols["tangential"] = "dT"
+    for at in places:
+        outward = at / np.hypot(*at)
+        x, y = outward
+        along = way * np.array([-y, x])
+        _arrow(ax, at + 0.7 * length * outward, at, "normal", 1.6)
+        if "tangential" in symbols:
+            foot = at + 0.06 * length * outward
+            _arrow(ax, foot, foot - 0.55 * length * along, "tangential", 1.6)
+    for force, symbol in symbols.items():
+        ax.plot([], [], color=FORCES[force], lw=1.6, marker=">", ms=5, label=f"{force} reaction ${symbol}$")
+
+
+def _centroid_radius(alpha: float) -> float:
+    """A circular segment's centroid from the centre, over R: 2/3 sin^3 alpha/(alpha - sin alpha cos alpha)."""
+    area = alpha - math.sin(alpha) * math.cos(alpha)
+    return 2 / 3 * math.sin(alpha) ** 3 / area if alpha > 1e-3 else 1.0
+
+
+def _arrow(ax: Any, tail: Any, tip: Any, force: str, width: float) -> None:
+    """A force as an arrow."""
+    style = {"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0, "mutation_scale": 11}
+    ax.annotate("", tip, tail, arrowprops=style | {"color": FORCES[force], "lw": width}, zorder=5)
+
+
+# --- the slide itself, and the search for its circle -----------------------------------------------------------------
