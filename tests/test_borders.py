@@ -128,10 +128,9 @@ def test_as_many_workers_as_asked_for(monkeypatch: pytest.MonkeyPatch, records: 
 
     monkeypatch.setattr(kind, "__init__", started)
     line = "sweep vaiont --samples 256 --block 64 --seed 3 --uncertain friction.angle_deg=uniform:8:14"
-    serial = records(line)
-    assert not seen
-    line += " --engine threads"
-    for count, more in ((2, "--workers 2"), (os.cpu_count(), "")):
-        assert records(line, more) == serial
+    alone = records(line, "--workers 1")
+    assert seen.pop() == 1
+    for count, more in ((2, "--workers 2"), (os.cpu_count(), ""), (os.cpu_count(), "--engine threads")):
+        assert records(line, more) == alone
         assert seen.pop() == count
     assert "--workers 0: must be 1 at least" in refused(line, "--workers 0")

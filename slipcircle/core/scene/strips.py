@@ -222,13 +222,18 @@ def cut_into_strips(
     for chosen in surfaces:
         rows = np.asarray(chosen)
         lowest = rows[np.argmin(at_middle[rows], axis=0)][None]
-        above.append(_of_line(at_middle, lowest) > arc)
-        left.append(np.maximum(_of_line(lows, lowest) + _depth(edges[:, :-1]), 0.0))
-        right.append(np.maximum(_of_line(highs, lowest) + _depth(edges[:, 1:]), 0.0))
+        inside = _of_line(at_middle, lowest) > arc
+        above.append(inside)
+        left.append(inside * _above(_of_line(lows, lowest), edges[:, :-1]))
+        right.append(inside * _above(_of_line(highs, lowest), edges[:, 1:]))
     tops = np.minimum.accumulate(at_middle[:layers], axis=0)
     base = np.maximum(np.count_nonzero(tops > arc, axis=0) - 1, 0)
-    inside = np.stack(above)
-    return Strips(edges, np.stack(left) * inside, np.stack(right) * inside, inside, base, loads)
+    return Strips(edges, np.stack(left), np.stack(right), np.stack(above), base, loads)
+
+
+def _above(y: Floats, x: Floats) -> Floats:
+    """Height of points above the arc, 0 below it."""
+    return np.maximum(y + _depth(x), 0.0)
 
 
 def _of_line(values: Floats, line: Integers) -> Floats:

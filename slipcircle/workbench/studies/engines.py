@@ -64,17 +64,20 @@ def engine(name: str = "threads", workers: int | None = None, scheduler: str | N
     if name == "dask":
         client = _dask_client(workers, scheduler)
         executor = client.get_executor()
-        log = logging.getLogger("tornado.application")  # would print a traceback for a future that is cancelled
+        # They would print tracebacks for futures that are cancelled, and for messages to a client that has gone.
+        logs = [logging.getLogger(name) for name in ("tornado.application", "distributed.scheduler")]
         with _deferred_interrupt():
             try:
                 yield executor
             finally:
-                log.disabled = True
+                for log in logs:
+                    log.disabled = True
                 executor.shutdown(wait=False)  # one message for all that are left; future by future takes seconds
                 client.close()
                 if client.cluster is not None:
                     client.cluster.close()
-                log.disabled = False
+                for log in logs:
+                    log.disabled = False
     else:
         pool = ThreadPoolExecutor(workers)
         try:
