@@ -226,9 +226,14 @@ def cut_into_strips(
         above.append(inside)
         left.append(inside * _above(_of_line(lows, lowest), edges[:, :-1]))
         right.append(inside * _above(_of_line(highs, lowest), edges[:, 1:]))
-    tops = np.minimum.accumulate(at_middle[:layers], axis=0)
-    base = np.maximum(np.count_nonzero(tops > arc, axis=0) - 1, 0)
+    base = _base(at_middle[:layers], arc)
     return Strips(edges, np.stack(left), np.stack(right), np.stack(above), base, loads)
+
+
+def _base(tops: Floats, arc: Floats) -> Integers:
+    """The layer at the arc, of tops that are cut off by those above them."""
+    boundaries = np.minimum.accumulate(tops, axis=0)
+    return np.maximum(np.count_nonzero(boundaries > arc, axis=0) - 1, 0)
 
 
 def _above(y: Floats, x: Floats) -> Floats:
