@@ -24,7 +24,23 @@ from slipcircle.base import VERSION
 from slipcircle.core.motion.forms import use_forms
 
 if TYPE_CHECKING:
-    from slipcircle.core import Arc, Dimensionless, Energy, Motion, Plan, Scene, Section, State, Status, plan, solve
+    from slipcircle.core import (
+        Arc,
+        Dimensionless,
+        Energy,
+        LayeredSection,
+        Motion,
+        Plan,
+        Pulse,
+        Scene,
+        Section,
+        Series,
+        Soil,
+        State,
+        Status,
+        plan,
+        solve,
+    )
     from slipcircle.workbench.files.scenefile import load
     from slipcircle.workbench.records.records import Record
     from slipcircle.workbench.stability.search import Critical, critical
@@ -42,6 +58,7 @@ _PLACES = {
     "Critical": "workbench.stability.search",
     "Dimensionless": "core",
     "Energy": "core",
+    "LayeredSection": "core",
     "Motion": "core",
     "Plan": "core",
     "Pulse": "core",
@@ -50,6 +67,7 @@ _PLACES = {
     "Section": "core",
     "Series": "core",
     "Slope": "workbench.stability.stability",
+    "Soil": "core",
     "State": "core",
     "Status": "core",
     "Study": "workbench.studies.study",
@@ -68,6 +86,7 @@ __all__ = [
     "Critical",
     "Dimensionless",
     "Energy",
+    "LayeredSection",
     "Motion",
     "Plan",
     "Pulse",
@@ -76,6 +95,7 @@ __all__ = [
     "Section",
     "Series",
     "Slope",
+    "Soil",
     "State",
     "Status",
     "Study",
