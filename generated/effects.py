@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b32dcc3eb6f48ac486b0dd435f4c1768b770eb7b26748f9ed5bba4eb295a6941
+# sha256 of the text below: d75c526dd4b0684c11f8af00513353bf475ea9fbd7f2cd1178b99951d9a02b61
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -187,8 +187,8 @@ EFFECTS = {
     'shaking': Effect('shaking', '3.11', (
         Parameter('horizontal', '', -INFINITY, INFINITY, 'k_h(t), driving acceleration over g, positive down-slope', '',
             1.0, 'k_h', lambda value, scales: value, True, 'series', (('value', 1.0),)),
-        Parameter('vertical', '', -INFINITY, INFINITY, 'k_v(t), acceleration over g that lightens the mass', '', 1.0,
-            'k_v', lambda value, scales: value, True, 'series', (('value', 1.0),)),
+        Parameter('vertical', '', -INFINITY, INFINITY, 'k_v(t), acceleration over g that reduces the effective weight',
+            '', 1.0, 'k_v', lambda value, scales: value, True, 'series', (('value', 1.0),)),
         Parameter('pulse', '', -INFINITY, INFINITY, 'name of a pulse', 'pulse', 1.0, '', lambda value, scales: value,
             True, 'rectangular|half-sine|triangular|sine', (('value', 1.0),)),
         Parameter('amplitude', '', -1000000000000.0, 1000000000000.0, 'greatest k_h of the pulse, positive down-slope',
@@ -205,8 +205,9 @@ EFFECTS = {
         Parameter('record', '', -INFINITY, INFINITY, "file of an acceleration record, relative to the scene's",
             'record', 1.0, '', lambda value, scales: value, True, 'text', (('value', 1.0),)),
         Parameter('holds', '', -INFINITY, INFINITY,
-            'what the record holds: acceleration of the ground, or its opposite, which drives', 'holds', 1.0, '',
-            lambda value, scales: value, True, 'ground|driving', (('value', 1.0),)),
+            'what the record holds, positive down-slope whichever way the slope faces: acceleration of the ground, or '
+            'its opposite, which drives', 'holds', 1.0, '', lambda value, scales: value, True, 'ground|driving',
+            (('value', 1.0),)),
         Parameter('units', '', -INFINITY, INFINITY,
             "unit of the record's values, where it does not say it: g, m/s2, cm/s2, gal, mm/s2", 'units', 1.0, '',
             lambda value, scales: value, True, 'text', (('value', 1.0),)),

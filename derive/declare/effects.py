@@ -229,7 +229,7 @@ EFFECTS = (
            "viscous resistance of a sheared layer, which grows with the speed", resistance=THETA * _VISCOSITY * OMEGA),
     Effect("shaking", "3.11", (
         _optional("horizontal", "k_h(t), driving acceleration over g, positive down-slope", "", "", "series", _K_H),
-        _optional("vertical", "k_v(t), acceleration over g that lightens the mass", "", "", "series", _K_V),
+        _optional("vertical", "k_v(t), acceleration over g that reduces the effective weight", "", "", "series", _K_V),
         _optional("pulse", "name of a pulse", kind="rectangular|half-sine|triangular|sine"),
         _optional("amplitude", "greatest k_h of the pulse, positive down-slope", key="amplitude_g"),
         _optional("vertical_amplitude", "greatest k_v of the pulse, by default 0", key="vertical_amplitude_g"),
@@ -237,8 +237,8 @@ EFFECTS = (
         _optional("duration", "duration of the pulse", "s", "duration_s"),
         _optional("cycles", "waves of a sine, by default 1"),
         _optional("record", "file of an acceleration record, relative to the scene's", kind="text"),
-        _optional("holds", "what the record holds: acceleration of the ground, or its opposite, which drives",
-                  kind="ground|driving"),
+        _optional("holds", "what the record holds, positive down-slope whichever way the slope faces: acceleration of "
+                  "the ground, or its opposite, which drives", kind="ground|driving"),
         _optional("units", "unit of the record's values, where it does not say it: g, m/s2, cm/s2, gal, mm/s2",
                   kind="text"),
         _optional("vertical_record", "file of the vertical acceleration, upwards where it holds that of the ground",
