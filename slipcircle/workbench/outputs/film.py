@@ -7,7 +7,8 @@ import numpy as np
 
 from slipcircle.core import Motion
 from slipcircle.workbench.outputs.plotstyle import AREAS
-from slipcircle.workbench.outputs.sectionplot import magnified, mass_of, section
+from slipcircle.workbench.outputs.sectionplot import magnified, section
+from slipcircle.workbench.outputs.shapes import mass_of
 from slipcircle.workbench.outputs.trace import Floats
 
 

@@ -45,7 +45,7 @@ def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> 
     kind = path.rpartition(".")[2].lower()
     # Also the names within an SVG, and its metadata, are to be the same every time.
     with style.context("default"), rc_context({"svg.hashsalt": "slipcircle"}):
-        figure = Figure(figsize=size, dpi=90 if kind == "gif" else 120, layout="constrained")
+        figure = Figure(figsize=size, dpi=90 if kind == "gif" else 150, layout="constrained")
         film = draw(figure)
         content = io.BytesIO()
         metadata = {
@@ -104,10 +104,10 @@ def _on_axis(draw: Callable[..., Any]) -> Callable[[Any, Any], Any]:
 
 def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
     """What draws which result on an empty figure, and its inches; loaded only where something is drawn."""
-    from slipcircle.workbench.outputs import plots, sectionplot, studyplots
+    from slipcircle.workbench.outputs import plots, plotstyle, searchplot, studyplots
 
     return {
-        "motions": (_stacked, lambda motions: (14.0, sum(plots.size(motion)[1] for motion in motions))),
+        "motions": (_stacked, lambda motions: (plotstyle.WIDTH, sum(plots.size(motion)[1] for motion in motions))),
         "section": (_on_axis(plots.section), lambda _: (8.0, 6.0)),
         "histories": (
             lambda motion, figure: plots.histories(motion, figure.subplots(2, 2).T.flat),
@@ -118,7 +118,7 @@ def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any],
         "study": (studyplots.overview, studyplots.size),
         "sensitivity": (studyplots.tornados, lambda x: (8.0, len(x.distinct) * (1.6 + 0.3 * len(x.parameters)))),
         "backanalysis": (studyplots.explained, lambda x: (2.0 + 4.5 * len(x.units), 0.6 + 3.4 * len(x.observed))),
-        "search": (sectionplot.critical_circle, lambda _: (9.0, 6.0)),
+        "search": (searchplot.critical_circle, lambda _: (9.0, 6.0)),
         "ladder": (_on_axis(plots.ladder), lambda rungs: (9.0, 1.5 + 0.5 * len(rungs))),
     }
 
