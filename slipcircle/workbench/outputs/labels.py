@@ -24,7 +24,7 @@ _DIRECTIONS = np.linspace(0.0, 2 * math.pi, 16, endpoint=False)
 _SPACING = 4.0  # of the points that stand for lines, in pixels
 _GAP = 2.0  # about words, in pixels
 # What a place costs: a point covered, a pixel outside of the axis, other words or a line to them, a pixel of distance.
-_COVERED, _OUTSIDE, _WORDS, _FAR = 1.0, 30.0, 400.0, 0.12
+_COVERED, _OUTSIDE, _WORDS, _FAR = 1.0, 200.0, 400.0, 0.12
 BACK = 1.5  # of `zorder`: what lies further back may be covered
 _HALO = 2.5  # points of white around words
 
@@ -131,6 +131,8 @@ def _obstacles(axes: Any) -> Iterator[Floats]:
                 path = artist.get_path().transformed(artist.get_transform())
                 for polygon in path.to_polygons():
                     yield _along(polygon, frame)
+                if artist.get_hatch():
+                    yield _inside(path, frame)
 
 
 def _about(points: Floats, size: float) -> Floats:
@@ -148,3 +150,11 @@ def _along(points: Floats, frame: Any) -> Floats:
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
     at = np.arange(0.0, along[-1], _SPACING)
     return np.column_stack([np.interp(at, along, points[:, 0]), np.interp(at, along, points[:, 1])])
+
+
+def _inside(path: Any, frame: Any) -> Floats:
+    """Points of a hatched area."""
+    low, high = np.maximum(path.get_extents().min, frame.min), np.minimum(path.get_extents().max, frame.max)
+    x, y = (np.arange(*ends, 2.0 * _SPACING) for ends in zip(low, high, strict=True))
+    points = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
+    return points[path.contains_points(points)] if len(points) else points

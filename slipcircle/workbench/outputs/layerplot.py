@@ -106,7 +106,7 @@ def normal_stress_along(section: LayeredSection, ax: Any = None) -> Any:
         ax.axvspan(start, end, color=colours[row.soil.name][0], lw=0)
         if row.soil.name:
             places = [((start + end) / 2, share * factor * np.max(stress)) for share in (0.08, 0.3, 0.5, 0.7, 0.9)]
-            label(ax, row.soil.name, places, colours[row.soil.name][1], inside=True)
+            label(ax, row.soil.name, places, colours[row.soil.name][1])
     label(ax, "by strips", np.column_stack([along, factor * stress])[:: _ACROSS // 12], LINES["main"]["color"])
     label(ax, "mean", np.column_stack([along, np.full_like(along, factor * mean)])[:: _ACROSS // 12])
     ax.set(xlabel="distance along the arc from its upper end (m)", ylabel=f"normal stress ({unit})")

@@ -97,8 +97,8 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     _mark_times(ax, motion, (times, factor * values), unit, what == "displacement", brief)
     for curve in curves[: len(curves) if len(curves) > 1 else 0]:
         label(ax, curve.label, _in_view(ax, times, factor * columns[curve.column]), LINES[curve.line]["color"])
-    if what == "friction" and len(curves) > 1:
-        _explain_zero(ax, times, columns["holding_friction"])
+    if what == "friction":
+        _explain_zeros(ax, columns, len(curves) > 1)
     _explain_kinks(ax, motion, brief)
     if what == "displacement":
         _rotation_axis(ax, float(np.asarray(motion.plan.scene.arc.radius)))
@@ -154,11 +154,15 @@ def _explain_kinks(ax: Any, motion: Motion, brief: bool) -> None:
             label(ax, words, [(time, low + share * (high - low)) for share in (0.1, 0.3, 0.5, 0.7, 0.9)], "0.3")
 
 
-def _explain_zero(ax: Any, times: Floats, required: Floats) -> None:
-    """Words where the friction required for equilibrium touches zero, a kink as it has no sign."""
-    least = int(np.nanargmin(required))
+def _explain_zeros(ax: Any, columns: Mapping[str, Floats], with_required: bool) -> None:
+    """Words where friction drops to zero, and where that required for equilibrium touches it, as it has no sign."""
+    times, required, friction = columns["time"], columns["holding_friction"], columns["friction"]
+    least = int(np.nanargmin(required)) if with_required else 0
     if 0 < least < len(times) - 1 and required[least] < 0.02 * np.nanmax(required):
         label(ax, "in balance\nwithout friction", (times[least], required[least]), LINES["other"]["color"])
+    lost = np.flatnonzero((friction[1:] == 0.0) & (friction[:-1] > 0.0))
+    if lost.size:
+        label(ax, "no effective stress", (times[lost[0] + 1], friction[lost[0]] / 2), LINES["main"]["color"])
 
 
 def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:

@@ -193,7 +193,8 @@ def scenery(ax: Any, mass: Mass, soil: Any, view: View) -> View:
 def name_circle(ax: Any, mass: Mass, soil: Any) -> None:
     """Words beside the circle, and beside the chord of an arc."""
     words = f"slip circle, $R$ = {number(mass.radius)} m"
-    label(ax, words, mass.arc[ON_ARC // 4 : -ON_ARC // 4 : 10], LINES["main"]["color"])
+    colour = "0.25" if isinstance(soil, LayeredSection) else LINES["main"]["color"]
+    label(ax, words, mass.arc[ON_ARC // 4 : -ON_ARC // 4 : 10], colour)
     if isinstance(soil, Arc):
         chord = number(2 * mass.radius * math.sin(float(soil.half_angle)))
         dip = number(math.degrees(1.5 * math.pi - mass.ends.mean()))
