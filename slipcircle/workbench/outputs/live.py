@@ -10,14 +10,19 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
+import numpy as np
+
 from slipcircle.base.text import shown
-from slipcircle.core import ANSWERED, Arc, Motion
+from slipcircle.core import ANSWERED, Arc, Motion, Scene, parameter_value, with_parameters
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag
-from slipcircle.workbench.common.quantities import OUTCOMES, end_words, summary
+from slipcircle.workbench.common.quantities import OUTCOMES, end_words, summary, words
 from slipcircle.workbench.files.loaded import warnings_of
+from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.outputs.interpolant import TOLERANCE, Interpolant, interpolant
 from slipcircle.workbench.outputs.livesection import Section, axes, common_magnification, frame_around, section
 from slipcircle.workbench.outputs.plotstyle import ending
+from slipcircle.workbench.studies import motions as study_motions
+from slipcircle.workbench.studies.ensemble import varied_number
 
 MOST_CASES = 61
 _POINTS, _MOST_POINTS = 6000, 1500  # of all motions together, of one
@@ -63,24 +68,39 @@ def framed(motion: Motion) -> Raw:
     return Raw(f'<iframe {attributes} srcdoc="{escaped(page([motion]))}"></iframe>')
 
 
-def fragment(
-    motions: Sequence[Motion], name: str, varied: str = "", labels: Sequence[str] = (), first: int = 0
-) -> Raw:
+def fragment(motions: Sequence[Motion], name: str, varied: str = "", labels: Sequence[str] = (), first: int = 0) -> Raw:
     """The same as a part of a page, which needs `style` and `script`; the name is its identifier there."""
     points = max(min(_POINTS // len(motions), _MOST_POINTS), 20)
     histories = [interpolant(motion, points) for motion in motions]
     frame, magnification = frame_around(motions), common_magnification(motions)
-    sections: dict[str, Section] = {}
-    cases = []
-    for motion, history, label in zip(motions, histories, labels or [""] * len(motions), strict=True):
-        drawn = section(motion, frame, magnification, f"{name}-{len(sections)}")
-        same = section(motion, frame, magnification, "").drawing
-        sections.setdefault(same, drawn)
-        cases.append(_case(motion, history, label) | {"shape": [*sections].index(same)})
-    shapes = [*sections.values()]
+    arcs = {id(motion.plan.scene.arc): motion for motion in motions}  # one of cases that differ in other numbers
+    shapes = [section(motion, frame, magnification, f"{name}-{k}") for k, motion in enumerate(arcs.values())]
+    cases = [*map(_case, motions, histories, labels or [""] * len(motions))]
+    for case, motion in zip(cases, motions, strict=True):
+        case["shape"] = [*arcs].index(id(motion.plan.scene.arc))
+    data = _data(shapes, cases, histories, first)
+    left = float(motions[first].plan.scene.arc.facing) > 0.0
+    texts = {
+        "name": name,
+        "height": f"{frame.height:.1f}",
+        "sections": "".join(_groups(shapes, cases[first]["shape"])),
+        "axes": axes(frame, names_left=left),
+        "parameter": escaped(varied),
+        "first": str(first),
+        "last": str(len(motions) - 1),
+        "caption": escaped(" ".join(_caption(motions, histories, magnification))),
+        "data": _as_script_data(data),
+    }
+    template = Template((_PAGE / "live.html").read_text("utf-8"))
+    return Raw(template.substitute(texts | _first_texts(cases[first], data["duration"])))
+
+
+def _data(
+    shapes: Sequence[Section], cases: Sequence[dict[str, Any]], histories: Sequence[Interpolant], first: int
+) -> dict[str, Any]:
+    """What the script reads."""
     duration = max(float(history.times[-1]) for history in histories)
-    chosen, facing = cases[first], float(motions[first].plan.scene.arc.facing)
-    data = {
+    return {
         "duration": duration,
         "pace": _pace(duration),
         "first": first,
@@ -89,29 +109,24 @@ def fragment(
         "shapes": [{"centre": shape.centre, "turn": shape.turn} for shape in shapes],
         "cases": cases,
     }
-    texts = {
-        "name": name,
-        "headline": escaped(chosen["headline"]),
-        "height": f"{frame.height:.1f}",
-        "label": escaped(f"section to scale: {chosen['headline']}"),
-        "sections": Raw("".join(_groups(shapes, chosen["shape"]))),
-        "axes": axes(frame, names_left=facing > 0.0),
+
+
+def _first_texts(case: Mapping[str, Any], duration: float) -> dict[str, str]:
+    """What the page says of the case that is shown first, at its end, until the script runs."""
+    facts = [tag("div", Raw(tag("dt", label) + tag("dd", text))) for label, text in case["facts"]]
+    return {
+        "headline": escaped(case["headline"]),
+        "label": escaped(f"section to scale: {case['headline']}"),
         "time": shown(duration),
         "duration": repr(duration),
-        "state": escaped(chosen["end"]),
-        "parameter": escaped(varied),
-        "last": str(len(motions) - 1),
-        "first": str(first),
-        "facts": Raw("".join(_fact(label, text) for label, text in chosen["facts"])),
-        "warnings": Raw("".join(tag("li", warning) for warning in chosen["warnings"])),
-        "caption": escaped(" ".join(_caption(motions, histories, magnification))),
-        "data": Raw(_as_script_data(data)),
+        "state": escaped(case["end"]),
+        "facts": "".join(facts),
+        "warnings": "".join(tag("li", warning) for warning in case["warnings"]),
     }
-    return Raw(Template((_PAGE / "live.html").read_text("utf-8")).substitute(texts))
 
 
-def variants(scene: Scene, key: str, values: Sequence[float]) -> tuple[list[Motion], str]:
-    """The motions of a scene at values of one of its numbers, and what that is in words.
+def varied_page(scene: Scene, key: str, values: Sequence[float]) -> str:
+    """The page of a scene's motions at values of one of its numbers; that next to the scene's is shown first.
 
     Parameters
     ----------
@@ -123,15 +138,27 @@ def variants(scene: Scene, key: str, values: Sequence[float]) -> tuple[list[Moti
     Raises
     ------
     ValueError
-        For a key that the scene has no value of, and for values that make no scene.
+        For a key that the scene has no value of, for values that make no scene, and for too many.
     """
     number = varied_number(scene, key, values)
     if len(values) > MOST_CASES:
-        raise ValueError(f"{key}: {len(values)} values: a page shows at most {MOST_CASES}")
-    motions = []
-    for value in values:
-        motions.append(solve(with_parameters(scene, {number.name: float(number.to_si(value))})))
-    return motions, title_of(scene, number)
+        raise ValueError(f"--vary {key}: {len(values)} values; a page shows at most {MOST_CASES}")
+    levels = np.asarray(values, dtype=np.float64)
+    for value in levels:
+        with_parameters(scene, {number.name: float(number.to_si(value))})  # refuses what is no scene
+    lanes = study_motions.motions(scene, {number.name: number.to_si(levels)})
+    cases = [lanes[lane] for lane in range(levels.size)]
+    present = float(number.from_si(parameter_value(scene, number.name)))
+    nearest = int(np.argmin(np.abs(levels - present)))
+    return page(cases, _in_words(number), [shown(value) for value in values], nearest)
+
+
+def _in_words(number: Number) -> str:
+    """What a number is, with its unit: residual friction angle (deg), radius (m)."""
+    names = number.name.split(".")
+    if number.tangent:
+        return words(" ".join([*reversed(names), "angle"]), number.unit)
+    return words(" ".join(dict.fromkeys(names)), number.unit)
 
 
 def headline(motion: Motion) -> str:
@@ -158,10 +185,6 @@ def _case(motion: Motion, history: Interpolant, label: str) -> dict[str, Any]:
         "columns": columns,
         "units": units,
     }
-
-
-def _fact(label: str, text: str) -> str:
-    return tag("div", Raw(tag("dt", label) + tag("dd", text)))
 
 
 def _groups(shapes: Sequence[Section], seen: int) -> Iterator[str]:

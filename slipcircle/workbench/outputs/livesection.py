@@ -18,7 +18,6 @@ WIDTH = 1000.0  # of the drawing, in its own unit
 _LOWEST, _TALLEST = 0.42, 0.5  # its height over its width
 _MARGIN = 0.08  # of the view
 _TICKS = 6, 4  # of the axes, at most
-_LINE = 42.0  # between names at the edge, so that a phone has room for them
 _COLUMNS = 200  # places at which a boundary between soils is drawn
 _STEPS = (1.0, 2.0, 5.0, 10.0)
 
@@ -80,7 +79,9 @@ def section(motion: Motion, frame: Frame, magnification: float, name: str) -> Se
     """The section of a motion in a frame; the name is in the identifiers of its clipping paths."""
     soil = motion.plan.scene.arc
     mass = mass_of(soil, soil)
-    outline = f"{_arc(mass, frame)}{_surface(mass, frame)}Z"
+    left, right = (float(angle) for angle in mass.ends)
+    surface = _surface(mass, frame)
+    outline = f"{surface}{_onwards(mass, frame, right, left)}Z"
     bands = "".join(_bands(soil, frame))
     parts = [
         f'<clipPath id="{name}-ground"><path d="{_ground(mass, soil, frame)}" /></clipPath>',
@@ -92,8 +93,8 @@ def section(motion: Motion, frame: Frame, magnification: float, name: str) -> Se
         f'<path class="circle" d="{_continued(mass, frame)}" />',
         f'<g class="mass"><path class="body" d="{outline}" />',
         f'<g clip-path="url(#{name}-mass)">{bands}</g><path class="edge" d="{outline}" /></g>',
-        f'<path class="slip" d="{_arc(mass, frame)}" />',
-        f'<path class="ghost" d="{outline}" />',
+        f'<path class="slip" d="{_stretch(mass, frame, left, right)}" />',
+        f'<path class="ghost" d="{surface}" />',
         *_water(soil, frame),
         *_names(soil, frame),
     ]
@@ -105,17 +106,18 @@ def section(motion: Motion, frame: Frame, magnification: float, name: str) -> Se
 # --- circle and mass -------------------------------------------------------------------------------------------------
 
 
-def _arc(mass: Mass, frame: Frame) -> str:
-    """The arc from its left to its right end, as the data of a path."""
-    return _stretch(mass, frame, float(mass.ends[0]), float(mass.ends[1]))
-
-
 def _stretch(mass: Mass, frame: Frame, first: float, last: float) -> str:
-    """The circle between two polar angles, counterclockwise."""
-    start, end = (frame.points(mass.on_circle(angle)).tolist() for angle in (first, last))
+    """The circle from one polar angle to another, as the data of a path."""
+    x, y = frame.points(mass.on_circle(first)).tolist()
+    return f"M{x:.3f} {y:.3f}{_onwards(mass, frame, first, last)}"
+
+
+def _onwards(mass: Mass, frame: Frame, first: float, last: float) -> str:
+    """The same where the path has come to its beginning."""
+    x, y = frame.points(mass.on_circle(last)).tolist()
     radius = mass.radius * frame.scale
-    large = int(last - first > math.pi)
-    return f"M{start[0]:.3f} {start[1]:.3f}A{radius:.9g} {radius:.9g} 0 {large} 0 {end[0]:.3f} {end[1]:.3f}"
+    large, clockwise = int(abs(last - first) > math.pi), int(last < first)
+    return f"A{radius:.9g} {radius:.9g} 0 {large} {clockwise} {x:.3f} {y:.3f}"
 
 
 def _continued(mass: Mass, frame: Frame) -> str:
@@ -126,10 +128,9 @@ def _continued(mass: Mass, frame: Frame) -> str:
 
 
 def _surface(mass: Mass, frame: Frame) -> str:
-    """The ground over the mass, from its right end to its left one."""
-    outline = mass.outline()
-    above = outline[mass.arc.shape[0] :]
-    return "".join(f"L{x:.7g} {y:.7g}" for x, y in np.round(frame.points(above), 2).tolist())
+    """The ground over the mass, from its left to its right end."""
+    ends, above = mass.on_circle(mass.ends), mass.outline()[mass.arc.shape[0] :]
+    return frame.path(np.concatenate([ends[:1], above[::-1], ends[1:]]))
 
 
 # --- ground, soils and water -----------------------------------------------------------------------------------------
@@ -219,13 +220,12 @@ def _names(soil: Any, frame: Frame) -> Iterator[str]:
         named.append((float(np.interp(x, *level.T)), "water level", "name of-water"))
     if getattr(soil, "base", None) is not None:
         named.append((float(soil.base), "firm layer", "name"))
-    lowest = 0.0
     edge, anchor = (12.0, "start") if uphill_left else (WIDTH - 12.0, "end")
     for height, words, kind in sorted(named, reverse=True):
-        y = max((frame.view.top - height) * frame.scale, lowest) + _LINE
-        if y < frame.height:
-            yield f'<text class="{kind}" x="{edge:g}" y="{y:.1f}" text-anchor="{anchor}">{escaped(words)}</text>'
-        lowest = y
+        y = (frame.view.top - height) * frame.scale  # of the line, below which the page puts the name
+        if 0.0 <= y <= frame.height:
+            place = f'x="{edge:g}" y="{y:.1f}" dy="1.1em" data-line="{y:.1f}" text-anchor="{anchor}"'
+            yield f'<text class="{kind}" {place}>{escaped(words)}</text>'
 
 
 def axes(frame: Frame, names_left: bool) -> Raw:

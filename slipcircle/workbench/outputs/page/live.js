@@ -20,7 +20,7 @@ function start(figure, addressed) {
   let time = data.duration, chosen = data.first, playing = 0, hovered = null;
 
   find('.which').hidden = cases.length === 1;
-  button.disabled = slider.disabled = data.duration === 0;
+  figure.classList.toggle('still', data.duration === 0);
   read();
   layout();
 
@@ -65,9 +65,22 @@ function start(figure, addressed) {
   function layout() {
     const drawing = find('.section');
     const width = drawing.clientWidth || 1000;
-    drawing.style.setProperty('--unit', String(1000 / width));
+    const unit = 1000 / width;
+    drawing.style.setProperty('--unit', String(unit));
+    for (const shape of shapes) place(shape.querySelectorAll('text'), 13 * unit, drawing.viewBox.baseVal.height);
     for (const chart of charts) draw(chart);
     show();
+  }
+
+  function place(names, size, height) {
+    let lowest = 0;
+    for (const name of names) {
+      const line = Number(name.dataset.line), room = line + 1.4 * size < height;
+      const y = Math.max(room ? line + 1.15 * size : line - 1.8 * size, lowest);
+      name.setAttribute('y', y);
+      name.setAttribute('dy', 0);
+      lowest = y + 1.25 * size;
+    }
   }
 
   function draw(chart) {
