@@ -15,11 +15,11 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from test_layers import TURNING, profile
 
-from slipcircle import LayeredSection, Motion, Scene, load, solve
+from slipcircle import LayeredSection, Motion, Scene, Soil, load, solve
 from slipcircle.workbench.outputs import live, livesection
 from slipcircle.workbench.outputs.interpolant import hermite, interpolant
+from slipcircle.workbench.outputs.sectionplot import mass_of
 
 KEY, VALUES = "friction.residual_deg", np.linspace(8.0, 18.0, 21)
 SHOWN = 1e-5  # of the greatest value: how far what the page shows may be off
@@ -150,7 +150,7 @@ def test_the_mass_is_drawn_to_scale_where_it_turns_to(name: str) -> None:
     """Either facing: both ends of its slip surface, turned as the page turns them, are where the section has them."""
     m = motion(name)
     soil = m.plan.scene.arc
-    mass = livesection.mass_of(soil, soil)
+    mass = mass_of(soil, soil)
     frame = livesection.frame_around([m])
     drawn = livesection.section(m, frame, 1.0, "x")
     ends = mass.on_circle(mass.ends)
@@ -188,9 +188,15 @@ def test_masses_that_stay_are_cut_off_or_have_no_result_have_a_page() -> None:
 
 
 def test_soils_are_drawn_in_the_ground_and_in_the_mass_with_their_names() -> None:
-    section = profile("softening", "base")
-    assert isinstance(section, LayeredSection)
-    root = tree(live.page([solve(Scene(section, effects=TURNING))]))
+    soils = [
+        Soil(19e3, friction=0.25, name="sand"),
+        Soil(18e3, 2e3, 0.15, name="clay"),
+        Soil(21e3, 9e3, 0.4, name="till"),
+    ]
+    layers = list(zip(soils, [None, [(-20.0, 12.0), (40.0, 6.0)], -1.0], strict=True))
+    ground = [[-40, 20], [0, 20], [40, 0], [90, 0]]
+    section = LayeredSection(ground, (30, 45), 48.0, layers=layers)
+    root = tree(live.page([solve(Scene(section, effects=["rotation", "centripetal"]))]))
     bands = [e for e in root.iter("path") if e.get("class", "").startswith("band ")]
     assert len(bands) == 2 * (len(section.layers) - 1)
     assert [e.text for e in root.iter("text")][: len(section.layers)] == [soil.name for soil, _ in section.layers]

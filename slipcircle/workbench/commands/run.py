@@ -38,12 +38,7 @@ def options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
-    if options.times is not None and not options.csv:
-        raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
-    if options.vary and not options.live:
-        raise ValueError("run: --vary: is the second slider of a page; give --live FILE as well")
-    if options.live and (len(options.scenes) > 1 or options.polarities):
-        raise ValueError("run: --live: shows one scene; --report has room for all")
+    _check_options(options)
     sources = [find(name).read_bytes() for name in options.scenes] if options.report else []
     scenes = [load(name) for name in options.scenes]
     if options.polarities:
@@ -66,6 +61,16 @@ def run(options: argparse.Namespace) -> Answer:
         [Part(head, tables.beside(columns), note="; ".join(notes))],
         _warnings(motions),
     )
+
+
+def _check_options(options: argparse.Namespace) -> None:
+    """Refuse options that need others, or that others leave no room for."""
+    if options.times is not None and not options.csv:
+        raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
+    if options.vary and not options.live:
+        raise ValueError("run: --vary: is the second slider of a page; give --live FILE as well")
+    if options.live and (len(options.scenes) > 1 or options.polarities):
+        raise ValueError("run: --live: shows one scene; --report has room for all")
 
 
 def _write_files(motions: Sequence[Motion], sources: Sequence[bytes], options: argparse.Namespace) -> None:
