@@ -220,9 +220,10 @@ def numbers(case: Case, p: Mapping[str, Any]) -> tuple[dict[str, arb], dict[str,
     """The cells of a point where its phase begins, its states at the moment, and its series of time."""
     theta, moving = p["Theta"], case[2]
     cells = {k: v for k, v in p.items() if isinstance(v, arb)} | {
-        "fall": p["C_theta"] * p["psi"].sin() / theta, "fall_slope": p["C_theta"] * p["psi"].cos() / theta,
-        "press": p["C_r"] * p["psi"].cos() / theta, "press_slope": -p["C_r"] * p["psi"].sin() / theta,
-        "polar": p["I_p"] / theta, "level": p["lambda"] / theta,
+        "driving_moment": p["C_theta"] * p["psi"].sin() / theta,
+        "driving_moment_slope": p["C_theta"] * p["psi"].cos() / theta,
+        "normal_load": p["C_r"] * p["psi"].cos() / theta, "normal_load_slope": -p["C_r"] * p["psi"].sin() / theta,
+        "polar_moment": p["I_p"] / theta, "resistance_factor": p["lambda"] / theta,
     }  # fmt: skip
     cells |= {x: p[x][0] for x in ("k_h", "k_v", "pore_ratio", "pore_pressure") if x not in moving}
     now = {name.removeprefix("now."): v for name, v in p.items() if name.startswith("now.")}

@@ -13,6 +13,8 @@ from slipcircle.core import LayeredSection, Soil
 from slipcircle.core.flow import compiled
 from slipcircle.core.scene.coordinates import changed_fields, replace_unchecked
 from slipcircle.core.scene.parameters import with_parameters
+from slipcircle.workbench.files.loaded import SlopeScene
+from slipcircle.workbench.outputs.tables import motion_summary
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 
@@ -79,6 +81,16 @@ def test_motions_are_those_of_another_integrator(name: str, strength: str) -> No
     digits = [2e-9, 2e-9, 3e-8, 2e-9, 2e-9]  # the time of the peak is given to 7 decimals
     for value, expected, tolerance in zip(computed, MOTIONS[name, strength], digits, strict=True):
         assert value == pytest.approx(expected, rel=tolerance)
+
+
+def test_the_first_lines_name_the_factors_of_a_layered_ground() -> None:
+    section = profile("constant friction")
+    stability = at_circle(Slope(GROUND, layers=section.layers, k_h=0.1), section)
+    column = motion_summary(solve(SlopeScene(section, effects=TURNING, stability=stability)))
+    assert column["factor of safety"] == "0.8259 by the paper's method, without k_h; the motion starts from it"
+    still = stability.factor_of_safety_without_k_h or {}
+    assert column["factor by Bishop's method"] == f"{still['bishop']:.4f}, without k_h"
+    assert "factor with k_h = 0.1" in column
 
 
 @pytest.mark.parametrize("strength", ["base", "mass"])

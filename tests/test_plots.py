@@ -5,9 +5,10 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 from typing import Any
 
-import matplotlib
+import matplotlib.pyplot
 import numpy as np
 import pytest
 from conftest import words_of
@@ -16,8 +17,9 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 from matplotlib.text import Text
+from PIL import Image, ImageSequence
 
-from slipcircle import Arc, Motion, Scene, Section, critical, load, solve
+from slipcircle import Arc, Motion, Scene, Section, critical, grid, load, solve
 from slipcircle.base.series import Pulse
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs import pictures, plots, plotstyle, sectionplot
@@ -367,3 +369,26 @@ def test_an_axis_is_made_where_none_is_given() -> None:
     ax = plots.history(motion("vaiont"))
     assert ax.figure.number in pyplot.get_fignums()
     pyplot.close("all")
+
+
+def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
+    """Without an axis on a figure of their own; a motion of many lanes is refused, and so is what cannot be drawn."""
+    m, study = motion("wet-slope"), grid(load("wet-slope"), {"friction.angle_deg": [20.0, 24.0]})
+    ax = drawn()
+    assert m.plot("velocity", ax) is ax
+    assert "velocity" in ax.get_ylabel()
+    for result, what in ((m, "overview"), (study, "overview"), (study, "reach")):
+        figure = result.plot(what).figure
+        assert figure.axes
+        matplotlib.pyplot.close(figure)
+    m.animate(str(tmp_path / "a.gif"), seconds=1.5)
+    with Image.open(tmp_path / "a.gif") as gif:
+        durations = [frame.info["duration"] for frame in ImageSequence.Iterator(gif)]
+    assert sum(durations[:-1]) == pytest.approx(1500, rel=0.3)
+    assert durations[-1] == 2000
+    with pytest.raises(ValueError, match="what = 'speed': must be one of overview, section"):
+        m.plot("speed")
+    with pytest.raises(ValueError, match="has several panels"):
+        m.plot(ax=ax)
+    with pytest.raises(ValueError, match=r"2 lanes is not one picture: take one of them, motion\[0\]"):
+        solve(replace(SCENES["wet-slope"], friction=np.array([0.3, 0.4]))).plot()
