@@ -63,5 +63,6 @@ shapes of its approximants (about a minute) and records them. A weight with sin(
 symbol for its amplitude too. Weights other than r**n, +-r**n*sin(theta) and +-r**n*cos(theta), n = 1 to 5, are refused,
 or, with ``certified=False``, sampled only.
 
-The tests solve each effect a second time without the code derived here: its term belongs in ``tests/taylor.py`` too.
+The tests solve each effect a second time without the code derived here: its term belongs in
+``tests/support/taylor.py`` too.
 """

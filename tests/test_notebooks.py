@@ -19,11 +19,8 @@ from typing import Any
 
 import nbformat
 import numpy as np
-import oracle
 import pytest
-from conftest import words_of
 from nbclient import NotebookClient
-from test_cost import QUICK
 
 import generated
 from derive.flow.operations import OPERATIONS as SERIES
@@ -32,6 +29,8 @@ from generated import tiers
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Motion, Status, load, solve
 from slipcircle.workbench.outputs.report import ASSUMED
+from tests.support import oracle
+from tests.support.outputs import QUICK, words_of
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))

@@ -1,7 +1,8 @@
-"""How fast other compilers of formulas run the paper's printed forms: ``python tests/peers.py [FUNCTION ...]``.
+"""How fast other compilers of formulas run the paper's printed forms.
 
-SymPy's lambdify and ufuncify, Numba, numexpr and JAX, all on one core, beside this package's best tier, in one run.
-Those that are not installed are named: pip install sympy numba numexpr jax setuptools.
+``python -m tests.campaigns.peers [FUNCTION ...]`` times them. SymPy's lambdify and ufuncify, Numba, numexpr and JAX,
+all on one core, beside this package's best tier, in one run. Those that are not installed are named: pip install sympy
+numba numexpr jax setuptools.
 """
 
 import os
@@ -11,7 +12,6 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from importlib.metadata import version
 from importlib.util import find_spec
-from pathlib import Path
 from typing import Any, NamedTuple
 
 # Before NumPy and JAX are loaded: one thread for all.
@@ -19,7 +19,6 @@ os.environ |= {"OMP_NUM_THREADS": "1", "NUMEXPR_NUM_THREADS": "1", "JAX_PLATFORM
                "XLA_FLAGS": "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1"}  # fmt: skip
 if hasattr(os, "sched_setaffinity"):  # some of JAX's threads take no orders
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
-sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import numpy as np
 import sympy as sp

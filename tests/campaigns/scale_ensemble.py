@@ -1,7 +1,8 @@
-"""How ensembles scale, measured here and forecast for many machines: `python tests/scale_ensemble.py [SAMPLES]`.
+"""How ensembles scale, measured here and forecast for many machines.
 
-Needs the extras `scenes` and `dask`. Seconds are of the clock, and say little where others use the machine; a block's
-seconds and what an engine takes of this process for each, the scheduler's part included, are of the processor.
+`python -m tests.campaigns.scale_ensemble [SAMPLES]` needs the extras `scenes` and `dask`. Seconds are of the clock, and
+say little where others use the machine; a block's seconds and what an engine takes of this process for each, the
+scheduler's part included, are of the processor.
 """
 
 import os

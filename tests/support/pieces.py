@@ -6,7 +6,8 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 from flint import arb, arb_series
-from oracle import exact as number
+
+from tests.support.oracle import exact as number
 
 Function = Callable[[arb_series], arb_series]
 

@@ -1,4 +1,4 @@
-"""Flow programs beside the plain equation of motion: ``python tests/flow_oracle.py [PROGRAMS]``.
+"""Flow programs beside the plain equation of motion: ``python -m tests.campaigns.flow_oracle [PROGRAMS]``.
 
 At random points, in balls of 100 digits; all 134,400 programs (an hour), or so many of them, drawn at random. One side
 runs the program that a scene's fragments are joined to by a generic interpreter of the table of operations. The other

@@ -1,9 +1,9 @@
 """Published layered slopes: factors of safety of given circles, and least factors, beside those of a prototype.
 
-``python tests/layered_benchmarks.py [NAME ...]`` prints a table: case, published, ours by Bishop's method and by the
-paper's with strips, their differences from the prototype's converged values, seconds. Inputs and published values as
-njones61/xslope transcribes them (benchmarks/rocscience/build_problems.py, docs/verification), in their own units, which
-are consistent; the geometry of "two clays" is from memory.
+``python -m tests.campaigns.layered_benchmarks [NAME ...]`` prints a table: case, published, ours by Bishop's method and
+by the paper's with strips, their differences from the prototype's converged values, seconds. Inputs and published
+values as njones61/xslope transcribes them (benchmarks/rocscience/build_problems.py, docs/verification), in their own
+units, which are consistent; the geometry of "two clays" is from memory.
 """
 
 import json

@@ -240,6 +240,9 @@ def motion(name: str, *arguments: float) -> Reference | None:
     raise ArithmeticError(f"{name}{arguments}: no 30 digits")
 
 
+MOTION_BOUND = 8.0  # ulp times (1 + condition number)
+
+
 def motion_error(value: float, reference: Reference) -> float:
     """Error in ulp over (1 + condition number); where the reference is 0, in eps times its sensitivity."""
     if not np.isfinite(value):

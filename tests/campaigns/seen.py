@@ -1,6 +1,6 @@
 """Seen <= proved: every certified program on one set of inputs, against ball arithmetic, in fractional ulp.
 
-    python tests/seen.py [KERNEL ...] [--points 1000000]
+    python -m tests.campaigns.seen [KERNEL ...] [--points 1000000]
 
 prints for each kernel, tier, form and level of the processor the worst error, where it is (hexadecimal), what is proved
 and the largest mean error of a bin. The exit status is 1 if more is seen than proved, or if a mean shows a bias.

@@ -1,4 +1,4 @@
-"""Seen <= proved on every float32: `python tests/seen32.py [KERNEL ...]` runs all 1,070,141,404 inputs.
+"""Seen <= proved on every float32: `python -m tests.campaigns.seen32 [KERNEL ...]` runs all 1,070,141,404 inputs.
 
 Worst errors beside what is proved, and how often results fall from one input to the next; the exit status is 1 where
 there is a fault.
@@ -9,11 +9,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
-import seen
-from seen import BASES, KERNELS, Floats, Numbers, Run
 
 from derive.check.truth import TOP
 from generated import _compiled, kernels
+from tests.campaigns import seen
+from tests.campaigns.seen import BASES, KERNELS, Floats, Numbers, Run
 
 GOAL = 0.505
 LAST_SINGLE = int(np.float32(TOP).view(np.uint32))

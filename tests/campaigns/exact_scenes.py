@@ -1,17 +1,15 @@
 """Answers to the scenes and sections of the price list, to 24 digits: scenes by Taylor series, sections by strips.
 
-``python tests/exact_scenes.py`` writes them; `test_cost` makes some of them again.
+``python -m tests.campaigns.exact_scenes`` writes them; `test_cost` makes some of them again.
 """
 
 import json
 from typing import Any
 
-import oracle
-import taylor
-from strips import integrals
-
 from slipcircle.workbench.cost import sections
 from slipcircle.workbench.cost.scenes import ANSWERS, CASES, scene
+from tests.support import oracle, taylor
+from tests.support.strips import integrals
 
 
 def texts(name: str, friction: float) -> tuple[str, ...]:

@@ -1,8 +1,9 @@
-"""Random sections and their motion to 30 digits; ``python tests/references.py --fresh 130 --sections`` compares them.
+"""Random sections and their motion to 30 digits.
 
-Grounds of up to eight edges that fall either way, dry or under a water level, with every law and effect, pushed either
-way. Moments come from strips in ball arithmetic, the pressure below a level from the heights of its line above the
-arc, the motion from Taylor series in time: nothing here knows a line of the package but the random grounds.
+``python -m tests.campaigns.references --fresh 130 --sections`` compares them. Grounds of up to eight edges that fall
+either way, dry or under a water level, with every law and effect, pushed either way. Moments come from strips in ball
+arithmetic, the pressure below a level from the heights of its line above the arc, the motion from Taylor series in
+time: nothing here knows a line of the package but the random grounds.
 """
 
 import math
@@ -12,16 +13,14 @@ from functools import cache
 from itertools import pairwise
 from typing import Any
 
-import golden
 import numpy as np
-import references
-import taylor
 from flint import arb, arb_series, ctx
-from strips import integrals
-from taylor import Unfit, number
-from test_slopes import bumpy
 
 import slipcircle
+from tests.support import golden, references, taylor
+from tests.support.grounds import bumpy
+from tests.support.strips import integrals
+from tests.support.taylor import Unfit, number
 
 SEED = 20241122
 WATER = 9810.0

@@ -1,7 +1,7 @@
 """Malformed sections, in Python and in files: each is refused in one clear sentence, and nothing else is ever raised.
 
-``python tests/malformed_sections.py 10000 --seed 1`` draws so many, each a good section with one mistake, and shows
-those that are answered badly. Where a file can hold the mistake it is read from one too.
+``python -m tests.campaigns.malformed_sections 10000 --seed 1`` draws so many, each a good section with one mistake, and
+shows those that are answered badly. Where a file can hold the mistake it is read from one too.
 """
 
 import argparse
@@ -16,10 +16,10 @@ from random import Random
 from typing import Any, NamedTuple
 
 import numpy as np
-from fuzz_scenes import toml
 
 from slipcircle import Scene, Section, load
 from slipcircle.core.scene.ground import circle_through
+from tests.campaigns.fuzz_scenes import toml
 
 Data = dict[str, Any]
 KEYS = {"ground": "ground.points_m", "unit_weight": "ground.unit_weight_kN_m3", "gravity": "ground.gravity_m_s2",

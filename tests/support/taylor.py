@@ -12,9 +12,10 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
-import oracle
 from flint import arb, arb_series, ctx
-from pieces import Pieces, constant, law_of_slip, law_of_speed, lines, pulse
+
+from tests.support import oracle
+from tests.support.pieces import Pieces, constant, law_of_slip, law_of_speed, lines, pulse
 
 number = oracle.exact
 

@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 
 from flint import acb, arb, ctx
-from oracle import exact
 
 from slipcircle.core.scene.circles import MEASURES
+from tests.support.oracle import exact
 
 BITS = 220
 Point = tuple[float, float]

@@ -1,6 +1,6 @@
 """Every weight that a moment may have, declared in a copy of the project: what follows from that alone.
 
-    python tests/all_weights.py [WEIGHT ...] [--keep FOLDER]
+    python -m tests.campaigns.all_weights [WEIGHT ...] [--keep FOLDER]
 
 adds for each weight (r, r*sin(theta), r*cos(theta), ... r**5*cos(theta); default: all 15) one `Moment` to the copy,
 runs ``python -m derive`` there, and prints the closed form, the proved bound of each tier, and the worst error beside
@@ -20,14 +20,15 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 WEIGHTS = tuple(
     f"{'r' if n == 1 else f'r**{n}'}{turn}" for n in range(1, 6) for turn in ("", "*sin(theta)", "*cos(theta)")
 )
 # Runs in the copy, where the oracle knows the new moments: worst errors in ulp as compiled, if it is, and in NumPy.
 MEASURE = """
 import json, sys
-import numpy as np, oracle
+import numpy as np
+from tests.support import oracle
 from flint import ctx
 from generated import _compiled, definitions, kernels, tiers
 rng = np.random.default_rng(7)
@@ -76,7 +77,10 @@ def copy(root: Path) -> None:
     """The packages and the oracle."""
     for package in ("derive", "generated", "slipcircle"):
         shutil.copytree(ROOT / package, root / package, ignore=shutil.ignore_patterns("__pycache__"))
-    shutil.copy(ROOT / "tests" / "oracle.py", root)
+    (root / "tests" / "support").mkdir(parents=True)
+    for name in ("__init__.py", "support/__init__.py"):
+        shutil.copy(ROOT / "tests" / name, root / "tests" / name)
+    shutil.copy(ROOT / "tests" / "support" / "oracle.py", root / "tests" / "support")
 
 
 def declare(root: Path, weights: Sequence[str]) -> None:

@@ -1,7 +1,7 @@
 """Layered sections against their definitions: random ones, and quadrature to 30 digits that knows nothing of strips.
 
-``python tests/layered_sections.py --count 200 --seed 1`` compares the moments and the parts of J_r, of its slope and
-of I_p on the stretches of every soil, and prints the largest differences.
+``python -m tests.campaigns.layered_sections --count 200 --seed 1`` compares the moments and the parts of J_r, of its
+slope and of I_p on the stretches of every soil, and prints the largest differences.
 """
 
 import argparse

@@ -1,7 +1,7 @@
 """Odd scene files: mutations of those that ship and of the guide's, through load, solve, table and JSON.
 
-``python tests/fuzz_scenes.py 2000 --seed 1`` runs so many; each ends in an answer or a refusal of its mistakes,
-within five seconds of a processor, or is shown with its file.
+``python -m tests.campaigns.fuzz_scenes 2000 --seed 1`` runs so many; each ends in an answer or a refusal of its
+mistakes, within five seconds of a processor, or is shown with its file.
 """
 
 import argparse

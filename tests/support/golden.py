@@ -1,4 +1,4 @@
-"""All public numbers of scenes of every law and effect: ``python tests/golden.py`` writes them to golden.json.
+"""All public numbers of scenes of every law and effect: ``python -m tests.support.golden`` writes them to golden.json.
 
 A scene is plain data, in SI units and radians. Its numbers are those of `solve`; run-out, peak velocity, duration and
 states on the way are also solved by Taylor series in ball arithmetic (`taylor`), which know nothing of the
@@ -18,11 +18,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import taylor
 from flint import arb, ctx
 
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.base.series import Series
+from tests.support import taylor
 
 FILE = Path(__file__).with_name("golden.json")
 SHARES = (0.18, 0.47, 0.76)  # of the duration, at which states are taken

@@ -1,4 +1,4 @@
-"""Mean pressures and covers of random arcs to 30 digits: ``python tests/section_heights.py --count 2000``.
+"""Mean pressures and covers of random arcs to 30 digits: ``python -m tests.campaigns.section_heights --count 2000``.
 
 Grounds with scarps and several stretches, circles of every depth down to a millionth of the chord, through vertices or
 not, many of them overhanging, under levels that follow the ground or cross the mass, turned either way. The truth is

@@ -1,11 +1,12 @@
-"""Plant random faults in the runtime and see which the tests miss: ``python tests/mutants.py --count 60 --seed 1``.
+"""Plant random faults in the runtime and see which the tests miss.
 
-A fault is one changed node of a module's syntax tree: a sign, a comparison, a constant, swapped arguments, a statement
-left out. Each is planted alone in a copy of the project. It counts if it changes an answer (numbers of the golden
-scenes, ensembles, what the command line prints and writes); then a test has to turn red that is green in the same copy
-without it. Asked are all files of tests that know the package, those first that caught most. What hangs is caught. A
-verdict is printed when it falls, with the counts so far; ``--only 7 12`` repeats single faults of the same seed,
-``--tests test_arc.py`` asks fewer files. The exit status is 1 below 90 per cent.
+``python -m tests.campaigns.mutants --count 60 --seed 1`` plants so many. A fault is one changed node of a module's
+syntax tree: a sign, a comparison, a constant, swapped arguments, a statement left out. Each is planted alone in a copy
+of the project. It counts if it changes an answer (numbers of the golden scenes, ensembles, what the command line prints
+and writes); then a test has to turn red that is green in the same copy without it. Asked are all files of tests that
+know the package, those first that caught most. What hangs is caught. A verdict is printed when it falls, with the
+counts so far; ``--only 7 12`` repeats single faults of the same seed, ``--tests test_arc.py`` asks fewer files. The
+exit status is 1 below 90 per cent.
 """
 
 import argparse
@@ -33,7 +34,7 @@ from py_compile import PycInvalidationMode
 from queue import Queue
 from typing import Any, NamedTuple
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 COPIED = ("slipcircle", "generated", "derive", "tests", "notebooks")
 FIRST = ("test_outputs", "test_records", "test_scenefile", "test_ensemble_states", "test_backanalysis", "test_ensemble")
 # Slow, or of other things.
@@ -62,10 +63,8 @@ unit_weight_kN_m3 = 19\n[friction]\nangle_deg = 11\n[rotation]\n[pore_pressure]\
 
 def answers() -> Iterator[tuple[str, Any]]:
     """Numbers and texts by a name, as the package in the path gives them."""
-    import golden
-    import test_ensemble_states as ensembles
-
     from slipcircle.__main__ import main
+    from tests.support import ensembles, golden
 
     for name in golden.rows():
         try:
@@ -227,7 +226,7 @@ def run(folder: Path, limit: float | None, *argv: str) -> tuple[int | None, str]
 
 
 def probed(folder: Path, limit: float | None = None, what: str = "--answers") -> Any:
-    status, text = run(folder, limit, "tests/mutants.py", what)
+    status, text = run(folder, limit, "-m", "tests.campaigns.mutants", what)
     return json.loads(text) if status == 0 else None
 
 
@@ -293,7 +292,6 @@ def main() -> int:
     parser.add_argument("--lines", action="store_true", help="print the lines that they run, and do nothing else")
     options = parser.parse_args()
     if options.answers or options.lines:
-        sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
         print(json.dumps(reached(ROOT) if options.lines else dict(answers())))
         return 0
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(options.jobs) as pool:

@@ -1,6 +1,7 @@
 """The search for the critical circle against SciPy's differential evolution on random slopes.
 
-`python tests/peers_slopes.py [COUNT]` prints a line for each of COUNT slopes (200); the tests ask for a sample.
+`python -m tests.campaigns.peers_slopes [COUNT]` prints a line for each of COUNT slopes (200); the tests ask for a
+sample.
 """
 
 import sys
