@@ -84,7 +84,7 @@ def run(path: Path, first: str = "") -> Any:
     assert not failed, failed  # as of a picture that cannot be displayed, which stops nothing
     notebook.metadata = METADATA
     for cell in notebook.cells:
-        cell.metadata = {}
+        cell.metadata = {"tags": cell.metadata.tags} if "tags" in cell.metadata else {}
         if cell.cell_type == "code":
             cell.execution_count = None
             for output in cell.outputs:
@@ -150,8 +150,12 @@ def test_source_diffs_well(path: Path) -> None:
     nbformat.validate(notebook)
     assert (notebook.nbformat, notebook.nbformat_minor) == (4, 5)
     assert notebook.metadata == METADATA
-    assert not any(cell.metadata or cell.get("execution_count") for cell in notebook.cells)
     assert path.read_text(encoding="utf-8") == written(notebook)
+    assert not any(cell.get("execution_count") for cell in notebook.cells)
+    hidden = {cell.id: cell.metadata.pop("tags", []) for cell in notebook.cells}  # what the book folds away
+    assert hidden["imports"] == ["hide-input"]
+    assert hidden["key-numbers"] == ["hide-cell"]
+    assert not any(cell.metadata for cell in notebook.cells)
     for cell in notebook.cells:
         for output in cell.get("outputs", []):
             assert len(output.get("data", {}).get("image/png", "")) < 80_000, "60 kB, in base 64"
