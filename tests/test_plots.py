@@ -1,115 +1,35 @@
 """Pictures: what is drawn is the motion, with units; no text lies on another; greys and dashes tell things apart."""
 
-import itertools
 import re
-from collections.abc import Iterator
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
-from typing import Any
 
 import matplotlib.pyplot
 import numpy as np
 import pytest
-from conftest import words_of
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
-from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 from matplotlib.text import Text
 from PIL import Image, ImageSequence
 
-from slipcircle import Arc, Motion, Scene, Section, critical, grid, load, solve
-from slipcircle.base.series import Pulse
+from slipcircle import Arc, Scene, Section, critical, grid, load, solve
 from slipcircle.workbench.files.loaded import stability_of
-from slipcircle.workbench.outputs import pictures, plots, plotstyle, searchplot
+from slipcircle.workbench.outputs import layerplot, pictures, plots, plotstyle, searchplot
 from slipcircle.workbench.outputs.tables import motion_column
 from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
+from tests.support.outputs import words_of
+from tests.support.pictures import SCENES, canvas, clashes, drawn, legend, motion, texts
+from tests.test_layers import TURNING, profile
 
 matplotlib.use("agg")
 
 
-def scene(first: float, second: float, friction: Any, effects: Any, radius: float = 50.0, **more: Any) -> Scene:
-    return Scene(Arc(radius, float(np.deg2rad(first)), float(np.deg2rad(second)), 19e3), friction, effects, **more)
-
-
-BOTH = ["rotation", "centripetal"]
-CALMING = {"law": "prescribed", "time": [0.0, 2.0, 5.0], "coefficient": [0.45, 0.2, 0.35]}
-SHIPPED = ("vaiont", "vaiont-frozen", "vaiont-heated", "vaiont-shaken", "newmark-pulse", "wet-slope")
-SCENES = {name: load(name) for name in SHIPPED} | {
-    "by time": scene(215, 280, CALMING, ["rotation"], end_time=8.0),
-    "shaken still": scene(215, 260, 0.9, {"shaking": {"horizontal": Pulse("triangular", 0.1, 0.0, 1.0)}}),
-    "swings": scene(215, 280, 0.0, BOTH, end_time=60.0, name="swings, a name with $ and <"),
-    "first stop": scene(215, 280, 0.0, ["rotation"]),
-    "damped": scene(215, 280, 0.02, BOTH),
-    "still": scene(215, 280, 0.9, ["rotation"], name="still"),
-    "tiny": scene(245, 245.2, 0.36, BOTH, radius=100.0),
-    "half disc": scene(160, 340, 0.1, BOTH, radius=20.0),
-    "to the left": scene(260, 325, 0.15, BOTH),
-    "lifted": scene(215, 280, 0.2, {"rotation": {}, "pore_pressure": {"pressure": 2e5}}, end_time=6.0),
-    "pushed up": scene(215, 280, 0.3, BOTH, initial_velocity=-8.0),
-}
 each_scene = pytest.mark.parametrize("name", SCENES)
 
 
-@cache
-def motion(name: str) -> Motion:
-    return solve(SCENES[name])
-
-
-def canvas(size: tuple[float, float] = (7.0, 5.0), dpi: float = 100) -> Figure:
-    """An empty figure that can be rendered."""
-    figure = Figure(figsize=size, dpi=dpi, layout="constrained")
-    FigureCanvasAgg(figure)
-    return figure
-
-
-def drawn(size: tuple[float, float] = (7.0, 5.0)) -> Any:
-    """An empty axis that can be rendered."""
-    return canvas(size).add_subplot()
-
-
-def legend(ax: Any) -> list[str]:
-    """What the axis and its twins say beside curves and in legends."""
-    said = []
-    for one in ax.figure.axes:
-        if one.bbox.bounds == ax.bbox.bounds:
-            explained = one.get_legend().get_texts() if one.get_legend() else []
-            said += [" ".join(t.get_text().split()) for t in (*one.texts, *explained)]
-    return said
-
-
 # --- no text on another --------------------------------------------------------------------------------------------
-
-
-def texts(figure: Any) -> Iterator[tuple[str, Any]]:
-    """Every text that is seen, and its box in pixels."""
-    figure.draw_without_rendering()
-    renderer = figure.canvas.get_renderer()
-    hidden = set()
-    for ax in figure.findobj(lambda a: hasattr(a, "get_xaxis")):
-        for axis, (low, high) in ((ax.xaxis, ax.get_xlim()), (ax.yaxis, ax.get_ylim())):
-            slack = 1e-9 * abs(high - low)
-            for tick in (*axis.get_major_ticks(), *axis.get_minor_ticks()):
-                if not min(low, high) - slack <= tick.get_loc() <= max(low, high) + slack:
-                    hidden |= {tick.label1, tick.label2}
-    for text in figure.findobj(Text):
-        if text.get_text().strip() and text.get_visible() and text not in hidden:
-            yield text.get_text(), Text.get_window_extent(text, renderer)  # without a line to what it names
-
-
-def clashes(figure: Any) -> list[str]:
-    """Pairs of texts that overlap, and texts that leave the figure."""
-    found = list(texts(figure))
-    width, height = figure.canvas.get_width_height()
-    bad = [
-        f"{a!r} on {b!r}"
-        for (a, p), (b, q) in itertools.combinations(found, 2)
-        if min(p.x1, q.x1) - max(p.x0, q.x0) > 1 and min(p.y1, q.y1) - max(p.y0, q.y0) > 1
-    ]
-    return bad + [f"{a!r} leaves" for a, p in found if p.x0 < 0 or p.y0 < 0 or p.x1 > width or p.y1 > height]
 
 
 @pytest.mark.parametrize("name", ["vaiont-heated", "newmark-pulse", "swings", "still", "to the left"])
@@ -274,9 +194,8 @@ def test_ladder_is_drawn() -> None:
     ax = plots.ladder(rungs, drawn((9.0, 3.5)))
     assert [bar.get_width() for bar in ax.patches] == [r.run_out for r in rungs]
     assert [bool(bar.get_hatch()) for bar in ax.patches] == [not r.arrested for r in rungs]
-    assert ax.get_xlabel() == "run-out along the arc (m)"
+    assert ax.get_xlabel() == "run-out along the arc (m); dotted: with all effects, 677.3 m"
     assert [t.get_text() for t in ax.get_yticklabels()] == ["no effect", "+ rotation", "+ centripetal"]
-    assert set(legend(ax)) == {"does not come to rest", "comes to rest", "with all effects: 677.3 m"}
     assert ax.child_axes[0].get_yticklabels()[0].get_text().endswith("still moving at 38.08 s")
     assert clashes(ax.figure) == []
 
@@ -339,9 +258,10 @@ def test_the_map_of_a_search_is_darkest_where_most_dangerous_and_whole(depth: fl
 
 
 def test_a_stored_picture_says_what_it_shows() -> None:
-    """Its title, axes and legends stand in the file, by which pictures in the repository are compared with today's."""
+    """Its title, axes, legends and labels are in the file; so pictures in the repository are compared with today's."""
     said = words_of(pictures.picture("ladder", ladder(SCENES["vaiont"]), "ladder.png"))
-    assert {"run-out along the arc (m)", "with all effects: 677.3 m", "does not come to rest"} <= set(said)
+    assert said == ["run-out along the arc (m); dotted: with all effects, 677.3 m"]
+    assert "at rest after 38.08 s and 677.3 m" in words_of(pictures.picture("section", motion("vaiont"), "s.png"))
 
 
 # --- greys and names -----------------------------------------------------------------------------------------------
@@ -403,3 +323,37 @@ def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
         m.plot(ax=ax)
     with pytest.raises(ValueError, match=r"2 lanes is not one picture: take one of them, motion\[0\]"):
         solve(replace(SCENES["wet-slope"], friction=np.array([0.3, 0.4]))).plot()
+
+
+# --- layered ground ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("strength", ["base", "mass"])
+def test_the_arc_of_a_layered_section_has_the_colours_of_its_soils(strength: str) -> None:
+    """At the start those below it; turned those in space, or those that it carries along; each band has its name."""
+    section = profile("softening", strength)
+    slide, ax = solve(Scene(section, effects=TURNING)), drawn()
+    plots.section(slide, ax)
+    x, tops = layerplot.boundaries(np.asarray(section.ground, dtype=float), section.layers)
+    assert {soil.name for soil, _ in section.layers} <= {*legend(ax)}
+    colours = {strong: name for name, (_, strong) in layerplot.soil_colours(section.layers).items()}
+    arcs = [line for line in ax.lines if line.get_solid_capstyle() == "butt" and line.get_color() in colours]
+    turns = {6.0: 0.0, 2.5: float(slide.end.rotation) if strength == "mass" else 0.0}
+    assert {line.get_linewidth() for line in arcs} == {*turns}
+    for line in arcs:
+        place = np.mean(line.get_xydata()[19:21], axis=0) - section.centre
+        turn = turns[line.get_linewidth()] * section.facing
+        cos, sin = np.cos(-turn), np.sin(-turn)
+        across, up = [[cos, -sin], [sin, cos]] @ place + section.centre
+        above = [name for name, top in zip(range(4), tops, strict=True) if up <= np.interp(across, x, top)]
+        assert colours[line.get_color()] == f"soil {max(above, default=2)}" or up > 0.0  # the exit's soil goes on
+
+
+def test_stresses_along_a_layered_arc_have_its_mean() -> None:
+    section = profile("softening")
+    ax = layerplot.normal_stress_along(section, drawn())
+    along, stress = ax.lines[0].get_data()
+    mean = float(solve(Scene(section, effects=TURNING)).at(0.0).normal_stress) / 1e3
+    assert np.mean(stress) == pytest.approx(mean, rel=1e-12)
+    assert ax.lines[1].get_ydata()[0] == pytest.approx(mean, rel=1e-12)
+    assert 0.0 < along[0] < along[-1] < ax.get_xlim()[1]

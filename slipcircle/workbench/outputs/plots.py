@@ -26,7 +26,6 @@ from slipcircle.workbench.outputs.plotstyle import (
     ending,
     known,
     label,
-    legend,
     letter,
     lines,
     mark,
@@ -299,17 +298,14 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
 def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
     """The run-out as the effects of a scene are added one by one, beside that of the whole scene."""
     ax, rungs = axis(ax, (9.0, 3.5)), list(rungs)
-    lines(ax, [f"+ {r.added}" if r.added else "no effect" for r in rungs])
-    unexplained = {"rests": "comes to rest", "moves on": "does not come to rest"}
+    lines(ax, [f"+ {r.added.replace('_', ' ')}" if r.added else "no effect" for r in rungs])
     for place, r in enumerate(rungs):
-        role = "rests" if r.arrested else "moves on"
-        ax.barh(place, r.run_out, height=0.62, label=unexplained.pop(role, None), **AREAS[role])
-    ax.axvline(rungs[-1].run_out, label=f"with all effects: {number(rungs[-1].run_out)} m", **LINES["help"])
-    ax.set_xlabel("run-out along the arc (m)")
+        ax.barh(place, r.run_out, height=0.62, **AREAS["rests" if r.arrested else "moves on"])
+    ax.axvline(rungs[-1].run_out, **LINES["help"])
+    ax.set_xlabel(f"run-out along the arc (m); dotted: with all effects, {number(rungs[-1].run_out)} m")
     side = ax.secondary_yaxis("right")
     side.set_yticks(range(len(rungs)), [_rung_words(r) for r in rungs])
-    side.tick_params(length=0)
-    legend(ax, columns=3)
+    side.tick_params(length=0, labelsize="small")
     return ax
 
 

@@ -1,12 +1,14 @@
 """What all pictures share: the palette, numbers and units as they are shown, words beside what they name."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from slipcircle.base.text import shown
 from slipcircle.core import Motion
+from slipcircle.workbench.files.numbers import Number
 
 WIDTH = 8.6  # inches of a picture of several panels, about what a page shows: texts have 8 points and more there
 
@@ -36,6 +38,18 @@ AREAS: Mapping[str, Mapping[str, Any]] = {
     "dissipation": {"facecolor": "#F6DCA0", "edgecolor": "0.25", "lw": 0.6},
     "band": {"facecolor": "0.82", "edgecolor": "0.55", "lw": 0.6},
 }
+# Of a family of curves: colours that the colour-blind tell apart, dashes and markers that greys leave apart.
+SERIES: Sequence[tuple[str, Any, str]] = (
+    ("#0072B2", "-", "o"),
+    ("#D55E00", (0, (5, 2)), "s"),
+    ("black", (0, (1, 1.2)), "^"),
+    ("#00805D", (0, (6, 1.5, 1, 1.5)), "D"),
+    ("#A8487F", "-", "x"),
+    ("#9C6F00", (0, (3, 1)), "v"),
+    ("#3A8FC4", (0, (8, 2)), "P"),
+    ("0.35", (0, (2, 2)), "*"),
+)
+REST: tuple[str, Any, str] = ("0.75", "-", ".")  # of the others
 # Of soils, from the ground down: their bands, and the stretches of the arc in them.
 SOILS: Sequence[tuple[str, str]] = (
     ("#F5E8C4", "#9C6F00"),
@@ -115,6 +129,37 @@ def note(ax: Any, words: Iterable[str]) -> None:
     (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
     x, y = np.meshgrid(np.linspace(left, right, 15)[1:-1], np.linspace(bottom, top, 15)[1:-1])
     label(ax, "\n".join(words), np.stack([x, y], axis=-1), "0.25", inside=True)
+
+
+def quantity_words(quantity: Number) -> str:
+    """A number of a scene in words: ``friction.angle_deg`` is the friction angle."""
+    *groups, last = quantity.name.replace("_", " ").split(".")
+    if groups and groups[-1].isdigit():  # a point of a line, or a layer
+        place = int(groups[-1])
+        return f"top of layer {place}" if last == "top" else f"{last} of {groups[0]} point {place}"
+    if groups[:1] == ["soils"]:
+        return f"{groups[1]}: {quantity_words(replace(quantity, name='.'.join([*groups[2:], last])))}"
+    if quantity.tangent:
+        last = "angle" if last == "friction" else f"{last} angle"
+        groups = groups or ["friction"]
+    if groups == ["centre"]:
+        return f"{last} of the centre"
+    named = [group for group in groups if group not in last]
+    adjective, _, noun = last.partition(" ")
+    if adjective in ("peak", "residual"):  # the peak friction angle
+        return " ".join(filter(None, [adjective, *named, noun]))
+    return " ".join([*named, last])
+
+
+def unit_of(quantity: Number) -> str:
+    """The unit in which a number is named, as a picture shows it."""
+    unit = quantity.unit or ("$g$" if quantity.key.endswith("_g") else "")
+    return unit.replace("m3", "m³").replace("^2", "²")
+
+
+def axis_words(quantity: Number) -> str:
+    """A number of a scene as the name of an axis."""
+    return f"{quantity_words(quantity)} ({unit_of(quantity) or '–'})"
 
 
 def to_scale(ax: Any, across: str, up: str) -> None:

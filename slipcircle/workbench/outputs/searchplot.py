@@ -28,34 +28,34 @@ def critical_circle(critical: Critical, figure: Any) -> Any:
     first, last = ground[[0, -1], 0]
     view = view._replace(left=max(view.left, first), right=min(view.right, last))
     view = scenery(ax, mass, critical.slope, view)
-    view.show(ax)
-    _map(critical, ax)
+    view = _map(critical, ax, view)
     label(ax, "mass", outline.mean(axis=0), "0.3", inside=True)
     name_circle(ax, mass, critical.slope)
     if view.holds(mass.centre):
         (cross,) = ax.plot(*mass.centre, **SCENERY["centre"])
         cross.set_path_effects([withStroke(linewidth=3.5, foreground="white")])  # it may lie on a dark map
         label(ax, "centre", mass.centre)
+    view.show(ax)
     note(ax, [factors_in_words(critical)])
     to_scale(ax, "$x$ (m)", "$y$ (m)")
     ax.set_aspect("equal", adjustable="box")
     return figure
 
 
-def _map(critical: Critical, ax: Any) -> None:
+def _map(critical: Critical, ax: Any, view: View) -> View:
     """The least factor of the circles about the centres in each cell, darkest where it is least.
 
     The frame grows until it holds every centre of a factor up to `_VALLEY` above the least, as far as it is not more
-    than `_TALL` times as high as wide; what is shown ends at the least factor of a centre outside of the frame.
+    than `_TALL` times as high as wide, and is returned; what is shown ends at the least factor of a centre outside.
     """
     known = np.isfinite(critical.values)
     centres, values = critical.centres[known], critical.values[known]
     if values.size <= 10:
-        return
+        return view
     least = float(values.min())
-    (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
+    bottom = view.bottom
     valley = centres[values <= (1.0 + _VALLEY) * least]
-    view = View.around(valley, (left, bottom), (right, top))._replace(bottom=bottom)
+    view = View.around(valley, (view.left, bottom), (view.right, view.top))
     highest = bottom + _TALL * (view.right - view.left)
     view = view._replace(top=min(view.top, highest))
     inside = view.holds(centres)
@@ -63,7 +63,6 @@ def _map(critical: Critical, ax: Any) -> None:
     drawn = inside & (values < most)
     cell = (view.right - view.left) / _CELLS
     view = view.grown(cell, cell)._replace(bottom=bottom)  # so that the outermost cells are whole
-    view.show(ax)
     cells = ax.hexbin(
         *centres[drawn].T,
         values[drawn],
@@ -79,3 +78,4 @@ def _map(critical: Critical, ax: Any) -> None:
     method = METHODS[critical.method][0]
     words = f"least factor of safety of the circles about each centre, up to {most:.3g}, by {method}"
     ax.figure.colorbar(cells, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format="%.2f")
+    return view

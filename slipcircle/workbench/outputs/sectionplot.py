@@ -163,10 +163,10 @@ def factors_in_words(critical: Critical | None) -> str:
     """Factors of safety by their methods, in the words of a legend."""
     if critical is None:
         return ""
-    names = {"paper": "the paper's", "bishop": "Bishop's"}
+    names = {"paper": "the paper's method", "ordinary": "the ordinary method", "bishop": "Bishop's method"}
     factors = critical.factor_of_safety.items()
-    known = [f"{value:.3f} by {names.get(method, method)}" for method, value in factors if value is not None]
-    return "factor of safety " + ",\n".join(known) if known else ""
+    known = [f"{value:.3f} by {names[method]}" for method, value in factors if value is not None]
+    return "\n".join(["factor of safety", *known]) if known else ""
 
 
 # --- ground, water and circle ----------------------------------------------------------------------------------------
