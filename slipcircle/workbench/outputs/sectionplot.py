@@ -56,34 +56,53 @@ def section(motion: Motion, ax: Any = None, forces: bool = False) -> Any:
     forces : bool
         Whether the centre, the radii and the forces at the start are drawn as well; of an arc only.
     """
-    ax, soil = axis(ax, (8.0, 5.0)), motion.plan.scene.arc
+    ax = axis(ax, (8.0, 5.0))
+    stage = set_stage(motion, ax, forces)
+    soil, turns = motion.plan.scene.arc, stage.turns
+    farthest = max(turns, key=abs)
+    if farthest:
+        _continuation(ax, motion, stage.mass, farthest)
+    _draw_poses(ax, stage.poses, stage.outlines, farthest > 0.0, stage.is_small)
+    if isinstance(soil, LayeredSection):
+        draw_stretches(ax, stage.mass, soil, turns[1:2])
+    if forces and isinstance(soil, Arc):
+        _radii(ax, stage.mass, stage.is_small)
+        if not stage.is_small:
+            draw_forces(ax, motion, stage.mass, stage.view.size)
+    name_circle(ax, stage.mass, soil)
+    stage.view.show(ax)
+    note(ax, _notes(motion, stage.magnification))
+    return ax
+
+
+class Stage(NamedTuple):
+    """What a section of a motion shows, and where its mass is."""
+
+    mass: Mass
+    magnification: float
+    poses: Sequence[Pose]
+    turns: Sequence[float]  # as they are drawn
+    outlines: Sequence[Floats]
+    view: View
+    is_small: bool  # the mass in the view
+
+
+def set_stage(motion: Motion, ax: Any, with_centre: bool = False) -> Stage:
+    """Draw the slope and the circle of a motion, to scale, with room for the mass wherever it gets."""
+    soil = motion.plan.scene.arc
     mass, magnification, is_arc = mass_of(soil, soil), magnified(motion), isinstance(soil, Arc)
     poses = _poses(motion)
     turns = [magnification * pose.rotation * float(soil.facing) for pose in poses]
     outlines = [mass.outline(turn) for turn in turns]
-    with_forces = is_arc and forces
-    view = View.around(*outlines, *([mass.centre] if with_forces else []))
+    view = View.around(*outlines, *([mass.centre] if is_arc and with_centre else []))
     chord = float(np.hypot(*np.diff(mass.on_circle(mass.ends), axis=0)[0]))
-    small = chord < _SMALL * view.size
+    is_small = chord < _SMALL * view.size
     margin = _MARGIN * view.size
-    view = view.grown(margin, margin)
-    view = scenery(ax, mass, soil, view)
-    farthest = max(turns, key=abs)
-    if farthest:
-        _continuation(ax, motion, mass, farthest)
-    _draw_poses(ax, poses, outlines, farthest > 0.0, small)
-    if isinstance(soil, LayeredSection):
-        draw_stretches(ax, mass, soil, turns[1:2])
-    if with_forces:
-        _radii(ax, mass, small)
-        if not small:
-            draw_forces(ax, motion, mass, view.size)
-    name_circle(ax, mass, soil)
-    view.show(ax)
-    note(ax, _notes(motion, magnification))
+    view = scenery(ax, mass, soil, view.grown(margin, margin))
     origin = " from the centre K" if is_arc else ""
+    view.show(ax)
     to_scale(ax, f"$x${origin} (m)", f"$y${origin} (m)")
-    return ax
+    return Stage(mass, magnification, poses, turns, outlines, view, is_small)
 
 
 def _poses(motion: Motion) -> list[Pose]:
