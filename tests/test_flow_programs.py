@@ -4,7 +4,6 @@ import random
 from collections.abc import Callable, Iterator
 from typing import Any
 
-import flow_oracle
 import numpy as np
 import pytest
 import sympy as sp
@@ -18,6 +17,7 @@ from generated import flow, layout, series
 from slipcircle.core.flow.build import build_program
 from slipcircle.core.flow.link import RESULTS
 from slipcircle.core.flow.program import Program
+from tests.campaigns import flow_oracle
 
 CASES = random.Random(7).sample(list(flow_oracle.cases()), 60)
 

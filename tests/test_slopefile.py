@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import columns
 
 import slipcircle
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.outputs.guide import guide
 from slipcircle.workbench.stability.search import Critical
+from tests.support.outputs import columns
 
 ACADS = """\
 note = "Giam and Donald 1989"
