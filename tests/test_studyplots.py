@@ -160,10 +160,10 @@ def test_tornado_is_what_a_small_change_does() -> None:
         studyplots.tornado(found, "speed")
     assert "does not move" in studyplots.tornado(motion("still").sensitivity(), ax=drawn()).texts[0].get_text()
     ax = studyplots.tornado(solve(load("real-slope")).sensitivity(), ax=drawn())
-    words = ticks(ax)
-    assert len(words) == 10
+    names = ticks(ax)
+    assert len(names) == 10
     assert "3 more numbers change it by at most" in ax.get_xlabel()
-    assert {"y of ground point 2 35 ± 0.0282 m", "radius 28.64 ± 0.0282 m"} <= {*words}
+    assert {"y of ground point 2 35 ± 0.0282 m", "radius 28.64 ± 0.0282 m"} <= {*names}
 
 
 def test_tornado_compares_equals() -> None:

@@ -66,9 +66,9 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
         pressure = ratio * vertical[k] if ratio else _head(section, ends[k], ends[k + 1])
         cohesion = np.asarray(soil.cohesion) + np.asarray(soil.cohesion_gradient) * growth[layer, k]
         strength = float(cohesion + np.asarray(soil.peak) * (normal[k] - pressure))
-        length = _radius(section) * float(ends[k + 1] - ends[k])
-        row = Stretch(soil, ends[k], ends[k + 1], length, shares[k], normal[k], pressure, strength)
-        rows.append(row._make([row.soil, *map(float, row[1:])]))
+        start, end = float(ends[k]), float(ends[k + 1])
+        length = _radius(section) * (end - start)
+        rows.append(Stretch(soil, start, end, length, float(shares[k]), float(normal[k]), float(pressure), strength))
     return tuple(rows)
 
 

@@ -36,17 +36,25 @@ class Label(Annotation):
         self.anchors = np.reshape(np.asarray(anchors, dtype=np.float64), (-1, 2))
         self.inside, self._placed_for = inside, b""
         line = {"arrowstyle": "-", "lw": 0.8, "color": colour, "shrinkA": 0.0, "shrinkB": 1.0}
-        style = {"color": colour, "fontsize": "small", "ha": "center", "va": "center", "zorder": 6} | more
+        style: dict[str, Any] = {
+            "color": colour,
+            "fontsize": "small",
+            "ha": "center",
+            "va": "center",
+            "zorder": 6,
+        } | more
+        self.parent: Any = ax
         super().__init__(words, tuple(self.anchors[0]), (0, 0), textcoords="offset pixels", arrowprops=line, **style)
         self.set_path_effects([withStroke(linewidth=_HALO, foreground="white")])
+        self.leader: Any = self.arrow_patch
         self.set_in_layout(False)
         ax.add_artist(self)
 
     def update_positions(self, renderer: Any) -> None:
         """Where matplotlib is about to draw it."""
-        where = np.concatenate([self.axes.transData.get_matrix().ravel(), self.axes.bbox.extents]).tobytes()
-        if self.axes.get_xscale() != "linear" or self.axes.get_yscale() != "linear":
-            where += np.ravel([self.axes.get_xlim(), self.axes.get_ylim()]).tobytes()
+        limits = np.column_stack([self.parent.get_xlim(), self.parent.get_ylim()])
+        in_pixels = self.parent.transData.transform(limits)
+        where = np.concatenate([limits, in_pixels]).tobytes()
         if where != self._placed_for:
             self._placed_for = where
             self._place(renderer)
@@ -55,10 +63,10 @@ class Label(Annotation):
     def _place(self, renderer: Any) -> None:
         """Choose the anchor and the place that cost least."""
         pixels = renderer.points_to_pixels(1.0)
-        self.arrow_patch.set_visible(False)
+        self.leader.set_visible(False)
         box = Text.get_window_extent(self, renderer)
         half = np.array([box.width, box.height]) / 2
-        at = self.axes.transData.transform(self.anchors)
+        at = self.parent.transData.transform(self.anchors)
         distances = np.array([0.0] if self.inside else _DISTANCES) * pixels
         away = np.stack([np.cos(_DIRECTIONS), np.sin(_DIRECTIONS)], axis=1)
         if self.inside:
@@ -72,16 +80,16 @@ class Label(Annotation):
         best = int(np.argmin(cost))
         self.xy = tuple(self.anchors[best // (len(distances) * len(away))])
         self.set_position(tuple(candidates[best] - anchors[best]))
-        self.arrow_patch.set_visible(far[best] > _NEAR * pixels)
+        self.leader.set_visible(far[best] > _NEAR * pixels)
 
     def _cost(self, centres: Floats, half: Floats, renderer: Any) -> Floats:
         """What words of a half size cost at centres, (candidates, 2) in pixels."""
         low, high = centres - half, centres + half
-        points = np.concatenate([np.empty((0, 2)), *_obstacles(self.axes)])
+        points = np.concatenate([np.empty((0, 2)), *_obstacles(self.parent)])
         across = (low[:, :1] < points[:, 0]) & (points[:, 0] < high[:, :1])
         up = (low[:, 1:] < points[:, 1]) & (points[:, 1] < high[:, 1:])
         cost = _COVERED * np.count_nonzero(across & up, axis=1)
-        frame = self.axes.bbox
+        frame = self.parent.bbox
         outside = np.maximum(frame.min - low, 0.0) + np.maximum(high - frame.max, 0.0)
         cost = cost + _OUTSIDE * outside.sum(axis=1)
         for box in self._other_words(renderer):
@@ -101,7 +109,7 @@ class Label(Annotation):
 
     def _other_words(self, renderer: Any) -> Iterator[Any]:
         """Boxes of the words that are there already."""
-        for ax in _beside(self.axes):
+        for ax in _beside(self.parent):
             for text in ax.texts:
                 if text is self:
                     break
@@ -130,7 +138,7 @@ def _obstacles(axes: Any) -> Iterator[Floats]:
             elif isinstance(artist, Patch):
                 path = artist.get_path().transformed(artist.get_transform())
                 for polygon in path.to_polygons():
-                    yield _along(polygon, frame)
+                    yield _along(np.asarray(polygon, dtype=np.float64), frame)
                 if artist.get_hatch():
                     yield _inside(path, frame)
 

@@ -39,9 +39,9 @@ def boundaries(ground: Floats, layers: Sequence[tuple[Any, Any]]) -> tuple[Float
     for _, top in layers[1:]:
         points = np.asarray(top, dtype=np.float64)
         lines.append(points if points.ndim == 2 else np.column_stack([ground[:, 0], np.full(len(ground), points)]))
-    ends = lines[0][[0, -1], 0]
-    vertices = np.clip(np.concatenate([line[:, 0] for line in lines]), *ends)
-    x = np.unique(np.concatenate([vertices, np.linspace(*ends, _ACROSS)]))
+    left, right = lines[0][[0, -1], 0]
+    vertices = np.clip(np.concatenate([line[:, 0] for line in lines]), left, right)
+    x = np.unique(np.concatenate([vertices, np.linspace(left, right, _ACROSS)]))
     tops = [np.interp(x, *lines[0].T)]
     for line in lines[1:]:
         tops.append(np.minimum(tops[-1], np.interp(x, *line.T)))

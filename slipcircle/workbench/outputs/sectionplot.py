@@ -137,7 +137,8 @@ def _draw_poses(ax: Any, poses: Sequence[Pose], outlines: Sequence[Floats], righ
 
     for pose, outline in zip(poses, outlines, strict=True):
         if small:
-            mark(ax, *outline.mean(axis=0), pose.role, pose.words)
+            x, y = outline.mean(axis=0)
+            mark(ax, x, y, pose.role, pose.words)
             continue
         ax.add_patch(Polygon(outline, closed=True, zorder=2, label=pose.role, **AREAS[pose.role]))
         tips = outline[[0, ON_ARC - 1]]
