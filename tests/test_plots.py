@@ -19,9 +19,9 @@ from slipcircle.workbench.outputs.tables import motion_column
 from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
+from tests.support.layered import TURNING, profile
 from tests.support.outputs import words_of
 from tests.support.pictures import SCENES, canvas, clashes, drawn, legend, motion, texts
-from tests.test_layers import TURNING, profile
 
 matplotlib.use("agg")
 

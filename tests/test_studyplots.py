@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Study, backanalyse, ensemble, load, solve
-from slipcircle.workbench.outputs import plots, studyplots
+from slipcircle.workbench.outputs import plots, studyplots, tornado
 from slipcircle.workbench.outputs.report import study_report
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support.outputs import rows, tree
@@ -145,7 +145,7 @@ def test_tornado_is_what_a_small_change_does() -> None:
     }
     m = motion("wet-slope")
     found = m.sensitivity()
-    ax = studyplots.tornado(found, "run_out", small, drawn())
+    ax = tornado.tornado(found, "run_out", small, drawn())
     bars = dict(
         zip([re.sub(r" [\d.]+ ±.*", "", x) for x in ticks(ax)], [p.get_width() for p in ax.patches], strict=False)
     )
@@ -153,13 +153,13 @@ def test_tornado_is_what_a_small_change_does() -> None:
         (other,) = grid(m.plan.scene, {key: [value]}, accuracy=1e-14).samples["run_out"]
         assert bars[words[key]] == pytest.approx(other - m.run_out, rel=1e-3)
     assert [*map(abs, bars.values())] == sorted(map(abs, bars.values()), reverse=True)
-    assert "cohesion 3 ± 0.03 kPa" in ticks(studyplots.tornado(found, ax=drawn()))
+    assert "cohesion 3 ± 0.03 kPa" in ticks(tornado.tornado(found, ax=drawn()))
     with pytest.raises(ValueError, match=r"changes = 'friction': must be one of friction\.angle_deg"):
-        studyplots.tornado(found, "run_out", {"friction": 0.1})
+        tornado.tornado(found, "run_out", {"friction": 0.1})
     with pytest.raises(ValueError, match="output = 'speed': must be one of peak_velocity, run_out, duration, reach"):
-        studyplots.tornado(found, "speed")
-    assert "does not move" in studyplots.tornado(motion("still").sensitivity(), ax=drawn()).texts[0].get_text()
-    ax = studyplots.tornado(solve(load("real-slope")).sensitivity(), ax=drawn())
+        tornado.tornado(found, "speed")
+    assert "does not move" in tornado.tornado(motion("still").sensitivity(), ax=drawn()).texts[0].get_text()
+    ax = tornado.tornado(solve(load("real-slope")).sensitivity(), ax=drawn())
     names = ticks(ax)
     assert len(names) == 10
     assert "3 more numbers change it by at most" in ax.get_xlabel()
@@ -169,11 +169,11 @@ def test_tornado_is_what_a_small_change_does() -> None:
 def test_tornado_compares_equals() -> None:
     """Standard deviations of what the scene says is uncertain, and nothing else; without them 1 % of each number."""
     scene = replace(load("wet-slope"), uncertain=ANGLE | RADIUS)
-    ax = studyplots.tornado(solve(scene).sensitivity(), ax=drawn())
+    ax = tornado.tornado(solve(scene).sensitivity(), ax=drawn())
     assert {*ticks(ax)} == {"friction angle 24 ± 2 deg", "radius 40 ± 5.77 m"}
     assert "by a standard deviation of each" in ax.get_xlabel()
     table = motion("vaiont").sensitivity()
-    ax = studyplots.tornado(table, ax=drawn())
+    ax = tornado.tornado(table, ax=drawn())
     bars = dict(
         zip([re.sub(r" [\d.]+ ±.*", "", x) for x in ticks(ax)], [abs(p.get_width()) for p in ax.patches], strict=False)
     )

@@ -91,25 +91,31 @@ def _soils_under(section: LayeredSection, moved: float) -> Iterator[tuple[str, f
 def normal_stress_along(section: LayeredSection, ax: Any = None) -> Any:
     """Total normal stress along the arc at the start, by strips as the strength takes it, and its mean (2.9)."""
     ax, rows = axis(ax, (7.0, 3.0)), stretches(section)
-    colours = soil_colours(section.layers)
-    radius = float(np.asarray(section.radius))
     ends = np.linspace(rows[0].start, rows[-1].end, _ACROSS)
-    stress = mean_normal_stress(section, ends)
+    factor, unit = prefixed(mean_normal_stress(section, ends), "Pa")
+    along = float(np.asarray(section.radius)) * ((ends[1:] + ends[:-1]) / 2 - ends[0])
+    by_strips = np.column_stack([along, factor * mean_normal_stress(section, ends)])
     length = sum(row.length for row in rows)
-    mean = sum(row.length * row.normal_stress for row in rows) / length
-    factor, unit = prefixed(stress, "Pa")
-    along = radius * ((ends[1:] + ends[:-1]) / 2 - ends[0])
-    ax.plot(along, factor * stress, **LINES["main"])
-    ax.axhline(factor * mean, **LINES["total"])
-    for row in rows:
-        start, end = radius * (np.array([row.start, row.end]) - ends[0])
-        ax.axvspan(start, end, color=colours[row.soil.name][0], lw=0)
-        if row.soil.name:
-            places = [((start + end) / 2, share * factor * np.max(stress)) for share in (0.08, 0.3, 0.5, 0.7, 0.9)]
-            label(ax, row.soil.name, places, colours[row.soil.name][1])
-    label(ax, "by strips", np.column_stack([along, factor * stress])[:: _ACROSS // 12], LINES["main"]["color"])
-    label(ax, "mean", np.column_stack([along, np.full_like(along, factor * mean)])[:: _ACROSS // 12])
+    mean = factor * sum(row.length * row.normal_stress for row in rows) / length
+    ax.plot(*by_strips.T, **LINES["main"])
+    ax.axhline(mean, **LINES["total"])
+    _soils_behind(ax, section, float(np.max(by_strips[:, 1])))
+    few = by_strips[:: _ACROSS // 12]
+    label(ax, "by strips", few, LINES["main"]["color"])
+    label(ax, "mean", [(x, mean) for x, _ in few])
     ax.set(xlabel="distance along the arc from its upper end (m)", ylabel=f"normal stress ({unit})")
     ax.set_xlim(0.0, length)
     ax.grid(alpha=0.3)
     return ax
+
+
+def _soils_behind(ax: Any, section: LayeredSection, height: float) -> None:
+    """The soil of each stretch as a field behind curves along the arc, with its name."""
+    colours, end = soil_colours(section.layers), 0.0
+    for row in stretches(section):
+        band, strong = colours[row.soil.name]
+        start, end = end, end + row.length
+        ax.axvspan(start, end, color=band, lw=0)
+        if row.soil.name:
+            places = [((start + end) / 2, share * height) for share in (0.08, 0.3, 0.5, 0.7, 0.9)]
+            label(ax, row.soil.name, places, strong)

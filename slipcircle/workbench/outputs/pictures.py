@@ -105,7 +105,7 @@ def _on_axis(draw: Callable[..., Any]) -> Callable[[Any, Any], Any]:
 
 def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
     """What draws which result on an empty figure, and its inches; loaded only where something is drawn."""
-    from slipcircle.workbench.outputs import plots, searchplot, studyplots
+    from slipcircle.workbench.outputs import plots, searchplot, studyplots, tornado
 
     return {
         "motions": (_motions, _motions_size),
@@ -117,7 +117,7 @@ def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any],
         "phase plane": (_on_axis(plots.phase_plane), lambda _: (8.6, 4.0)),
         "shaking": (_on_axis(plots.shaking), lambda _: (8.6, 3.0)),
         "study": (studyplots.overview, studyplots.size),
-        "sensitivity": (studyplots.tornados, studyplots.tornados_size),
+        "sensitivity": (tornado.panels, tornado.size),
         "backanalysis": (studyplots.explained, studyplots.explained_size),
         "search": (searchplot.critical_circle, lambda _: (8.6, 7.0)),
         "ladder": (_on_axis(plots.ladder), lambda rungs: (8.6, 1.2 + 0.4 * len(rungs))),

@@ -82,26 +82,34 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     times, values = columns["time"], columns[what]
     curves = [curve for curve in every if curve.column == what or _differs(columns[curve.column], values)]
     factor, unit = _unit(quantity, [columns[curve.column] for curve in curves])
+    drawn_values = [factor * columns[curve.column] for curve in curves]
     ax.set(xlabel="time $t$ (s)", ylabel=f"{quantity.label}{symbol} ({unit or '–'})")
     if not motion.moves:
         return still(motion, ax)
-    for curve in curves:
-        ax.plot(times, factor * columns[curve.column], **LINES[curve.line])
-    ax.margins(y=0.16)
-    is_level = np.ptp(values) <= 1e-9 * np.max(np.abs(values))
-    if what == "friction" or is_level:
-        _from_zero(ax, [factor * columns[curve.column] for curve in curves])
-    ax.grid(alpha=0.3)
-    ax.set_xlim(0.0, motion.duration)
-    _mark_times(ax, motion, (times, factor * values), unit, what == "displacement", brief)
-    for curve in curves[: len(curves) if len(curves) > 1 else 0]:
-        label(ax, curve.label, _in_view(ax, times, factor * columns[curve.column]), LINES[curve.line]["color"])
+    for curve, heights in zip(curves, drawn_values, strict=True):
+        ax.plot(times, heights, **LINES[curve.line])
+    _limit(ax, motion, what, drawn_values)
+    _mark_times(ax, motion, (times, drawn_values[0]), unit, what == "displacement", brief)
+    if len(curves) > 1:
+        for curve, heights in zip(curves, drawn_values, strict=True):
+            label(ax, curve.label, _in_view(ax, times, heights), LINES[curve.line]["color"])
     if what == "friction":
         _explain_zeros(ax, columns, len(curves) > 1)
     _explain_kinks(ax, motion, brief)
     if what == "displacement":
-        _rotation_axis(ax, float(np.asarray(motion.plan.scene.arc.radius)))
+        _rotation_axis(ax, motion)
     return ax
+
+
+def _limit(ax: Any, motion: Motion, what: str, curves: Sequence[Floats]) -> None:
+    """Show all of the time, and curves with room for words; friction and what does not change from zero."""
+    values = curves[0]
+    is_level = np.ptp(values) <= 1e-9 * np.max(np.abs(values))
+    ax.margins(y=0.16)
+    if what == "friction" or is_level:
+        _from_zero(ax, curves)
+    ax.grid(alpha=0.3)
+    ax.set_xlim(0.0, motion.duration)
 
 
 def _unit(quantity: Quantity, curves: Sequence[Floats]) -> tuple[float, str]:
@@ -174,9 +182,9 @@ def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
     ax.set_ylim(-0.08 * top, 1.16 * top or 1.0)
 
 
-def _rotation_axis(ax: Any, radius: float) -> None:
+def _rotation_axis(ax: Any, motion: Motion) -> None:
     """The rotation on the right of an axis of displacements."""
-    degrees = math.degrees(1.0 / radius)
+    degrees = math.degrees(1.0 / float(np.asarray(motion.plan.scene.arc.radius)))
     side = ax.secondary_yaxis(
         "right", functions=(lambda s: np.multiply(s, degrees), lambda phi: np.divide(phi, degrees))
     )

@@ -3,7 +3,7 @@
 Every function draws one of `OUTCOMES` on a given matplotlib axis, or on one of its own, and returns it.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from functools import partial
 from textwrap import shorten
 from typing import TYPE_CHECKING, Any
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.files.numbers import Number, by_name, number_in, uncertain_numbers
+from slipcircle.workbench.files.numbers import Number, number_in
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
@@ -22,7 +22,6 @@ from slipcircle.workbench.outputs.plotstyle import (
     empty,
     known,
     label,
-    legend,
     letter,
     lines,
     mark,
@@ -31,18 +30,15 @@ from slipcircle.workbench.outputs.plotstyle import (
     quantity_words,
     unit_of,
 )
-from slipcircle.workbench.studies.motions import motions, scales
+from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.statistics import BEYOND
 
 if TYPE_CHECKING:
-    from slipcircle.core import Sensitivity
     from slipcircle.workbench.studies.backanalysis import BackAnalysis
     from slipcircle.workbench.studies.study import Study
 
 DRAWN = ("reach", "peak_velocity")  # a hazard is how far and how fast it comes, not where it ends
 _POINTS = 801  # of a curve, from 0 to the largest value
-_MOST_BARS = 10  # of a tornado; the others are a line of text
-_SHARE = 0.01  # by which each number changes where the scene does not say how uncertain it is
 
 
 # --- samples ---------------------------------------------------------------------------------------------------------
@@ -136,16 +132,17 @@ def indices(study: "Study", output: str = "reach", ax: Any = None, named: bool =
     if not np.all(np.isfinite([first[0], total[0]])):
         has_missing = output in OUTCOMES and study.without_result
         return empty("not given: some samples have no result" if has_missing else "does not vary", ax, "x")
-    _index_bars(ax, first, -0.19, "rests")
-    _index_bars(ax, total, 0.19, "kinetic")
+    for estimates, offset, style, words in (
+        (first, -0.19, "rests", "on its own (first-order)"),
+        (total, 0.19, "kinetic", "with others (total)"),
+    ):
+        _index_bars(ax, estimates, offset, style)
+        if named:
+            label(ax, words, (estimates[2, -1], len(keys) - 1 + offset))
     least, greatest = np.nanmin([first, total]), np.nanmax([first, total])
     left = min(0.0, 1.1 * least) if least < -0.01 else 0.0
     ax.set_xlim(left, max(1.0, 1.05 * greatest))
     ax.axvline(0.0, color="0.25", lw=0.8)
-    if named:
-        last = len(keys) - 1
-        for row, words, offset in ((first, "on its own (first-order)", -0.19), (total, "with others (total)", 0.19)):
-            label(ax, words, (row[2, last], last + offset))
     return ax
 
 
@@ -156,90 +153,6 @@ def _index_bars(ax: Any, estimates: Any, offset: float, style: str) -> None:
     ax.barh(at, np.maximum(value, 0.0), height=0.36, **AREAS[style])
     error = np.nan_to_num([value - low, high - value])
     ax.errorbar(value, at, xerr=error, fmt="none", ecolor="black", elinewidth=1.2, capsize=3)
-
-
-# --- derivatives -----------------------------------------------------------------------------------------------------
-
-
-def tornado(
-    table: "Sensitivity",
-    output: str = "run_out",
-    changes: Mapping[str, float] | None = None,
-    ax: Any = None,
-    named: bool = True,
-) -> Any:
-    """How much an output changes, to first order, with a change of each number of a scene; the largest on top.
-
-    ``changes`` is by how much each number changes, in the unit of its key in a scene file,
-    ``{"friction.angle_deg": 2.0}``, and only these are drawn. By default the uncertain numbers of the scene change by
-    one standard deviation; where it has none, all numbers by 1 %, ends of the arc by 1 % of its half angle and points
-    of a section by 1 % of its depth. ``named`` is whether the axis has a legend.
-    """
-    known("tornado: output", output, table.outputs)
-    steps, how = _steps(table, changes)
-    bars = []
-    for name, (key, step) in steps.items():
-        value = float(key.from_si(table.at[name]))
-        change = table.derivative(output, name) * key.slope(value) * step
-        bars.append((change, f"{quantity_words(key)} {number(value)} ± {step:.3g} {unit_of(key)}".rstrip()))
-    bars = sorted((bar for bar in bars if bar[0] or changes is not None), key=lambda bar: -abs(bar[0]))
-    shown, hidden = bars[:_MOST_BARS], bars[_MOST_BARS:]
-    ax = axis(ax, (7.0, 1.6 + 0.4 * max(2, len(shown))))
-    unit, at = table.outputs[output], table.at[output]
-    words = f"change of {OUTCOMES[output].label} from {number(at)} {unit}{how} ({unit})"
-    if hidden:
-        words += f"\n{len(hidden)} more numbers change it by at most {number(abs(hidden[0][0]))} {unit} each"
-    ax.set(xlabel=words)
-    if not at or not shown:
-        return empty("nothing changes it" if at else "does not move", ax, "x", "y")
-    _two_sided_bars(ax, shown)
-    if named:
-        legend(ax)
-    return ax
-
-
-def _two_sided_bars(ax: Any, bars: Sequence[tuple[float, str]]) -> None:
-    """A bar to both sides for each change and its text, the widest one first."""
-    changes = np.array([change for change, _ in bars])
-    lines(ax, [text for _, text in bars])
-    places = np.arange(len(bars))
-    ax.barh(places, changes, height=0.62, label="larger", **AREAS["kinetic"])
-    ax.barh(places, -changes, height=0.62, label="smaller", **AREAS["rests"])
-    widest = 1.08 * abs(changes[0])
-    ax.set_xlim(-widest, widest)
-    ax.axvline(0.0, color="0.25", lw=0.8)
-
-
-def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Number, float]], str]:
-    """By how much numbers change, each in the unit of its key, all measured alike; and how, in words."""
-    by_names, uncertain = by_name(table.scene), uncertain_numbers(table.scene)
-    keys = {name: by_names[name] for name in table.parameters}
-    if changes is not None:
-        for changed in changes:
-            known("tornado: changes", changed, [key.key for key in keys.values()])
-        return {name: (key, changes[key.key]) for name, key in keys.items() if changes.get(key.key)}, ""
-    if any(name in keys for name in uncertain):
-        deviations = {name: (u.number, u.moments[1]) for name, u in uncertain.items() if name in keys}
-        return deviations, ", by a standard deviation of each"
-    steps = {}
-    for name, key in keys.items():
-        value = float(key.from_si(table.at[name]))
-        slope = key.slope(value)
-        (size,) = scales(table.scene, {name: value * slope}).tolist()
-        steps[name] = key, _SHARE * size / slope
-    return steps, f", by {100 * _SHARE:g} % of each"
-
-
-def tornados(table: "Sensitivity", figure: Any) -> None:
-    """A tornado of each output, one above the other, on an empty figure."""
-    axes = figure.subplots(len(table.distinct), 1)
-    for k, (output, ax) in enumerate(zip(table.distinct, axes, strict=True)):
-        tornado(table, output, ax=ax, named=k == 0)
-
-
-def tornados_size(table: "Sensitivity") -> tuple[float, float]:
-    """Inches of the tornados."""
-    return WIDTH, len(table.distinct) * (1.5 + 0.3 * min(_MOST_BARS, len(table.parameters)))
 
 
 # --- grids and back-analyses -----------------------------------------------------------------------------------------
@@ -306,22 +219,28 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
     error = error if np.isfinite(error) else 0.0
     at = _around(field, solved, error)
     curves = motions(analysis.motion.plan.scene, {field.name: field.to_si(at)}).outcomes
-    for ax, (name, (seen, sigma)) in zip(axes, analysis.observed.items(), strict=True):
+    for ax, (name, observed) in zip(axes, analysis.observed.items(), strict=True):
         ax.plot(at, curves[name], **LINES["main"])
-        ax.axhline(seen, **LINES["total"])
-        if sigma:
-            ax.axhspan(seen - sigma, seen + sigma, **AREAS["band"])
+        few = np.column_stack([at, curves[name]])[:: len(at) // 12]
+        label(ax, "computed", few, LINES["main"]["color"])
+        _draw_observed(ax, observed, few[:, 0])
         reached = [OUTCOMES[name].read(s.motion) for s in analysis.solutions]
-        mark(ax, solved, reached, "end")
-        label(ax, "computed", np.column_stack([at, curves[name]])[:: len(at) // 12], LINES["main"]["color"])
-        observed = "observed, with its standard error" if sigma else "observed"
-        label(ax, observed, [(x, seen) for x in at[:: len(at) // 12]])
         for value, outcome in zip(solved, reached, strict=True):
-            label(ax, f"{number(value)} {unit_of(field)}", (value, outcome))
+            mark(ax, value, outcome, "end", f"{number(value)} {unit_of(field)}")
         if error:
             ax.errorbar(solved[0], reached[0], xerr=error, fmt="none", ecolor="black")
         ax.set_xlim(at[0], at[-1])
         ax.grid(alpha=0.3)
+
+
+def _draw_observed(ax: Any, observed: tuple[float, float], places: Sequence[float]) -> None:
+    """A line where something was observed, with its standard error, and its name about one of some places."""
+    seen, sigma = observed
+    ax.axhline(seen, **LINES["total"])
+    if sigma:
+        ax.axhspan(seen - sigma, seen + sigma, **AREAS["band"])
+    words = "observed, with its standard error" if sigma else "observed"
+    label(ax, words, [(x, seen) for x in places])
 
 
 def _around(field: Number, solved: Sequence[float], error: float) -> Any:
