@@ -33,7 +33,8 @@ from slipcircle.core.scene.profile import (
 )
 from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.soils import LANE_NUMBERS, SOIL_NUMBERS, Soil, layer_mistakes
-from slipcircle.core.scene.strength import OF_GEOMETRY, ArcStrength, MeanFriction, over_circles
+from slipcircle.core.scene.strength import ArcStrength, MeanFriction, over_circles
+from slipcircle.core.scene.stretches import OF_GEOMETRY
 from slipcircle.core.scene.strips import Floats, Strips, cut_into_strips
 
 
@@ -44,24 +45,24 @@ class LayeredSection(Section):
     Parameters
     ----------
     layers : sequence of pairs
-        From the ground down, each a `Soil` and its top: None of the first, whose top is the ground; else a height in m
-        or points from left to right, (V, 2), which go on horizontally. What rises above the boundary before it is cut
-        off there.
+        From the ground down, each a `Soil` and its top: None for the first, whose top is the ground; otherwise a height
+        in m or points from left to right, (V, 2), continued horizontally. A boundary is cut off where it rises above
+        the one before.
     strength : str
-        "base": the strength of the soils below the arc stays where it is as the mass moves over them, and that at the
-        exit goes on beyond it; "mass": a sheared sole travels along.
+        "base": the strength belongs to the soils below the arc, over which the mass moves, and that at the exit
+        continues beyond it; "mass": the sheared sole moves with the mass.
     foreland : Soil, optional
-        Below the arc beyond the exit, in the place of the soil at the exit; its cohesion follows its own rule with
-        depth.
+        Soil along the arc beyond the exit, in place of the soil at the exit; its cohesion varies with depth by its own
+        rule.
     surcharge : sequence of (x1, x2, q1, q2)
-        Pressures on the ground that lie on the mass and move with it, Pa, linear from x1 to x2, m. Shaking shakes them.
+        Pressures on the ground that move with the mass and are shaken with it, Pa, linear from x1 to x2, m.
     rate : mapping, optional
-        A law of speed that multiplies the friction of all soils: ``{"law": "rate_weakening", "peak": 1.0, "residual":
-        0.6, "velocity": 0.1}``; without dimension, 1 leaves it as it is.
+        A law of speed by which the friction of all soils is multiplied, ``{"law": "rate_weakening", "peak": 1.0,
+        "residual": 0.6, "velocity": 0.1}``; a factor of 1 leaves it unchanged.
 
     Notes
     -----
-    The other parameters are those of `Section`; ``unit_weight`` is that of the soils and not given here.
+    The other parameters are those of `Section`, without ``unit_weight``, which the soils have.
     """
 
     unit_weight: ArrayLike = field(default=1.0, init=False, repr=False)  # the soils have theirs
@@ -241,7 +242,7 @@ class LayeredSection(Section):
 
     @property
     def friction(self) -> MeanFriction:
-        """The friction of the arc as a whole, as a `Scene` takes it."""
+        """Friction of the arc as a whole, as a `Scene` takes it."""
         return self.arc_strength.friction
 
     def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:

@@ -139,28 +139,24 @@ def _integrands(strips: Strips, strip: NDArray[np.intp], beta: Floats) -> Floats
     beyond = x - strips.x.T[strip]
     y = _by_strip(strips.y, strip) + _by_strip(strips.slope, strip) * beyond
     h = np.where(_by_strip(strips.above, strip) & (y + c > 0.0), y + c, 0.0)
+    columns = _over_height(x, c, h)
+    if strips.loads:
+        middle = (strips.x.T[strip] + strips.x.T[strip + 1]) / 2
+        on_ground = strips.y[0].T[strip] + strips.slope[0].T[strip] * beyond
+        columns = np.concatenate([columns, _of_loads(strips, x, on_ground, middle)[:, None]], axis=1)
+    return np.asarray(columns * c)
+
+
+def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
+    """The integrals over y from the arc up to a height h above it; the last one, by beta, over c."""
     gap = h * (2.0 * c - h)  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
     inward = gap / (1.0 + rho)  # 1 - rho
     log = np.log1p((inward + h) / (rho + c - h))
     square = x * x
-    columns = np.stack(
-        [
-            h,
-            (h * rho + c * inward + square * log) / 2,
-            h * (square + (h * h - 3.0 * c * h) / 3 + c * c),
-            x * log,
-            -inward,
-            x * h,
-            h * (h - 2.0 * c) / 2,
-            h / c,
-        ]
-    )
-    if strips.loads:
-        on_ground = strips.y[0].T[strip] + strips.slope[0].T[strip] * beyond
-        middle = (strips.x.T[strip] + strips.x.T[strip + 1]) / 2
-        columns = np.concatenate([columns, _of_loads(strips, x, on_ground, middle)[:, None]], axis=1)
-    return np.asarray(columns * c)
+    polar = (h * rho + c * inward + square * log) / 2
+    inertia = h * (square + (h * h - 3.0 * c * h) / 3 + c * c)
+    return np.stack([h, polar, inertia, x * log, -inward, x * h, h * (h - 2.0 * c) / 2, h / c])
 
 
 def _by_strip(values: Any, strip: NDArray[np.intp]) -> Any:
