@@ -135,7 +135,7 @@ class Scene(Generic[Numbers]):
             except InputError as error:
                 faults += error.messages
         if not faults:
-            faults += shape_mistakes({n: v for n, v in self.numbers.items() if np.ndim(v)})
+            faults += shape_mistakes(self.numbers)
         raise_all(f"Scene {self.name}".rstrip(), faults)
 
     def _field_faults(self) -> list[str]:
@@ -187,7 +187,8 @@ class Scene(Generic[Numbers]):
     @cached_property
     def shape(self) -> tuple[int, ...]:
         """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
-        return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values() if np.ndim(value)))
+        shapes = [np.shape(value) for value in self.numbers.values() if type(value) is not float]
+        return np.broadcast_shapes(*shapes) if shapes else ()
 
 
 def layered_mistakes(friction: Any, effects: Mapping[str, Any]) -> list[str]:
