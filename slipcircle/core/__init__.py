@@ -1,7 +1,7 @@
-"""The core: what a scene is (`scene`), how it is integrated (`flow`), and what became of it (`motion`).
+"""The core: scenes (`scene`), their integration (`flow`), and the resulting motion (`motion`).
 
-What is listed here is public: all that the workbench, or any program built on the core, needs. Each name is loaded when
-it is first asked for, so that importing the core loads nothing.
+The names listed here are public: all that the workbench, or any program built on the core, needs. Each is loaded on
+first use, so that importing the core loads nothing.
 """
 
 from importlib import import_module
