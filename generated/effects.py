@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: fe1b5a20ddb9c91307cc451959452b5f16489740bb92794f466ce207862581c2
+# sha256 of the text below: 54e37b5e244872ec4489d5ba3d1b2009b32a86fe428beb5ac3e3e014b3088e0d
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -245,8 +245,8 @@ EFFECTS = {
             lambda value, scales: value, False, 'number', (('value', 1.0),)),
     ), ('history',),
         'friction heats a thin layer, whose pore water expands and reduces its strength; undrained and adiabatic '
-        '(neither water nor heat leaves the layer), as in slides of seconds to minutes on millimetres of clay or '
-        'more; one mean pressure and temperature, constant Lambda, and all work of friction is heat', False, (),
+        '(neither water nor heat leaves the layer), as in slides of seconds to minutes on some millimetres of clay; '
+        'one mean pressure and temperature, constant Lambda, and all work of friction is heat', False, (),
         ('adds excess to u', "dexcess/dphi = kappa* mu sigma'", 'kappa* = R pressurisation/(heat_capacity thickness)')),
 }
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5715be321de4dbae3653fee23a257278b71c3b88ce0f1d1c81a03cf2098e930b
+# sha256 of the text below: 2c0e243f9b84085fce4d1c6a373345ef53d1a9d16e1c22e573beb0303f79a227
 """The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref:
@@ -398,9 +398,9 @@ FRAGMENTS: dict[str, Fragment] = {
     'thermal_pressurisation': Fragment(
         words=(
             '(3.11) friction heats a thin layer, whose pore water expands and reduces its strength; undrained and '
-                'adiabatic (neither water nor heat leaves the layer), as in slides of seconds to minutes on '
-                'millimetres of clay or more; one mean pressure and temperature, constant Lambda, and all work of '
-                'friction is heat',
+                'adiabatic (neither water nor heat leaves the layer), as in slides of seconds to minutes on some '
+                'millimetres of clay; one mean pressure and temperature, constant Lambda, and all work of friction is '
+                'heat',
             'adds excess to u',
             "dexcess/dphi = kappa* mu sigma'",
             'kappa* = R pressurisation/(heat_capacity thickness)',

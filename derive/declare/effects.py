@@ -263,7 +263,7 @@ EFFECTS = (
                   "heat_capacity_MJ_m3_K", 1e6),
         Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("history",),
            "friction heats a thin layer, whose pore water expands and reduces its strength; undrained and adiabatic "
-           "(neither water nor heat leaves the layer), as in slides of seconds to minutes on millimetres of clay or more; "
+           "(neither water nor heat leaves the layer), as in slides of seconds to minutes on some millimetres of clay; "
            "one mean pressure and temperature, constant Lambda, and all work of friction is heat",
            pressure=_EXCESS, states=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
 )  # fmt: skip

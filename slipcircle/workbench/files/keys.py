@@ -147,9 +147,7 @@ _TOP = (
         LIMITS["m/s"][1],
         optional=True,
     ),
-    _declare(
-        "end_time", "end_time_s", "s", "end of the integration, by default when the mass rests", *LIMITS["s"], optional=True
-    ),
+    _declare("end_time", "end_time_s", "s", "end time, by default when the mass rests", *LIMITS["s"], optional=True),
     _declare("accuracy", "accuracy", "", "requested relative error", 0.0, 1.0, 1.0, True, "fixed"),
 )
 _ARC = tuple(
