@@ -233,7 +233,7 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
         ax.grid(alpha=0.3)
 
 
-def _draw_observed(ax: Any, observed: tuple[float, float], places: Sequence[float]) -> None:
+def _draw_observed(ax: Any, observed: tuple[float, float | None], places: Any) -> None:
     """A line where something was observed, with its standard error, and its name about one of some places."""
     seen, sigma = observed
     ax.axhline(seen, **LINES["total"])
