@@ -132,18 +132,22 @@ def indices(study: "Study", output: str = "reach", ax: Any = None, named: bool =
     if not np.all(np.isfinite([first[0], total[0]])):
         has_missing = output in OUTCOMES and study.without_result
         return empty("not given: some samples have no result" if has_missing else "does not vary", ax, "x")
-    for estimates, offset, style, words in (
-        (first, -0.19, "rests", "on its own (first-order)"),
-        (total, 0.19, "kinetic", "with others (total)"),
-    ):
+    _draw_indices(ax, first, total, named)
+    return ax
+
+
+def _draw_indices(ax: Any, first: Any, total: Any, named: bool) -> None:
+    """Two bars of each input, from values, low and high ends, (3, inputs), and their names beside the lowest ones."""
+    kinds = ((first, -0.19, "rests", "on its own (first-order)"), (total, 0.19, "kinetic", "with others (total)"))
+    for estimates, offset, style, words in kinds:
         _index_bars(ax, estimates, offset, style)
         if named:
-            label(ax, words, (estimates[2, -1], len(keys) - 1 + offset))
+            value, _, high = estimates
+            label(ax, words, (high[-1], len(value) - 1 + offset))
     least, greatest = np.nanmin([first, total]), np.nanmax([first, total])
     left = min(0.0, 1.1 * least) if least < -0.01 else 0.0
     ax.set_xlim(left, max(1.0, 1.05 * greatest))
     ax.axvline(0.0, color="0.25", lw=0.8)
-    return ax
 
 
 def _index_bars(ax: Any, estimates: Any, offset: float, style: str) -> None:
