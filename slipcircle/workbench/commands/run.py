@@ -56,9 +56,10 @@ def run(options: argparse.Namespace) -> Answer:
     if any(map(stability_of, scenes)):
         notes.append(tables.DIFFERENCE)
     head = ["", *(scene.name for scene in scenes), *means]
+    layered = filter(None, map(tables.stretches_part, motions if options.verbose else []))
     return Answer(
         lambda: [*map(record, motions), *({"scene": name, **mean} for name, mean in means.items())],
-        [Part(head, tables.beside(columns), note="; ".join(notes))],
+        [Part(head, tables.beside(columns), note="; ".join(notes)), *layered],
         _warnings(motions),
     )
 
