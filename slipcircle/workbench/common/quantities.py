@@ -177,8 +177,8 @@ def record(motion: Any) -> dict[str, Any]:
         | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q in JOURNEY}
         | states
         | ({"stability": stability.record()} if stability else {})
+        | ({"stretches": stretch_records(motion)} if isinstance(scene.arc, LayeredSection) else {})
         | {
-            **({"stretches": stretch_records(motion)} if isinstance(scene.arc, LayeredSection) else {}),
             "energy": asdict(motion.energy) | {"residual": motion.energy.residual},
             "error_estimate": motion.error_estimate,
             "warnings": warnings_of(motion),
