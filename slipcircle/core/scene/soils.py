@@ -114,8 +114,9 @@ def _top_mistakes(k: int, top: Any) -> list[str]:
     if top is None:
         return [f"layers[{k}]: top is missing: a height in m, or points from left to right"]
     if np.ndim(top) > 1:
-        return points_errors(f"layers[{k}]: top", top, True)
-    return mistakes({"top": top}, {"top": (-FAR, FAR, "a height in m, or points from left to right")})
+        return points_errors(f"layers.{k + 1}.top", top, True)
+    name = f"layers.{k + 1}.top"
+    return mistakes({name: top}, {name: (-FAR, FAR, "a height in m, or points from left to right")})
 
 
 def _together_mistakes(soils: list[Soil]) -> list[str]:

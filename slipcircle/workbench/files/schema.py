@@ -6,7 +6,8 @@ from typing import Any
 from generated.effects import EFFECTS, LAWS
 from slipcircle.core import RATE_LAWS, may_have_rate
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
-from slipcircle.workbench.files.keys import SLOPING, Key, Table, law_table, tables_of
+from slipcircle.workbench.files.keys import Key, Table, law_table, tables_of
+from slipcircle.workbench.files.slopekeys import SLOPING
 
 _LIMITS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum"}
 _DISTRIBUTIONS = [{"$ref": f"#/$defs/{name}"} for name in DISTRIBUTIONS]

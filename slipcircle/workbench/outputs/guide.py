@@ -5,7 +5,8 @@ from collections.abc import Iterator
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
-from slipcircle.workbench.files.keys import SLOPING, Table, tables_of
+from slipcircle.workbench.files.keys import Table, tables_of
+from slipcircle.workbench.files.slopekeys import SLOPING
 from slipcircle.workbench.stability.stability import COMPARED, METHODS
 
 WIDTH, INDENT = 100, 28

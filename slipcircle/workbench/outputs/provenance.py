@@ -10,8 +10,9 @@ import numpy as np
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.series import Pulse, Series
 from slipcircle.core import RATE_LAWS, Scene, arc_numbers, law_parts
-from slipcircle.workbench.files.keys import SLOPING, Key, tables_of
+from slipcircle.workbench.files.keys import Key, tables_of
 from slipcircle.workbench.files.numbers import by_name, uncertain_numbers
+from slipcircle.workbench.files.slopekeys import SLOPING
 
 
 class Input(NamedTuple):
