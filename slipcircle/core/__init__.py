@@ -70,7 +70,9 @@ _PUBLIC = {
     "core.scene.friction": "RATE_LAWS law_depends law_mistakes law_names law_parts may_have_rate",
     "core.scene.ground": "circle_through circle_touching pond_errors simple_slope slope_errors",
     "core.scene.layers": "LayeredSection",
-    "core.scene.parameters": "DIP SOIL_BOUNDS Parameter parameter_value parameters with_parameter_arrays with_parameters",
+    "core.scene.parameters": (
+        "DIP SOIL_BOUNDS Parameter parameter_value parameters with_parameter_arrays with_parameters"
+    ),
     "core.scene.scene": "Scene checked",
     "core.scene.section": "Section",
     "core.scene.soils": "Soil layer_mistakes",

@@ -84,6 +84,12 @@ class LayeredSection(Section):
         return (*(soil for soil, _ in self.layers), *([self.foreland] if self.foreland else []))
 
     @cached_property
+    def shape(self) -> tuple[int, ...]:
+        """Of the geometry, with the tops of the layers."""
+        tops = [np.shape(top)[:-2] if np.ndim(top) > 1 else np.shape(top) for _, top in self.layers[1:]]
+        return np.broadcast_shapes(super().shape, *tops)
+
+    @cached_property
     def lanes_shape(self) -> tuple[int, ...]:
         """The broadcast shape of the geometry and of all numbers of soils."""
         numbers = [getattr(s, n) for s in self.soils for n in LANE_NUMBERS]

@@ -97,7 +97,9 @@ def layer_mistakes(
     if foreland is not None and not isinstance(foreland, Soil):
         found.append(f"foreland = {foreland!r}: must be a Soil")
     elif foreland is not None and strength == "mass":
-        found.append("foreland: cannot be combined with strength = 'mass', by which the sole of the mass keeps its own")
+        found.append(
+            "{foreland}: cannot be combined with {strength} = 'mass', by which the sole of the mass keeps its own"
+        )
     used = [soil for soil, _ in pairs] + ([foreland] if isinstance(foreland, Soil) else [])
     found += _together_mistakes(list({id(soil): soil for soil in used}.values()))
     for k, load in enumerate(surcharge):
@@ -130,5 +132,6 @@ def _together_mistakes(soils: list[Soil]) -> list[str]:
             shared = {name: value for name, value in soil.friction.items() if name not in ("peak", "residual")}
             laws.add(repr(sorted(shared.items())))
     if len(laws) > 1:
-        found.append("layers: the soils along an arc share one law of slip and one length")
+        names = ", ".join(soil.name for soil in soils if isinstance(soil.friction, Mapping))
+        found.append(f"layers: the soils along an arc share one law of slip and one length, and not {names}")
     return found

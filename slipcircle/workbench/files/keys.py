@@ -14,6 +14,7 @@ import numpy as np
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
 from slipcircle.core import ARC_BOUNDS, GIVEN, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
 
+_MOST = {"N/m^3": 1e6, "Pa": 1e12, "Pa/m": 1e12}  # by SI unit, upper bounds that only a wrong unit passes
 VARYING = ("number", "series", "line")  # kinds of keys whose numbers may vary
 _UNITS = {"Pa/m": "kPa/m"}  # of files, where a key does not show it in this order
 ROUGHEST = 10.0  # friction coefficient that no soil has: more was an angle
@@ -179,6 +180,7 @@ def _number(p: Parameter, title: str, unit: str = "", required: bool = False, ta
     if p.key.endswith("_deg") and not p.unit and not tangent:
         of = replace(of, high=ROUGHEST)  # which is not told: who meets it gave an angle
     least, most = ARC_BOUNDS[p.name][:2] if p.name in ARC_BOUNDS else LIMITS.get(p.unit, (0.0, INFINITY))
+    most = min(most, _MOST.get(p.unit, INFINITY))
     told = dict(of.limits)  # of what only a wrong unit passes the sign is enough
     if p.lower in (least, -most):
         told = {"gt": 0.0} if p.lower > 0.0 else {}

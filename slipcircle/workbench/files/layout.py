@@ -15,6 +15,7 @@ from slipcircle.workbench.files.slopekeys import LOADS, NOT_WITH_LAYERS, SLOPING
 
 _MOST_COHESION = 1e5  # kPa, of the soil of a homogeneous slope: more was in Pa
 _LISTS = ("layers", "surcharge")
+_BY_SOILS = "is given by the soils beside [[layers]]"
 _IN_SOILS = {
     "friction": "[soils.NAME.friction]",
     "cohesion": "cohesion_kPa in [soils.NAME]",
@@ -45,6 +46,9 @@ def layout_of(content: Mapping[str, Any]) -> Layout:
     known = {name: _numbered(value) if name in _LISTS else value for name, value in content.items()}
     mistakes = [f"{name}: {why}" for name, why in _excluded(on_slope, layered).items() if name in known]
     known = {name: value for name, value in known.items() if name not in _excluded(on_slope, layered)}
+    if layered and "unit_weight_kN_m3" in _table(known, "ground"):
+        known["ground"] = {k: value for k, value in known["ground"].items() if k != "unit_weight_kN_m3"}
+        mistakes.append(f"ground.unit_weight_kN_m3: {_BY_SOILS}: unit_weight_kN_m3 in [soils.NAME]; leave it out")
     slip = known.get("slip", {}) if layered else known.get("friction")
     law, rate = laws_of(slip)
     if not law:
@@ -77,7 +81,7 @@ def laws_of(friction: Any, known: Collection[str] = tuple(LAWS)) -> tuple[str, s
 def _excluded(on_slope: bool, layered: bool) -> dict[str, str]:
     """Tables that do not go with the others, and why."""
     of_arc = {"arc": "and ground exclude each other; leave one out"} if on_slope else {}
-    of_soils = {name: f"is given by the soils beside [[layers]]: {_IN_SOILS[name]}" for name in NOT_WITH_LAYERS}
+    of_soils = {name: f"{_BY_SOILS}: {_IN_SOILS[name]}; leave it out" for name in NOT_WITH_LAYERS}
     return of_arc | (of_soils if layered else {})
 
 
@@ -90,8 +94,13 @@ def _numbered(value: Any) -> Any:
 
 def _tables_in(content: Mapping[str, Any], name: str) -> dict[str, dict[str, Any]]:
     """The tables inside a table of a file."""
-    tables = content.get(name)
-    return {k: one for k, one in tables.items() if isinstance(one, dict)} if isinstance(tables, dict) else {}
+    return {k: one for k, one in _table(content, name).items() if isinstance(one, dict)}
+
+
+def _table(content: Mapping[str, Any], name: str) -> dict[str, Any]:
+    """A table of a file, empty where there is none."""
+    table = content.get(name)
+    return table if isinstance(table, dict) else {}
 
 
 def _unknown_law(friction: Mapping[str, Any]) -> dict[str, Any]:

@@ -34,39 +34,40 @@ def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]
     """Surcharges as the core takes them, and what is wrong with them."""
     loads, mistakes = [], []
     for k, load in enumerate(numbered(given, "surcharge"), 1):
-        left, right = load["from"], load["to"]
-        first, last = np.broadcast_to(load["pressure"], 2).tolist()
-        if not left < right:
+        left, right, pressure = (load.get(name) for name in ("from", "to", "pressure"))
+        if left is not None and right is not None and not left < right:
             mistakes.append(f"surcharge.{k}.to_m = {right:g}: must lie to the right of from_m = {left:g}")
-        loads.append((left, right, first, last))
+        elif None not in (left, right, pressure):
+            loads.append((left, right, *np.broadcast_to(pressure, 2).tolist()))
     return loads, mistakes
 
 
-def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any] | None) -> Profile:
-    """The layers of a file whose tables have no mistakes by themselves; ``rate`` is the law of speed of all soils."""
+def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any] | None, readable: bool) -> Profile:
+    """The layers of a file; where its tables are not ``readable`` by themselves, what is wrong between them alone.
+
+    ``rate`` is the law of speed of all soils.
+    """
     layers, slip = numbered(given, "layers"), given.get("slip", {})
     names = [path.partition(".")[2] for path in given if path.startswith("soils.") and not path.endswith(".friction")]
-    places = {f"layers.{k}.soil": layer["soil"] for k, layer in enumerate(layers, 1)}
-    places |= {"slip.foreland": slip["foreland"]} if "foreland" in slip else {}
+    places = {f"layers.{k}.soil": layer["soil"] for k, layer in enumerate(layers, 1) if layer.get("soil")}
+    places |= {"slip.foreland": slip["foreland"]} if slip.get("foreland") else {}
     mistakes = [*_unknown_soils(places, names), *_top_mistakes(layers)]
     soils = {}
-    for name in names:
+    for name in names if readable else []:
         tops = [layer.get("top") for layer in layers if layer["soil"] == name]
         try:
             soils[name] = _soil(name, given, tops, rate)
         except InputError as error:
             mistakes += [message.within(f"soils.{name}").worded(keys) for message in error.messages]
-    if mistakes:
+    if mistakes or not readable:
         return Profile([], None, "", mistakes, [])
     pairs = [(soils[layer["soil"]], layer.get("top")) for layer in layers]
     foreland = soils[slip["foreland"]] if "foreland" in slip else None
     strength = slip.get("strength", "base")
-    mistakes = [message.worded(keys) for message in _messages(layer_mistakes(pairs, (), strength, foreland))]
+    of_slip = {"foreland": "slip.foreland", "strength": "slip.strength"}
+    messages = InputError("", layer_mistakes(pairs, (), strength, foreland)).messages
+    mistakes = [message.worded(lambda name: of_slip.get(name, keys(name))) for message in messages]
     return Profile(pairs, foreland, strength, mistakes, [] if mistakes else list(_cut_off(given, pairs)))
-
-
-def _messages(sentences: list[str]) -> Any:
-    return InputError("", sentences).messages
 
 
 def _unknown_soils(places: Mapping[str, str], names: list[str]) -> Iterator[str]:
@@ -85,7 +86,7 @@ def _unknown_soils(places: Mapping[str, str], names: list[str]) -> Iterator[str]
 
 def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:
     """A first layer with a top, and others without."""
-    if "top" in layers[0]:
+    if layers and "top" in layers[0]:
         yield "layers.1.top_m: must be left out, as the top of the first layer is the ground"
     for k, layer in enumerate(layers[1:], 2):
         if "top" not in layer:

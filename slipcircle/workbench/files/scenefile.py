@@ -139,10 +139,11 @@ def _parts(
     if layout.on_slope and moving:
         mistakes += motion_mistakes(given, layout.layered)
     layers = None
-    if layout.layered and not document.wrong & {"soils", "layers", "slip"}:
-        layers = profile(given, keys, _rate(given.get("slip.rate"), layout.rate))
+    if layout.layered:
+        readable = not document.wrong & {"soils", "layers", "slip"}
+        layers = profile(given, keys, _rate(given.get("slip.rate"), layout.rate), readable)
         mistakes += layers.mistakes
-    loads, wrong = ([], []) if "surcharge" in document.wrong else surcharges(given)
+    loads, wrong = surcharges(given)
     mistakes += wrong
     effects = {} if mistakes else _effects(given, Path(file).parent)
     if layout.on_slope and not mistakes:
@@ -210,5 +211,6 @@ def _slope_message(error: InputError, keys: Callable[[str], str]) -> str:
     of_slope = {key.name: f"{t}.{k}" for t in tables for k, key in (SLOPING | LOADS)[t].keys.items()}
     of_slope |= {"pore_ratio": "pore_pressure.ratio", "pressure": "pore_pressure.pressure_kPa"}
     of_slope |= {"friction": "friction.coefficient", "cohesion": "cohesion.cohesion_kPa"}
+    of_slope["pond"] = "[pond]"
     text = error.worded(lambda name: of_slope.get(name, keys(name)))
     return f"critical: {text}" if error.what == "critical" else text

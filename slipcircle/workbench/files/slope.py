@@ -4,6 +4,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
+
 from slipcircle.base.checks import InputError
 from slipcircle.core import LayeredSection, Section, circle_through, circle_touching, simple_slope
 from slipcircle.workbench.files.profile import Profile, numbered
@@ -11,6 +13,7 @@ from slipcircle.workbench.stability.search import Critical, at_circle, critical
 from slipcircle.workbench.stability.stability import Slope, require_drive
 
 Arguments = Mapping[str, dict[str, Any]]
+_FLATTEST = 1e5  # radius over the size of the ground: beyond it a mass is a skin
 _OF_MOTION = ("gravity", "width")  # in [ground], and of no interest to statics
 
 
@@ -71,6 +74,8 @@ class SlopeInput:
                 raise InputError("critical", [needs])
             limits = {name: self.limits[name] for name in ("entry", "exit", "depth") if name in self.limits}
             least = critical(self.slope(), circle["critical"], **limits, tell=tell)
+            if least.radius > _FLATTEST * float(np.ptp(least.slope.ground)):
+                raise InputError("critical", ["{depth}: is missing: the least factor is that of an ever thinner skin"])
             return {"centre": least.centre, "radius": least.radius, "between": least.between}, least
         circle = _circle(circle)
         ground = self.ground

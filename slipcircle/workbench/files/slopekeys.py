@@ -182,7 +182,7 @@ _SLIP = table_of(
     {
         "strength": Key(
             "strength",
-            "with the base, over which the mass slides, by default, or with the mass",
+            "whether strength stays with the base, over which the mass slides, by default, or goes with the mass",
             "one of base, mass",
             kind="base|mass",
         ),
