@@ -27,9 +27,9 @@ FLAGS = (
     "-fschedule-insns",
     "-fsched-pressure",
 )
-# The walk is compiled once for every kind of processor, and once for the module. It proves nothing bit by bit: a
+# The integrator is compiled once for every kind of processor, and once for the module. It proves nothing bit by bit: a
 # product and a sum may be one operation.
-WALK = ("-ffp-contract=fast", "-fvisibility=hidden", "-Wno-psabi")
+INTEGRATOR = ("-ffp-contract=fast", "-fvisibility=hidden", "-Wno-psabi")
 KINDS = {
     "avx512": ("-DWIDE=512", "-mavx512f", "-mavx512dq", "-mavx512vl", "-mfma", "-mprefer-vector-width=512"),
     "avx2": ("-DWIDE=256", "-mavx2", "-mfma"),
@@ -38,7 +38,7 @@ KINDS = {
 _HERE = KINDS if platform.machine() in ("x86_64", "AMD64") else {"baseline": KINDS["baseline"]}
 PARTS: dict[str, tuple[tuple[str, ...], ...]] = {
     "_kernels": ((),),
-    "_flow": (*((*WALK, f"-DLEVEL={kind}", *flags) for kind, flags in _HERE.items()), WALK),
+    "_flow": (*((*INTEGRATOR, f"-DLEVEL={kind}", *flags) for kind, flags in _HERE.items()), INTEGRATOR),
 }
 SHARED = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 

@@ -50,7 +50,7 @@ if TYPE_CHECKING:
     from slipcircle.workbench.studies.study import Study
 
 __version__ = VERSION
-use_forms("slipcircle.workbench.common.forms")  # by `Motion.to_dict`, `to_pandas`, `to_xarray` and in notebooks
+use_forms("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
 # Each is loaded when it is asked for: where it is.
 _PLACES = {
     "Arc": "core",

@@ -12,11 +12,11 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from test_compiled import COMPILED, FITTED, LEVELS, needs_binary
 
 from derive import build
 from derive.approximate.programs import variants
 from derive.generate import emit_c, write
+from tests.support.kernels import COMPILED, FITTED, LEVELS, needs_binary
 
 ROOT = Path(__file__).parents[1]
 needs_compiler = pytest.mark.skipif(

@@ -4,17 +4,19 @@ from typing import Any
 
 import numpy as np
 import pytest
-from layered_benchmarks import CASES, solved
-from layered_benchmarks import differences as differences_of
-from layered_sections import differences, random_section, strength_by_quadrature
 
 from slipcircle import Scene, Section, solve
 from slipcircle.core import LayeredSection, Soil
 from slipcircle.core.flow import compiled
 from slipcircle.core.scene.coordinates import changed_fields, replace_unchecked
 from slipcircle.core.scene.parameters import with_parameters
+from slipcircle.workbench.files.loaded import SlopeScene
+from slipcircle.workbench.outputs.tables import motion_summary
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
+from tests.campaigns.layered_benchmarks import CASES, solved
+from tests.campaigns.layered_benchmarks import differences as differences_of
+from tests.campaigns.layered_sections import differences, random_section, strength_by_quadrature
 
 TURNING = ["rotation", "centripetal"]
 GROUND = [(-60, 20), (0, 20), (40, 0), (120, 0)]
@@ -56,7 +58,7 @@ def profile(name: str, strength: str = "base", **given: Any) -> LayeredSection:
 
 
 def test_moments_and_stretches_are_those_of_the_definitions() -> None:
-    """To 30 digits; 200 sections by ``python tests/layered_sections.py``."""
+    """To 30 digits; 200 sections by ``python -m tests.campaigns.layered_sections``."""
     rng = np.random.default_rng(7)
     for _ in range(5):
         assert max(differences(random_section(rng))) < 1e-12
@@ -79,6 +81,16 @@ def test_motions_are_those_of_another_integrator(name: str, strength: str) -> No
     digits = [2e-9, 2e-9, 3e-8, 2e-9, 2e-9]  # the time of the peak is given to 7 decimals
     for value, expected, tolerance in zip(computed, MOTIONS[name, strength], digits, strict=True):
         assert value == pytest.approx(expected, rel=tolerance)
+
+
+def test_the_first_lines_name_the_factors_of_a_layered_ground() -> None:
+    section = profile("constant friction")
+    stability = at_circle(Slope(GROUND, layers=section.layers, k_h=0.1), section)
+    column = motion_summary(solve(SlopeScene(section, effects=TURNING, stability=stability)))
+    assert column["factor of safety"] == "0.8259 by the paper's method, without k_h; the motion starts from it"
+    still = stability.factor_of_safety_without_k_h or {}
+    assert column["factor by Bishop's method"] == f"{still['bishop']:.4f}, without k_h"
+    assert "factor with k_h = 0.1" in column
 
 
 @pytest.mark.parametrize("strength", ["base", "mass"])
@@ -173,7 +185,7 @@ def test_what_soils_say_is_not_said_twice() -> None:
 # --- layered slopes --------------------------------------------------------------------------------------------------
 
 GIVEN = [case for case in CASES if "circle" in case]
-SEARCHED = ["ACADS 1c", "D&W 14.4 #79", "Low 1989 #24 phi=0"]  # all: python tests/layered_benchmarks.py
+SEARCHED = ["ACADS 1c", "D&W 14.4 #79", "Low 1989 #24 phi=0"]  # all: python -m tests.campaigns.layered_benchmarks
 
 
 @pytest.mark.parametrize("case", GIVEN, ids=lambda case: case["name"])

@@ -11,10 +11,6 @@ from urllib.parse import urlsplit
 
 import numpy as np
 import pytest
-import test_accuracy
-import test_cost
-import test_kernels
-from conftest import columns, words_of
 from matplotlib.figure import Figure
 
 import generated
@@ -26,6 +22,9 @@ from slipcircle import Motion, Unattainable, backanalyse, load, solve
 from slipcircle.workbench.cost import cost, costplot
 from slipcircle.workbench.outputs import pictures, plots
 from slipcircle.workbench.studies.ladder import ladder
+from tests.support import accuracy
+from tests.support.kernels import angles, errors
+from tests.support.outputs import QUICK, columns, words_of
 
 ROOT = Path(__file__).resolve().parent.parent
 README = ROOT / "README.md"
@@ -108,7 +107,7 @@ def test_its_pictures_are_those_that_are_drawn_today(monkeypatch: pytest.MonkeyP
     motion, frontier = (words_of((ROOT / f"notebooks/{name}.png").read_bytes()) for name in ("vaiont", "frontier"))
     assert motion == words_of(pictures.picture("motions", [solve(load("vaiont"))], "png"))
     if LEVELS[LEVEL][0] == "fused":
-        for name, value in test_cost.QUICK.items():
+        for name, value in QUICK.items():
             monkeypatch.setattr(cost, name, value)
         rows = cost.measure(["polar_moment"])
         today = words_of(pictures.render(partial(costplot.overview, rows), costplot.size(rows), "png"))
@@ -204,16 +203,16 @@ def energy_error(motion: Motion) -> float:
 def test_the_largest_errors_are_those_of_the_readme() -> None:
     """Those that take seconds to find again. Rounding is not the same on every machine: within a factor of 3."""
     shown = {row[3].split("`")[1]: float(row[2].split()[0].rstrip(";")) for row in VALIDATED[:-1]}
-    numbers = [k for k in test_accuracy.NUMBERS if not test_accuracy.near_limit(k)]
-    numbers = [k for k in numbers if test_accuracy.ROWS[k]["reference"]["phases"] < test_accuracy.MANY]
+    numbers = [k for k in accuracy.NUMBERS if not accuracy.near_limit(k)]
+    numbers = [k for k in numbers if accuracy.ROWS[k]["reference"]["phases"] < accuracy.MANY]
     found = {
-        "test_true_errors_are_rounding": max(max(test_accuracy.error(k)) for k in numbers),
-        "test_accuracy_is_what_the_user_gets": max(max(test_accuracy.error(k)) for k in test_accuracy.TIMED),
-        "test_energy_balances_at_all_times": max(energy_error(test_accuracy.solved(k)) for k in test_accuracy.TIMED),
+        "test_true_errors_are_rounding": max(max(accuracy.error(k)) for k in numbers),
+        "test_accuracy_is_what_the_user_gets": max(max(accuracy.error(k)) for k in accuracy.TIMED),
+        "test_energy_balances_at_all_times": max(energy_error(accuracy.solved(k)) for k in accuracy.TIMED),
     }
     if LEVELS[LEVEL][0] == "fused":
-        alphas, kernel = test_kernels.angles(), generated.moment_of_inertia
-        found["test_accuracy"] = test_kernels.errors(kernel, "moment_of_inertia", alphas)[0][0]
+        alphas, kernel = angles(), generated.moment_of_inertia
+        found["test_accuracy"] = errors(kernel, "moment_of_inertia", alphas)[0][0]
     for name, error in found.items():
         assert shown[name] / 3 < error < shown[name] * 3, (name, error)
 

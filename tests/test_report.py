@@ -25,6 +25,7 @@ from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.provenance import comments, inputs
 from slipcircle.workbench.outputs.report import report
+from tests.support.outputs import rows, tree
 
 COMMAND = "slipcircle run wet-slope --report report.html"
 
@@ -37,21 +38,6 @@ def motion(name: str) -> Motion:
 @cache
 def page() -> str:
     return report([motion("wet-slope")], [find("wet-slope").read_bytes()], COMMAND)
-
-
-def tree(text: str) -> Any:
-    """The page as XML, which it must be as well."""
-    assert text.startswith("<!DOCTYPE html>\n")
-    return ElementTree.fromstring(text.partition("\n")[2])
-
-
-def rows(page: Any) -> dict[str, Any]:
-    """The last cell of every table row, by the text of its first."""
-    found = {}
-    for row in page.iter("tr"):
-        cells = list(row)
-        found["".join(cells[0].itertext())] = cells[-1]
-    return found
 
 
 # --- the page ------------------------------------------------------------------------------------------------------

@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import columns
 
 import slipcircle
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.outputs.guide import guide
 from slipcircle.workbench.stability.search import Critical
+from tests.support.outputs import columns
 
 ACADS = """\
 note = "Giam and Donald 1989"
@@ -285,6 +285,29 @@ def test_the_limits_of_a_file_hold(write: Write, said: Any, records: Any) -> Non
     for words in ("k_h = 0.1", "without k_h"):
         assert f"factor of safety by Bishop's simplified method, {words}" in table
     assert table["motion starts from"] == ["that without k_h by the paper's method"]
+
+
+@pytest.mark.usefixtures("unseen")
+def test_the_first_lines_name_each_factor_of_safety(write: Write, said: Any) -> None:
+    between = FIXED.replace("cohesion_kPa = 3", "cohesion_kPa = 3.4")
+    slopes = {k_h: stability_of(slipcircle.load(write(between + f"[search]\nk_h = {k_h}\n"))) for k_h in (0.0, 0.05)}
+    still, shaken = ({m: f"{f:.4f}" for m, f in s.factor_of_safety.items()} for s in slopes.values() if s)
+    assert still["paper"] < "1" < still["bishop"]  # so that the methods disagree
+    out = said("run", write(between + "[search]\nk_h = 0.05\n"))
+    table = columns(out)
+    assert table["factor of safety"] == [
+        f"{still['paper']} by the paper's method, without k_h; the motion starts from it"
+    ]
+    assert table["factor by Bishop's method"] == [f"{still['bishop']}, without k_h"]
+    assert table["factor with k_h = 0.05"] == [
+        f"{shaken['paper']} by the paper's method, {shaken['bishop']} by Bishop's"
+    ]
+    assert table["at the start"] == ["stable by Bishop, moves by the paper's method"]
+    assert "lower, by 4 to 14 %" in " ".join(out.split())
+    table = columns(said("run", write(FIXED)))
+    assert "at the start" not in table  # as it moves by both
+    assert table["factor of safety"][0].endswith("by the paper's method; the motion starts from it")
+    assert not [label for label in table if "k_h" in label]
 
 
 def test_a_circle_that_cuts_level_ground_alone_is_refused(write: Write, asked: Any) -> None:

@@ -5,7 +5,6 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-import peers_slopes
 import pytest
 
 from slipcircle import Scene
@@ -16,6 +15,7 @@ from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.search import critical
 from slipcircle.workbench.stability.slices import circle_factors
 from slipcircle.workbench.stability.stability import METHODS, Slope, factors_of_safety
+from tests.campaigns import peers_slopes
 
 
 def tangent(degrees: float) -> float:

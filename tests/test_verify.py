@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import mpmath as mp
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -42,6 +43,7 @@ FAILING = {
     "(2.26)": ("assumption", r"J_r\(phi\)", FROZEN),
     "Table 2-1 A": ("wrong", r"^0\.60855", r"2 alpha.*0\.46776"),
     "Sect. 3 only": ("wrong", r"^0\.4864", "any distribution"),
+    "Sect. 3 layers": ("assumption", r"sigma\(theta\)", f"{UNIFORM}.*third it gives 30\\.19 % more than strips"),
     "(3.11)": ("assumption", r"J_r\(phi\)", FROZEN),
     "Fig. 3-1": PICTURE,
     "Fig. 3-2": ("wrong", r"-0\.3651", "sin"),
@@ -156,6 +158,7 @@ FORMS = [
     ("(3.17)", "(J_theta - J_r*mu)/Theta", "holds"), ("(3.17)", "(J_theta0 - J_r*mu)/Theta", "assumption"),
     ("(3.6)", "sigma_ref*(J_r0/lam + A*omega_star**2)", "assumption"), ("(2.20)", "J_r/lam", "assumption"),
     ("(2.22)", "J_r0/(2*alpha*(1 - cos(alpha)))", "assumption"), ("Sect. 4 reduction", "mu_of(t)", "holds"),
+    ("Sect. 3 layers", "mu_of(theta)*sigma(theta)*ell*R", "holds"),
     ("(3.8)", "R**4*Theta*g/R*rate_star; g*R**3*J_theta0 - R**2*g/gamma*2*alpha*mu*sigma_mean", "assumption"),
 ]  # fmt: skip
 
@@ -251,6 +254,25 @@ def test_vector_balance_by_adding_up_forces() -> None:
         assert abs(pressure - postulates.along_bisector(mp.mpf(0))) < 1e-12
         # The columns carry the whole weight, and press on the arc as the scalar sum says.
         assert abs(postulates.sum_of(postulates.columns) - s.moment("radial_weight")) < 1e-12
+
+
+def test_strips_by_adding_up_columns() -> None:
+    """Sand above and rock below of an arc cut into 100,000 columns: what a uniform stress gives beside strips."""
+    theta_1, theta_2 = np.deg2rad(215.2), np.deg2rad(276.9)
+    ends = np.array([[np.cos(x), np.sin(x)] for x in (theta_1, theta_2)])
+    edges = np.linspace(ends[0, 0], ends[1, 0], 100_001)
+    x = (edges[1:] + edges[:-1]) / 2
+    ground = np.interp(x, *ends.T)
+    arc = -np.sqrt(1 - x**2)
+    heights = np.linspace(0.0, 1.0, 21)
+    y = arc + (heights[1:, None] + heights[:-1, None]) / 2 * (ground - arc)
+    normal = np.mean(-y / np.hypot(x, y), axis=0) * (ground - arc) * np.diff(edges)  # of each column, over rho g R^2
+    is_sand = np.arctan2(arc, x) + 2 * np.pi < theta_1 + (theta_2 - theta_1) / 3
+    friction = np.tan(np.deg2rad(np.where(is_sand, 35.0, 10.0)))
+    uniform = normal.sum() * np.tan(np.deg2rad([35.0, 10.0])) @ [1 / 3, 2 / 3]
+    with mp.workdps(30):
+        assert abs(postulates.sum_of(postulates.strips) - s.moment("radial_weight")) < 1e-20
+        assert uniform / (friction @ normal) - 1 == pytest.approx(float(postulates.layers()), rel=1e-4)
 
 
 # --- definitions, domains, digits ------------------------------------------------------------------------

@@ -20,6 +20,7 @@ import sympy as sp
 from sympy import (
     Add,
     Expr,
+    Function,
     Matrix,
     Min,
     Rational,
@@ -264,7 +265,7 @@ def head() -> Expr:
 
 def prove() -> list[str]:
     """Prove what the forms above rest on; the claims."""
-    claims = _of_edges() | _of_moments() | _of_one_chord() | _of_heads()
+    claims = _of_edges() | _of_moments() | _of_one_chord() | _of_heads() | _of_layers() | _of_strips()
     for claim, zero in claims.items():
         prove_zero(zero, claim)
     return [*claims]
@@ -332,4 +333,51 @@ def _of_heads() -> dict[str, Expr]:
     return {
         "height of a line above the arc": expand_trig(slope - above),
         "no height over no angle": limit(integral, ANGLE, 0),
+    }
+
+
+def _of_layers() -> dict[str, Expr]:
+    """That layers add: boundary by boundary, each with the unit weight below it less that above it.
+
+    Over a vertical line through three layers, with any primitive F of what is integrated: a moment is linear in the
+    weight. Where a layer is absent two of the heights are equal.
+    """
+    primitive = Function("F")
+    tops = symbols("y1 y2 y3", real=True)
+    bottom = Symbol("y4", real=True)  # of the mass, at the arc
+    unit_weights = symbols("gamma1 gamma2 gamma3", positive=True)
+    layer_by_layer = Add(
+        *(
+            unit_weight * (primitive(top) - primitive(below))
+            for unit_weight, top, below in zip(unit_weights, tops, (*tops[1:], bottom), strict=True)
+        )
+    )
+    steps = [below - above for above, below in zip((0, *unit_weights), unit_weights, strict=False)]
+    by_boundary = Add(*(step * (primitive(top) - primitive(bottom)) for step, top in zip(steps, tops, strict=True)))
+    one_soil = dict.fromkeys(unit_weights[1:], unit_weights[0])
+    homogeneous = unit_weights[0] * (primitive(tops[0]) - primitive(bottom))
+    return {
+        "a moment of layers is the sum over their tops": layer_by_layer - by_boundary,
+        "one soil in three layers is one soil": by_boundary.subs(one_soil) - homogeneous,
+    }
+
+
+def _of_strips() -> dict[str, Expr]:
+    """What strips press on the arc after a rotation: n = A cos(phi) - B sin(phi) + P omega^2.
+
+    A strip turns with the mass by phi, which lowers the dip, and so does the place on the arc that carries it.
+    """
+    down = Matrix([0, -1])
+    position = Matrix([_RHO * sin(BETA), -_RHO * cos(BETA)])
+    turned = Matrix([_RHO * sin(BETA + _PHI), -_RHO * cos(BETA + _PHI)])
+    at_rest = position.dot(down) / _RHO
+    slope = position[0] / _RHO
+    pressed = expand_trig(turned.dot(down) / _RHO)
+    y_squared = _RHO**2 - SINE**2
+    inertia = (_Y * _RHO + SINE**2 * log(_Y + _RHO)) / 2  # as x^2 asinh(y/|x|) but for a constant
+    grows = diff(inertia, _Y) + diff(inertia, _RHO) * _Y / _RHO
+    on_strip = simplify((grows - _RHO).subs(_Y, sqrt(y_squared)))
+    return {
+        "radial weight of a strip after a rotation": pressed - at_rest * cos(_PHI) + slope * sin(_PHI),
+        "centripetal force of a strip": on_strip,
     }

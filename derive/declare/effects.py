@@ -15,10 +15,12 @@ from derive.declare.symbols import in_words
 THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA, OMEGA_2 = sp.symbols(
     "Theta J_r J_theta lambda A mu omega omega_2", real=True
 )
-# The same over Theta*, as the functions take it: fall = J_theta/Theta*, press = J_r/Theta*, level = lambda/Theta*,
-# polar = I_p*/Theta*; fall_slope and press_slope are their derivatives by psi.
-FALL, PRESS, LEVEL, POLAR = sp.symbols("fall press level polar", real=True)
-FALL_SLOPE, PRESS_SLOPE = sp.symbols("fall_slope press_slope", real=True)
+# The same over Theta*, as the functions take it: driving_moment = J_theta/Theta*, normal_load = J_r/Theta*,
+# resistance_factor = lambda/Theta*, polar_moment = I_p*/Theta*; slopes are derivatives by psi.
+DRIVING_MOMENT, NORMAL_LOAD, RESISTANCE_FACTOR, POLAR_MOMENT = sp.symbols(
+    "driving_moment normal_load resistance_factor polar_moment", real=True
+)
+DRIVING_MOMENT_SLOPE, NORMAL_LOAD_SLOPE = sp.symbols("driving_moment_slope normal_load_slope", real=True)
 # What parameters are converted with: half angle, gravity, radius, density, Theta*, the reference stress (2.13).
 # cover is the stress of which r_u is a share, over the static normal stress.
 ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE, COVER, VALUE = sp.symbols(
@@ -73,7 +75,8 @@ class Effect:
     """A term of the balance that a scene may contain.
 
     ``stress`` is what it adds to the mean normal stress and ``pressure`` to the pore pressure, over sigma_ref;
-    ``resistance`` is a moment that opposes the motion. ``fall`` and ``press`` are what it adds to J_theta and J_r.
+    ``resistance`` is a moment that opposes the motion. ``driving_moment`` and ``normal_load`` are what it adds
+    to J_theta and J_r.
     ``turns`` lets the geometry move with the mass. ``states`` are symbols that change with time, and ``growth``
     is their derivative by the rotation. At least one parameter of ``any_of`` is needed.
     ``depends_on`` decides which methods can solve it.
@@ -88,8 +91,8 @@ class Effect:
     pressure: sp.Expr = sp.Integer(0)
     resistance: sp.Expr = sp.Integer(0)
     turns: bool = False
-    fall: sp.Expr = sp.Integer(0)
-    press: sp.Expr = sp.Integer(0)
+    driving_moment: sp.Expr = sp.Integer(0)
+    normal_load: sp.Expr = sp.Integer(0)
     states: tuple[sp.Symbol, ...] = ()
     growth: sp.Expr = sp.Integer(0)
     any_of: tuple[str, ...] = ()
@@ -250,7 +253,8 @@ EFFECTS = (
         *_OF_A_RECORD,
         _optional("two_way", "whether shaking may start it up-slope too; by default it may not", kind="flag")),
            ("time",), "ground motion tilts and scales gravity", any_of=("horizontal", "pulse", "record"),
-           fall=_K_H * THETA * FALL_SLOPE - _K_V * J_THETA, press=_K_H * THETA * PRESS_SLOPE - _K_V * J_R),
+           driving_moment=_K_H * THETA * DRIVING_MOMENT_SLOPE - _K_V * J_THETA,
+           normal_load=_K_H * THETA * NORMAL_LOAD_SLOPE - _K_V * J_R),
     Effect("thermal_pressurisation", "3.11", (
         Parameter("pressurisation", "Pa/K", _BELOW_0, _INFINITY, "Lambda, rise of the pore pressure in the undrained "
                   "layer for each kelvin", "pressurisation_MPa_K", 1e6, _KAPPA,
@@ -280,7 +284,7 @@ SECTION_EFFECTS = (
                     "rotation"),
         _of_section("strength", "strength without normal stress", _COHESIVE, "rotation")), (),
            "soils along the arc have strengths of their own, by the weights of (2.23) straight above each",
-           press=THETA * (_NORMAL + TURNING + _INERTIA * OMEGA_2), pressure=THETA / LAMBDA * _LIFT,
+           normal_load=THETA * (_NORMAL + TURNING + _INERTIA * OMEGA_2), pressure=THETA / LAMBDA * _LIFT,
            resistance=THETA * (_COHESIVE + REMAINING + _REMAINING + _REMAINING_INERTIA * OMEGA_2)),
 )  # fmt: skip
 ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
@@ -290,8 +294,8 @@ def formulas(effect: Effect) -> tuple[str, ...]:
     """What an effect adds to the balance, and what makes its parameters dimensionless (these get a star)."""
     starred = {p.symbol: p for p in effect.parameters if p.symbol is not None and p.dimensionless != VALUE}
     notation: dict[sp.Expr, str] = {
-        THETA * FALL_SLOPE: "dJ_theta/dpsi",
-        THETA * PRESS_SLOPE: "dJ_r/dpsi",
+        THETA * DRIVING_MOMENT_SLOPE: "dJ_theta/dpsi",
+        THETA * NORMAL_LOAD_SLOPE: "dJ_r/dpsi",
         ALPHA: "alpha",
         GRAVITY: "g",
         RADIUS: "R",
@@ -309,8 +313,8 @@ def formulas(effect: Effect) -> tuple[str, ...]:
         "sigma": effect.stress,
         "u": effect.pressure,
         "resistance": effect.resistance,
-        "J_theta": effect.fall,
-        "J_r": effect.press,
+        "J_theta": effect.driving_moment,
+        "J_r": effect.normal_load,
     }
     lines = ["psi = psi_0 - phi"] if effect.turns else []
     for quantity, term in terms.items():
@@ -324,6 +328,7 @@ def formulas(effect: Effect) -> tuple[str, ...]:
 
 
 # The derivatives by psi of what turns with the mass.
-BY_PSI = {FALL: FALL_SLOPE, PRESS: PRESS_SLOPE, FALL_SLOPE: -FALL, PRESS_SLOPE: -PRESS,
+BY_PSI = {DRIVING_MOMENT: DRIVING_MOMENT_SLOPE, DRIVING_MOMENT_SLOPE: -DRIVING_MOMENT,
+          NORMAL_LOAD: NORMAL_LOAD_SLOPE, NORMAL_LOAD_SLOPE: -NORMAL_LOAD,
           TURNING: TURNING_SLOPE, TURNING_SLOPE: -TURNING,
           REMAINING: REMAINING_SLOPE, REMAINING_SLOPE: -REMAINING}  # fmt: skip

@@ -10,20 +10,20 @@ from derive.declare.effects import (
     ALL_EFFECTS,
     BY_PSI,
     DEGREE,
+    DRIVING_MOMENT,
     EFFECTIVE,
-    FALL,
     J_R,
     J_THETA,
     LAMBDA,
     LAWS,
-    LEVEL,
     MU,
+    NORMAL_LOAD,
+    NORMAL_LOAD_SLOPE,
     OMEGA,
     OMEGA_2,
-    POLAR,
-    PRESS,
-    PRESS_SLOPE,
+    POLAR_MOMENT,
     REMAINING_SLOPE,
+    RESISTANCE_FACTOR,
     SLIP,
     SPEED,
     THETA,
@@ -37,12 +37,12 @@ from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, cell,
 
 # What every scene gives, all over Theta*.
 INPUTS = {
-    "fall": "J_theta/Theta*, what gravity drives with at the start",
-    "fall_slope": "its derivative by psi",
-    "press": "J_r/Theta*, what gravity presses with at the start",
-    "press_slope": "its derivative by psi",
-    "level": "lambda/Theta*",
-    "polar": "I_p*/Theta*",
+    "driving_moment": "J_theta/Theta* of the weight at the start",
+    "driving_moment_slope": "its derivative by psi",
+    "normal_load": "J_r/Theta* of the weight at the start",
+    "normal_load_slope": "its derivative by psi",
+    "resistance_factor": "lambda/Theta*",
+    "polar_moment": "I_p*/Theta*",
 }
 # What effects add to, over Theta*: the moments that drive and resist, lambda sigma* that presses, lambda u* that lifts.
 QUANTITIES = ("driving", "resisting", "pressing", "lifting")
@@ -63,7 +63,7 @@ def seen(q: Symbol) -> Symbol:
 
 def sign(q: Symbol) -> Expr:
     """What a component is multiplied by to be seen so: J_theta and the slope of J_r are odd in psi."""
-    odd_in_psi = (FALL, PRESS_SLOPE, TURNING_SLOPE, REMAINING_SLOPE)
+    odd_in_psi = (DRIVING_MOMENT, NORMAL_LOAD_SLOPE, TURNING_SLOPE, REMAINING_SLOPE)
     return DIRECTION if q in odd_in_psi else ONE
 
 
@@ -84,16 +84,22 @@ def position() -> dict[Symbol, tuple[Expr, Increment]]:
 
 def scaled(e: Expr) -> Expr:
     """A moment over Theta*, in the functions of the position and the parameters alone."""
-    over_theta = {J_THETA: THETA * FALL, J_R: THETA * PRESS, LAMBDA: THETA * LEVEL, A: POLAR / LEVEL, OMEGA_2: OMEGA**2}
+    over_theta = {
+        J_THETA: THETA * DRIVING_MOMENT,
+        J_R: THETA * NORMAL_LOAD,
+        LAMBDA: THETA * RESISTANCE_FACTOR,
+        A: POLAR_MOMENT / RESISTANCE_FACTOR,
+        OMEGA_2: OMEGA**2,
+    }
     return expand(expand(expand(e).subs(over_theta)) / THETA)
 
 
 def quantities(effect: Effect) -> dict[str, Expr]:
     """What an effect adds to the quantities of the balance."""
     return {
-        "driving": scaled(effect.fall),
+        "driving": scaled(effect.driving_moment),
         "resisting": scaled(effect.resistance),
-        "pressing": scaled(effect.press + LAMBDA * effect.stress),
+        "pressing": scaled(effect.normal_load + LAMBDA * effect.stress),
         "lifting": scaled(LAMBDA * effect.pressure),
     }
 
@@ -109,7 +115,7 @@ def odd(effect: Effect) -> set[Symbol]:
 
 def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
     """Whether a mirror in which these parameters change sign turns the drive round and leaves all else."""
-    mirror = {x: -x for x in (FALL, PRESS_SLOPE, *chosen)}
+    mirror = {x: -x for x in (DRIVING_MOMENT, NORMAL_LOAD_SLOPE, *chosen)}
     for quantity, e in quantities(effect).items():
         mirrored = -e if quantity == "driving" else e
         if expand(e.xreplace(mirror) - mirrored) != 0:
@@ -157,7 +163,7 @@ def of_effect(effect: Effect) -> Fragment:
         low.whole(f"d{x}", f"{x}_less", str(x))
     low.moving = {**low.moving, **TOTALS}
     rate = expand(effect.growth * OMEGA)
-    rate = rate.subs(EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
+    rate = rate.subs(EFFECTIVE, NORMAL / RESISTANCE_FACTOR).subs(MU * NORMAL, FRICTION)
     inputs = []
     optional = []
     tables = []
@@ -250,7 +256,7 @@ def gravity() -> Fragment:
         low.cells[str(seen(q))] = sign(q) * q
     low.moving = position()
     words = ["(3.11) driving = J_theta/Theta*, pressing = J_r/Theta*, in the direction of travel"]
-    return low.fragment(words, {"driving": FALL, "pressing": PRESS})
+    return low.fragment(words, {"driving": DRIVING_MOMENT, "pressing": NORMAL_LOAD})
 
 
 def rotation(effect: Effect) -> Fragment:
@@ -260,8 +266,8 @@ def rotation(effect: Effect) -> Fragment:
         turned = q * cos(ROTATION) - slope * sin(ROTATION)
         low.cells[str(seen(q))] = sign(q) * turned
     low.turn(series("x"), ONE, ONE)
-    press, increment = position()[PRESS]
-    low.put("lin", "upright", str(press), low.sum(increment))
+    normal_load, increment = position()[NORMAL_LOAD]
+    low.put("lin", "upright", str(normal_load), low.sum(increment))
     words = [
         f"({effect.equation}) {effect.help}",
         *formulas(effect),
@@ -307,8 +313,8 @@ def _drive(low: Lowering, net: Expr) -> None:
     others, first, drive, limit = (cell(x) for x in ("others", "first", "drive", "limit"))
     margin = driving - resisting
     cells["limit_0"] = margin / normal
-    other_driving = driving - cell(str(seen(FALL)))
-    other_normal = normal - cell(str(seen(PRESS)))
+    other_driving = driving - cell(str(seen(DRIVING_MOMENT)))
+    other_normal = normal - cell(str(seen(NORMAL_LOAD)))
     cells["others"] = abs(other_driving) + abs(other_normal) + resisting
     cells["limit"] = Select(0, others, cell("limit_0"), cell("LIMIT"))
     cells["gap"] = limit - mu

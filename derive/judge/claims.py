@@ -60,10 +60,15 @@ class Claim:
     kind: Literal["form", "definition", "number", "range", "appendix"] = "form"
     causes: tuple[Cause, ...] = ()
     shows: str = "{}"  # how the derived value is written
-    note: str = ""  # remark if it holds
+    note: str | Callable[[], str] = ""  # remark if it holds, or how it is computed
     dimension: str = ""
     law: Callable[[Expr], Iterable[Expr]] | None = None
     weight: Expr | None = None
     given: tuple[str, ...] = ()
     domain: tuple[tuple[str, Any, Any], ...] = ()
     subject: Appendix | None = None
+
+    @property
+    def remark(self) -> str:
+        """The note, computed where it has numbers."""
+        return self.note if isinstance(self.note, str) else self.note()

@@ -208,10 +208,10 @@ def _number(claim: Claim) -> Judgement:
     computed = claim.shows.format(" to ".join(map(_digits, values)))
     printed, low, high = s.printed_as(claim.printed)
     if single and abs(least - printed) < abs(printed) * _TINY:
-        return computed, "holds", claim.note
+        return computed, "holds", claim.remark
     if least < high and low <= values[-1]:
         cut = single and least - printed >= printed - low
-        return computed, "holds to the printed digits", "cut off, not rounded" if cut else claim.note
+        return computed, "holds to the printed digits", "cut off, not rounded" if cut else claim.remark
     return computed, *_explained(claim, lambda value: low <= value < high)
 
 
@@ -221,7 +221,7 @@ def _range(claim: Claim) -> Judgement:
     low, high = (mp.inf if x == oo else mp.mpf(x.p) / x.q for x in m.read(claim.expression))
     computed = claim.shows.format(*map(_digits, values))
     if all(low <= x <= high for x in values):
-        return computed, "holds", claim.note
+        return computed, "holds", claim.remark
     return computed, *_explained(claim, lambda value: min(abs(value - x) for x in values) < _TINY)
 
 
@@ -244,7 +244,7 @@ def _form(claim: Claim) -> Judgement:
     derived = _derived(claim)
     if not claim.expression:
         computed = claim.shows.format(*map(_digits, derived)) if derived else "-"
-        return computed, "not machine-checkable", claim.note
+        return computed, "not machine-checkable", claim.remark
     computed = claim.shows.format("; ".join(dict.fromkeys(map(words, derived))))
     edits = (None, *(x for x in claim.causes if x.edit[0] and x.edit[0] in claim.expression))
     for postulates, cause in product(_candidates(claim), edits):
@@ -265,7 +265,7 @@ def _candidates(claim: Claim) -> Iterator[tuple[Postulate, ...]]:
 
 def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | None) -> tuple[str, str]:
     """Verdict and words of a form that holds under these postulates, once an edit has mended it if there is a cause."""
-    remark = cause.words if cause else claim.note
+    remark = cause.words if cause else claim.remark
     if cause and (cause.verdict != "imprecise" or not postulates):
         return cause.verdict, "; given ".join([remark, *(x.words for x in postulates)])
     if postulates:
@@ -301,7 +301,7 @@ def _appendix(claim: Claim) -> Judgement:
         return computed, "wrong", "; ".join(remarks)
     if brackets:
         return computed, "misprint", "; ".join(remarks)
-    return computed, "holds", claim.note
+    return computed, "holds", claim.remark
 
 
 def _brackets(appendix: Appendix) -> str:

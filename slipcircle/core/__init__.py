@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from slipcircle.base.series import Series as Series
     from slipcircle.core.flow.compiled import numpy_only as numpy_only
     from slipcircle.core.motion.derivatives import Sensitivity as Sensitivity
+    from slipcircle.core.motion.forms import Pictured as Pictured
     from slipcircle.core.motion.motion import Motion as Motion
     from slipcircle.core.motion.plan import Plan as Plan
     from slipcircle.core.motion.plan import plan as plan
@@ -60,6 +61,7 @@ _PUBLIC = {
     "base.series": "Pulse Series",
     "core.flow.compiled": "numpy_only",
     "core.motion.derivatives": "Sensitivity",
+    "core.motion.forms": "Pictured",
     "core.motion.motion": "Motion",
     "core.motion.plan": "Plan plan step_operations",
     "core.motion.solver": "solve",

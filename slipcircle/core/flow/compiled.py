@@ -44,7 +44,7 @@ def module() -> Any:
             return binary
         fault = "it was built from another source"
     warnings.warn(
-        f"the compiled walk is refused, NumPy serves: {fault}; run `python -m derive.build` or install again",
+        f"the compiled integrator is not used, NumPy is: {fault}; run `python -m derive.build` or install again",
         RuntimeWarning,
         stacklevel=2,
     )
@@ -173,7 +173,7 @@ def integrate(
     order = int(cells[ix.ORDER].max())
     left = 1
     while left:
-        left, noted = binary.walk(code, pieces, cells, order, 0, count, ROUNDS, times, states, notes, number)
+        left, noted = binary.integrate(code, pieces, cells, order, 0, count, ROUNDS, times, states, notes, number)
         if log is not None:
             log += [(int(kind), *at) for kind, *at in notes[:noted].tolist()]
 
@@ -192,7 +192,7 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: i
         code = encoded(program)
         pieces = _pieces(tables, count)
         level = min(binary.LEVELS.values())
-        binary.walk(code, pieces, cells, LOWEST, 0, count, begins, _NOTHING, values, _NOTHING, level)
+        binary.integrate(code, pieces, cells, LOWEST, 0, count, begins, _NOTHING, values, _NOTHING, level)
     return values
 
 

@@ -291,7 +291,7 @@ class Lanes:
         problem = self.problem.with_steady_shaking()
         program, cells = problem.program, problem.cells
         places, roles = program.places, program.roles
-        downhill = np.where(cells[places["fall"]] < 0.0, -1.0, 1.0)
+        downhill = np.where(cells[places["driving_moment"]] < 0.0, -1.0, 1.0)
         cells[ix.OMEGA], cells[ix.DIRECTION], cells[places["k_h"]] = 0.0, downhill, 0.0
         shaken = cells.copy()
         shaken[places["k_h"]] = downhill  # a unit of k_h, the way in which gravity drives

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from generated.effects import ALL_EFFECTS, LAWS
-from generated.flow import PIECES
+from generated.flow import INPUTS, PIECES
 from slipcircle.base.checks import choose, plain
 from slipcircle.core.flow import tables
 from slipcircle.core.flow.build import build_program
@@ -182,7 +182,8 @@ class _Numbers:
 
     def __post_init__(self) -> None:
         self.time_scale, self.radius = plain(self.arc.time_scale), plain(self.arc.radius)
-        self.inputs: dict[str, Any] = self.arc.moment_coefficients.inputs()
+        coefficients = self.arc.moment_coefficients
+        self.inputs: dict[str, Any] = {name: getattr(coefficients, name) for name in INPUTS}
 
     def add_start(self, velocity: Any, end_time: Any) -> None:
         """How the motion starts, when it ends, and what the integrator remembers at first."""

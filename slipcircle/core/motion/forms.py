@@ -1,4 +1,4 @@
-"""What a `Motion` turns into for other tools. The core computes; a package above it says here who makes the forms."""
+"""What results turn into for other tools and for the eye. The core computes; a package above makes the forms."""
 
 from importlib import import_module
 from typing import Any
@@ -9,12 +9,63 @@ _modules: list[str] = []
 
 
 def use_forms(module: str) -> None:
-    """Name the module with the functions `to_dict`, `to_pandas`, `to_xarray`, `html`; imported when one is called."""
+    """Name the module with a function for each method below, `html` in notebooks; imported when one is called."""
     _modules[:] = [module]
 
 
-class Forms:
+class Pictured:
+    """The method that draws a result."""
+
+    def plot(self, what: str = "overview", ax: Any = None) -> Any:
+        """Draw it with matplotlib.
+
+        Parameters
+        ----------
+        what : str
+            ``"overview"``, which is several panels. Of a motion also ``"section"``, ``"energy"``, ``"shaking"``, and
+            over time ``"velocity"``, ``"displacement"``, ``"rotation"``, ``"friction"``, ``"normal_stress"``; of a
+            study also ``"reach"``, ``"run_out"``, ``"peak_velocity"``, ``"duration"``.
+        ax : matplotlib axis, optional
+            To draw on, but not of the overview, which makes its figure.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            Of the overview its first panel; ``.figure`` is the whole, with ``savefig``.
+
+        Raises
+        ------
+        ValueError
+            If there is no such picture, or a motion has many lanes.
+        ImportError
+            Without matplotlib.
+        """
+        return self._form("plot", what, ax)
+
+    def _form(self, name: str, *arguments: Any) -> Any:
+        (module,) = _modules
+        return getattr(import_module(module), name)(self, *arguments)
+
+
+class Forms(Pictured):
     """The methods of `Motion` that other tools call."""
+
+    def animate(self, path: str = "", seconds: float = 5.0) -> Any:
+        """The slide as a moving section.
+
+        Parameters
+        ----------
+        path : str, optional
+            Of a file ``.gif`` to write.
+        seconds : float
+            That the motion is shown in.
+
+        Returns
+        -------
+        matplotlib.animation.FuncAnimation
+            To keep while it plays, or to save otherwise; None where a path was given.
+        """
+        return self._form("animate", path, seconds)
 
     def to_dict(self, times: ArrayLike | None = None) -> dict[str, Any]:
         """Results by name in SI units; of many lanes arrays, with the numbers that vary before them.
@@ -42,7 +93,3 @@ class Forms:
 
     def _repr_html_(self) -> str:
         return self._form("html")
-
-    def _form(self, name: str, *arguments: Any) -> Any:
-        (module,) = _modules
-        return getattr(import_module(module), name)(self, *arguments)

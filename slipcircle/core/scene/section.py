@@ -62,8 +62,9 @@ class Section(SlidingBody, TurningMass):
     however thin the mass; ``mean_cover`` and ``mean_pressure`` to about 4e-15 (1 + 1/alpha) of the greatest height
     above the arc, alpha half its angle (1e-13/alpha at worst of 2,000 random arcs). A vertex as near to the circle as
     rounding of coordinates goes (32 times 2e-16) counts as on it, which changes a mass of the depth f by up to about
-    1e-14 (R + |coordinates|)/f: by 1e-6 at alpha = 1e-5. A point of the arc lies under the water level and the ground
-    at its x, also where the arc overhangs: the column above it is then ground outside the mass.
+    1e-14 (R + x + y)/f, x and y its greatest coordinates: by 1e-6 at alpha = 1e-5. A point of the arc lies under the
+    water level and the ground at its x, also where the arc overhangs: the column above it is then ground outside the
+    mass.
     """
 
     ground: ArrayLike

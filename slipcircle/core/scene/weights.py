@@ -51,10 +51,6 @@ class MomentCoefficients(NamedTuple):
     limit_friction: Any  # J_theta/J_r at the start
     cover: Any  # the stress of which r_u is a share, over the static normal stress
 
-    def inputs(self) -> dict[str, Any]:
-        """By the names of the generated programs (`generated.flow.INPUTS`)."""
-        return dict(zip(("fall", "fall_slope", "press", "press_slope", "level", "polar"), self, strict=False))
-
 
 class SlidingBody:
     """What follows from the fields and coefficients of a failed section, whatever its shape."""

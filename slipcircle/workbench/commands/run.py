@@ -9,7 +9,7 @@ from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, with_scene_context
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import OUTCOMES, record
-from slipcircle.workbench.files.loaded import warnings_of
+from slipcircle.workbench.files.loaded import stability_of, warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import find, load
 from slipcircle.workbench.files.variation import other_way
@@ -50,6 +50,8 @@ def run(options: argparse.Namespace) -> Answer:
         texts = {q.label: f"{shown(mean[name])} {q.unit}" for name, q in OUTCOMES.items()}
         columns.append({label: text for label, text in texts.items() if label in columns[0]})
     notes = [f"{scene.name}: {scene.note}" for scene in scenes if scene.note]
+    if any(map(stability_of, scenes)):
+        notes.append(tables.DIFFERENCE)
     head = ["", *(scene.name for scene in scenes), *means]
     return Answer(
         lambda: [*map(record, motions), *({"scene": name, **mean} for name, mean in means.items())],

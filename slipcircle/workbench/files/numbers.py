@@ -29,7 +29,8 @@ def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
         for k, key in table.keys.items():
             if key.kind in VARYING:
                 constant = path.endswith("friction") and key.name == "coefficient"
-                name = key.name if path in ("", "arc") else path if constant else f"{path}.{key.name}"
+                table = path.removeprefix("slip.")
+                name = key.name if path in ("", "arc") else path if constant else f"{table}.{key.name}"
                 shown = f"{path}.{k}".lstrip(".")
                 found[shown] = replace(key.number, key=shown, name=name)
     return found
@@ -54,7 +55,7 @@ def by_key(scene: Any) -> dict[str, Number]:
     if isinstance(arc, LayeredSection):
         laws = {soil.name: law_names(soil.friction)[0] for soil in arc.soils}
         tables = {path: table for path, table in tables.items() if path.partition(".")[0] not in NOT_WITH_LAYERS}
-        tables |= layered_tables(laws, len(arc.layers))
+        tables |= layered_tables(laws, len(arc.layers), *rate)
     known = numbers(tables)
     if law == "callable":
         known = {k: n for k, n in known.items() if not n.name.startswith("friction")}
@@ -77,7 +78,7 @@ def by_key(scene: Any) -> dict[str, Number]:
 def by_name(scene: Any) -> dict[str, Number]:
     """The same by their names: of two keys, as friction has, the angle's, but of what multiplies it the number's."""
     found = reversed(by_key(scene).values())
-    return {n.name: n for n in found if not (n.tangent and n.name.startswith("friction.rate."))}
+    return {n.name: n for n in found if not (n.tangent and n.name.startswith(("friction.rate.", "rate.")))}
 
 
 def number_in(scene: Any, path: str) -> Number:

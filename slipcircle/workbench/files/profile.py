@@ -20,6 +20,7 @@ class Profile(NamedTuple):
     layers: list[tuple[Soil, Any]]
     foreland: Soil | None
     strength: str
+    rate: Mapping[str, Any] | None  # law of speed of all soils
     mistakes: list[str]
     remarks: list[str]
 
@@ -43,10 +44,7 @@ def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]
 
 
 def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any] | None, readable: bool) -> Profile:
-    """The layers of a file; where its tables are not ``readable`` by themselves, what is wrong between them alone.
-
-    ``rate`` is the law of speed of all soils.
-    """
+    """The layers of a file; where its tables are not ``readable`` by themselves, what is wrong between them alone."""
     layers, slip = numbered(given, "layers"), given.get("slip", {})
     names = [path.partition(".")[2] for path in given if path.startswith("soils.") and not path.endswith(".friction")]
     places = {f"layers.{k}.soil": layer["soil"] for k, layer in enumerate(layers, 1) if layer.get("soil")}
@@ -56,18 +54,19 @@ def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any
     for name in names if readable else []:
         tops = [layer.get("top") for layer in layers if layer["soil"] == name]
         try:
-            soils[name] = _soil(name, given, tops, rate)
+            soils[name] = _soil(name, given, tops)
         except InputError as error:
             mistakes += [message.within(f"soils.{name}").worded(keys) for message in error.messages]
     if mistakes or not readable:
-        return Profile([], None, "", mistakes, [])
+        return Profile([], None, "", None, mistakes, [])
     pairs = [(soils[layer["soil"]], layer.get("top")) for layer in layers]
     foreland = soils[slip["foreland"]] if "foreland" in slip else None
     strength = slip.get("strength", "base")
     of_slip = {"foreland": "slip.foreland", "strength": "slip.strength"}
     messages = InputError("", layer_mistakes(pairs, (), strength, foreland)).messages
     mistakes = [message.worded(lambda name: of_slip.get(name, keys(name))) for message in messages]
-    return Profile(pairs, foreland, strength, mistakes, [] if mistakes else list(_cut_off(given, pairs)))
+    remarks = [] if mistakes else list(_cut_off(given, pairs))
+    return Profile(pairs, foreland, strength, rate, mistakes, remarks)
 
 
 def _unknown_soils(places: Mapping[str, str], names: list[str]) -> Iterator[str]:
@@ -93,20 +92,17 @@ def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:
             yield f"layers.{k}.top_m: is missing: a height (m), or a list of points"
 
 
-def _soil(name: str, given: Arguments, tops: list[Any], rate: Mapping[str, Any] | None) -> Soil:
+def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
     """A soil; its cohesion grows below the tops of its layers, where these are one height."""
     numbers = given[f"soils.{name}"]
     friction = given.get(f"soils.{name}.friction", {"coefficient": 0.0})
-    law: Any = friction.get("coefficient", friction)
-    if rate is not None and "coefficient" not in friction:
-        law = law | {"rate": rate}
     one_height = all(np.ndim(top) == 0 and top is not None and top == tops[0] for top in tops)
     if numbers.get("cohesion_gradient") and "datum" not in numbers:
         if not one_height:
             needs = "{datum}: is missing: y below which the cohesion grows, as no one height is the top of its layers"
             raise InputError("", [needs])
         numbers = numbers | {"datum": tops[0]}
-    return Soil(name=name, friction=law, **numbers)
+    return Soil(name=name, friction=friction.get("coefficient", friction), **numbers)
 
 
 def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:

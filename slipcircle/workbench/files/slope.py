@@ -93,15 +93,17 @@ class SlopeInput:
         if self.profile is None:
             return Section(**common)
         profile = self.profile
-        crack = self.given.get("tension_crack", {})
-        cracked = {"crack": crack["crack"]} if crack else {}
+        crack = self.given.get("tension_crack", {}).get("crack")
+        more = {name: value for name, value in {"crack": crack, "rate": profile.rate}.items() if value}
+        if unknown := [name for name in more if name not in LayeredSection.__dataclass_fields__]:
+            raise InputError("Section", [f"{{{name}}}: motions do not know it yet; leave it out" for name in unknown])
         return LayeredSection(
             **common,
             layers=profile.layers,
             strength=profile.strength,
             foreland=profile.foreland,
             surcharge=self.surcharge,
-            **cracked,
+            **more,
         )
 
     def moving(self, tell: Callable[[str], None]) -> tuple[Section, Critical | None]:

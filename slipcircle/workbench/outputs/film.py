@@ -18,6 +18,7 @@ class Film(NamedTuple):
     moving: tuple[Any, ...]
     draw: Callable[[int], tuple[Any, ...]]
     times: Floats
+    seconds: float  # in which it is shown
 
 
 def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
@@ -38,7 +39,7 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
         return body, title
 
     draw(0)
-    return Film(ax.figure, (body, title), draw, times)
+    return Film(ax.figure, (body, title), draw, times, seconds)
 
 
 def animate(motion: Motion, figure: Any = None, frames: int = 60, seconds: float = 5.0) -> Any:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 _KINDS = ("png", "svg", "pdf", "jpg")
 _MOST = 20  # scenes in one picture
-_FRAMES, _SECONDS = 60, 5  # of an animation
+_FRAMES = 60  # of an animation
 _HOLD, _COLOURS = 2000, 64  # milliseconds that its last frame is held; colours of each frame
 
 
@@ -81,7 +81,7 @@ def _played(film: "Film") -> bytes:
         pixels = Image.frombuffer("RGBA", size, canvas.buffer_rgba(), "raw", "RGBA", 0, 1)
         images.append(pixels.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE))
     first, *others = images
-    durations = [1000 * _SECONDS // _FRAMES] * len(others) + [_HOLD]
+    durations = [round(1e3 * film.seconds / len(film.times))] * len(others) + [_HOLD]
     content = io.BytesIO()
     first.save(content, "GIF", save_all=True, append_images=others, duration=durations, loop=0)
     return content.getvalue()
@@ -104,11 +104,10 @@ def _on_axis(draw: Callable[..., Any]) -> Callable[[Any, Any], Any]:
 
 def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
     """What draws which result on an empty figure, and its inches; loaded only where something is drawn."""
-    from slipcircle.workbench.outputs import film, plots, sectionplot, studyplots
+    from slipcircle.workbench.outputs import plots, sectionplot, studyplots
 
     return {
         "motions": (_stacked, lambda motions: (14.0, sum(plots.size(motion)[1] for motion in motions))),
-        "slide": (lambda motions, figure: film.film(motions[0], figure, _FRAMES, _SECONDS), lambda _: (7.0, 4.6)),
         "section": (_on_axis(plots.section), lambda _: (8.0, 6.0)),
         "histories": (
             lambda motion, figure: plots.histories(motion, figure.subplots(2, 2).T.flat),
@@ -126,8 +125,17 @@ def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any],
 
 def picture(what: str, result: Any, path: str) -> bytes:
     """One of `_drawings` of a result, as a file by its name; of motions as a gif, the first slide itself."""
-    draw, size = _drawings()["slide" if path.lower().endswith("gif") else what]
+    if path.lower().endswith("gif"):
+        return slide(result[0])
+    draw, size = _drawings()[what]
     return render(partial(draw, result), size(result), path)
+
+
+def slide(motion: Motion, seconds: float = 5.0) -> bytes:
+    """A motion shown in so many seconds, as a GIF."""
+    from slipcircle.workbench.outputs.film import film
+
+    return render(lambda figure: film(motion, figure, _FRAMES, seconds), (7.0, 4.6), ".gif")
 
 
 def write(paths: Iterable[str], what: str, result: Any) -> None:

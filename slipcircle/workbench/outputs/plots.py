@@ -5,7 +5,8 @@ where no curve can run into them.
 """
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from textwrap import shorten
 from typing import Any, NamedTuple
 
@@ -288,6 +289,15 @@ def _title(motion: Motion) -> str:
         run_out, duration = (OUTCOMES[name].text(motion) for name in ("run_out", "duration"))
         outcome = f"{run_out} in {duration}, {ending(motion)}"
     return ": ".join(filter(None, (shorten(motion.plan.scene.name, 80), outcome)))
+
+
+# What `Motion.plot` draws besides the overview.
+PANELS: Mapping[str, Callable[..., Any]] = {
+    "section": section,
+    "energy": phase_plane,
+    "shaking": shaking,
+    **{what: partial(history, what=what) for what in HISTORIES},
+}
 
 
 def size(motion: Motion) -> tuple[float, float]:

@@ -48,13 +48,16 @@ HALO = 2.5  # points of white around a text that stands on lines
 
 def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
     """The axis that is given, or that of a new figure."""
-    if ax is not None:
-        return ax
+    return new_figure(size).add_subplot() if ax is None else ax
+
+
+def new_figure(size: tuple[float, float]) -> Any:
+    """An empty figure of pyplot, which shows it, of a size in inches."""
     try:
         from matplotlib import pyplot
     except ImportError as error:
         raise missing() from error
-    return pyplot.subplots(figsize=size, layout="constrained")[1]
+    return pyplot.figure(figsize=size, layout="constrained")
 
 
 def known(what: str, given: str, choice: Iterable[str]) -> None:

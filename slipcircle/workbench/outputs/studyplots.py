@@ -4,6 +4,7 @@ Every function draws one of `OUTCOMES` on a given matplotlib axis, or on one of 
 """
 
 from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 from textwrap import shorten
 from typing import TYPE_CHECKING, Any
 
@@ -307,6 +308,14 @@ def overview(study: "Study", figure: Any) -> Any:
             indices(study, output, figure.add_subplot(grid[2, k]), named=k == 0)
     figure.suptitle(shorten(study.scene.name, 80), parse_math=False, fontweight="bold")
     return figure
+
+
+def outcome(study: "Study", output: str, ax: Any = None) -> Any:
+    """An outcome over the numbers of a grid, or the probability that samples exceed it."""
+    return (response if study.design.method == "grid" else exceedance)(study, output, ax)
+
+
+PANELS = {output: partial(outcome, output=output) for output in OUTCOMES}  # of `Study.plot`, besides the overview
 
 
 def size(study: "Study") -> tuple[float, float]:

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core import Motion, Scene, Status
+from slipcircle.core import Motion, Pictured, Scene, Status
 from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
@@ -56,7 +56,7 @@ class Convergence(NamedTuple):
     upper: Estimate
 
 
-class Study:
+class Study(Pictured):
     """Statistics of solved samples; intervals hold with the confidence at each place, not everywhere at once.
 
     Attributes

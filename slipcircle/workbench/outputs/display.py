@@ -1,0 +1,40 @@
+"""What results show of themselves: the methods of `Motion` and `Study` call these functions by their names."""
+
+from typing import Any
+
+from slipcircle.core import Motion
+from slipcircle.workbench.common import files
+from slipcircle.workbench.common.forms import html, to_dict, to_pandas, to_xarray
+from slipcircle.workbench.outputs import film, pictures, plots, studyplots
+from slipcircle.workbench.outputs.plotstyle import known, new_figure
+from slipcircle.workbench.studies.study import Study
+
+__all__ = ["animate", "html", "plot", "to_dict", "to_pandas", "to_xarray"]
+
+
+def plot(result: Motion | Study, what: str, ax: Any) -> Any:
+    """One of a result's pictures on an axis, or all panels on a figure of their own."""
+    drawn_by: Any = plots if isinstance(result, Motion) else studyplots
+    _one_lane(result)
+    known("plot: what", what, ("overview", *drawn_by.PANELS))
+    if what != "overview":
+        return drawn_by.PANELS[what](result, ax=ax)
+    if ax is not None:
+        raise ValueError("plot: the overview has several panels: leave out ax, or name one of its pictures")
+    return drawn_by.overview(result, new_figure(drawn_by.size(result))).axes[0]
+
+
+def animate(motion: Motion, path: str, seconds: float) -> Any:
+    """The slide as an animation to play, or written into a file."""
+    _one_lane(motion)
+    if not path:
+        return film.animate(motion, seconds=seconds)
+    if not path.lower().endswith(".gif"):
+        raise ValueError(f"animate: {path}: must end in .gif")
+    return files.write(path, pictures.slide(motion, seconds))
+
+
+def _one_lane(result: Motion | Study) -> None:
+    """Refuse a motion of many lanes, which is not one picture."""
+    if isinstance(result, Motion) and result.shape:
+        raise ValueError(f"a motion of {len(result)} lanes is not one picture: take one of them, motion[0]")
