@@ -132,6 +132,6 @@ def _together_mistakes(soils: list[Soil]) -> list[str]:
             shared = {name: value for name, value in soil.friction.items() if name not in ("peak", "residual")}
             laws.add(repr(sorted(shared.items())))
     if len(laws) > 1:
-        names = ", ".join(soil.name for soil in soils if isinstance(soil.friction, Mapping))
-        found.append(f"layers: the soils along an arc share one law of slip and one length, and not {names}")
+        others = ", ".join(soil.name for soil in soils if isinstance(soil.friction, Mapping))
+        found.append(f"layers: the soils along an arc share one law of slip and one length, and not {others}")
     return found

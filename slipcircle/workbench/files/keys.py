@@ -179,16 +179,7 @@ def _number(p: Parameter, title: str, unit: str = "", required: bool = False, ta
     of = replace(of, low=0.0 if closed else float(of.from_si(p.lower)), high=float(of.from_si(p.upper)), closed=closed)
     if p.key.endswith("_deg") and not p.unit and not tangent:
         of = replace(of, high=ROUGHEST)  # which is not told: who meets it gave an angle
-    least, most = ARC_BOUNDS[p.name][:2] if p.name in ARC_BOUNDS else LIMITS.get(p.unit, (0.0, INFINITY))
-    most = min(most, _MOST.get(p.unit, INFINITY))
-    told = dict(of.limits)  # of what only a wrong unit passes the sign is enough
-    if p.lower in (least, -most):
-        told = {"gt": 0.0} if p.lower > 0.0 else {}
-    told.pop("lt", None)
-    if p.upper < most or tangent:
-        told["lt"] = of.high
-    said = {"gt": "above", "ge": "at least", "lt": "below"}
-    words = " and ".join(f"{said[k]} {v:g}" for k, v in told.items())
+    words = _bounds_in_words(p, of)
     one, many = (" ".join(filter(None, [n, words, unit and f"({unit})"])) for n in ("a number", "a list of numbers"))
     forms = {
         "list": many,
@@ -196,8 +187,21 @@ def _number(p: Parameter, title: str, unit: str = "", required: bool = False, ta
         "line": "a height (m), or a list of two points or more, [[x, y], [x, y], ...] (m)",
         "load": f"{one}, or two of them, [left, right]",
     }
-    allowed = forms.get(p.kind, one)
-    return Key(p.name, title, allowed, required, p.kind, of)
+    return Key(p.name, title, forms.get(p.kind, one), required, p.kind, of)
+
+
+def _bounds_in_words(p: Parameter, number: Number) -> str:
+    """The bounds of a parameter in the file's unit; of those that only a wrong unit passes the sign."""
+    least, most = ARC_BOUNDS[p.name][:2] if p.name in ARC_BOUNDS else LIMITS.get(p.unit, (0.0, INFINITY))
+    most = min(most, _MOST.get(p.unit, INFINITY))
+    bounds = dict(number.limits)
+    if p.lower in (least, -most):
+        bounds = {"gt": 0.0} if p.lower > 0.0 else {}
+    bounds.pop("lt", None)
+    if p.upper < most or number.tangent:
+        bounds["lt"] = number.high
+    comparisons = {"gt": "above", "ge": "at least", "lt": "below"}
+    return " and ".join(f"{comparisons[k]} {v:g}" for k, v in bounds.items())
 
 
 def _keys(p: Parameter) -> dict[str, Key]:

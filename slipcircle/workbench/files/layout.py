@@ -115,7 +115,7 @@ def _on_slope(tables: Mapping[str, Table], content: Mapping[str, Any]) -> dict[s
     plausible = cohesion._replace(number=replace(cohesion.number, high=_MOST_COHESION))
     found["cohesion"] = found["cohesion"]._replace(keys={"cohesion_kPa": plausible})
     surcharge = LOADS["surcharge"]
-    found |= LOADS | {"surcharge": surcharge._replace(keys={})}
+    found |= {**LOADS, "surcharge": surcharge._replace(keys={})}
     return found | {f"surcharge.{k}": surcharge._replace(repeats="") for k in _tables_in(content, "surcharge")}
 
 

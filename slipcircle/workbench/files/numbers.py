@@ -29,8 +29,8 @@ def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
         for k, key in table.keys.items():
             if key.kind in VARYING:
                 constant = path.endswith("friction") and key.name == "coefficient"
-                table = path.removeprefix("slip.")
-                name = key.name if path in ("", "arc") else path if constant else f"{table}.{key.name}"
+                within = path.removeprefix("slip.")
+                name = key.name if path in ("", "arc") else path if constant else f"{within}.{key.name}"
                 shown = f"{path}.{k}".lstrip(".")
                 found[shown] = replace(key.number, key=shown, name=name)
     return found

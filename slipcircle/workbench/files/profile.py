@@ -38,7 +38,7 @@ def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]
         left, right, pressure = (load.get(name) for name in ("from", "to", "pressure"))
         if left is not None and right is not None and not left < right:
             mistakes.append(f"surcharge.{k}.to_m = {right:g}: must lie to the right of from_m = {left:g}")
-        elif None not in (left, right, pressure):
+        elif left is not None and right is not None and pressure is not None:
             loads.append((left, right, *np.broadcast_to(pressure, 2).tolist()))
     return loads, mistakes
 

@@ -153,7 +153,7 @@ def _parts(
         raise ValueError("\n".join(f"{file}: {mistake}" for mistake in mistakes))
     if friction is not None and layout.law == "constant" and not layout.rate:
         friction = friction["coefficient"]
-    parts = {"arc": arc, "friction": friction, "effects": effects, "uncertain": document.uncertain}
+    parts: dict[str, Any] = {"arc": arc, "friction": friction, "effects": effects, "uncertain": document.uncertain}
     parts |= {"stability": stability, "name": Path(file).stem, "remarks": tuple(layers.remarks if layers else ())}
     return parts | given[""], keys
 
@@ -207,8 +207,9 @@ def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dic
 
 def _slope_message(error: InputError, keys: Callable[[str], str]) -> str:
     """What is wrong with a slope, a section or a search, by the keys of its file."""
-    tables = ("search",) if error.what == "critical" else ("ground", "circle", "water", "tension_crack", "pond")
-    of_slope = {key.name: f"{t}.{k}" for t in tables for k, key in (SLOPING | LOADS)[t].keys.items()}
+    tables: dict[str, Table] = {**SLOPING, **LOADS}
+    about = ("search",) if error.what == "critical" else ("ground", "circle", "water", "tension_crack", "pond")
+    of_slope = {key.name: f"{t}.{k}" for t in about for k, key in tables[t].keys.items()}
     of_slope |= {"pore_ratio": "pore_pressure.ratio", "pressure": "pore_pressure.pressure_kPa"}
     of_slope |= {"friction": "friction.coefficient", "cohesion": "cohesion.cohesion_kPa"}
     of_slope["pond"] = "[pond]"

@@ -89,12 +89,12 @@ class SlopeInput:
 
     def section(self, circle: Mapping[str, Any]) -> Section:
         """The section that moves along a circle."""
-        common: dict[str, Any] = self.ground | self.water | circle
+        common = self.ground | self.water | dict(circle)
         if self.profile is None:
             return Section(**common)
         profile = self.profile
         crack = self.given.get("tension_crack", {}).get("crack")
-        more = {name: value for name, value in {"crack": crack, "rate": profile.rate}.items() if value}
+        more: dict[str, Any] = {name: value for name, value in {"crack": crack, "rate": profile.rate}.items() if value}
         if unknown := [name for name in more if name not in LayeredSection.__dataclass_fields__]:
             raise InputError("Section", [f"{{{name}}}: motions do not know it yet; leave it out" for name in unknown])
         return LayeredSection(
