@@ -150,12 +150,12 @@ def test_source_diffs_well(path: Path) -> None:
     nbformat.validate(notebook)
     assert (notebook.nbformat, notebook.nbformat_minor) == (4, 5)
     assert notebook.metadata == METADATA
+    assert path.read_text(encoding="utf-8") == written(notebook)
     assert not any(cell.get("execution_count") for cell in notebook.cells)
     hidden = {cell.id: cell.metadata.pop("tags", []) for cell in notebook.cells}  # what the book folds away
     assert hidden["imports"] == ["hide-input"]
     assert hidden["key-numbers"] == ["hide-cell"]
     assert not any(cell.metadata for cell in notebook.cells)
-    assert path.read_text(encoding="utf-8") == written(notebook)
     for cell in notebook.cells:
         for output in cell.get("outputs", []):
             assert len(output.get("data", {}).get("image/png", "")) < 80_000, "60 kB, in base 64"

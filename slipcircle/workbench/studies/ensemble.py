@@ -231,7 +231,7 @@ def grid(
     inputs: dict[str, Number] = {}
     for path, values in levels.items():
         try:
-            number = _varied(scene, path, values)
+            number = varied_number(scene, path, values)
             if number.name in inputs:
                 raise ValueError(f"{path}: {inputs[number.name].key} says the same")
             inputs[number.name] = number
@@ -247,7 +247,7 @@ def grid(
     return conduct(design, executor, 0.95, folder, progress)
 
 
-def _varied(scene: Scene, path: str, values: Any) -> Number:
+def varied_number(scene: Scene, path: str, values: Any) -> Number:
     """The number of a scene that takes the values of a list."""
     number = number_in(scene, path)
     if parameter_value(scene, number.name) is None:
