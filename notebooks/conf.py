@@ -9,7 +9,9 @@ import contextlib
 import io
 import os
 import re
+import runpy
 import shlex
+import sys
 import tempfile
 from html import escape
 from pathlib import Path
@@ -67,12 +69,9 @@ class Command(SphinxDirective):
 
 def run(line, folder, files):
     """What a command prints; it runs in a folder of its own with these files in it, and its files are kept."""
-    from derive.__main__ import main as derive
     from slipcircle.__main__ import main
 
-    program, *words = shlex.split(line)
-    if program == "python":
-        words = words[2:]  # python -m derive
+    words = shlex.split(line)
     folder.mkdir(parents=True, exist_ok=True)
     out, err, here = io.StringIO(), io.StringIO(), os.getcwd()
     with tempfile.TemporaryDirectory() as scratch:
@@ -82,7 +81,7 @@ def run(line, folder, files):
                 Path(name).write_text(text, encoding="utf-8")
             with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
                 try:
-                    status = {"slipcircle": main, "python": derive}[program](words)
+                    status = main(words[1:]) if words[0] == "slipcircle" else run_module(words[2:])
                 except SystemExit as leaving:  # after --help
                     status = leaving.code
             for path in set(Path().iterdir()) - {Path(name) for name in files}:
@@ -92,6 +91,15 @@ def run(line, folder, files):
     if status:
         raise RuntimeError(f"{line}: {err.getvalue()}")
     return out.getvalue()
+
+
+def run_module(words):
+    """Run `python -m MODULE ...` here."""
+    argv, sys.argv = sys.argv, words
+    try:
+        runpy.run_module(words[0], run_name="__main__", alter_sys=True)
+    finally:
+        sys.argv = argv
 
 
 class SceneKeys(SphinxDirective):

@@ -1,6 +1,7 @@
 """The book: it builds without a warning, every command of its pages runs, and every link of it leads somewhere."""
 
 import io
+import runpy
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
@@ -33,7 +34,7 @@ def test_it_builds_without_a_warning_and_no_link_is_broken(tmp_path: Path, monke
     """Pictures are left empty and the paper is not judged again: other tests do both."""
     from sphinx.application import Sphinx
 
-    monkeypatch.setattr("derive.__main__.main", lambda words: print("# Verdicts\n\n## Of one claim") or 0)
+    monkeypatch.setattr(runpy, "run_module", lambda *_, **__: print("# Verdicts\n\n## Of one claim"))
     warnings, pages = io.StringIO(), tmp_path / "book"
     book = ROOT / "notebooks"
     app = Sphinx(book, book, pages, tmp_path / "trees", "html", status=None, warning=warnings)

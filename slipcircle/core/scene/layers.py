@@ -44,21 +44,21 @@ class LayeredSection(Section):
     Parameters
     ----------
     layers : sequence of pairs
-        From the ground down, each a `Soil` and its top: None of the first, whose top is the ground; else a height in m
-        or points from left to right, (V, 2), which go on horizontally. What rises above the boundary before it is cut
-        off there.
+        From the ground down, each a `Soil` and its top: None for the first, whose top is the ground; otherwise a height
+        in m or points from left to right, (V, 2), continued horizontally. A boundary is cut off where it rises above
+        the one before.
     strength : str
-        "base": the strength of the soils below the arc stays where it is as the mass moves over them, and that at the
-        exit goes on beyond it; "mass": a sheared sole travels along.
+        "base": the strength belongs to the soils below the arc, over which the mass moves, and that at the exit
+        continues beyond it; "mass": the sheared sole moves with the mass.
     foreland : Soil, optional
-        Below the arc beyond the exit, in the place of the soil at the exit; its cohesion follows its own rule with
-        depth.
+        Soil along the arc beyond the exit, in place of the soil at the exit; its cohesion varies with depth by its own
+        rule.
     surcharge : sequence of (x1, x2, q1, q2)
-        Pressures on the ground that lie on the mass and move with it, Pa, linear from x1 to x2, m.
+        Pressures on the ground that move with the mass, Pa, linear from x1 to x2, m.
 
     Notes
     -----
-    The other parameters are those of `Section`; ``unit_weight`` is that of the soils and not given here.
+    The other parameters are those of `Section`, without ``unit_weight``, which the soils have.
     """
 
     unit_weight: ArrayLike = 1.0  # of the geometry alone
@@ -96,7 +96,7 @@ class LayeredSection(Section):
         return np.broadcast_shapes(self.shape, *(np.shape(x) for x in numbers if x is not None))
 
     def of_soils(self, value: Callable[[Soil], Any]) -> Floats:
-        """A number of each soil, (soils, lanes)."""
+        """One number of each soil, (soils, lanes)."""
         rows = [np.broadcast_to(np.asarray(value(s), dtype=np.float64), self.lanes_shape) for s in self.soils]
         return np.stack(rows).reshape(len(rows), -1)
 
@@ -179,7 +179,7 @@ class LayeredSection(Section):
 
     @cached_property
     def mean_unit_weight(self) -> Any:
-        """The weight of the mass over its area, N/m^3."""
+        """Weight of the mass divided by its area, N/m^3."""
         return self._shaped(self._weighted[AREA] / self._moments["area"])
 
     @cached_property
@@ -212,11 +212,12 @@ class LayeredSection(Section):
 
     @property
     def friction(self) -> MeanFriction:
-        """The friction of the arc as a whole, as a `Scene` takes it."""
+        """Friction of the arc as a whole, as a `Scene` takes it."""
         return self.arc_strength.friction
 
     def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:
-        """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
+        """Adds the strengths of the soils; their dependence on omega^2 only where the centripetal stress is
+        included."""
         terms = {
             name: term
             for name, term in self.arc_strength.terms.items()
@@ -227,7 +228,8 @@ class LayeredSection(Section):
     # --- numbers that vary -------------------------------------------------------------------------------------------
 
     def other_numbers(self) -> dict[str, Any]:
-        """``soils.NAME.cohesion``, ``soils.NAME.friction.peak``, ...; ``layers.2.top``, of a line its first point's."""
+        """``soils.NAME.cohesion``, ``soils.NAME.friction.peak``, ...; ``layers.2.top``, for a line that of its first
+        point."""
         numbers: dict[str, Any] = {}
         for soil in self.soils:
             for field in SOIL_NUMBERS:
@@ -243,7 +245,7 @@ class LayeredSection(Section):
         return numbers
 
     def fields_with(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """The layers and the foreland with other values of these."""
+        """The layers and the foreland with these numbers replaced."""
 
         def changed(soil: Soil) -> Soil:
             mine: dict[str, Any] = {

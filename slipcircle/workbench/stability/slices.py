@@ -126,8 +126,8 @@ def circle_factors(
     Returns
     -------
     dict of ndarray
-        Factors by method, NaN where it refuses the circle. ``facing``: 1 where the mass slides to the right, -1 to the
-        left, 0 where nothing drives it. ``negative``: share of the arc under negative effective normal stress, by the
+        Factors by method, NaN where it refuses the circle. ``facing``: 1 if the mass slides to the right, -1 if to the
+        left, 0 if nothing drives it. ``negative``: share of the arc under negative effective normal stress, by the
         ordinary method or by Bishop's, if greater.
 
     Notes

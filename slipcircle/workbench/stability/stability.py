@@ -71,26 +71,26 @@ class Slope:
     unit_weight : float
         gamma, N/m^3.
     level : array_like, optional
-        Points of the water level from left to right, (W, 2), m; beyond its ends it goes on horizontally.
+        Points of the water level from left to right, (W, 2), m; it continues horizontally beyond them.
     water_unit_weight : float
         N/m^3.
     pore_ratio : float
         r_u, pore pressure over gamma h, h the height of the ground above the arc; not with a level.
     pressure : float
-        Pore pressure all along the arc, Pa, beside that of level or ratio.
+        Uniform pore pressure along the arc, Pa, in addition to that of level or ratio.
     k_h : float
         Horizontal acceleration over g, positive down-slope.
     base : float, optional
         y of a firm layer, m: no circle goes below.
     layers : sequence of pairs, optional
-        Soils from the ground down, each with its top, as of a `LayeredSection`; in the place of cohesion, friction,
-        unit weight and pore ratio.
+        Soils from the ground down, each with its top, as for a `LayeredSection`; in place of cohesion, friction, unit
+        weight and pore ratio.
     surcharge : sequence of (x1, x2, q1, q2)
         Pressures on the ground, Pa, linear from x1 to x2.
     pond : float, optional
-        Level of standing water, m. Without a water level it is that of the ground water too.
+        Level of standing water, m; without a water level also that of the ground water.
     crack, crack_water : float
-        Depth of a tension crack at the upper end of an arc, and how high water stands in it, m.
+        Depth of a tension crack at the upper end of an arc, and height of the water in it, m.
     k_h_on_surcharge : bool
         Whether k_h acts on the surcharges, at the ground.
 
