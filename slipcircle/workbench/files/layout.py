@@ -57,14 +57,23 @@ def layout_of(content: Mapping[str, Any]) -> Layout:
     if on_slope:
         tables = _on_slope(tables, known)
     if layered:
-        soils = _tables_in(known, "soils")
-        laws = {name: laws_of(soil.get("friction"), SOIL_LAWS)[0] for name, soil in soils.items()}
-        for name in (name for name, soil_law in laws.items() if not soil_law):
-            soils[name] = soils[name] | {"friction": _unknown_law(soils[name]["friction"])}
-        if soils:
-            known["soils"] = known["soils"] | soils
+        laws = _soil_laws(known)
+        known |= _without_unknown_laws(known, laws)
         tables = _with_layers(tables, laws, len(_tables_in(known, "layers")), rate)
     return Layout(tables, known, mistakes, on_slope, layered, law, rate)
+
+
+def _soil_laws(content: Mapping[str, Any]) -> dict[str, str]:
+    """The law of friction of each soil, by its name; "" for none like any."""
+    return {name: laws_of(soil.get("friction"), SOIL_LAWS)[0] for name, soil in _tables_in(content, "soils").items()}
+
+
+def _without_unknown_laws(content: Mapping[str, Any], laws: Mapping[str, str]) -> dict[str, Any]:
+    """The soils of a file, those of unknown laws without parameters that nobody could judge."""
+    soils = _tables_in(content, "soils")
+    for name in (name for name, law in laws.items() if not law):
+        soils[name] = soils[name] | {"friction": _unknown_law(soils[name]["friction"])}
+    return {"soils": content["soils"] | soils} if soils else {}
 
 
 def laws_of(friction: Any, known: Collection[str] = tuple(LAWS)) -> tuple[str, str]:
