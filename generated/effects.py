@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d75c526dd4b0684c11f8af00513353bf475ea9fbd7f2cd1178b99951d9a02b61
+# sha256 of the text below: 048b2742373499fa0e844db238214f90864dd6133fc09358da4cb033665bee8a
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -259,6 +259,8 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
             lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('normal', '', -INFINITY, INFINITY, 'the same of strength with the base', '', 1.0, 'layered_normal',
             lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
+        Parameter('normal_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'layered_normal_slope',
+            lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
         Parameter('inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it', '', 1.0,
             'layered_inertia', lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
         Parameter('lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0, 'layered_lift', lambda value,
@@ -270,12 +272,18 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
             lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('remaining_normal', '', -INFINITY, INFINITY, 'the same of strength with the base', '', 1.0,
             'layered_remaining', lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
+        Parameter('remaining_normal_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0,
+            'layered_remaining_slope', lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
         Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it',
             '', 1.0, 'layered_remaining_inertia', lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
+        Parameter('remaining_lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0,
+            'layered_remaining_lift', lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
         Parameter('strength', '', -INFINITY, INFINITY, 'strength without normal stress', '', 1.0, 'layered_cohesion',
             lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
     ), (), 'soils along the arc have strengths of their own, by the weights of (2.23) straight above each', False, (),
-        ('adds Theta layered_lift/lambda to u',
-        'adds Theta (layered_cohesion + layered_remaining + layered_remaining_inertia omega^2 + remaining) to '
-        'resistance', 'adds Theta (layered_inertia omega^2 + layered_normal + turning) to J_r')),
+        ('adds Theta (layered_lift + layered_remaining_lift/slip_mu)/lambda to u',
+        'adds Theta layered_cohesion to resistance',
+        'adds Theta (k_h (layered_normal_slope + turning_slope) + layered_inertia omega^2 + (1 - k_v) (layered_normal '
+        '+ turning) + (k_h (layered_remaining_slope + remaining_slope) + layered_remaining_inertia omega^2 + (1 - '
+        'k_v) (layered_remaining + remaining))/slip_mu) to J_r')),
 }

@@ -46,8 +46,8 @@ class Parameter:
     ``key`` names it with its unit in a scene file, which gives ``per_unit`` SI units each. ``symbol`` stands
     for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the effect's
     other parameters, by their names. An ``optional`` one may be omitted. ``kind`` is "number", "list" (of numbers),
-    "series" (a number, or a function of time), "rotation" (a function of it, which the section gives), "text", "flag"
-    or one of several words, "this|that". What has no ``key`` cannot be written in a file.
+    "series" (a number, or a function of time), "rotation" (the same of the rotation, which the section gives), "text",
+    "flag" or one of several words, "this|that". What has no ``key`` cannot be written in a file.
     """
 
     name: str
@@ -164,12 +164,16 @@ LAWS = (
 _COHESION, _RATIO, _PRESSURE, _WATER, _DRAG, _VISCOSITY = sp.symbols(
     "cohesion pore_ratio pore_pressure water drag viscosity", real=True
 )
-_K_H, _K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
-_NORMAL, _INERTIA, _LIFT, _COHESIVE, TURNING, TURNING_SLOPE = sp.symbols(
-    "layered_normal layered_inertia layered_lift layered_cohesion turning turning_slope", real=True
+K_H, K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
+# Of the soils along an arc, over Theta*. What turns with the mass are numbers, the others functions of the rotation.
+SLIP_MU, TURNING, TURNING_SLOPE, REMAINING, REMAINING_SLOPE = sp.symbols(
+    "slip_mu turning turning_slope remaining remaining_slope", real=True
 )
-_REMAINING, _REMAINING_INERTIA, REMAINING, REMAINING_SLOPE = sp.symbols(
-    "layered_remaining layered_remaining_inertia remaining remaining_slope", real=True
+_NORMAL, _NORMAL_SLOPE, _INERTIA, _LIFT, _COHESIVE = sp.symbols(
+    "layered_normal layered_normal_slope layered_inertia layered_lift layered_cohesion", real=True
+)
+_REMAINING, _REMAINING_SLOPE, _REMAINING_INERTIA, _REMAINING_LIFT = sp.symbols(
+    "layered_remaining layered_remaining_slope layered_remaining_inertia layered_remaining_lift", real=True
 )
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
@@ -231,8 +235,8 @@ EFFECTS = (
         Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("speed",),
            "viscous resistance of a sheared layer, which grows with the speed", resistance=THETA * _VISCOSITY * OMEGA),
     Effect("shaking", "3.11", (
-        _optional("horizontal", "k_h(t), driving acceleration over g, positive down-slope", "", "", "series", _K_H),
-        _optional("vertical", "k_v(t), acceleration over g that reduces the effective weight", "", "", "series", _K_V),
+        _optional("horizontal", "k_h(t), driving acceleration over g, positive down-slope", "", "", "series", K_H),
+        _optional("vertical", "k_v(t), acceleration over g that reduces the effective weight", "", "", "series", K_V),
         _optional("pulse", "name of a pulse", kind="rectangular|half-sine|triangular|sine"),
         _optional("amplitude", "greatest k_h of the pulse, positive down-slope", key="amplitude_g"),
         _optional("vertical_amplitude", "greatest k_v of the pulse, by default 0", key="vertical_amplitude_g"),
@@ -253,8 +257,8 @@ EFFECTS = (
         *_OF_A_RECORD,
         _optional("two_way", "whether shaking may start it up-slope too; by default it may not", kind="flag")),
            ("time",), "ground motion tilts and scales gravity", any_of=("horizontal", "pulse", "record"),
-           driving_moment=_K_H * THETA * DRIVING_MOMENT_SLOPE - _K_V * J_THETA,
-           normal_load=_K_H * THETA * NORMAL_LOAD_SLOPE - _K_V * J_R),
+           driving_moment=K_H * THETA * DRIVING_MOMENT_SLOPE - K_V * J_THETA,
+           normal_load=K_H * THETA * NORMAL_LOAD_SLOPE - K_V * J_R),
     Effect("thermal_pressurisation", "3.11", (
         Parameter("pressurisation", "Pa/K", _BELOW_0, _INFINITY, "Lambda, rise of the pore pressure in the undrained "
                   "layer for each kelvin", "pressurisation_MPa_K", 1e6, _KAPPA,
@@ -270,22 +274,29 @@ EFFECTS = (
 
 
 # What a section adds to the balance by itself: no user and no file asks for it.
+_EXCESS_NORMAL, _EXCESS_SLOPE = _NORMAL + TURNING, _NORMAL_SLOPE + TURNING_SLOPE
+_LEFT_NORMAL, _LEFT_SLOPE = _REMAINING + REMAINING, _REMAINING_SLOPE + REMAINING_SLOPE
+_EXCESS_PRESS = (1 - K_V) * _EXCESS_NORMAL + K_H * _EXCESS_SLOPE + _INERTIA * OMEGA_2
+_LEFT_PRESS = (1 - K_V) * _LEFT_NORMAL + K_H * _LEFT_SLOPE + _REMAINING_INERTIA * OMEGA_2
 SECTION_EFFECTS = (
     Effect("layered_strength", "2.23", (
         _of_section("turning", "excess of friction's normal force over the mean, of strength with the mass", TURNING),
         _of_section("turning_slope", "its derivative by the dip", TURNING_SLOPE),
         _of_section("normal", "the same of strength with the base", _NORMAL, "rotation"),
+        _of_section("normal_slope", "its derivative by the dip", _NORMAL_SLOPE, "rotation"),
         _of_section("inertia", "what the square of the angular velocity adds to it", _INERTIA, "rotation"),
         _of_section("lift", "what water takes from it", _LIFT, "rotation"),
         _of_section("remaining", "excess of the friction that slip leaves, of strength with the mass", REMAINING),
         _of_section("remaining_slope", "its derivative by the dip", REMAINING_SLOPE),
         _of_section("remaining_normal", "the same of strength with the base", _REMAINING, "rotation"),
+        _of_section("remaining_normal_slope", "its derivative by the dip", _REMAINING_SLOPE, "rotation"),
         _of_section("remaining_inertia", "what the square of the angular velocity adds to it", _REMAINING_INERTIA,
                     "rotation"),
+        _of_section("remaining_lift", "what water takes from it", _REMAINING_LIFT, "rotation"),
         _of_section("strength", "strength without normal stress", _COHESIVE, "rotation")), (),
            "soils along the arc have strengths of their own, by the weights of (2.23) straight above each",
-           normal_load=THETA * (_NORMAL + TURNING + _INERTIA * OMEGA_2), pressure=THETA / LAMBDA * _LIFT,
-           resistance=THETA * (_COHESIVE + REMAINING + _REMAINING + _REMAINING_INERTIA * OMEGA_2)),
+           normal_load=THETA * (_EXCESS_PRESS + _LEFT_PRESS / SLIP_MU),
+           pressure=THETA / LAMBDA * (_LIFT + _REMAINING_LIFT / SLIP_MU), resistance=THETA * _COHESIVE),
 )  # fmt: skip
 ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
 

@@ -20,6 +20,14 @@ from slipcircle.core.scene.heights import HeightIntegrals, height_integrals, int
 from slipcircle.core.scene.turning import TurningMass
 from slipcircle.core.scene.weights import Dimensionless, MomentCoefficients, SlidingBody
 
+# The fields that the geometry consists of, and what is computed of them alone.
+_GEOMETRY = ("ground", "centre", "radius", "between", "level")
+_OF_GEOMETRY = (
+    *("shape", "_circle", "_cut", "_candidates", "_ends", "_mine", "_moments", "_facing", "facing", "_angles"),
+    *("_chord", "half_angle", "dip", "entry", "exit", "area", "depth", "mean_cover", "sagitta", "_level", "_water"),
+    *("pressure_kinks", "_lines_over_radius", "_strips", "profile"),
+)
+
 
 @dataclass(frozen=True)
 class Section(SlidingBody, TurningMass):
@@ -93,6 +101,15 @@ class Section(SlidingBody, TurningMass):
         raise_all(
             "Section", section_errors(vars(self), self.quantities) or complaint(geometry_errors(self), self.shape)
         )
+
+    def takes_geometry(self, other: Section) -> bool:
+        """Whether this is another section's circle through the same lines."""
+        return all(getattr(self, name) is getattr(other, name) for name in _GEOMETRY)
+
+    def take_geometry(self, other: Section) -> None:
+        """What another section has computed of a geometry that is the same."""
+        known = vars(other)
+        vars(self).update((name, known[name]) for name in _OF_GEOMETRY if name in known)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Section) and all(

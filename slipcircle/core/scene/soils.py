@@ -79,6 +79,10 @@ def soil_mistakes(soil: Soil) -> list[str]:
     found = mistakes(numbers, {name: bounds[name] for name in numbers}) + law_mistakes(soil.friction)
     if isinstance(soil.friction, Mapping) and not {"peak", "residual", "length"} <= {*soil.friction}:
         found.append("friction.law: must have a peak, a residual and a length, to be shared along an arc")
+    if isinstance(soil.friction, Mapping) and "rate" in soil.friction:
+        found.append(
+            "friction.rate: is given to the section, LayeredSection(..., rate=...), for all soils along an arc"
+        )
     if soil.datum is None and not found and np.any(np.asarray(soil.cohesion_gradient)):
         found.append("datum: is missing: y below which the cohesion grows, in m")
     return found

@@ -50,13 +50,8 @@ def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any
     places = {f"layers.{k}.soil": layer["soil"] for k, layer in enumerate(layers, 1) if layer.get("soil")}
     places |= {"slip.foreland": slip["foreland"]} if slip.get("foreland") else {}
     mistakes = [*_unknown_soils(places, names), *_top_mistakes(layers)]
-    soils = {}
-    for name in names if readable else []:
-        tops = [layer.get("top") for layer in layers if layer["soil"] == name]
-        try:
-            soils[name] = _soil(name, given, tops)
-        except InputError as error:
-            mistakes += [message.within(f"soils.{name}").worded(keys) for message in error.messages]
+    soils, wrong = _soils(names if readable else [], given, keys)
+    mistakes += wrong
     if mistakes or not readable:
         return Profile([], None, "", None, mistakes, [])
     pairs = [(soils[layer["soil"]], layer.get("top")) for layer in layers]
@@ -67,6 +62,18 @@ def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any
     mistakes = [message.worded(lambda name: of_slip.get(name, keys(name))) for message in messages]
     remarks = [] if mistakes else list(_cut_off(given, pairs))
     return Profile(pairs, foreland, strength, rate, mistakes, remarks)
+
+
+def _soils(names: list[str], given: Arguments, keys: Callable[[str], str]) -> tuple[dict[str, Soil], list[str]]:
+    """The soils of a file by their names, and what is wrong with them."""
+    soils, mistakes = {}, []
+    for name in names:
+        tops = [layer.get("top") for layer in numbered(given, "layers") if layer["soil"] == name]
+        try:
+            soils[name] = _soil(name, given, tops)
+        except InputError as error:
+            mistakes += [message.within(f"soils.{name}").worded(keys) for message in error.messages]
+    return soils, mistakes
 
 
 def _unknown_soils(places: Mapping[str, str], names: list[str]) -> Iterator[str]:
