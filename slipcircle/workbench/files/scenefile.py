@@ -2,13 +2,13 @@
 
 import os
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 from importlib import resources
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -117,6 +117,34 @@ def _content(source: Any, file: str) -> dict[str, Any]:
         raise ValueError(f"{file}: is not TOML: {error}") from error
 
 
+class _Input(NamedTuple):
+    """What stands in a file: its arc or its slope, its friction, what it calls an argument, and what is wrong."""
+
+    document: Document
+    keys: Callable[[str], str]
+    arc: Arc | None
+    slope: SlopeInput | None
+    friction: dict[str, Any] | None
+    mistakes: list[str]
+
+
+def _read(content: Mapping[str, Any], moving: bool) -> _Input:
+    """What stands in a file; without ``moving`` what only factors of safety know is allowed."""
+    layout = layout_of(content)
+    document = Document(layout.content, layout.tables)
+    given, keys = document.arguments, _keys(layout.tables, document.typed)
+    arc, slope = None, None
+    wrong: list[str] = []
+    if layout.on_slope:
+        slope, wrong = _slope_input(given, layout, document.wrong, keys, moving)
+    elif "arc" not in document.wrong:
+        arc, wrong = _arc(given, keys)
+    friction = None if layout.layered else _friction(given, layout)
+    of_law = [] if friction is None or "friction" in document.wrong else law_mistakes(friction)
+    wrong += [Message.of(mistake).worded(keys) for mistake in of_law]
+    return _Input(document, keys, arc, slope, friction, [*layout.mistakes, *document.mistakes, *wrong])
+
+
 def _parts(
     content: dict[str, Any], file: str, tell: Callable[[str], None] = lambda _: None, moving: bool = True
 ) -> tuple[dict[str, Any], Callable[[str], str]]:
@@ -124,38 +152,41 @@ def _parts(
 
     Without ``moving`` what only factors of safety know is allowed, and there is no arc of a slope.
     """
-    layout = layout_of(content)
-    document = Document(layout.content, layout.tables)
-    given, keys = document.arguments, _keys(layout.tables, document.typed)
-    mistakes = layout.mistakes + document.mistakes
-    arc: Arc | Section | None = None
-    stability = None
-    if not layout.on_slope and "arc" not in document.wrong:
-        arc, wrong = _arc(given, keys)
-        mistakes += wrong
-    friction = None if layout.layered else _friction(given, layout)
-    if friction is not None and "friction" not in document.wrong:
-        mistakes += [Message.of(mistake).worded(keys) for mistake in law_mistakes(friction)]
-    if layout.on_slope and moving:
-        mistakes += motion_mistakes(given, layout.layered)
-    layers = None
-    if layout.layered:
-        readable = not document.wrong & {"soils", "layers", "slip"}
-        layers = profile(given, keys, _rate(given.get("slip.rate"), layout.rate), readable)
-        mistakes += layers.mistakes
-    loads, wrong = surcharges(given)
-    mistakes += wrong
-    effects = {} if mistakes else _effects(given, Path(file).parent)
-    if layout.on_slope and not mistakes:
-        slope = SlopeInput(given, {} if friction is None else soil(friction, effects), layers, loads)
-        arc, stability = _along_slope(slope, keys, tell, file, moving)
+    document, keys, arc, slope, friction, mistakes = _read(content, moving)
     if mistakes:
         raise ValueError("\n".join(f"{file}: {mistake}" for mistake in mistakes))
-    if friction is not None and layout.law == "constant" and not layout.rate:
-        friction = friction["coefficient"]
-    parts: dict[str, Any] = {"arc": arc, "friction": friction, "effects": effects, "uncertain": document.uncertain}
-    parts |= {"stability": stability, "name": Path(file).stem, "remarks": tuple(layers.remarks if layers else ())}
-    return parts | given[""], keys
+    effects = _effects(document.arguments, Path(file).parent)
+    parts = {"arc": arc, "friction": _short(friction), "effects": effects, "uncertain": document.uncertain}
+    parts |= {"stability": None, "remarks": (), "name": Path(file).stem}
+    if slope is not None:
+        strength = {} if friction is None else soil(friction, effects)
+        parts["arc"], parts["stability"] = _along_slope(replace(slope, strength=strength), keys, tell, file, moving)
+        parts["remarks"] = tuple(slope.profile.remarks) if slope.profile else ()
+    return parts | document.arguments[""], keys
+
+
+def _short(friction: Mapping[str, Any] | None) -> Any:
+    """A friction, of one that does not change the coefficient alone."""
+    constant = friction is not None and friction["law"] == "constant" and "rate" not in friction
+    return friction["coefficient"] if friction is not None and constant else friction
+
+
+def _slope_input(
+    given: Mapping[str, dict[str, Any]],
+    layout: Layout,
+    wrong: Collection[str],
+    keys: Callable[[str], str],
+    moving: bool,
+) -> tuple[SlopeInput, list[str]]:
+    """What a file says of a slope, but for the strength of one soil, and what is wrong with it between tables."""
+    mistakes = motion_mistakes(given, layout.layered) if moving else []
+    layers = None
+    if layout.layered:
+        readable = not {"soils", "layers", "slip"} & {*wrong}
+        layers = profile(given, keys, _rate(given.get("slip.rate"), layout.rate), readable)
+        mistakes += layers.mistakes
+    loads, of_loads = surcharges(given)
+    return SlopeInput(given, {}, layers, loads), mistakes + of_loads
 
 
 def _along_slope(

@@ -9,6 +9,7 @@ from slipcircle.workbench.files.keys import Table, tables_of
 from slipcircle.workbench.files.slopekeys import LOADS, SLOPING, SOIL_LAWS, layered_tables
 from slipcircle.workbench.stability.stability import COMPARED, METHODS
 
+_PLACES = ("arc", "arc.given", *SLOPING)
 WIDTH, INDENT = 100, 28
 HEAD = """\
 A scene is a TOML file. A key ends in the unit of its number: _deg, _m, _kPa, _kN_m3, ... [arc] and
@@ -33,10 +34,9 @@ def guide() -> str:
     """The text, at most 100 columns wide."""
     tables = tables_of("constant")
     lines = [HEAD, "Above the first table", *_keys(tables[""])]
-    for path, table in ({p: tables[p] for p in ("arc", "arc.given")} | dict(SLOPING)).items():
-        lines += ["", *_title(f"[{path}]", table.title), *_keys(table)]
-    for path, table in _of_layers().items():
-        lines += ["", *_title(path, table.title), *_keys(table)]
+    by_head = {f"[{path}]": table for path, table in (tables | dict(SLOPING)).items() if path in _PLACES} | _of_layers()
+    for head, table in by_head.items():
+        lines += ["", *_title(head, table.title), *_keys(table)]
     lines += ["", *_title("factors of safety", f"of a circle of a slope, by three methods. {COMPARED}")]
     lines += [line for m, (name, said) in METHODS.items() for line in _title(f"  {m}", f"{name}: {said}")]
     lines += [
