@@ -81,7 +81,7 @@ def test_it_says_what_is_assumed_and_how_to_repeat_it() -> None:
     for key, value in facts().items():
         assert "".join(cells[key].itertext()) == value
     assert cells["method"].text == motion("wet-slope").plan.method
-    assert cells["relative error asked for"].text == "1e-09"
+    assert cells["requested relative error"].text == "1e-09"
 
 
 def test_it_needs_nothing_else_and_its_figures_are_whole_drawings() -> None:

@@ -268,7 +268,7 @@ def test_the_guide_tells_by_how_much_the_methods_differ() -> None:
         assert f"{paper:.3f}, {ordinary:.3f} and {bishop:.3f}" in said
         shares.append(f"{100 * (1 - paper / bishop):.0f} %")
     assert f"by {shares[0]} and by {shares[1]} of Bishop's" in said
-    assert "critical method by which the critical circle is looked for: one of paper, ordinary, bishop" in said
+    assert "critical method by which the critical circle is searched: one of paper, ordinary, bishop" in said
 
 
 def test_the_limits_of_a_file_hold(write: Write, said: Any, records: Any) -> None:

@@ -153,10 +153,8 @@ _TOP = (
         LIMITS["m/s"][1],
         optional=True,
     ),
-    declare(
-        "end_time", "end_time_s", "s", "time of the end, by default when the mass rests", *LIMITS["s"], optional=True
-    ),
-    declare("accuracy", "accuracy", "", "relative error asked for", 0.0, 1.0, 1.0, True, "fixed"),
+    declare("end_time", "end_time_s", "s", "end time, by default when the mass rests", *LIMITS["s"], optional=True),
+    declare("accuracy", "accuracy", "", "requested relative error", 0.0, 1.0, 1.0, True, "fixed"),
 )
 ARC = tuple(
     declare(name, key, unit, help, *ARC_BOUNDS[name][:2], per_unit, ", by default " in help)
@@ -242,7 +240,7 @@ def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
     return {
         "": table_of("a scene of slipcircle", _TOP, _TEXT),
         "arc": table_of("the failed section", ARC)._replace(required=True),
-        "arc.given": table_of("coefficients of the equation of motion, taken as they are", _GIVEN),
+        "arc.given": table_of("coefficients of the equation of motion, used instead of computed ones", _GIVEN),
         "friction": law_table(law)._replace(title="friction on the slip surface", required=True),
         **(by_rate if may_have_rate(law) else {}),
         **{name: table_of(effect.help, effect.parameters, any_of=effect.any_of) for name, effect in EFFECTS.items()},

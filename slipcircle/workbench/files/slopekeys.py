@@ -73,7 +73,7 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         _points("ground", "points of the surface from left to right"),
     )._replace(required=True, sets=(("points_m",), ("height_m", "angle_deg"), ("height_m", "run_m"))),
     "circle": table_of(
-        'its slip circle: given, or looked for by critical = "bishop"',
+        'its slip circle: given, or searched with critical = "bishop"',
         [
             _length("radius", "radius"),
             _length("depth", "depth of the circle below the chord of these points"),
@@ -81,11 +81,11 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         ],
         _pair("centre", "centre of the circle", "[x, y]")
         | _points("through", "two points of the circle")
-        | _pair("between", "x between which the stretch of ground lies that is meant")
+        | _pair("between", "range of x that contains the intended mass, if the circle cuts off several")
         | {
             "critical": Key(
                 "critical",
-                "method by which the critical circle is looked for",
+                "method by which the critical circle is searched",
                 f"one of {', '.join(METHODS)}",
                 kind="|".join(METHODS),
             )
