@@ -303,7 +303,7 @@ def test_the_first_lines_name_each_factor_of_safety(write: Write, said: Any) -> 
         f"{shaken['paper']} by the paper's method, {shaken['bishop']} by Bishop's"
     ]
     assert table["at the start"] == ["stable by Bishop, moves by the paper's method"]
-    assert "lower, by 4 to 14 %" in " ".join(out.split())
+    assert "lower factor, by 4 to 14 %" in " ".join(out.split())
     table = columns(said("run", write(FIXED)))
     assert "at the start" not in table  # as it moves by both
     assert table["factor of safety"][0].endswith("by the paper's method; the motion starts from it")
