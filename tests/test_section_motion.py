@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import brentq
 
 from slipcircle import Arc, Motion, Scene, Section, load, solve
-from slipcircle.workbench.stability.slices import circle_factors
+from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.stability import Slope
 
 GROUND = [[0.0, 25.0], [30.0, 25.0], [38.0, 30.0], [50.0, 35.0], [90.0, 35.0]]
