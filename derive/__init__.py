@@ -4,16 +4,18 @@ Nothing here is imported at run time. A claim that does not hold raises a `Proof
 and the value required, and stops the run; the docstrings do not repeat this. The folders, each of which imports only
 those above it:
 
-``progress``      how much of a long task is done
-``check``         the error bound of each kernel, proved from its certificate alone
-``declare``       the quantities to derive and the effects that a scene may contain, as data
-``algebra``       definition -> closed form -> form without cancellation; balance laws -> motion; each step proved
-``code``          SymPy expression -> straight-line `Program` -> its text, and its value as every machine rounds it
-``approximate``   closed form -> best polynomials and rationals -> the kernels' programs for each tier of accuracy
-``flow``          effects, laws and the balance -> operations on Taylor series, in C, in NumPy, and their derivatives
-``generate``      the functions of `generated`, each with its program, domain and docstring -> its files
-``judge``         what the paper claims, compared with what follows from its definitions; the hard cases
-``build``         C source -> extension module, here and at install time
+===============  ======================================================================================================
+``progress``     how much of a long task is done
+``check``        the error bound of each kernel, proved from its certificate alone
+``declare``      the quantities to derive and the effects that a scene may contain, as data
+``algebra``      definition -> closed form -> form without cancellation; balance laws -> motion; each step proved
+``code``         SymPy expression -> straight-line `Program` -> its text, and its value as every machine rounds it
+``approximate``  closed form -> best polynomials and rationals -> the kernels' programs for each tier of accuracy
+``flow``         effects, laws and the balance -> operations on Taylor series, in C, in NumPy, and their derivatives
+``generate``     the functions of `generated`, each with its program, domain and docstring -> its files
+``judge``        what the paper claims, compared with what follows from its definitions; the hard cases
+``build``        C source -> extension module, here and at install time
+===============  ======================================================================================================
 
 How to add a friction law, an effect or a moment
 ------------------------------------------------
@@ -61,5 +63,6 @@ shapes of its approximants (about a minute) and records them. A weight with sin(
 symbol for its amplitude too. Weights other than r**n, +-r**n*sin(theta) and +-r**n*cos(theta), n = 1 to 5, are refused,
 or, with ``certified=False``, sampled only.
 
-The tests solve each effect a second time without the code derived here: its term belongs in ``tests/taylor.py`` too.
+The tests solve each effect a second time without the code derived here: its term belongs in
+``tests/support/taylor.py`` too.
 """

@@ -1,4 +1,4 @@
-"""At install time: binaries of the kernels and of the walk where they can be made, else a wheel of pure Python."""
+"""At install time: binaries of the kernels and of the integrator if they can be made, else a wheel of pure Python."""
 
 import sys
 from pathlib import Path

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: df40c758d0200f64265c32670a774517aa613756dc93eee165199ebce48ecb35
+# sha256 of the text below: 01ea2e3cb10604d7c1a0230d2a01710d0e75f37c71954b653f73555d81df4bf3
 """Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
 
 # Cells of a lane, first in every program and in this order.
@@ -56,8 +56,8 @@ ENDED = 5  # at its end time
 STOPPED = 6  # at its first standstill, which ends what nothing brings to rest
 UPRIGHT = 7  # the chord stands upright
 TOO_LONG = 8  # more steps or turns than are made
-FAILED = 9  # its numbers overflow
-NEED = 10  # a table has to go on
+FAILED = 9  # overflow
+NEED = 10  # a table of a Python function has to be extended
 
 # What its phase began by passing.
 NOTHING = 0  # its events have no root at the start
@@ -68,7 +68,7 @@ SLOWER = 3  # into the one before
 # Events that end a step.
 EVENT_NONE = -1  # the step has its full length
 EVENT_STANDSTILL = 0  # the speed falls to zero
-EVENT_LIFT_OFF = 1  # what presses on the slip surface changes its sign: lift-off or landing
+EVENT_LIFT_OFF = 1  # the normal force on the slip surface changes its sign: lift-off or landing
 EVENT_CHORD_UPRIGHT = 2  # the chord stands upright
 EVENT_BREAKPOINT = 3  # the upper edge of the first table's piece; then its lower edge, and those of the next tables
 
@@ -84,8 +84,8 @@ CELLS = ('TIME', 'ROTATION', 'SLIP', 'DIRECTION', 'LIFTED', 'STATUS', 'STEPS', '
     'LAST_WAY', 'x', 'omega')
 TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY', 'Q1')
 KINDS = ('slip', 'speed', 'time', 'rotation')
-ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'cell_drive', 'cell_drive_scale', 'cell_normal0', 'cell_f0',
-    'cell_p0', 'cell_ps0', 'cell_driving', 'cell_resisting', 'cell_mu')
+ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'cell_drive', 'cell_drive_scale', 'cell_normal0',
+    'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving', 'cell_resisting', 'cell_mu')
 MOST_STEPS = 200000
 STIFF_STEP = 20
 MOST_TURNS = 2000

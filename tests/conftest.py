@@ -1,15 +1,12 @@
 """What every test starts from, and how the command line is asked in this process."""
 
-import io
 import json
-import re
 import shlex
 from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
 from flint import ctx
-from PIL import Image
 
 from slipcircle.__main__ import main
 
@@ -20,11 +17,6 @@ def precision() -> Iterator[None]:
     before = ctx.prec
     yield
     ctx.prec = before
-
-
-def words_of(png: bytes) -> list[str]:
-    """What titles, axes and legends of a picture say, as the program writes it into the file."""
-    return str(getattr(Image.open(io.BytesIO(png)), "text", {}).get("Description", "")).split("\n")
 
 
 @pytest.fixture
@@ -87,9 +79,3 @@ def unseen(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
         "slipcircle.workbench.outputs.pictures.render", lambda *_: b"<svg xmlns='http://www.w3.org/2000/svg'/>"
     )
-
-
-def columns(table: str) -> dict[str, list[str]]:
-    """The cells of a printed table by the label of their row."""
-    found = (re.split(r"  +", line) for line in table.splitlines() if "  " in line.strip())
-    return {label: cells for label, *cells in found if label}

@@ -1,90 +1,22 @@
 """Accuracy is what the user gets: 400 random scenes against their motion to 20 and 30 digits, and the estimated error.
 
-300 are of position and speed, 100 of time, rates and heat. `python tests/references.py --fresh 1000` takes new ones.
+300 are of position and speed, 100 of time, rates and heat. `python -m tests.campaigns.references --fresh 1000` takes
+new ones.
 """
 
 import hashlib
-import json
 from dataclasses import replace
-from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
-import golden
-import mpmath
 import numpy as np
 import pytest
-import references
-import taylor
-from mpmath import mpf
 
 import slipcircle
 from generated import layout as ix
-from slipcircle import Arc, Motion, Scene, load, solve
+from slipcircle import Arc, Scene, load, solve
 from slipcircle.core.flow.problem import Problem
-
-DATA = references.FILE.read_bytes()
-ROWS: list[dict[str, Any]] = json.loads(DATA)
-NUMBERS = range(300)
-TIMED = range(300, 400)
-MANY = 100  # phases: each adds its error to the next
-
-
-class Error(NamedTuple):
-    """True relative errors; absolute where the reference is 0."""
-
-    peak: float
-    run_out: float
-    duration: float
-    displacement: float
-    velocity: float
-
-
-def scene(row: dict[str, Any]) -> Scene:
-    """A row's scene."""
-    return golden.built("", row["scene"])
-
-
-@cache
-def solved(number: int) -> Motion:
-    """Its motion, by default accuracy."""
-    return slipcircle.solve(scene(ROWS[number]))
-
-
-def off(value: float, reference: str, scale: str) -> float:
-    """Error of a value, relative to a scale where that is not 0."""
-    with mpmath.workdps(50):
-        error = abs(mpf(float(value)) - mpf(reference))
-        return float(error / abs(mpf(scale)) if mpf(scale) else error)
-
-
-def true_error(motion: Motion, reference: dict[str, Any]) -> Error:
-    """Errors of a motion; those at given times are relative to the run-out and to the peak."""
-    peak, run_out, duration = reference["peak_velocity"], reference["run_out"], reference["duration"]
-    places = speeds = [0.0]
-    if reference["times"]:
-        times = np.minimum(reference["times"], np.inf if motion.arrested else motion.duration)
-        state = motion.at(times)
-        places = [off(v, r, run_out) for v, r in zip(state.displacement, reference["displacement"], strict=True)]
-        speeds = [off(v, r, peak) for v, r in zip(state.velocity, reference["velocity"], strict=True)]
-    return Error(
-        off(float(motion.peak.velocity), peak, peak),
-        off(motion.run_out, run_out, run_out),
-        off(motion.duration, duration, duration),
-        max(places),
-        max(speeds),
-    )
-
-
-@cache
-def error(number: int) -> Error:
-    """Errors of a scene's motion."""
-    return true_error(solved(number), ROWS[number]["reference"])
-
-
-def near_limit(number: int) -> bool:
-    """Whether its friction is meant to be next to its limit: the first scenes of a group."""
-    group = ROWS[number]["group"]
-    return number - next(k for k in NUMBERS if ROWS[k]["group"] == group) < references.NEAR.get(group, 0)
+from tests.support import references, taylor
+from tests.support.accuracy import DATA, MANY, NUMBERS, ROWS, TIMED, error, near_limit, off, scene, solved, true_error
 
 
 def test_the_file_holds_400_scenes_of_every_kind() -> None:

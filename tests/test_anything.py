@@ -8,9 +8,10 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from test_hard_scenes import finite, ill_conditioned, softening
 
 from slipcircle import Arc, Scene, solve
+from tests.support.combinations import softening
+from tests.support.motions import finite, ill_conditioned
 
 SEEDS, COUNT = range(5), 40
 ILL = ("ill-conditioned, rests", "ill-conditioned, moves")

@@ -4,7 +4,6 @@ from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
-import oracle
 import pytest
 
 from derive.approximate import search
@@ -12,6 +11,7 @@ from derive.approximate.programs import Variant, variants
 from derive.approximate.shapes import kernels, records
 from derive.check.records import TIERS
 from derive.code import operations
+from tests.support import oracle
 
 TINY = np.array([5e-324, 1e-323, 1e-310, 1e-200, 1e-162, 1e-108, 1.1e-108, 1e-105, 1e-103, 1e-102])
 

@@ -4,13 +4,11 @@ import concurrent.futures
 import os
 from typing import Any
 
-import golden
 import numpy as np
 import pytest
-import taylor
-import test_accuracy
 
 from slipcircle import Motion, solve
+from tests.support import accuracy, golden, taylor
 
 
 def motion(given: golden.Data) -> Motion:
@@ -82,7 +80,7 @@ def test_a_peak_cut_between_two_greatest_speeds(velocity: float, bump: float) ->
     for cut in (tops[0] - 800, tops[0] + 300, low, (low + again) // 2, again + 200, tops[1] - 100, tops[1] + 100):
         ends = given | {"end_time": float(times[cut])}
         found, wanted = motion(ends), taylor.solve(ends, [0.5])
-        assert max(test_accuracy.true_error(found, wanted)) <= found.error_estimate, cut
+        assert max(accuracy.true_error(found, wanted)) <= found.error_estimate, cut
         assert found.peak.time == pytest.approx(float(wanted["peak_time"]), rel=1e-6, abs=1e-9)
         assert found.peak.acceleration == pytest.approx(found.at(float(found.peak.time)).acceleration, abs=1e-6)
         if found.peak.time == found.duration:

@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import oracle
 import pytest
 from flint import arb, ctx
 
@@ -24,6 +23,7 @@ from derive.check.proof import ProofError
 from derive.check.records import Record, digest, read
 from derive.check.truth import SEGMENTS, TOP
 from derive.code.program import Op, Program, walk
+from tests.support import oracle
 
 RECORDS = read()
 DEFINITIONS = {r["kernel"]: tuple(r["definition"]) for r in RECORDS}

@@ -13,13 +13,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import columns
 
 import generated
 import slipcircle
 from slipcircle import State, load, solve
 from slipcircle import __main__ as line
 from slipcircle.workbench.files.scenefile import find, shipped
+from tests.support.outputs import columns
 
 ROOT = Path(__file__).parents[1]
 NAMES = ["vaiont-as-printed", "vaiont-frozen"]

@@ -14,14 +14,11 @@ from derive.approximate.programs import Variant, variants
 from derive.code.text import seam
 from derive.generate import write
 from generated import _compiled, kernels
+from tests.support.kernels import COMPILED, FITTED, LEVELS, needs_binary
 
 Floats = NDArray[np.float64]
 
 HALF_PI = np.pi / 2
-LEVELS = _compiled.LEVELS
-COMPILED = [level for level in LEVELS if level != "numpy"]
-FITTED = sorted({v.kernel for v in variants()})
-needs_binary = pytest.mark.skipif(not COMPILED, reason="no compiled kernels here")
 each_variant = pytest.mark.parametrize(
     "variant", [v for v in variants() if v.form != "numpy"], ids=lambda v: f"{v.kernel}-{v.tier}-{v.form}"
 )

@@ -10,10 +10,8 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-import exact_scenes
 import mpmath
 import numpy as np
-import oracle
 import pytest
 from mpmath import mpf
 
@@ -22,11 +20,12 @@ from generated.tiers import BOUNDS
 from slipcircle.workbench.cost import cost, costtext, reference, scenes, sections, ways
 from slipcircle.workbench.cost.cost import Row
 from slipcircle.workbench.outputs import pictures, tables
+from tests.campaigns import exact_scenes
+from tests.support import oracle
+from tests.support.outputs import QUICK
 
 SEEN = (1e-100, 1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.nextafter(np.pi / 2, 0)), float(np.pi / 2))
 MEASURED = "weight_moment_amplitude"
-# Few elements and few turns: no test is about how long something takes.
-QUICK: dict[str, Any] = {"SIZES": (1, 50, 400), "REPEATS": 2, "_TICK": 1e-7, "_PATIENCE": 0.0, "_PASS": 0.04}
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -5,7 +5,6 @@ from dataclasses import replace
 from typing import Any
 
 import mpmath
-import oracle
 import pytest
 import sympy as sp
 from mpmath import mpf
@@ -17,6 +16,7 @@ from derive.check.proof import ProofError
 from derive.declare.quantities import CHORD, MOMENTS, QUOTIENTS, Moment
 from derive.declare.symbols import a, alpha, b, omega_0, r, theta, theta_1
 from derive.generate import functions
+from tests.support import oracle
 
 each_moment = pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
 DIGITS = 40

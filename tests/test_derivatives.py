@@ -10,18 +10,15 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import golden
 import numpy as np
-import oracle
 import pytest
-import references
-import taylor
 from flint import arb, ctx
 
 import slipcircle
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.studies.motions import derivatives, motions
+from tests.support import golden, oracle, references, taylor
 
 EXACT = ("peak_velocity", "run_out", "duration")  # outputs of which 40 digits are known
 

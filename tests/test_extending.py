@@ -1,6 +1,6 @@
 """How to add a law, an effect and a moment, as `derive` says it: followed to the letter in a copy, and used there.
 
-A weight drawn at random is declared there too (`python tests/all_weights.py`: all 15)."""
+A weight drawn at random is declared there too (`python -m tests.campaigns.all_weights`: all 15)."""
 
 import json
 import math
@@ -10,15 +10,15 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-import all_weights
-import golden
 import mpmath
 import numpy as np
 import pytest
-import taylor
-from all_weights import run
 from flint import arb_series
-from pieces import Pieces
+
+from tests.campaigns import all_weights
+from tests.campaigns.all_weights import run
+from tests.support import golden, taylor
+from tests.support.pieces import Pieces
 
 Seen = dict[str, dict[str, tuple[float, float]]]
 # ``At the end of ``LAWS`` in ``derive/declare/effects.py``::``, and what stands indented below.

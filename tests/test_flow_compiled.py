@@ -1,4 +1,4 @@
-"""The compiled walk beside the one in NumPy: the same lanes, whoever walks beside them, wherever it is interrupted."""
+"""The compiled integrator beside the one in NumPy: the same lanes, whatever their neighbours, wherever interrupted."""
 
 import math
 import threading
@@ -14,7 +14,7 @@ from slipcircle.core.flow import compiled, integrate
 from slipcircle.core.flow.problem import Problem, build_problem
 from slipcircle.core.flow.program import Log, Samples
 
-pytestmark = pytest.mark.skipif(compiled.module() is None, reason="no compiled walk here")
+pytestmark = pytest.mark.skipif(compiled.module() is None, reason="no compiled integrator here")
 
 LANES = 37
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
@@ -129,9 +129,9 @@ def test_what_does_not_fit_is_refused() -> None:
     code, cells, nothing = compiled.encoded(bound.program), bound.cells.copy(), np.empty(0)
     for bad in (code[:-4], code + code[:4]):
         with pytest.raises(ValueError, match="do not fit"):
-            compiled.module().walk(bad, (), cells, 14, 0, LANES, 1, nothing, nothing, nothing, 0)
+            compiled.module().integrate(bad, (), cells, 14, 0, LANES, 1, nothing, nothing, nothing, 0)
     with pytest.raises(ValueError, match="do not fit"):
-        compiled.module().walk(code, (), cells, 99, 0, LANES, 1, nothing, nothing, nothing, 0)
+        compiled.module().integrate(code, (), cells, 99, 0, LANES, 1, nothing, nothing, nothing, 0)
 
 
 def test_a_binary_of_another_source_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:

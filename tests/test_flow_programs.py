@@ -4,7 +4,6 @@ import random
 from collections.abc import Callable, Iterator
 from typing import Any
 
-import flow_oracle
 import numpy as np
 import pytest
 import sympy as sp
@@ -18,6 +17,7 @@ from generated import flow, layout, series
 from slipcircle.core.flow.build import build_program
 from slipcircle.core.flow.link import RESULTS
 from slipcircle.core.flow.program import Program
+from tests.campaigns import flow_oracle
 
 CASES = random.Random(7).sample(list(flow_oracle.cases()), 60)
 
@@ -113,7 +113,7 @@ def changed(name: str, of: str, change: Callable[[tuple[Any, ...]], tuple[Any, .
 @pytest.mark.parametrize(
     ("name", "of", "change", "result"),
     [
-        ("rotation", "scalar", lambda op: ("add", *op[1:]), "press_0"),
+        ("rotation", "scalar", lambda op: ("add", *op[1:]), "normal_load_0"),
         ("rotation", "series", lambda op: ("sqr", "vers(x)", "x"), "sin(x)"),
         ("shaking", "scalar", lambda op: ("add", *op[1:]), "shaking.driving"),
         ("balance", "series", lambda op: (*op[:3], op[3][:-1]), "dfriction"),
@@ -140,7 +140,7 @@ def test_a_program_holds_what_its_scene_calls_for_and_nothing_else() -> None:
     assert frozen.roles["normal"] == frozen.roles["upright"] == -1
     turning = build_program(("rotation", "centripetal"), ("constant",))
     assert sorted(names(turning)) == ["lin"] * 3 + ["sqr", "tim", "turn"]
-    water = build_program(("rotation", "pore_pressure"), ("constant",), absent=("pore_pressure", "pore_ratio"))
+    water = build_program(("rotation", "pore_pressure"), ("constant",), absent=("pore_pressure", "pore_ratio", "water"))
     dry = build_program(("rotation",), ("constant",))
     assert (names(water), sorted(op[0] for op in water.scalar)) == (names(dry), sorted(op[0] for op in dry.scalar))
     one = build_program(("rotation", "shaking"), ("constant",), moving=("k_h",), absent=("k_v",))
@@ -201,8 +201,9 @@ def test_effects_of_slip_of_speed_and_with_a_state_by_declaration_alone(
     ctx.prec, ctx.cap = 300, order + 1
     program = build_program(("rotation", *(e.name for e in NEW)), ("stiffening",))
     rng = random.Random(2)
-    names = ("fall", "fall_slope", "press", "press_slope", "level", "polar", "fading", "scale", "collapse", "dilation",
-             "widening", "stiffening.first", "stiffening.last", "width", "SLIP", "TIME", "ROTATION")  # fmt: skip
+    names = ("driving_moment", "driving_moment_slope", "normal_load", "normal_load_slope", "resistance_factor",
+             "polar_moment", "fading", "scale", "collapse", "dilation", "widening",
+             "stiffening.first", "stiffening.last", "width", "SLIP", "TIME", "ROTATION")  # fmt: skip
     p = {x: arb(rng.uniform(0.1, 0.9)) for x in names} | {"DIRECTION": arb(1)}
     c = flow_oracle.prologue(program, p)
     now = {"x": arb(0.2), "omega": arb(0.7), "width": arb(0.4)}
@@ -213,11 +214,11 @@ def test_effects_of_slip_of_speed_and_with_a_state_by_declaration_alone(
     one = arb_series([arb(1)], prec=order + 1)
     for _ in range(order + 1):
         turned = p["ROTATION"] + x
-        fall = p["fall"] * turned.cos() - p["fall_slope"] * turned.sin()
-        press = p["press"] * turned.cos() - p["press_slope"] * turned.sin()
+        fall = p["driving_moment"] * turned.cos() - p["driving_moment_slope"] * turned.sin()
+        press = p["normal_load"] * turned.cos() - p["normal_load_slope"] * turned.sin()
         mu = p["stiffening.first"] + p["stiffening.last"] * ((one + p["SLIP"] + x).log() / 4).exp()
-        normal = press + p["level"] * p["dilation"] * width
-        net = fall - mu * normal - p["level"] * p["fading"] * (-(p["SLIP"] + x) / p["scale"]).exp()
+        normal = press + p["resistance_factor"] * p["dilation"] * width
+        net = fall - mu * normal - p["resistance_factor"] * p["fading"] * (-(p["SLIP"] + x) / p["scale"]).exp()
         net = net - p["collapse"] * w / ((one + w) * (one + w).sqrt())
         grown = p["widening"] * (one - width) * mu * w
         x, w, width = (s + rate.integral() for s, rate in zip(start, (w, net, grown), strict=True))
@@ -230,8 +231,9 @@ def test_a_parameter_knows_its_sign_in_a_mirror() -> None:
     signs = {e.name: {str(x) for x in fragments.odd(e)} for e in EFFECTS}
     assert {name: found for name, found in signs.items() if found} == {"shaking": {"k_h"}}
     k = sp.Symbol("k", real=True)
-    lopsided = Effect("lopsided", "", (parameter("k"),), (), "both ways at once", fall=k * THETA * declared.FALL_SLOPE,
-                      press=k * declared.J_R)  # fmt: skip
+    lopsided = Effect("lopsided", "", (parameter("k"),), (), "both ways at once",
+                      driving_moment=k * THETA * declared.DRIVING_MOMENT_SLOPE,
+                      normal_load=k * declared.J_R)  # fmt: skip
     with pytest.raises(ValueError, match="lopsided: no signs of its parameters"):
         fragments.odd(lopsided)
 
@@ -295,7 +297,7 @@ def test_the_limit_friction_is_used_as_long_as_it_is_that_of_the_start(
     """Another value of it changes the drive until what it depends on has changed, and never after."""
     ctx.prec = 200
     program = build_program(effects, laws, moving, (), ("energy",))
-    start = {"DIRECTION": arb(1), "fall": arb(1), "press": arb(1), "level": arb(1)} | {
+    start = {"DIRECTION": arb(1), **dict.fromkeys(("driving_moment", "normal_load", "resistance_factor"), arb(1))} | {
         x: arb(0.1) for x in program.cells if x.partition(".")[0] in laws
     }
     for name in (None, "TIME", "ROTATION", "SLIP"):
@@ -313,7 +315,8 @@ def test_friction_where_a_phase_begins_keeps_its_digits(law: str, peak: float, r
     program = build_program((), (law,))
     slips = np.concatenate([[0.0], np.geomspace(1e-18, 40.0, 200)])
     c = np.zeros((len(program.cells), slips.size))
-    given = {f"{law}.peak": peak, f"{law}.residual": residual, f"{law}.length": 0.7, "DIRECTION": 1.0, "press": 1.0}
+    given = {f"{law}.peak": peak, f"{law}.residual": residual, f"{law}.length": 0.7, "DIRECTION": 1.0}
+    given["normal_load"] = 1.0
     for name, value in {**given, **program.constants}.items():
         c[program.cells.index(name)] = value
     c[program.cells.index("SLIP")] = slips

@@ -4,13 +4,12 @@ import json
 import math
 from typing import Any
 
-import golden
 import numpy as np
-import oracle
 import pytest
 from flint import ctx
 
 from slipcircle import Arc, Motion, solve
+from tests.support import golden, oracle
 
 KEPT: dict[str, Any] = {r["name"]: r["numbers"] for r in json.loads(golden.FILE.read_text("utf-8"))}
 ROWS = golden.rows()

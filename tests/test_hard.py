@@ -5,14 +5,14 @@ import math
 from fractions import Fraction
 
 import numpy as np
-import oracle
 import pytest
-from test_motion_formulas import BOUND as MOTION_BOUND
 
 from derive.__main__ import main
 from derive.algebra import dynamics
 from derive.judge.hard import CASES, HardCase, Result, drive, measured, report
 from generated import flow, kernels, motion
+from tests.support import oracle
+from tests.support.oracle import MOTION_BOUND
 
 
 @pytest.fixture(scope="module")

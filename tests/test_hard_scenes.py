@@ -7,22 +7,19 @@ take a million steps, closed forms of the balance at 60 digits, time by quadratu
 import itertools
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import asdict
 from functools import cache
 from typing import Any, NamedTuple
 
-import golden
 import mpmath
 import numpy as np
-import oracle
 import pytest
-import taylor
-import test_accuracy
 from flint import arb, ctx
 from mpmath import mpf
-from test_physics import residual, size
 
 from slipcircle import Arc, Motion, solve
+from tests.support import accuracy, golden, oracle, taylor
+from tests.support.combinations import softening
+from tests.support.motions import finite
 
 TURNING: dict[str, Any] = {"rotation": {}}
 BRAKED: dict[str, Any] = {"rotation": {}, "centripetal": {}}
@@ -63,10 +60,6 @@ class Hard(NamedTuple):
             for _ in range(abs(self.friction.many)):
                 friction = float(np.nextafter(friction, math.copysign(math.inf, self.friction.many)))
         return golden.scene(friction, self.effects, self.velocity, self.end, **self.arc)
-
-
-def softening(law: str, peak: float, residual: float, length: float) -> dict[str, Any]:
-    return {"law": law, "peak": peak, "residual": residual, "length": length}
 
 
 LIMIT = "the drive is a difference that has lost all digits but the last; naively moves or not, by rounding"
@@ -175,23 +168,6 @@ def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
     return found.arrested, tuple(mpf(record[n]) for n in ("run_out", "duration", "peak_velocity"))
 
 
-def ill_conditioned(motion: Motion) -> bool:
-    """Whether the user is told so."""
-    return any("ill-conditioned" in w for w in motion.warnings)
-
-
-def finite(motion: Motion) -> None:
-    """No NaN, no infinity, states at rest after an arrest, phases in order, and the energy balance."""
-    times = np.linspace(0.0, motion.duration, 17)
-    states = [motion.at(times), motion.peak, motion.end]
-    assert all(np.all(np.isfinite(x)) for s in states for x in asdict(s).values())
-    assert np.isfinite([motion.run_out, motion.duration, motion.error_estimate]).all()
-    assert not np.isnan([motion.factor_of_safety, motion.limit_friction, motion.yield_coefficient]).any()
-    said = max(motion.error_estimate, motion.energy_error_estimate) if ill_conditioned(motion) else 0.0
-    assert residual(motion, 21) <= max(1e-12, said)
-    assert size(states[0].velocity) <= abs(float(motion.peak.velocity)) * (1 + 1e-12)
-
-
 @pytest.mark.parametrize("name", CASES)
 def test_hard_scene(name: str) -> None:
     case = CASES[name]
@@ -261,7 +237,7 @@ def test_estimate_is_at_least_the_true_error(name: str) -> None:
     assert isinstance(motion, Motion)
     wanted = taylor.solve(SCENES[name], [0.1, 0.4, 0.8])
     assert (motion.moves, motion.arrested) == (wanted["moves"], wanted["arrested"])
-    error = max(test_accuracy.true_error(motion, wanted))
+    error = max(accuracy.true_error(motion, wanted))
     assert error <= motion.error_estimate, f"{error:.1e} beside {motion.error_estimate:.1e}"
     assert motion.error_estimate < 1e-9
 

@@ -52,6 +52,16 @@ def test_mypy_is_silent() -> None:
     succeed(sys.executable, "-m", "mypy", *PACKAGES, "tests")
 
 
+def test_no_test_module_imports_another() -> None:
+    """What two of them share is in `tests.support`."""
+    modules = {path.stem for path in (ROOT / "tests").glob("*.py")} - {"__init__"}
+    for path in (ROOT / "tests").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            imported = [alias.name for alias in node.names] if isinstance(node, ast.Import | ast.ImportFrom) else []
+            imported += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+            assert not modules & {part for name in imported for part in name.split(".")}, path
+
+
 @pytest.mark.parametrize("script", ["run", ".ci/run"])
 def test_scripts_are_posix_shell_and_executable(script: str) -> None:
     succeed("sh", "-n", script)

@@ -7,7 +7,6 @@ from typing import Any
 
 import mpmath
 import numpy as np
-import oracle
 import pytest
 from numpy.typing import NDArray
 
@@ -15,58 +14,16 @@ from derive.algebra.integrate import closed_forms, quadrature
 from derive.algebra.rules import prove_arc_growth
 from derive.declare.quantities import MOMENTS
 from generated import _compiled, growth, kernels
+from tests.support import oracle
+from tests.support.kernels import SEAM, angles, errors
 
 Floats = NDArray[np.float64]
 Kernel = Callable[..., Any]
 
-HALF_PI = np.pi / 2
-SEAM = 2 * np.arctan(0.4)  # where tan(alpha/2) reaches 2/5: the series ends and the logarithm begins
 BOUND = 16.0
 KERNELS = (*oracle.BASE, *oracle.QUOTIENTS)
 each_kernel = pytest.mark.parametrize("name", KERNELS)
 each_weight = pytest.mark.parametrize("name", list(oracle.WHOLE))
-
-
-def neighbours(x: float, count: int) -> list[float]:
-    """The doubles around x, nearest first below and above."""
-    below, above = [x], [x]
-    for _ in range(count):
-        below.append(float(np.nextafter(below[-1], -1.0)))
-        above.append(float(np.nextafter(above[-1], 4.0)))
-    return below[:0:-1] + above
-
-
-@cache
-def angles() -> Floats:
-    """Half opening angles all over the domain, dense at its ends and on both sides of the seam."""
-    rng = np.random.default_rng(20240731)
-    listed = [5e-324, 1e-323, 1e-310, 2.2250738585072014e-308, 1e-300, 1e-200, 1e-154, 1e-108, 1e-105, 1e-103, 1e-100]
-    listed += [1e-60, 1e-30, 1e-16, 1e-8, 1.5e-8, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.25, 0.5, 0.5385, 1.0, np.pi / 4]
-    listed += neighbours(SEAM, 8) + neighbours(HALF_PI, 4)
-    listed += [HALF_PI * (1 + 4 * 2.0**-52)]
-    parts = (
-        listed,
-        rng.uniform(0, HALF_PI, 300),
-        10 ** rng.uniform(-320, -4, 60),
-        10 ** rng.uniform(-8, 0, 120),
-        SEAM + rng.uniform(-1e-9, 1e-9, 40),
-        SEAM + rng.uniform(-0.05, 0.05, 60),
-        HALF_PI - 10 ** rng.uniform(-15, 0, 80),
-    )
-    return np.unique(np.concatenate([np.asarray(p, dtype=np.float64) for p in parts]))
-
-
-def errors(
-    kernel: Kernel, name: str, alphas: NDArray[Any], kind: type[np.floating] = np.float64
-) -> list[tuple[float, float]]:
-    """Error in ulp and argument of each value, worst first."""
-    with np.errstate(all="raise"):
-        values = kernel(alphas)
-    found = (
-        (oracle.ulps(float(v), oracle.kernel(name, float(x)), kind=kind), float(x))
-        for v, x in zip(values, alphas, strict=True)
-    )
-    return sorted(found, reverse=True)
 
 
 @cache

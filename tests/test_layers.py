@@ -4,9 +4,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from layered_benchmarks import CASES, solved
-from layered_benchmarks import differences as differences_of
-from layered_sections import differences, random_section, strength_by_quadrature
 
 from slipcircle import Scene, Section, solve
 from slipcircle.core import LayeredSection, Soil
@@ -17,6 +14,9 @@ from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.outputs.tables import motion_summary
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
+from tests.campaigns.layered_benchmarks import CASES, solved
+from tests.campaigns.layered_benchmarks import differences as differences_of
+from tests.campaigns.layered_sections import differences, random_section, strength_by_quadrature
 
 TURNING = ["rotation", "centripetal"]
 GROUND = [(-60, 20), (0, 20), (40, 0), (120, 0)]
@@ -58,7 +58,7 @@ def profile(name: str, strength: str = "base", **given: Any) -> LayeredSection:
 
 
 def test_moments_and_stretches_are_those_of_the_definitions() -> None:
-    """To 30 digits; 200 sections by ``python tests/layered_sections.py``."""
+    """To 30 digits; 200 sections by ``python -m tests.campaigns.layered_sections``."""
     rng = np.random.default_rng(7)
     for _ in range(5):
         assert max(differences(random_section(rng))) < 1e-12
@@ -185,7 +185,7 @@ def test_what_soils_say_is_not_said_twice() -> None:
 # --- layered slopes --------------------------------------------------------------------------------------------------
 
 GIVEN = [case for case in CASES if "circle" in case]
-SEARCHED = ["ACADS 1c", "D&W 14.4 #79", "Low 1989 #24 phi=0"]  # all: python tests/layered_benchmarks.py
+SEARCHED = ["ACADS 1c", "D&W 14.4 #79", "Low 1989 #24 phi=0"]  # all: python -m tests.campaigns.layered_benchmarks
 
 
 @pytest.mark.parametrize("case", GIVEN, ids=lambda case: case["name"])

@@ -10,15 +10,15 @@ from typing import Any
 
 import mpmath
 import numpy as np
-import oracle
 import pytest
 from mpmath import mpf
 
 from generated import laws, motion
+from tests.support import oracle
+from tests.support.oracle import MOTION_BOUND
 
 Formula = Callable[..., Any]
 
-BOUND = 8.0
 RIDE = [f"frozen_{x}" for x in ("angular_velocity", "rotation", "angular_acceleration")]
 each_formula = pytest.mark.parametrize("name", list(oracle.MOTION))
 SIZES = (0.0, 1e-30, 1e-8, 1.0, 1e8, 1e30)
@@ -157,7 +157,7 @@ def test_every_formula_has_a_reference() -> None:
 def test_accuracy(name: str) -> None:
     """At most 8 ulp times (1 + condition number), without a warning."""
     error, at = errors(getattr(motion, name), name)[0]
-    assert error <= BOUND, f"{name}{at} is wrong by {error:.3g} ulp times (1 + condition number)"
+    assert error <= MOTION_BOUND, f"{name}{at} is wrong by {error:.3g} ulp times (1 + condition number)"
 
 
 @pytest.mark.parametrize("name", RIDE)

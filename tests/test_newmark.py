@@ -7,13 +7,13 @@ the yield N = k_y: so what is published for the block tests the rotational solve
 import math
 from typing import Any
 
-import golden
 import mpmath as mp
 import numpy as np
 import pytest
 
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.base.series import Pulse, Series
+from tests.support import golden
 
 GRAVITY = 9.81
 ARC = Arc(60.0, math.radians(220.0), math.radians(290.0), 19e3)

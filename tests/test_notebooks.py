@@ -19,11 +19,8 @@ from typing import Any
 
 import nbformat
 import numpy as np
-import oracle
 import pytest
-from conftest import words_of
 from nbclient import NotebookClient
-from test_cost import QUICK
 
 import generated
 from derive.flow.operations import OPERATIONS as SERIES
@@ -32,6 +29,8 @@ from generated import tiers
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Motion, Status, load, solve
 from slipcircle.workbench.outputs.report import ASSUMED
+from tests.support import oracle
+from tests.support.outputs import QUICK, words_of
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -85,7 +84,7 @@ def run(path: Path, first: str = "") -> Any:
     assert not failed, failed  # as of a picture that cannot be displayed, which stops nothing
     notebook.metadata = METADATA
     for cell in notebook.cells:
-        cell.metadata = {}
+        cell.metadata = {"tags": cell.metadata.tags} if "tags" in cell.metadata else {}
         if cell.cell_type == "code":
             cell.execution_count = None
             for output in cell.outputs:
@@ -151,8 +150,12 @@ def test_source_diffs_well(path: Path) -> None:
     nbformat.validate(notebook)
     assert (notebook.nbformat, notebook.nbformat_minor) == (4, 5)
     assert notebook.metadata == METADATA
-    assert not any(cell.metadata or cell.get("execution_count") for cell in notebook.cells)
     assert path.read_text(encoding="utf-8") == written(notebook)
+    assert not any(cell.get("execution_count") for cell in notebook.cells)
+    hidden = {cell.id: cell.metadata.pop("tags", []) for cell in notebook.cells}  # what the book folds away
+    assert hidden["imports"] == ["hide-input"]
+    assert hidden["key-numbers"] == ["hide-cell"]
+    assert not any(cell.metadata for cell in notebook.cells)
     for cell in notebook.cells:
         for output in cell.get("outputs", []):
             assert len(output.get("data", {}).get("image/png", "")) < 80_000, "60 kB, in base 64"

@@ -5,11 +5,10 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-import fuzz_scenes
-import malformed_sections
 import pytest
 
 from slipcircle import Scene, Section
+from tests.campaigns import fuzz_scenes, malformed_sections
 
 GOOD: dict[str, Any] = {
     "ground": [(-50, 10), (-20, 10), (0, 0), (50, 0)],
@@ -20,13 +19,13 @@ GOOD: dict[str, Any] = {
 
 
 def test_malformed_sections() -> None:
-    """`python tests/malformed_sections.py 10000` draws more."""
+    """`python -m tests.campaigns.malformed_sections 10000` draws more."""
     assert not list(malformed_sections.faults(200, 16))
 
 
 @pytest.mark.parametrize("part", range(3))
 def test_odd_scene_files_end_in_an_answer_or_a_refusal(part: int, tmp_path: Path) -> None:
-    """Three hundred in all; `python tests/fuzz_scenes.py 2000` draws others."""
+    """Three hundred in all; `python -m tests.campaigns.fuzz_scenes 2000` draws others."""
     bad = fuzz_scenes.faults(range(100 * part, 100 * part + 100), 11, tmp_path, "run", 60.0)
     assert not bad, bad[0]
 

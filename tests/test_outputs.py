@@ -11,17 +11,15 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import fuzz_scenes
-import golden
 import numpy as np
-import oracle
 import pytest
-import taylor
-from conftest import columns
 from flint import arb, arb_series, ctx
 
 from slipcircle import load, solve
 from slipcircle.workbench.outputs.trace import csv, telling_times
+from tests.campaigns import fuzz_scenes
+from tests.support import golden, oracle, taylor
+from tests.support.outputs import columns
 
 KEYS: dict[str, tuple[str, Callable[[float], Any]]] = {  # of a scene file, and its unit's number from the SI one
     "pressure": ("pressure_kPa", lambda x: x / 1e3), "cohesion": ("cohesion_kPa", lambda x: x / 1e3),

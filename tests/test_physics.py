@@ -6,40 +6,22 @@ solutions is `test_combinations`'.
 
 import math
 from dataclasses import replace
-from typing import Any
 
-import golden
 import mpmath
 import numpy as np
-import oracle
 import pytest
-import taylor
-import test_combinations
 from flint import ctx
 
-from slipcircle import Arc, Motion, Scene, solve
-
-
-def size(found: Any) -> float:
-    return float(np.max(np.abs(found), initial=0.0))
-
-
-def residual(motion: Motion, count: int = 21) -> float:
-    """The worst energy residual at any time, relative to all energy there was until then.
-
-    Until then, not just then: a pendulum at its far standstill has neither speed nor work.
-    """
-    energy = motion.energy_at(np.linspace(0.0, motion.duration, count))
-    total = np.maximum.accumulate(energy.kinetic_start + np.abs(energy.work) + energy.dissipation)
-    assert np.all(energy.dissipation >= 0.0)
-    return size(np.asarray(energy.residual)[total > 0.0] / total[total > 0.0])
+from slipcircle import Arc, Scene, solve
+from tests.support import combinations, golden, oracle, taylor
+from tests.support.motions import residual
 
 
 @pytest.mark.parametrize("seed", range(2))
 def test_rest_and_the_printed_limit_agree_to_the_last_bit(seed: int) -> None:
     """From rest, every combination of what depends on position and speed, on any arc."""
-    for effects in test_combinations.STEADY:
-        given = test_combinations.drawn(effects, "constant", 100 + seed)
+    for effects in combinations.STEADY:
+        given = combinations.drawn(effects, "constant", 100 + seed)
         if "time" in given["effects"].get("pore_pressure", {}):
             continue  # it may move later
         scene = golden.built("", given | {"initial_velocity": 0.0, "end_time": 1.0})

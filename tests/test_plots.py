@@ -1,109 +1,33 @@
 """Pictures: what is drawn is the motion, with units; no text lies on another; greys and dashes tell things apart."""
 
-import itertools
 import re
-from collections.abc import Iterator
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
-from typing import Any
 
 import matplotlib.pyplot
 import numpy as np
 import pytest
-from conftest import words_of
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
-from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
-from matplotlib.text import Text
 from PIL import Image, ImageSequence
 
-from slipcircle import Arc, Motion, Scene, Section, critical, grid, load, solve
-from slipcircle.base.series import Pulse
+from slipcircle import Arc, Section, critical, grid, load, solve
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs import pictures, plots, plotstyle, sectionplot
 from slipcircle.workbench.outputs.tables import motion_column
 from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
+from tests.support.outputs import words_of
+from tests.support.pictures import SCENES, canvas, clashes, drawn, legend, motion, texts
 
 matplotlib.use("agg")
 
 
-def scene(first: float, second: float, friction: Any, effects: Any, radius: float = 50.0, **more: Any) -> Scene:
-    return Scene(Arc(radius, float(np.deg2rad(first)), float(np.deg2rad(second)), 19e3), friction, effects, **more)
-
-
-BOTH = ["rotation", "centripetal"]
-CALMING = {"law": "prescribed", "time": [0.0, 2.0, 5.0], "coefficient": [0.45, 0.2, 0.35]}
-SHIPPED = ("vaiont", "vaiont-frozen", "vaiont-heated", "vaiont-shaken", "newmark-pulse", "wet-slope")
-SCENES = {name: load(name) for name in SHIPPED} | {
-    "by time": scene(215, 280, CALMING, ["rotation"], end_time=8.0),
-    "shaken still": scene(215, 260, 0.9, {"shaking": {"horizontal": Pulse("triangular", 0.1, 0.0, 1.0)}}),
-    "swings": scene(215, 280, 0.0, BOTH, end_time=60.0, name="swings, a name with $ and <"),
-    "first stop": scene(215, 280, 0.0, ["rotation"]),
-    "damped": scene(215, 280, 0.02, BOTH),
-    "still": scene(215, 280, 0.9, ["rotation"], name="still"),
-    "tiny": scene(245, 245.2, 0.36, BOTH, radius=100.0),
-    "half disc": scene(160, 340, 0.1, BOTH, radius=20.0),
-    "to the left": scene(260, 325, 0.15, BOTH),
-    "lifted": scene(215, 280, 0.2, {"rotation": {}, "pore_pressure": {"pressure": 2e5}}, end_time=6.0),
-    "pushed up": scene(215, 280, 0.3, BOTH, initial_velocity=-8.0),
-}
 each_scene = pytest.mark.parametrize("name", SCENES)
 
 
-@cache
-def motion(name: str) -> Motion:
-    return solve(SCENES[name])
-
-
-def canvas(size: tuple[float, float] = (7.0, 5.0), dpi: float = 100) -> Figure:
-    """An empty figure that can be rendered."""
-    figure = Figure(figsize=size, dpi=dpi, layout="constrained")
-    FigureCanvasAgg(figure)
-    return figure
-
-
-def drawn(size: tuple[float, float] = (7.0, 5.0)) -> Any:
-    """An empty axis that can be rendered."""
-    return canvas(size).add_subplot()
-
-
-def legend(ax: Any) -> list[str]:
-    return [t.get_text() for t in ax.get_legend().get_texts()]
-
-
 # --- no text on another --------------------------------------------------------------------------------------------
-
-
-def texts(figure: Any) -> Iterator[tuple[str, Any]]:
-    """Every text that is seen, and its box in pixels."""
-    figure.draw_without_rendering()
-    renderer = figure.canvas.get_renderer()
-    hidden = set()
-    for ax in figure.findobj(lambda a: hasattr(a, "get_xaxis")):
-        for axis, (low, high) in ((ax.xaxis, ax.get_xlim()), (ax.yaxis, ax.get_ylim())):
-            slack = 1e-9 * abs(high - low)
-            for tick in (*axis.get_major_ticks(), *axis.get_minor_ticks()):
-                if not min(low, high) - slack <= tick.get_loc() <= max(low, high) + slack:
-                    hidden |= {tick.label1, tick.label2}
-    for text in figure.findobj(Text):
-        if text.get_text().strip() and text.get_visible() and text not in hidden:
-            yield text.get_text(), text.get_window_extent(renderer)
-
-
-def clashes(figure: Any) -> list[str]:
-    """Pairs of texts that overlap, and texts that leave the figure."""
-    found = list(texts(figure))
-    width, height = figure.canvas.get_width_height()
-    bad = [
-        f"{a!r} on {b!r}"
-        for (a, p), (b, q) in itertools.combinations(found, 2)
-        if min(p.x1, q.x1) - max(p.x0, q.x0) > 1 and min(p.y1, q.y1) - max(p.y0, q.y0) > 1
-    ]
-    return bad + [f"{a!r} leaves" for a, p in found if p.x0 < 0 or p.y0 < 0 or p.x1 > width or p.y1 > height]
 
 
 @pytest.mark.parametrize("name", ["vaiont-heated", "newmark-pulse", "swings", "still", "to the left"])

@@ -8,10 +8,10 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-import oracle
 import pytest
 
 from generated import kernels
+from tests.support import oracle
 
 NAMES = (*oracle.BASE, *oracle.QUOTIENTS)
 each_kernel = pytest.mark.parametrize("name", NAMES)

@@ -1,4 +1,4 @@
-"""The documents are run: the README's Python, scene file and commands; its tables are true, links lead somewhere."""
+"""README and the pages of the book: Python, scene files and commands run, tables are true, links lead somewhere."""
 
 import json
 import re
@@ -11,11 +11,8 @@ from urllib.parse import urlsplit
 
 import numpy as np
 import pytest
-import test_accuracy
-import test_cost
-import test_kernels
-from conftest import columns, words_of
 from matplotlib.figure import Figure
+from PIL import Image, ImageSequence
 
 import generated
 import slipcircle
@@ -25,39 +22,51 @@ from generated.tiers import BOUNDS
 from slipcircle import Motion, Unattainable, backanalyse, load, solve
 from slipcircle.workbench.cost import cost, costplot
 from slipcircle.workbench.outputs import pictures, plots
-from slipcircle.workbench.studies.ladder import ladder
+from tests.support import accuracy
+from tests.support.kernels import angles, errors
+from tests.support.outputs import QUICK, columns, words_of
 
 ROOT = Path(__file__).resolve().parent.parent
 README = ROOT / "README.md"
 TEXT = README.read_text(encoding="utf-8")
-BLOCKS = re.findall(r"^```(\w*)\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)
+PAGES = {path.stem: path.read_text(encoding="utf-8") for path in sorted((ROOT / "notebooks").glob("*.md"))}
 
 
-def test_python(capsys: pytest.CaptureFixture[str]) -> None:
-    """What the README's code prints is what stands below each print; an error estimate may differ by machine."""
-    for code in (text for kind, text in BLOCKS if kind == "python"):
-        exec(code, {})
-        shown = re.findall(r"^# (.*)", code, re.MULTILINE)
-        found = capsys.readouterr().out.splitlines()
-        assert len(shown) == len(found) == code.count("print(")
-        for one, other in zip(shown, found, strict=True):
-            assert one.partition("error")[0] == other.partition("error")[0]
+def blocks(text: str, kind: str) -> list[str]:
+    """The code blocks of a kind in a document; in the book they may have a caption."""
+    found = re.findall(r"^```(?:\{code-block\} )?(\w*)\n(?::\w+: [^\n]*\n\n)?(.*?)^```", text, re.DOTALL | re.MULTILINE)
+    return [code for block, code in found if block == kind]
 
 
-def test_proved_bounds_of_the_readme() -> None:
-    rows = [line.split("|")[1:-1] for line in TEXT.splitlines() if line.startswith("| `") and line.count("|") == 8]
+EXAMPLES = [(name, code) for name, text in {"README": TEXT, **PAGES}.items() for code in blocks(text, "python")]
+
+
+@pytest.mark.parametrize(("name", "code"), EXAMPLES, ids=[name for name, _ in EXAMPLES])
+def test_python(name: str, code: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """What the code prints is what stands below each print; an error estimate may differ by machine."""
+    exec(code, {})
+    shown = re.findall(r"^# (.*)", code, re.MULTILINE)
+    found = capsys.readouterr().out.splitlines()
+    assert len(shown) == len(found) > 0
+    for one, other in zip(shown, found, strict=True):
+        assert one.partition("error")[0] == other.partition("error")[0]
+
+
+def test_proved_bounds_of_the_page_on_accuracy() -> None:
+    lines = PAGES["accuracy"].splitlines()
+    rows = [line.split("|")[1:-1] for line in lines if line.startswith("| `") and line.count("|") == 8]
     shown = {row[0].strip(" `"): float(row[5]) for row in rows}
     assert shown == {name: BOUNDS[name]["best"]["fused"][1] for name in shown}
     assert len(shown) == 5
-    assert f"proved to {BOUNDS['polar_moment']['1e-6']['fused'][0]}" in TEXT
+    assert f"proved to {BOUNDS['polar_moment']['1e-6']['fused'][0]}" in PAGES["accuracy"]
 
 
-(SCENE,) = (text for kind, text in BLOCKS if kind == "toml")
+(SCENE,) = blocks(PAGES["quickstart"], "toml")
 
 
 @pytest.fixture
 def run(said: Any, tmp_path: Path) -> Callable[..., dict[str, str]]:
-    """What the table tells of a scene file with this text, the README's or another."""
+    """The rows that `run --verbose` prints of a scene file with this text."""
 
     def told(text: str, *options: object) -> dict[str, str]:
         path = tmp_path / "my-slope.toml"
@@ -68,7 +77,7 @@ def run(said: Any, tmp_path: Path) -> Callable[..., dict[str, str]]:
 
 
 def test_scene_file(tmp_path: Path, run: Any, said: Any) -> None:
-    """The file as it stands in the README, and with the arc of its comments: they run, and every effect is named."""
+    """The file of the quickstart, and with the arc of its comments: they run, and every effect is named."""
     path = tmp_path / "my-slope.toml"
     soil = SCENE[SCENE.index("[friction]") : SCENE.index("# [arc]")]
     of_arc = "".join(line[2:] for line in SCENE.splitlines(True) if re.match(r"# (\w+ = |\[\w+\] *(#|$))", line))
@@ -103,32 +112,40 @@ def test_from_a_profile_to_a_picture(tmp_path: Path, run: Any) -> None:
     assert all(p in drawn for p in tomllib.loads(SCENE)["ground"]["points_m"][1:3])
 
 
-def test_its_pictures_are_those_that_are_drawn_today(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What their titles, axes and legends say; the frontier's are those of a compiler with FMA."""
-    motion, frontier = (words_of((ROOT / f"notebooks/{name}.png").read_bytes()) for name in ("vaiont", "frontier"))
-    assert motion == words_of(pictures.picture("motions", [solve(load("vaiont"))], "png"))
+def test_the_earthquake_of_the_readme(run: Any) -> None:
+    """Its scene file runs, and the lines below it are among those that it prints."""
+    (scene,) = blocks(TEXT, "toml")
+    printed = run(scene)
+    shown = {label: cells for block in blocks(TEXT, "") for label, cells in columns(block).items()}
+    assert len(shown) == 4
+    assert {label: "  ".join(cells) for label, cells in shown.items()}.items() <= printed.items()
+
+
+def test_its_picture_moves_and_is_small() -> None:
+    """A slide of sixty frames, from its start to rest."""
+    path = ROOT / "notebooks" / "real-slope.gif"
+    assert path.stat().st_size < 1e6
+    with Image.open(path) as film:
+        frames = [np.asarray(frame.convert("RGB"), float) for frame in ImageSequence.Iterator(film)]
+    assert len(frames) == 60
+    assert 0.005 < np.mean(np.abs(frames[-1] - frames[0])) / 255 < 0.2
+
+
+def test_the_picture_of_what_accuracy_costs_is_drawn_so_today(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What its titles, axes and legends say, with a compiler that has FMA."""
     if LEVELS[LEVEL][0] == "fused":
-        for name, value in test_cost.QUICK.items():
+        for name, value in QUICK.items():
             monkeypatch.setattr(cost, name, value)
         rows = cost.measure(["polar_moment"])
         today = words_of(pictures.render(partial(costplot.overview, rows), costplot.size(rows), "png"))
-        assert frontier == today
+        assert words_of((ROOT / "notebooks/frontier.png").read_bytes()) == today
         assert "ours, worst seen; a bar up to what is proved" in today
 
 
-def test_ladder_of_the_readme() -> None:
-    """Peak, run-out and duration in the README's ladder are today's."""
-    (shown,) = (text for _, text in BLOCKS if "effect added" in text)
-    for rung in ladder(load("vaiont")):
-        line = next(x for x in shown.splitlines() if x.strip().startswith(f"+ {rung.added}" if rung.added else "none"))
-        run_out, peak, duration = (float(x) for x in re.findall(r"([\d.]+) (?:m/s|m|s)(?=\s)", line))
-        assert np.allclose([peak, run_out, duration], [rung.peak_velocity, rung.run_out, rung.duration], rtol=2e-3)
-
-
 def commands() -> list[str]:
-    """The README's commands with the arguments that stand in their rows, optional ones too."""
+    """The commands of the book's table with the arguments that stand in their rows, optional ones too."""
     found = set()
-    for row in (line.split(" | ") for line in TEXT.splitlines() if line.startswith("| `slipcircle")):
+    for row in (x.split(" | ") for x in PAGES["commands"].splitlines() if x.startswith("| `slipcircle")):
         base = row[0].strip("| `").replace("\\|", "|")
         plain = re.sub(r"\[[^]]*\]", "", base)
         more = [x for x in re.findall(r"`(--[^`]* [^`]*)`", row[1]) if "=" in x or "+-" in x]
@@ -139,7 +156,7 @@ def commands() -> list[str]:
     return sorted(found)
 
 
-def test_the_readme_has_its_commands() -> None:
+def test_the_table_has_all_commands() -> None:
     asked = commands()
     assert len(asked) > 15
     assert any("--field cohesion.cohesion_kPa" in c for c in asked)
@@ -147,7 +164,7 @@ def test_the_readme_has_its_commands() -> None:
 
 
 @pytest.mark.parametrize("line", commands())
-def test_every_command_of_the_readme_runs(line: str, tmp_path: Path, monkeypatch: Any, said: Any) -> None:
+def test_every_command_of_the_table_runs(line: str, tmp_path: Path, monkeypatch: Any, said: Any) -> None:
     monkeypatch.chdir(tmp_path)
     Path("SLOPE.toml").write_text("[ground]\nheight_m = 10\nangle_deg = 26.6\nunit_weight_kN_m3 = 20\n[friction]\n"
                                   "angle_deg = 19.6\n[cohesion]\ncohesion_kPa = 3\n", "utf-8")  # fmt: skip
@@ -159,7 +176,7 @@ def test_every_command_of_the_readme_runs(line: str, tmp_path: Path, monkeypatch
     assert said(re.sub(r"\bN\b", "64", line.replace("SCENE ...", "SCENE")).replace("SCENE", "vaiont"))
 
 
-def test_least_squares_of_the_readme() -> None:
+def test_least_squares_of_two_observations() -> None:
     """It starts where something moves, meets both, and says what is hardly told; where nothing comes near, how far."""
     asked: dict[str, Any] = {"run_out": (400.0, 20.0), "duration": (40.0, 5.0),
                              "field": ["friction.angle_deg", "cohesion.cohesion_kPa"]}  # fmt: skip
@@ -173,10 +190,12 @@ def test_least_squares_of_the_readme() -> None:
 
 
 def test_words() -> None:
-    """A page's length, the extras and the paper by their names, and one spelling of run-out everywhere."""
-    assert len(TEXT.splitlines()) < 200
+    """README's length, the extras and the paper by their names, and one spelling of run-out everywhere."""
+    assert len(TEXT) <= 6000
     extras = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["optional-dependencies"]
-    assert all(f"`{extra}`" in TEXT and extra in extras for extra in ("scenes", "plot", "dask", "derive"))
+    assert all(
+        f"| `{extra}` |" in PAGES["quickstart"] and extra in extras for extra in ("scenes", "plot", "dask", "derive")
+    )
     assert "pip install ." in TEXT
     assert "Basic Geodynamics of Landslides: I. The Dynamic Slip Circle Method" in TEXT
     for path in [*(ROOT / "slipcircle").rglob("*.py"), README]:
@@ -186,14 +205,20 @@ def test_words() -> None:
 # --- what it was validated against -----------------------------------------------------------------------------------
 
 # Rows of the table: what, against what, largest error, test.
-VALIDATED = [line.split("|")[1:-1] for line in TEXT.splitlines() if re.search(r"\| \[`test_\w+`\]\(tests/", line)]
+VALIDATED = [
+    line.split("|")[1:-1]
+    for line in PAGES["validation"].splitlines()
+    if re.search(r"\| \[`test_\w+`\]\(\.\./tests/", line)
+]
 
 
 def test_every_row_of_the_validation_names_a_test_that_exists() -> None:
-    assert len(VALIDATED) == 10
+    assert len(VALIDATED) == 11
+    numbers = [row[2].strip() for row in VALIDATED]
+    assert all(row.split("|")[3].strip() in numbers for row in TEXT.splitlines() if re.search(r"\| .*\de-\d", row))
     for row in VALIDATED:
         ((name, file),) = re.findall(r"\[`(\w+)`\]\((\S+)\)", row[3])
-        assert re.search(rf"^def {name}\(", (ROOT / file).read_text("utf-8"), re.MULTILINE), row
+        assert re.search(rf"^def {name}\(", (ROOT / "notebooks" / file).read_text("utf-8"), re.MULTILINE), row
 
 
 def energy_error(motion: Motion) -> float:
@@ -201,19 +226,19 @@ def energy_error(motion: Motion) -> float:
     return float(np.max(np.abs(energy.residual)) / max(np.max(np.abs(energy.work)), np.max(energy.dissipation)))
 
 
-def test_the_largest_errors_are_those_of_the_readme() -> None:
+def test_the_largest_errors_are_those_of_the_table() -> None:
     """Those that take seconds to find again. Rounding is not the same on every machine: within a factor of 3."""
     shown = {row[3].split("`")[1]: float(row[2].split()[0].rstrip(";")) for row in VALIDATED[:-1]}
-    numbers = [k for k in test_accuracy.NUMBERS if not test_accuracy.near_limit(k)]
-    numbers = [k for k in numbers if test_accuracy.ROWS[k]["reference"]["phases"] < test_accuracy.MANY]
+    numbers = [k for k in accuracy.NUMBERS if not accuracy.near_limit(k)]
+    numbers = [k for k in numbers if accuracy.ROWS[k]["reference"]["phases"] < accuracy.MANY]
     found = {
-        "test_true_errors_are_rounding": max(max(test_accuracy.error(k)) for k in numbers),
-        "test_accuracy_is_what_the_user_gets": max(max(test_accuracy.error(k)) for k in test_accuracy.TIMED),
-        "test_energy_balances_at_all_times": max(energy_error(test_accuracy.solved(k)) for k in test_accuracy.TIMED),
+        "test_true_errors_are_rounding": max(max(accuracy.error(k)) for k in numbers),
+        "test_accuracy_is_what_the_user_gets": max(max(accuracy.error(k)) for k in accuracy.TIMED),
+        "test_energy_balances_at_all_times": max(energy_error(accuracy.solved(k)) for k in accuracy.TIMED),
     }
     if LEVELS[LEVEL][0] == "fused":
-        alphas, kernel = test_kernels.angles(), generated.moment_of_inertia
-        found["test_accuracy"] = test_kernels.errors(kernel, "moment_of_inertia", alphas)[0][0]
+        alphas, kernel = angles(), generated.moment_of_inertia
+        found["test_accuracy"] = errors(kernel, "moment_of_inertia", alphas)[0][0]
     for name, error in found.items():
         assert shown[name] / 3 < error < shown[name] * 3, (name, error)
 
@@ -225,7 +250,10 @@ LINK = re.compile(r"\]\(([^()\s]+)\)|(?<!\]\()(\bhttps?:/*[^\s<>\"'`]+)")  # [wo
 
 def documents() -> Iterator[tuple[Path, str]]:
     """Every text that a person reads: documents, notebooks' words, docstrings and comments, scene files."""
-    yield from ((p, p.read_text("utf-8")) for p in [*ROOT.glob("*.md"), ROOT / "CITATION.cff", ROOT / "pyproject.toml"])
+    yield from (
+        (p, p.read_text("utf-8"))
+        for p in [*ROOT.glob("*.md"), *ROOT.glob("notebooks/*.md"), ROOT / "CITATION.cff", ROOT / "pyproject.toml"]
+    )
     for path in ROOT.glob("notebooks/*.ipynb"):
         cells = json.loads(path.read_text("utf-8"))["cells"]
         yield path, "\n".join("".join(c["source"]) for c in cells)

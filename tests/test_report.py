@@ -25,6 +25,7 @@ from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.provenance import comments, inputs
 from slipcircle.workbench.outputs.report import report
+from tests.support.outputs import rows, tree
 
 COMMAND = "slipcircle run wet-slope --report report.html"
 
@@ -37,21 +38,6 @@ def motion(name: str) -> Motion:
 @cache
 def page() -> str:
     return report([motion("wet-slope")], [find("wet-slope").read_bytes()], COMMAND)
-
-
-def tree(text: str) -> Any:
-    """The page as XML, which it must be as well."""
-    assert text.startswith("<!DOCTYPE html>\n")
-    return ElementTree.fromstring(text.partition("\n")[2])
-
-
-def rows(page: Any) -> dict[str, Any]:
-    """The last cell of every table row, by the text of its first."""
-    found = {}
-    for row in page.iter("tr"):
-        cells = list(row)
-        found["".join(cells[0].itertext())] = cells[-1]
-    return found
 
 
 # --- the page ------------------------------------------------------------------------------------------------------
@@ -95,7 +81,7 @@ def test_it_says_what_is_assumed_and_how_to_repeat_it() -> None:
     for key, value in facts().items():
         assert "".join(cells[key].itertext()) == value
     assert cells["method"].text == motion("wet-slope").plan.method
-    assert cells["relative error asked for"].text == "1e-09"
+    assert cells["requested relative error"].text == "1e-09"
 
 
 def test_it_needs_nothing_else_and_its_figures_are_whole_drawings() -> None:

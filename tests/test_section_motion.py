@@ -11,8 +11,8 @@ from scipy.optimize import brentq
 from slipcircle import Arc, Motion, Scene, Section, load, solve
 from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.stability import Slope
+from tests.support.grounds import GROUND
 
-GROUND = [[0.0, 25.0], [30.0, 25.0], [38.0, 30.0], [50.0, 35.0], [90.0, 35.0]]
 CENTRE, RADIUS = [29.5, 53.6], 28.6
 WHOLE: Any = {"rotation": {}, "centripetal": {}, "cohesion": {"cohesion": 3e3}, "drag": {"xi": 500.0}}
 

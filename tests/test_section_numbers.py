@@ -9,17 +9,15 @@ from typing import Any
 
 import numpy as np
 import pytest
-import section_references
-import taylor
 from flint import arb, ctx
-from test_section_motion import GROUND
-from test_section_water import LEVEL
 
 from slipcircle import Motion, Scene, Section, backanalyse, ensemble, load, solve
 from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
 from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.motions import motions
+from tests.support import section_references, taylor
+from tests.support.grounds import GROUND, LEVEL
 
 TURNING: Any = {"rotation": {}, "centripetal": {}, "cohesion": {"cohesion": 3e3}}
 SLOPE: dict[str, Any] = {"ground": GROUND, "centre": [30.5, 53.6], "radius": 28.4, "unit_weight": 20e3}

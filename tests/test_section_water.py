@@ -7,27 +7,24 @@ from typing import Any
 import flint
 import numpy as np
 import pytest
-import references
-import section_heights
-import section_references
-import taylor
-import test_accuracy
 
 from generated import layout as ix
 from slipcircle import Motion, Scene, Section, solve
 from slipcircle.core.flow import compiled, integrate
 from slipcircle.core.scene import transport
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
+from tests.campaigns import section_heights
+from tests.campaigns.references import judged
+from tests.support import accuracy, references, section_references, taylor
+from tests.support.grounds import GROUND, LEVEL
 
 GAMMA, SEED = 20e3, section_references.SEED
-GROUND = [[0.0, 25.0], [30.0, 25.0], [38.0, 30.0], [50.0, 35.0], [90.0, 35.0]]
-LEVEL = [[0.0, 25.0], [30.0, 25.0], [45.0, 32.0], [90.0, 32.0]]
 
 
 @pytest.mark.parametrize("index", [*range(len(section_references.GROUPS)), 37, 226, 297])
 def test_random_sections_against_thirty_digits(index: int) -> None:
     """Among them steep edges under water, and masses that water or shaking carries for a while."""
-    found = references.judged(index, SEED)
+    found = judged(index, SEED)
     assert found.alike, found.scene
     assert found.error <= found.estimate < 1e-10, found.scene
 
@@ -49,7 +46,7 @@ def test_a_thin_mass_lands_where_it_leaves_the_water(wide: float, friction: floa
     reference = taylor.solve(given, references.SHARES, 28, section_references.Section)
     motion = solve(section_references.scene(given))
     assert (motion.arrested, len(motion.lift_off)) == (reference["arrested"], 1)
-    assert max(test_accuracy.true_error(motion, reference)) < 1e-10
+    assert max(accuracy.true_error(motion, reference)) < 1e-10
     assert motion.error_estimate < 1e-11
     bound = motion._lanes.problem
     cells = bound.cells.copy()
@@ -77,7 +74,7 @@ def test_mean_pressure_and_cover_of_random_sections(seed: int) -> None:
 
 
 def test_heights_of_any_arc_against_thirty_digits() -> None:
-    """A sample of ``python tests/section_heights.py``."""
+    """A sample of ``python -m tests.campaigns.section_heights``."""
     every = [section_heights.compared(24, k) for k in range(60)]
     assert sum(c.overhangs for c in every) >= 5
     for c in every:

@@ -1,4 +1,4 @@
-"""Seen <= proved on 10,000 inputs (`python tests/seen.py` takes a million), bugs that it sees, landmarks."""
+"""Seen <= proved on 10,000 inputs (`python -m tests.campaigns.seen` takes a million), bugs that it sees, landmarks."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -6,12 +6,7 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-import oracle
 import pytest
-import seen
-import seen32
-from seen import BASES, DEFINITIONS, KERNELS, Inputs, Numbers, Reference, Run, Seen
-from seen32 import LAST_SINGLE
 
 from derive.approximate import certificates
 from derive.approximate.programs import variants
@@ -21,6 +16,10 @@ from derive.approximate.shapes import near_fit, records
 from derive.check.truth import TOP
 from derive.code.program import Op, Program
 from generated import _compiled, kernels
+from tests.campaigns import seen, seen32
+from tests.campaigns.seen import BASES, DEFINITIONS, KERNELS, Inputs, Numbers, Reference, Run, Seen
+from tests.campaigns.seen32 import LAST_SINGLE
+from tests.support import oracle
 
 each_kernel = pytest.mark.parametrize("kernel", KERNELS)
 each_base = pytest.mark.parametrize("kernel", BASES)
@@ -163,7 +162,7 @@ def test_monotone_across_the_seam(kernel: str, level: str) -> None:
 
 @each_base
 def test_monotone_in_float32_and_within_its_bound_up_to_the_end(kernel: str) -> None:
-    """On the last million inputs; `python tests/seen32.py` takes all of them."""
+    """On the last million inputs; `python -m tests.campaigns.seen32` takes all of them."""
     for found in seen32.every_float32(kernel, LAST_SINGLE - 2**20):
         assert not found.faults
         assert found.falls == 0

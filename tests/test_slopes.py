@@ -7,7 +7,6 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from flint import arb
-from strips import integrals
 
 from generated import kernels
 from slipcircle.core.scene import circles
@@ -15,17 +14,12 @@ from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.circles import MEASURES
 from slipcircle.core.scene.ground import circle_through, circle_touching, simple_slope
 from slipcircle.core.scene.section import Section
+from tests.support.grounds import Ground, bumpy, moments
+from tests.support.strips import integrals
 
 LENGTHS = {"radial_x": ("radial_x", "radial_y"), "radial_y": ("radial_x", "radial_y"),
            "moment_x": ("moment_x", "moment_y"), "moment_y": ("moment_x", "moment_y")}  # fmt: skip
 BOUND = 1e-13  # of the moment; of weights, of their vector's length
-Ground = list[tuple[float, float]]
-
-
-def moments(ground: Ground, centre: tuple[float, float], radius: float) -> dict[str, float]:
-    """As the run time computes them, of all that lies inside the circle."""
-    parts = circles.cut(np.array([ground]), np.array([centre]), np.array([radius]))
-    return {k: float(v[0]) for k, v in circles.moments(parts, parts.stretch >= 0).items()}
 
 
 def worst(ground: Ground, centre: tuple[float, float], radius: float) -> float:
@@ -38,20 +32,6 @@ def worst(ground: Ground, centre: tuple[float, float], radius: float) -> float:
         assert error.rad() < 1e-16 * size, name  # the reference is good enough to judge
         found = max(found, float(error.mid()) / size)
     return found
-
-
-def bumpy(rng: np.random.Generator, edges: int) -> tuple[Ground, tuple[float, float], float]:
-    """A random profile and a circle that cuts it once."""
-    while True:
-        x = np.sort(rng.uniform(-1.5, 1.5, edges + 1))
-        y = rng.uniform(-0.6, 0.6) * x + rng.uniform(0, 0.25) * rng.standard_normal(edges + 1)
-        ground = list(zip(x.tolist(), y.tolist(), strict=True))
-        centre, radius = (float(rng.uniform(-0.4, 0.4)), float(rng.uniform(0.3, 2.0))), float(rng.uniform(0.8, 2.5))
-        parts = circles.cut(np.array([ground]), np.array([centre]), np.array([radius]))
-        lanes, _, held = circles.stretches(parts)
-        above = np.interp(centre[0], x, y) < centre[1] and all(y < 0 for _, (y,) in circles.ends(parts, [0]))
-        if len(lanes) == 1 and not held[0] and above and moments(ground, centre, radius)["area"] > 1e-3:
-            return ground, centre, radius
 
 
 def thin(depth: float, bend: float) -> tuple[Ground, tuple[float, float], float]:

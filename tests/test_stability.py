@@ -5,17 +5,17 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-import peers_slopes
 import pytest
 
 from slipcircle import Scene
 from slipcircle.core.scene import circles
 from slipcircle.core.scene.ground import circle_through
 from slipcircle.core.scene.section import Section
+from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.search import critical
-from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.stability import METHODS, Slope, factors_of_safety
+from tests.campaigns import peers_slopes
 
 
 def tangent(degrees: float) -> float:

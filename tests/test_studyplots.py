@@ -10,13 +10,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from test_plots import canvas, clashes, drawn, legend, motion
-from test_report import rows, tree
 
 from slipcircle import Study, backanalyse, ensemble, load, solve
 from slipcircle.workbench.outputs import plots, studyplots
 from slipcircle.workbench.outputs.report import study_report
 from slipcircle.workbench.studies.ensemble import grid
+from tests.support.outputs import rows, tree
+from tests.support.pictures import canvas, clashes, drawn, legend, motion
 
 ANGLE = {"friction.angle_deg": {"distribution": "normal", "mean": 24, "std": 2}}
 WATER = {"pore_pressure.ratio": {"distribution": "triangular", "low": 0, "mode": 0.3, "high": 0.5}}

@@ -4,17 +4,14 @@ import math
 from dataclasses import replace
 from typing import Any
 
-import golden
 import mpmath
 import numpy as np
-import oracle
 import pytest
-import taylor
-import test_accuracy
 from mpmath import mpf
 
 from slipcircle import Scene, load, solve
 from slipcircle.base.series import Pulse, Series
+from tests.support import accuracy, golden, oracle, taylor
 
 ARC: Any = load("vaiont").arc
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
@@ -299,8 +296,8 @@ def test_a_stop_that_hangs_on_a_hair_warns(share: float) -> None:
             gone = mpmath.log(edge / (edge - start))
             time = ((mpf(0.5) + edge) * gone - start) / drive
             moved = ((mpf(0.5) + edge) * (edge * gone - start) - start**2 / 2) / drive
-            assert test_accuracy.off(motion.duration, str(time), str(time)) <= motion.error_estimate
-            assert test_accuracy.off(motion.run_out, str(moved), str(moved)) <= motion.error_estimate
+            assert accuracy.off(motion.duration, str(time), str(time)) <= motion.error_estimate
+            assert accuracy.off(motion.run_out, str(moved), str(moved)) <= motion.error_estimate
 
 
 @pytest.mark.parametrize("more", [1e-2, 1e-6, 1e-9, -1e-9])

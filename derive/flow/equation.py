@@ -35,10 +35,10 @@ QUANTITIES = {
 }
 # Weight: what the balance takes of it, at any rotation and at the start.
 COMPONENTS = {
-    declared.FALL: "J_theta",
-    declared.PRESS: "J_r",
-    declared.FALL_SLOPE: "J_theta'",
-    declared.PRESS_SLOPE: "J_r'",
+    declared.DRIVING_MOMENT: "J_theta",
+    declared.NORMAL_LOAD: "J_r",
+    declared.DRIVING_MOMENT_SLOPE: "J_theta'",
+    declared.NORMAL_LOAD_SLOPE: "J_r'",
 }
 # Numbers of the equation that every scene has.
 COEFFICIENTS = {
@@ -61,7 +61,10 @@ _LATEX = {
 
 def term(quantity: str, e: Expr) -> Term:
     """A term from its expression."""
-    slopes = {THETA * declared.FALL_SLOPE: Symbol("J_theta'"), THETA * declared.PRESS_SLOPE: Symbol("J_r'")}
+    slopes = {
+        THETA * declared.DRIVING_MOMENT_SLOPE: Symbol("J_theta'"),
+        THETA * declared.NORMAL_LOAD_SLOPE: Symbol("J_r'"),
+    }
     effective = Symbol("max(0, sigma - u)")
     shown = e.subs(slopes | {OMEGA_2: OMEGA**2, declared.EFFECTIVE: effective})
     names = {x: _LATEX[x.name] for x in shown.free_symbols if x.name in _LATEX}
@@ -94,8 +97,8 @@ def position(rotates: bool) -> tuple[Term, ...]:
 def of_effect(effect: declared.Effect) -> tuple[Term, ...]:
     """What an effect adds to the quantities, each addend by itself, and how its states grow."""
     adds = {
-        "M": effect.fall,
-        "sigma": effect.stress + effect.press / LAMBDA,
+        "M": effect.driving_moment,
+        "sigma": effect.stress + effect.normal_load / LAMBDA,
         "u": effect.pressure,
         "T": effect.resistance,
     }

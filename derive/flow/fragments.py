@@ -10,21 +10,24 @@ from derive.declare.effects import (
     ALL_EFFECTS,
     BY_PSI,
     DEGREE,
+    DRIVING_MOMENT,
     EFFECTIVE,
-    FALL,
     J_R,
     J_THETA,
+    K_H,
+    K_V,
     LAMBDA,
     LAWS,
-    LEVEL,
     MU,
+    NORMAL_LOAD,
+    NORMAL_LOAD_SLOPE,
     OMEGA,
     OMEGA_2,
-    POLAR,
-    PRESS,
-    PRESS_SLOPE,
+    POLAR_MOMENT,
     REMAINING_SLOPE,
+    RESISTANCE_FACTOR,
     SLIP,
+    SLIP_MU,
     SPEED,
     THETA,
     TURNING_SLOPE,
@@ -37,12 +40,12 @@ from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, cell,
 
 # What every scene gives, all over Theta*.
 INPUTS = {
-    "fall": "J_theta/Theta*, what gravity drives with at the start",
-    "fall_slope": "its derivative by psi",
-    "press": "J_r/Theta*, what gravity presses with at the start",
-    "press_slope": "its derivative by psi",
-    "level": "lambda/Theta*",
-    "polar": "I_p*/Theta*",
+    "driving_moment": "J_theta/Theta* of the weight at the start",
+    "driving_moment_slope": "its derivative by psi",
+    "normal_load": "J_r/Theta* of the weight at the start",
+    "normal_load_slope": "its derivative by psi",
+    "resistance_factor": "lambda/Theta*",
+    "polar_moment": "I_p*/Theta*",
 }
 # What effects add to, over Theta*: the moments that drive and resist, lambda sigma* that presses, lambda u* that lifts.
 QUANTITIES = ("driving", "resisting", "pressing", "lifting")
@@ -56,6 +59,10 @@ TOTALS = {x: (ZERO, series(str(x))) for x in (NORMAL, FRICTION, MU)}
 CALLABLE = Law("callable", "1.14", (), ("slip",), "a function of the slip, in pieces", degree=DEGREE)
 
 
+# What changes its sign in a mirror, in which the slope falls the other way.
+ODD = {DRIVING_MOMENT, NORMAL_LOAD_SLOPE, TURNING_SLOPE, REMAINING_SLOPE, K_H}
+
+
 def seen(q: Symbol) -> Symbol:
     """A component of the weight where the phase begins, as it is seen in the direction of travel."""
     return cell(f"{q}_0")
@@ -63,8 +70,7 @@ def seen(q: Symbol) -> Symbol:
 
 def sign(q: Symbol) -> Expr:
     """What a component is multiplied by to be seen so: J_theta and the slope of J_r are odd in psi."""
-    odd_in_psi = (FALL, PRESS_SLOPE, TURNING_SLOPE, REMAINING_SLOPE)
-    return DIRECTION if q in odd_in_psi else ONE
+    return DIRECTION if q in ODD else ONE
 
 
 def position() -> dict[Symbol, tuple[Expr, Increment]]:
@@ -84,32 +90,39 @@ def position() -> dict[Symbol, tuple[Expr, Increment]]:
 
 def scaled(e: Expr) -> Expr:
     """A moment over Theta*, in the functions of the position and the parameters alone."""
-    over_theta = {J_THETA: THETA * FALL, J_R: THETA * PRESS, LAMBDA: THETA * LEVEL, A: POLAR / LEVEL, OMEGA_2: OMEGA**2}
+    over_theta = {
+        J_THETA: THETA * DRIVING_MOMENT,
+        J_R: THETA * NORMAL_LOAD,
+        LAMBDA: THETA * RESISTANCE_FACTOR,
+        A: POLAR_MOMENT / RESISTANCE_FACTOR,
+        OMEGA_2: OMEGA**2,
+    }
     return expand(expand(expand(e).subs(over_theta)) / THETA)
 
 
 def quantities(effect: Effect) -> dict[str, Expr]:
     """What an effect adds to the quantities of the balance."""
     return {
-        "driving": scaled(effect.fall),
+        "driving": scaled(effect.driving_moment),
         "resisting": scaled(effect.resistance),
-        "pressing": scaled(effect.press + LAMBDA * effect.stress),
+        "pressing": scaled(effect.normal_load + LAMBDA * effect.stress),
         "lifting": scaled(LAMBDA * effect.pressure),
     }
 
 
 def odd(effect: Effect) -> set[Symbol]:
     """The parameters that change sign in a mirror, in which the drive does and nothing else, or ValueError."""
-    symbols = sorted({p.symbol for p in effect.parameters if p.symbol is not None}, key=str)
-    for chosen in chain.from_iterable(combinations(symbols, n) for n in range(len(symbols) + 1)):
+    symbols = {p.symbol for p in effect.parameters if p.symbol is not None}
+    free = sorted(symbols - ODD, key=str)
+    for chosen in chain.from_iterable(combinations(free, n) for n in range(len(free) + 1)):
         if _symmetric(effect, chosen):
-            return set(chosen)
+            return symbols & ODD | {*chosen}
     raise ValueError(f"{effect.name}: no signs of its parameters make its terms the same in a mirror")
 
 
 def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
     """Whether a mirror in which these parameters change sign turns the drive round and leaves all else."""
-    mirror = {x: -x for x in (FALL, PRESS_SLOPE, *chosen)}
+    mirror = {x: -x for x in ODD.union(chosen)}
     for quantity, e in quantities(effect).items():
         mirrored = -e if quantity == "driving" else e
         if expand(e.xreplace(mirror) - mirrored) != 0:
@@ -124,17 +137,15 @@ def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]
     variables |= {OMEGA: speed, SPEED: speed, SLIP: (BEGAN, series("x"))}
     if effect is None:
         return variables
+    variables[SLIP_MU] = varying("slip_mu")
+    variables |= {x: (sign(x) * x, series(f"d{x}", sign(x))) for x in (K_H, K_V)}
     odd_parameters = odd(effect)
     for p in effect.parameters:
         x = p.symbol
         if x is None or x in BY_PSI:
             continue
         direction = DIRECTION if x in odd_parameters else ONE
-        increment: Increment = {}
-        if p.kind == "rotation":
-            increment = powers(str(x), "x", DEGREE)
-        elif p.kind == "series":
-            increment = series(f"d{x}", direction)
+        increment = series(f"d{x}", direction) if p.kind in ("series", "rotation") else {}
         variables[x] = (direction * x, increment)
     for x in effect.states:
         variables[x] = varying(str(x))
@@ -151,13 +162,16 @@ def of_effect(effect: Effect) -> Fragment:
     if effect.turns:
         return rotation(effect)
     low = Lowering(effect.name, moving(effect))
+    for p in effect.parameters:
+        if p.kind == "rotation":
+            low.register(powers(str(p.symbol), "x", DEGREE), f"d{p.symbol}")
     for x in effect.states:
         low.cells[f"{x}_less"] = -x
         low.cells[f"{x}_0"] = -cell(f"{x}_less")  # the state's cell changes along the phase
         low.whole(f"d{x}", f"{x}_less", str(x))
     low.moving = {**low.moving, **TOTALS}
     rate = expand(effect.growth * OMEGA)
-    rate = rate.subs(EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
+    rate = rate.subs(EFFECTIVE, NORMAL / RESISTANCE_FACTOR).subs(MU * NORMAL, FRICTION)
     inputs = []
     optional = []
     tables = []
@@ -250,7 +264,7 @@ def gravity() -> Fragment:
         low.cells[str(seen(q))] = sign(q) * q
     low.moving = position()
     words = ["(3.11) driving = J_theta/Theta*, pressing = J_r/Theta*, in the direction of travel"]
-    return low.fragment(words, {"driving": FALL, "pressing": PRESS})
+    return low.fragment(words, {"driving": DRIVING_MOMENT, "pressing": NORMAL_LOAD})
 
 
 def rotation(effect: Effect) -> Fragment:
@@ -260,8 +274,8 @@ def rotation(effect: Effect) -> Fragment:
         turned = q * cos(ROTATION) - slope * sin(ROTATION)
         low.cells[str(seen(q))] = sign(q) * turned
     low.turn(series("x"), ONE, ONE)
-    press, increment = position()[PRESS]
-    low.put("lin", "upright", str(press), low.sum(increment))
+    normal_load, increment = position()[NORMAL_LOAD]
+    low.put("lin", "upright", str(normal_load), low.sum(increment))
     words = [
         f"({effect.equation}) {effect.help}",
         *formulas(effect),
@@ -307,8 +321,8 @@ def _drive(low: Lowering, net: Expr) -> None:
     others, first, drive, limit = (cell(x) for x in ("others", "first", "drive", "limit"))
     margin = driving - resisting
     cells["limit_0"] = margin / normal
-    other_driving = driving - cell(str(seen(FALL)))
-    other_normal = normal - cell(str(seen(PRESS)))
+    other_driving = driving - cell(str(seen(DRIVING_MOMENT)))
+    other_normal = normal - cell(str(seen(NORMAL_LOAD)))
     cells["others"] = abs(other_driving) + abs(other_normal) + resisting
     cells["limit"] = Select(0, others, cell("limit_0"), cell("LIMIT"))
     cells["gap"] = limit - mu

@@ -1,4 +1,4 @@
-"""What a walk knows by number, declared once for C and for NumPy: a lane's cells, and what stands in them."""
+"""Numbers shared by the integrators in C and in NumPy, declared once: the cells of a lane, and their codes."""
 
 # Cells that every program has, first and in this order, with what they hold.
 CELLS = {
@@ -56,8 +56,8 @@ STATUS = {
     "STOPPED": "at its first standstill, which ends what nothing brings to rest",
     "UPRIGHT": "the chord stands upright",
     "TOO_LONG": "more steps or turns than are made",
-    "FAILED": "its numbers overflow",
-    "NEED": "a table has to go on",
+    "FAILED": "overflow",
+    "NEED": "a table of a Python function has to be extended",
 }
 PASSED = {
     "NOTHING": "its events have no root at the start",
@@ -68,13 +68,13 @@ PASSED = {
 EVENTS = {
     "NONE": "the step has its full length",
     "STANDSTILL": "the speed falls to zero",
-    "LIFT_OFF": "what presses on the slip surface changes its sign: lift-off or landing",
+    "LIFT_OFF": "the normal force on the slip surface changes its sign: lift-off or landing",
     "CHORD_UPRIGHT": "the chord stands upright",
     "BREAKPOINT": "the upper edge of the first table's piece; then its lower edge, and those of the next tables",
 }
 NOTES = {"BEGINS": "a phase", "STANDS": "still", "LIFTS": "off", "LANDS": "again"}
 KINDS = ("slip", "speed", "time", "rotation")  # what a table is a function of
-# Registers and cells of a program that the walk reads.
+# Registers and cells of a program that the integrator reads.
 ROLES = (
     "x",
     "omega",
@@ -84,14 +84,14 @@ ROLES = (
     "cell_drive",
     "cell_drive_scale",
     "cell_normal0",
-    "cell_f0",
-    "cell_p0",
-    "cell_ps0",
+    "cell_driving_moment",
+    "cell_normal_load",
+    "cell_normal_load_slope",
     "cell_driving",
     "cell_resisting",
     "cell_mu",
 )
-# Of a lane, breaks of what changes with time left out. A step that changes the speed by less than a share is held short
+# Of a lane, breaks of functions of time not counted. A step that changes the speed by less than a share is held short
 # by what decays at once (the motion is stiff): it counts for many.
 LIMITS = {"MOST_STEPS": 200_000, "STIFF_STEP": 20, "MOST_TURNS": 2000}
 # A mass that is carried but for a share of its weight swings on for ever: friction takes 2 mu of that share from the
@@ -99,7 +99,7 @@ LIMITS = {"MOST_STEPS": 200_000, "STIFF_STEP": 20, "MOST_TURNS": 2000}
 # changes by less than the last share in a step has settled.
 SHARES = {"STIFF_CHANGE": 1e-3, "CARRIED": 1e-3, "SETTLED": 2.0**-46}
 
-# What is numbered: in words, the prefix of its names in C, the first number, names and meanings.
+# Enumerations: in words, the prefix of its names in C, the first number, names and meanings.
 NUMBERED = (
     ("Cells of a lane, first in every program and in this order", "", 0, {x.upper(): y for x, y in CELLS.items()}),
     ("Cells of a table", "", 0, TABLE),
@@ -121,7 +121,7 @@ def python() -> str:
 
 
 def c() -> dict[str, str]:
-    """The same for the compiled walk, and the members of the struct of a program's roles, by their mark there."""
+    """The same for the compiled integrator, and the members of the struct of a program's roles, by their mark there."""
     rows = [
         [f"{prefix}{x}{f' = {start}' * (start != 0 and not k)}" for k, x in enumerate(names)]
         for _, prefix, start, names in NUMBERED

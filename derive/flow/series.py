@@ -146,10 +146,10 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-# Codes of the operations on series and on cells, as the compiled walk knows them.
+# Codes of the operations on series and on cells, as the compiled integrator numbers them.
 SERIES = {codes!r}
 SCALAR = {scalar_codes!r}
-DIGEST = "{digest}"  # of the compiled walk's source
+DIGEST = "{digest}"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
@@ -229,7 +229,7 @@ def _numpy_function(o: Operation) -> str:
 
 
 def numpy_text(digest: str) -> str:
-    """The module `generated.series`, beside the source of the compiled walk of which this is the digest."""
+    """The module `generated.series`, beside the source of the compiled integrator of which this is the digest."""
     return _NUMPY.format(
         digest=digest,
         codes={x: i for i, x in enumerate(("lin", "ramp", *OPERATIONS))},

@@ -80,8 +80,8 @@ def forms() -> dict[str, Form]:
     for name, (words, form) in _motion().items():
         inputs = ("a", "b", "omega_0") if "arrest" in name else ("a", "b", "omega_0", "t")
         naive[f"frozen_{name}"] = Form(words, program(name, inputs, form), form)
-    drive = _PRESS * _LIMIT - _PRESS * _MU
-    naive["drive"] = Form("driving - mu normal", program("drive", ("press", "mu", "limit"), drive), drive)
+    drive = _NORMAL_LOAD * _LIMIT - _NORMAL_LOAD * _MU
+    naive["drive"] = Form("driving - mu normal", program("drive", ("normal_load", "mu", "limit"), drive), drive)
     return naive
 
 
@@ -121,13 +121,13 @@ def _of_ends(terms: Mapping[str, Expr]) -> dict[str, Form]:
     return naive
 
 
-_PRESS, _MU, _LIMIT = sp.symbols("press mu limit", real=True)
+_NORMAL_LOAD, _MU, _LIMIT = sp.symbols("normal_load mu limit", real=True)
 
 
-def drive(rows: Iterable[tuple[str, ...]], press: Any, mu: Any, limit: Any) -> Any:
+def drive(rows: Iterable[tuple[str, ...]], normal_load: Any, mu: Any, limit: Any) -> Any:
     """The net moment at the start, by the balance's operations on cells, given the limit friction; all else is 0."""
-    cells = {"pressing_0": press, "press_0": press, "mu_0": mu, "LIMIT": limit}
-    cells |= dict.fromkeys(("driving_0", "fall_0"), press * limit)
+    cells = {"pressing_0": normal_load, "normal_load_0": normal_load, "mu_0": mu, "LIMIT": limit}
+    cells |= dict.fromkeys(("driving_0", "driving_moment_0"), normal_load * limit)
     for operation, name, *operands in rows:
         values = []
         for x in operands:

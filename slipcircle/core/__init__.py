@@ -1,7 +1,7 @@
-"""The core: what a scene is (`scene`), how it is integrated (`flow`), and what became of it (`motion`).
+"""The core: scenes (`scene`), their integration (`flow`), and the resulting motion (`motion`).
 
-What is listed here is public: all that the workbench, or any program built on the core, needs. Each name is loaded when
-it is first asked for, so that importing the core loads nothing.
+The names listed here are public: all that the workbench, or any program built on the core, needs. Each is loaded on
+first use, so that importing the core loads nothing.
 """
 
 from importlib import import_module
@@ -83,7 +83,9 @@ _MODULES = {name: f"slipcircle.{module}" for module, names in _PUBLIC.items() fo
 def __getattr__(name: str) -> Any:
     if name not in _MODULES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(_MODULES[name]), name)
+    value = getattr(import_module(_MODULES[name]), name)
+    globals()[name] = value  # asked for once
+    return value
 
 
 def __dir__() -> list[str]:

@@ -4,9 +4,10 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+EPS = 2.0**-52  # of float64
 BLOCK = 8192  # elements whose intermediate values stay in the cache
 
 
@@ -38,13 +39,15 @@ def evaluate(
     safe: tuple[float, ...],
     args: tuple[Any, ...],
     out: NDArray[Any] | None,
-    where: ArrayLike,
+    where: Any,
 ) -> Any:
     """Compute ``body(*args)`` in float64, block by block, and return it in the arguments' floating type.
 
     ``inside(eps, *args)`` is true in the domain, eps that of the arguments' type; ``safe``, a point of it, replaces
     arguments outside. Arguments, `out` and `where` are as NumPy's ufuncs take them.
     """
+    if where is True and out is None and all(type(x) is float for x in args):
+        return _evaluate_numbers(body, inside, args)
     items, kind = real(args)
     eps = float(np.finfo(kind).eps)
     arrays = [np.asarray(x) for x in (*items, np.asarray(where, dtype=bool))]
@@ -64,6 +67,16 @@ def evaluate(
         return result[()]
     np.copyto(out, result, where=arrays[-1], casting="same_kind")
     return out
+
+
+def _evaluate_numbers(body: Callable[..., Array], inside: Callable[..., Any], args: tuple[float, ...]) -> Any:
+    """Of Python's numbers the same without arrays, which would take most of the time."""
+    values = [np.float64(x) for x in args]
+    with np.errstate(invalid="ignore", under="ignore"):
+        result = np.float64(body(*values) if inside(EPS, *values) else np.nan)
+    if np.isnan(result):
+        np.subtract(np.inf, np.inf)
+    return result
 
 
 def _block(

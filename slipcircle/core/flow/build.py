@@ -105,6 +105,7 @@ class _Builder:
     def __init__(self, extra: tuple[str, ...], directions: int) -> None:
         self.extra, self.directions = extra, range(directions)
         self.link = Linker()
+        self.inputs: list[str] = []
         self.tables: list[TableDeclaration] = []
         self.sums: dict[str, list[Any]] = {}  # what fragments add to each quantity: base, size, terms of its increment
 
@@ -123,23 +124,26 @@ class _Builder:
         self._take("gravity")
         for name in effects:
             self._take(name)
-            self._effect_tables(name, moving)
+            self._effect_tables(name, moving, absent)
         for name, factor in zip(laws, factors, strict=True):
             self._take(name, factor)
             self.tables += [TableDeclaration(*table) for table in FRAGMENTS[name].tables]
         for name in (*(["product"] if len(laws) > 1 else []), "balance", *extra):
             self._take(name)
         self._functions_of_time(moving)
-        for symbol in absent:
+        for symbol in (*absent, *(("k_h", "k_v") if "shaking" not in effects else ())):
             link.cell_definitions[symbol] = ("set", ZERO)
         for quantity in dict.fromkeys((*QUANTITIES, "mu", *factors)):
             self._sum(quantity)
+        if len(laws) == 1:  # what multiplies a law of speed is the whole of it
+            link.cell_definitions["slip_mu_0"] = ("set", "mu_0")
+            link.series_definitions["dslip_mu"] = ("lin", "dslip_mu", "", (("=1.0", "dmu"),))
         self._collect_inputs([FRAGMENTS[name] for name in ("gravity", *effects, *laws, *extra)])
 
     def _collect_inputs(self, chosen: list[Any]) -> None:
         """The numbers that a scene has to give, and the states with their rates."""
         defined = self.link.cell_definitions
-        self.inputs = list(INPUTS)
+        self.inputs = [*INPUTS, *self.inputs]
         self.rates = {"x": "omega", "omega": "net"}
         for fragment in chosen:
             self.inputs += [name for name in fragment.inputs if name not in defined]
@@ -157,15 +161,16 @@ class _Builder:
         for quantity, added in fragment.adds.items():
             self.sums.setdefault(friction if quantity == "mu" else quantity, []).append(added)
 
-    def _effect_tables(self, name: str, moving: tuple[str, ...]) -> None:
-        """An effect's tables where the scene gives functions; else their cells are zero."""
+    def _effect_tables(self, name: str, moving: tuple[str, ...], absent: tuple[str, ...]) -> None:
+        """An effect's tables where the scene gives functions; else a number that does not change, or none."""
         for declared in FRAGMENTS[name].tables:
             table = TableDeclaration(*declared)
             if table.name in moving:
                 self.tables.append(table)
-            else:
-                zeros = dict.fromkeys([table.name, *table.coefficients], ("set", ZERO))
-                self.link.cell_definitions |= zeros
+                continue
+            self.link.cell_definitions |= dict.fromkeys(table.coefficients, ("set", ZERO))
+            if table.name not in absent:
+                self.inputs.append(table.name)
 
     def _functions_of_time(self, moving: tuple[str, ...]) -> None:
         """Parameters that change with time: a value where the phase begins, and the increment since, a ramp."""

@@ -24,7 +24,7 @@ Floats = NDArray[np.float64]
 STRIDE = 42  # coefficients from one register to the next: the highest order that C takes, and two
 ROUNDS = 50_000  # steps of some lanes between looks at the keyboard: a tenth of a second at most
 LOWEST = 5  # order that it takes
-NOTES = 4096  # events that one call may note
+NOTES = 256  # events that one call may note
 _NOTHING = np.empty(0)
 
 
@@ -44,11 +44,17 @@ def module() -> Any:
             return binary
         fault = "it was built from another source"
     warnings.warn(
-        f"the compiled walk is refused, NumPy serves: {fault}; run `python -m derive.build` or install again",
+        f"the compiled integrator is not used, NumPy is: {fault}; run `python -m derive.build` or install again",
         RuntimeWarning,
         stacklevel=2,
     )
     return None
+
+
+@cache
+def _widest() -> int:
+    """The kind of processor with the widest vectors of those that run here."""
+    return min(module().LEVELS.values())
 
 
 _numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open
@@ -165,7 +171,7 @@ def integrate(
     count = cells.shape[1]
     if not count:
         return
-    number = binary.LEVELS[level] if level else min(binary.LEVELS.values())
+    number = binary.LEVELS[level] if level else _widest()
     pieces = _pieces(tables, count)
     times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
     notes = _NOTHING if log is None else np.empty((NOTES, 4))
@@ -173,7 +179,7 @@ def integrate(
     order = int(cells[ix.ORDER].max())
     left = 1
     while left:
-        left, noted = binary.walk(code, pieces, cells, order, 0, count, ROUNDS, times, states, notes, number)
+        left, noted = binary.integrate(code, pieces, cells, order, 0, count, ROUNDS, times, states, notes, number)
         if log is not None:
             log += [(int(kind), *at) for kind, *at in notes[:noted].tolist()]
 
@@ -191,8 +197,7 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: i
     if count:
         code = encoded(program)
         pieces = _pieces(tables, count)
-        level = min(binary.LEVELS.values())
-        binary.walk(code, pieces, cells, LOWEST, 0, count, begins, _NOTHING, values, _NOTHING, level)
+        binary.integrate(code, pieces, cells, LOWEST, 0, count, begins, _NOTHING, values, _NOTHING, _widest())
     return values
 
 

@@ -132,7 +132,7 @@ class LaneState(LaneEntries):
 
     def may_start(self) -> Any:
         """Whether a mass at rest may start the way it faces: shaking starts a one-way mass only as gravity pulls."""
-        pull = self.role("f0")
+        pull = self.role("driving_moment")
         down_slope = (pull > 0.0) | ((pull == 0.0) & (self.direction > 0.0))
         return (self.one_way == 0.0) | down_slope
 

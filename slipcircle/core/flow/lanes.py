@@ -48,6 +48,10 @@ def integrate_all(
     while True:
         state = problem.initial_cells() if cells is None else cells
         integrator(problem.program, problem.tables, state, samples, log)
+        if cells is None and problem.extend_rotations(state[ix.REACH_ROTATION]):
+            if log is not None:
+                log.clear()
+            continue
         if state[ix.STATUS].max(initial=0.0) < ix.TOO_LONG:
             return state
         _integrate_stiff(problem, state, samples, log)
@@ -176,7 +180,7 @@ class Lanes:
     def energy_unit(self) -> Any:
         """J for one of omega*^2/2."""
         arc = self.arc
-        weight = np.multiply(arc.width, arc.unit_weight) * np.power(arc.radius, 3.0)
+        weight = np.multiply(arc.width, arc.mean_unit_weight) * np.power(arc.radius, 3.0)
         return weight * arc.dimensionless.moment_of_inertia
 
     # --- the motion ----------------------------------------------------------------------------------------------
@@ -186,7 +190,10 @@ class Lanes:
         if self.count == 1:
             return integrate_all(self.problem, log=log)
         problem = self._build()  # of many lanes copies and what is kept cost as much as the integration
-        return integrate_all(problem, log=log, cells=None if problem.functions else problem.cells)
+        final = integrate_all(problem, log=log, cells=None if problem.functions else problem.cells)
+        if not problem.extend_rotations(final[ix.REACH_ROTATION]):
+            return final
+        return integrate_all(self._build()._replace(tables=problem.tables), log=log)
 
     def read(self, times: Floats) -> Floats:
         """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes)."""
@@ -264,6 +271,7 @@ class Lanes:
         cells[ix.DIRECTION], cells[ix.LIFTED] = side, 0.0
         if states.further is not None:
             cells[ix.SLIP] = states.further[0]
+            problem.extend_rotations(cells[ix.ROTATION])
             problem.extend_tables(cells)
             for (cell, _, _), value in zip(problem.program.states[2:], states.further[1:], strict=True):
                 cells[cell] = value
@@ -291,7 +299,7 @@ class Lanes:
         problem = self.problem.with_steady_shaking()
         program, cells = problem.program, problem.cells
         places, roles = program.places, program.roles
-        downhill = np.where(cells[places["fall"]] < 0.0, -1.0, 1.0)
+        downhill = np.where(cells[places["driving_moment"]] < 0.0, -1.0, 1.0)
         cells[ix.OMEGA], cells[ix.DIRECTION], cells[places["k_h"]] = 0.0, downhill, 0.0
         shaken = cells.copy()
         shaken[places["k_h"]] = downhill  # a unit of k_h, the way in which gravity drives

@@ -14,11 +14,12 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from generated.effects import ALL_EFFECTS, LAWS
-from generated.flow import PIECES
+from generated.flow import INPUTS, PIECES
 from slipcircle.base.checks import choose, plain
 from slipcircle.core.flow import tables
 from slipcircle.core.flow.build import build_program
-from slipcircle.core.flow.layered import rotation_tables
+from slipcircle.core.flow.layered import FINEST as FINEST_TABLES
+from slipcircle.core.flow.layered import RotationTables
 from slipcircle.core.flow.program import Program
 from slipcircle.core.flow.tables import Data
 from slipcircle.core.scene.arc import Arc
@@ -45,6 +46,7 @@ class Problem(NamedTuple):
     functions: Mapping[int, Callable[[Any], Any]]  # of slip, given in Python, by the place of their table
     recipe: tuple[tuple[str, ...], ...]  # the arguments of `build_program`: effects, laws, moving, absent
     outputs: tuple[str, ...] = ()  # further ones of the program
+    rotations: RotationTables | None = None  # tables that may be laid out farther
 
     def with_outputs(self, outputs: tuple[str, ...] = (), directions: int = 0) -> "Problem":
         """The same lanes with further outputs, or with derivatives in so many directions."""
@@ -57,7 +59,7 @@ class Problem(NamedTuple):
         effects = tuple(name for name in ALL_EFFECTS if name in (*effects, "shaking"))
         moving = tuple(symbol for symbol in moving if symbol not in shaking)
         absent = tuple(symbol for symbol in absent if symbol not in shaking)
-        return self._with_program(build_program(effects, laws, moving, (*absent, "k_v")))
+        return self._with_program(build_program(effects, laws, moving, (*absent, "k_v")))._replace(rotations=None)
 
     def _with_program(self, program: Program) -> "Problem":
         """The same numbers for another program."""
@@ -74,12 +76,21 @@ class Problem(NamedTuple):
             while (end := float(self.tables[k].breaks[-1])) <= slip * (1.0 + 1e-12):
                 self.tables[k] = tables.sampled(function, 2 * end, self.tables[k])
 
+    def extend_rotations(self, rotation: Floats) -> bool:
+        """Lay functions of the rotation out as far as they may be needed, where lanes get beyond what is there."""
+        if self.rotations is None:
+            return False
+        place = {table.name: k for k, table in enumerate(self.program.tables)}
+        names = self.rotations.functions
+        if not any(np.any(rotation > self.tables[place[name]].breaks[-1] + 1e-9) for name in names):
+            return False
+        for name, data in self.rotations.laid_out().items():
+            self.tables[place[name]] = data
+        return True
+
     def initial_cells(self) -> Floats:
         """A copy of the cells at the start."""
-        given = self.program.given
-        cells = self.program.blank(self.cells.shape[1])
-        cells[:given] = self.cells[:given]
-        return cells
+        return self.cells.copy()
 
 
 @lru_cache(maxsize=256)
@@ -125,8 +136,9 @@ def build_problem(
     for effect in effects:
         numbers.add_effect(effect, called[effect], rotates(effects))
     if "layered_strength" in effects:
-        upslope = "shaking" in effects or bool(np.any(velocity < 0.0))
-        numbers.add_layers(called["layered_strength"], rotates(effects), upslope, accuracy)
+        upslope = "shaking" in effects or bool(np.any(velocity != 0.0))
+        tolerance = FINEST_TABLES if lanes == 1 else accuracy / 100
+        numbers.add_layers(called["layered_strength"], upslope, tolerance, friction)
     for name, parameters in laws:
         numbers.add_law(name, parameters)
     numbers.inputs["ONE_WAY"] = _one_way(called.get("shaking", {}))
@@ -154,7 +166,7 @@ def _assembled(numbers: "_Numbers", recipe: tuple[tuple[str, ...], ...], lanes: 
         cells[table.cells + ix.SCALE], cells[table.cells + ix.SCALED_BY] = scale, factor
         if table.name in numbers.functions:
             functions[k] = numbers.functions[table.name]
-    return Problem(program, data, cells, numbers.time_scale, functions, recipe)
+    return Problem(program, data, cells, numbers.time_scale, functions, recipe, rotations=numbers.rotations)
 
 
 def _recipe(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
@@ -168,6 +180,8 @@ def _recipe(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], ..
                 moving.append(p.symbol)
             if p.symbol and value is None:
                 absent.append(p.symbol)
+    if "layered_strength" in effects and "shaking" not in effects:
+        absent += ["k_h", "k_v"]  # of which its terms are made too
     return effects, laws, tuple(moving), tuple(absent)
 
 
@@ -179,10 +193,12 @@ class _Numbers:
     functions: dict[str, Callable[[Any], Any]] = field(default_factory=dict)
     # Of each table: its data, the scale of its argument, the factor of its values.
     tables: dict[str, tuple[Data, Any, Any]] = field(default_factory=dict)
+    rotations: RotationTables | None = None
 
     def __post_init__(self) -> None:
         self.time_scale, self.radius = plain(self.arc.time_scale), plain(self.arc.radius)
-        self.inputs: dict[str, Any] = self.arc.moment_coefficients.inputs()
+        coefficients = self.arc.moment_coefficients
+        self.inputs: dict[str, Any] = {name: getattr(coefficients, name) for name in INPUTS}
 
     def add_start(self, velocity: Any, end_time: Any) -> None:
         """How the motion starts, when it ends, and what the integrator remembers at first."""
@@ -212,15 +228,15 @@ class _Numbers:
                 factor = factor_of(effect, given, p.name)
                 self.tables[p.symbol] = tables.of_time(value), self.time_scale, p.dimensionless(factor, scales)
 
-    def add_layers(self, given: Mapping[str, Any], rotates: bool, upslope: bool, accuracy: float) -> None:
+    def add_layers(self, given: Mapping[str, Any], upslope: bool, tolerance: float, friction: Any) -> None:
         """What the soils of a layered section give that changes with the rotation."""
         assert isinstance(self.arc, LayeredSection)
-        terms = {name: value for name, value in given.items() if isinstance(value, OfRotation)}
-        if not terms:
-            return
-        found = rotation_tables(self.arc, terms, rotates, upslope, accuracy)
         symbols = {p.name: p.symbol for p in ALL_EFFECTS["layered_strength"].parameters}
-        self.tables |= {symbols[name]: (table, 1.0, 1.0) for name, table in found.items()}
+        rotations = RotationTables(self.arc, given, symbols, tolerance, upslope)
+        if rotations.functions:
+            self.rotations = rotations
+            tables = rotations.laid_out(rotations.likely_reach(friction))
+            self.tables |= {name: (table, 1.0, 1.0) for name, table in tables.items()}
 
     def add_law(self, name: str, given: Mapping[str, Any]) -> None:
         """What a friction law gives: a table, or dimensionless numbers under its own name."""
@@ -299,9 +315,10 @@ def _first_only(asked: Collection[str], laws: Any, inputs: Mapping[str, Any]) ->
 
     Of effects and symbols of functions.
     """
-    if not rotates(ALL_EFFECTS.keys() & asked) or ("layered_strength" in asked and "layered_cohesion" in asked):
+    if not rotates(ALL_EFFECTS.keys() & asked) or "layered_cohesion" in asked:
         return 0.0
     (name, parameters), *others = laws
     frictionless = parameters["coefficient"] == 0.0 if name == "constant" and not others else False
-    uplift = 2.0 if {"pore_pressure", "thermal_pressurisation", "layered_lift"} & {*asked} else 0.0
-    return choose(inputs.get("cohesion", 0.0) > 0.0, 0.0, choose(frictionless, 1.0, uplift))
+    lifts = {"pore_pressure", "thermal_pressurisation", "layered_lift"} & {*asked} or np.any(inputs.get("layered_lift"))
+    cohesion = inputs.get("cohesion", 0.0) + inputs.get("layered_cohesion", 0.0)
+    return choose(cohesion > 0.0, 0.0, choose(frictionless, 1.0, 2.0 if lifts else 0.0))

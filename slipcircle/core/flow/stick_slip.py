@@ -105,8 +105,8 @@ class StickPhase(Recorder):
 
     def _never_rests(self) -> Any:
         """Whether a mass swings on for ever: at its lowest next to nothing presses on it, and that will not change."""
-        press = self.role("p0")
-        greatest = np.hypot(press, self.role("ps0"))
+        press = self.role("normal_load")
+        greatest = np.hypot(press, self.role("normal_load_slope"))
         carried = self.role("normal0") + (greatest - press) <= ix.CARRIED * greatest
         return (self.first_only == 1.0) | (carried & ~self.still_changes())
 

@@ -21,6 +21,8 @@ _FIRST = (1, 1, 1, -1, 1, -1, -1)
 SIGNS = np.array([np.roll(_FIRST, k) for k in range(7)], dtype=float)
 # Steps over the radius of convergence, of the motion itself and the other runs, which go one order further. Longer ones
 # cost less than shorter ones would, and with that order still leave out less than the motion does.
+RUNS = 8
+ONE_ORDER_MORE = np.array([0.0] + [1.0] * 7)
 FACTORS = np.array([STEP, 0.136, 0.138, 0.140, 0.142, 0.145, 0.148, 0.151])
 # What the spread counts for: where the ends of the series are the error, as of an ensemble's lanes, and where rounding
 # is, as of single scenes, of which in 2,000 random ones the error was up to 5.1 times the spread.
@@ -34,29 +36,30 @@ SHARES = (np.arange(8) + 0.5) / 8  # of the duration, at which states are compar
 @lru_cache(maxsize=256)
 def _signs(program: Program) -> Floats:
     """The sign with which each run moves each input of the program, (cells, 8); 0 for the motion itself."""
-    inputs = [k for k, name in enumerate(program.cells) if k >= len(ix.CELLS) and not _of_table(name)]
+    inputs = [k for k, name in enumerate(program.cells) if k >= len(ix.CELLS) and not _is_of_table(name)]
     factors = [table.cells + ix.SCALED_BY for table in program.tables]
-    signs = np.zeros((len(program.cells), 8))
-    for number, cell in enumerate((ix.LIMIT, ix.OMEGA, *inputs, *factors)):
-        if cell < program.given:  # the others follow from these
-            signs[cell, 1:] = SIGNS[:, number % 7]
+    moved = [cell for cell in (ix.LIMIT, ix.OMEGA, *inputs, *factors) if cell < program.given]  # others follow
+    signs = np.zeros((len(program.cells), RUNS))
+    for number, cell in enumerate(moved):
+        signs[cell, 1:] = SIGNS[:, number % 7]
     return signs
 
 
-def _of_table(cell: str) -> bool:
+def _is_of_table(cell: str) -> bool:
     """Whether a cell belongs to a table, as ``k_h.PIECE`` does, and not to a law, as ``exponential.peak``."""
     _, dot, name = cell.rpartition(".")
     return bool(dot) and name.isupper()
 
 
-def perturbed_runs(problem: Problem, which: NDArray[np.intp], rounding: float) -> Problem:
+def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Problem:
     """The same lanes with other steps, one order more, and inputs moved by rounding; run 0 is the motion itself.
 
-    Of a single lane ``which`` may be several runs at once; ``rounding`` is the relative error that an input may have.
+    Of a single lane it may be several runs at once; ``rounding`` is the relative error that an input may have.
     """
-    cells = problem.cells * (1.0 + rounding * _signs(problem.program)[:, which])
-    cells[ix.ORDER] += which > 0
-    cells[ix.FACTOR] = FACTORS[which]
+    signs = _signs(problem.program)[:, runs]
+    cells = problem.cells * (1.0 + rounding * signs)
+    cells[ix.ORDER] += ONE_ORDER_MORE[runs]
+    cells[ix.FACTOR] = FACTORS[runs]
     return problem._replace(cells=cells)
 
 
@@ -66,42 +69,56 @@ def estimate(lanes: Lanes, final: Mapping[int, Floats]) -> Floats:
     Of a single lane also of its states along the way, relative to peak velocity and run-out. It is 1 where rounding
     decides whether the mass moves or rests.
     """
+    summary = summary_vector(final)
+    size = np.maximum(np.abs(summary), LEAST_SIZE)
     if lanes.count == 1:
-        return _of_single(lanes, final)
-    summary, moves = summary_vector(final), final[ix.PHASES] > 0.0
-    size = np.maximum(np.abs(summary), LEAST_SIZE)
-    spread, unlike = np.zeros(lanes.count), np.asarray(final[ix.CLOSE] < UNDECIDED)
-    for run in range(1, 8):
-        cells = integrate_all(perturbed_runs(lanes.problem, np.array([run]), lanes.arc.rounding))
-        spread = np.fmax(spread, np.fmax.reduce(np.abs(summary_vector(cells) - summary) / size))
-        unlike |= (cells[ix.STATUS] != final[ix.STATUS]) | ((cells[ix.PHASES] > 0.0) != moves)
-    return _bounded(CUT * spread, moves, unlike)
+        spread, unlike = _of_single(lanes, final, summary, size)
+        error = ROUNDED * spread
+    else:
+        spread, unlike = _of_ensemble(lanes, final, summary, size)
+        error = CUT * spread
+    undecided = unlike | np.asarray(final[ix.CLOSE] < UNDECIDED)
+    known = np.minimum(np.maximum(error, LEAST), 1.0)
+    still = np.equal(final[ix.PHASES], 0.0)
+    return np.where(undecided, 1.0, np.where(still, 0.0, known))
 
 
-def _of_single(lanes: Lanes, final: Mapping[int, Floats]) -> Floats:
+def _of_ensemble(lanes: Lanes, final: Mapping[int, Floats], summary: Floats, size: Floats) -> tuple[Floats, Any]:
+    """The greatest difference of any run from each lane's results, relative, and whether one ends otherwise."""
+    spread = np.zeros(lanes.count)
+    unlike = np.zeros(lanes.count, dtype=bool)
+    for run in range(1, RUNS):
+        problem = perturbed_runs(lanes.problem, slice(run, run + 1), lanes.arc.rounding)
+        cells = integrate_all(problem)
+        difference = np.abs(summary_vector(cells) - summary) / size
+        spread = np.fmax(spread, np.fmax.reduce(difference))
+        unlike |= _ends_otherwise(cells, final)
+    return spread, unlike
+
+
+def _of_single(lanes: Lanes, final: Mapping[int, Floats], summary: Floats, size: Floats) -> tuple[Floats, Any]:
     """The same of one lane: all runs at once, beside the motion itself, with their states along the way."""
-    summary, moves = summary_vector(final), final[ix.PHASES] > 0.0
-    size = np.maximum(np.abs(summary), LEAST_SIZE)
-    times = np.repeat(SHARES[:, None] * summary[0], 8, axis=1)
-    samples = Samples(times, np.zeros((2 + len(lanes.problem.program.states), *times.shape)))
-    cells = integrate_all(perturbed_runs(lanes.problem, np.arange(8), lanes.arc.rounding), samples)
-    differences = np.abs(summary_vector(cells) - summary) / size
-    if moves:
-        rotation_and_omega = samples.states[:2].reshape(2, -1, 8)
-        along = np.abs(rotation_and_omega - rotation_and_omega[..., :1]) / size[1:, None]
-        differences = np.concatenate([differences, along.reshape(-1, 8)])
-    unlike = (cells[ix.STATUS] != final[ix.STATUS]) | ((cells[ix.PHASES] > 0.0) != moves)
-    close = final[ix.CLOSE] < UNDECIDED
-    return _bounded(ROUNDED * np.fmax.reduce(differences, axis=None, keepdims=True)[0], moves, close or unlike.any())
+    problem = perturbed_runs(lanes.problem, slice(None), lanes.arc.rounding)
+    times = np.repeat(SHARES * summary[0], RUNS).reshape(-1, RUNS)
+    states = np.zeros((2 + len(problem.program.states), *times.shape))
+    cells = integrate_all(problem, Samples(times, states))
+    difference = np.abs(summary_vector(cells) - summary) / size
+    if final[ix.PHASES] > 0.0:
+        along = np.abs(states[:2] - states[:2, :, :1]) / size[1:, :, None]  # of rotation and angular velocity
+        difference = np.concatenate((difference, *along))
+    spread = np.fmax.reduce(difference, axis=None, keepdims=True)
+    return spread[0], _ends_otherwise(cells, final).any()
 
 
-def _bounded(error: Floats, moves: Any, undecided: Any) -> Floats:
-    """Between the least that an estimate is and 1; 0 where the mass does not move."""
-    moving = np.where(moves, np.maximum(error, LEAST), 0.0)
-    return np.where(undecided, 1.0, np.minimum(moving, 1.0))
+def _ends_otherwise(cells: Floats, final: Mapping[int, Floats]) -> Any:
+    """Whether runs end with another status than the motion, or move where it does not."""
+    other_status = cells[ix.STATUS] != final[ix.STATUS]
+    other_phases = (cells[ix.PHASES] > 0.0) != np.greater(final[ix.PHASES], 0.0)
+    return other_status | other_phases
 
 
 def summary_vector(final: Any) -> Floats:
     """Duration, run-out and peak velocity, dimensionless, (3, lanes), of final cells."""
     duration = choose(final[ix.STATUS] == ix.ENDED, final[ix.END_TIME], final[ix.REST_SINCE])
-    return np.reshape([duration, final[ix.END_ROTATION], np.abs(final[ix.PEAK_OMEGA])], (3, -1))
+    summary = np.array([duration, final[ix.END_ROTATION], np.abs(final[ix.PEAK_OMEGA])])
+    return summary.reshape(3, -1)

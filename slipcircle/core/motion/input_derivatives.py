@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from generated.effects import EFFECTS, LAWS, Parameter
-from generated.flow import PIECES
+from generated.flow import INPUTS, PIECES
 from generated.growth import arc_growth
 from slipcircle.base.series import Pulse
 from slipcircle.core.flow.lanes import Lanes
@@ -27,7 +27,6 @@ from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.transport import section_derivatives
 
 Floats = NDArray[np.float64]
-_COEFFICIENTS = ("fall", "press", "fall_slope", "press_slope", "polar", "level")
 # What is given, alpha, and relatively Theta* and the cover.
 _Geometry = tuple[dict[str, Floats], Floats, Floats, Floats]
 
@@ -84,7 +83,7 @@ class InputDerivatives:
         """Derivatives of the arc's coefficients and angle, and of its moment of inertia and cover."""
         arc = self.lanes.arc
         problem = self.lanes.problem
-        coefficients = {n: float(problem.cells[problem.program.places[n], 0]) for n in _COEFFICIENTS}
+        coefficients = {n: float(problem.cells[problem.program.places[n], 0]) for n in INPUTS}
         return self._arc(arc, coefficients) if isinstance(arc, Arc) else self._section(arc, coefficients)
 
     def _arc(self, arc: Arc, coefficients: Mapping[str, float]) -> "_Geometry":
@@ -93,12 +92,15 @@ class InputDerivatives:
         dipped = -arc.facing * (self.one("theta_1") + self.one("theta_2")) / 2
         weight, radial, polar, level, inertia = (float(g) for g in arc_growth(alpha))
         inputs = {
-            "fall": coefficients["fall"] * weight * opened + coefficients["fall_slope"] * dipped,
-            "fall_slope": coefficients["fall_slope"] * weight * opened - coefficients["fall"] * dipped,
-            "press": coefficients["press"] * radial * opened + coefficients["press_slope"] * dipped,
-            "press_slope": coefficients["press_slope"] * radial * opened - coefficients["press"] * dipped,
-            "polar": coefficients["polar"] * polar * opened,
-            "level": coefficients["level"] * level * opened,
+            "driving_moment": coefficients["driving_moment"] * weight * opened
+            + coefficients["driving_moment_slope"] * dipped,
+            "driving_moment_slope": coefficients["driving_moment_slope"] * weight * opened
+            - coefficients["driving_moment"] * dipped,
+            "normal_load": coefficients["normal_load"] * radial * opened + coefficients["normal_load_slope"] * dipped,
+            "normal_load_slope": coefficients["normal_load_slope"] * radial * opened
+            - coefficients["normal_load"] * dipped,
+            "polar_moment": coefficients["polar_moment"] * polar * opened,
+            "resistance_factor": coefficients["resistance_factor"] * level * opened,
         }
         return inputs, opened, inertia / alpha * opened, 0.0 * opened
 
@@ -112,15 +114,17 @@ class InputDerivatives:
         opened = (grown.ends[1] - grown.ends[0]) / 2
         inertia = m["inertia"] / theta
         changes = {
-            "fall": -way * m["moment_x"],
-            "fall_slope": -m["moment_y"],
-            "press": -m["radial_y"],
-            "press_slope": way * m["radial_x"],
-            "polar": m["polar"],
+            "driving_moment": -way * m["moment_x"],
+            "driving_moment_slope": -m["moment_y"],
+            "normal_load": -m["radial_y"],
+            "normal_load_slope": way * m["radial_x"],
+            "polar_moment": m["polar"],
         }
         inputs = {n: change / theta - coefficients[n] * inertia for n, change in changes.items()}
         # (3.14): lambda = 2 alpha (1 - cos alpha), by which the mean normal stress and so the mean cover are divided
-        inputs["level"] = coefficients["level"] * (opened / alpha + opened / math.tan(alpha / 2) - inertia)
+        inputs["resistance_factor"] = coefficients["resistance_factor"] * (
+            opened / alpha + opened / math.tan(alpha / 2) - inertia
+        )
         heights = 2 * alpha * float(section.mean_cover / section.radius)
         self.pressure = under_water(section, rotates(self.lanes.called), grown.pressure, len(self.names))
         return inputs, opened, inertia, grown.heights / heights + m["radial_y"] / own["radial_weight"]

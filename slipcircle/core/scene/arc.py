@@ -11,7 +11,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
-from slipcircle.base.checks import EPS, INFINITY, Bounds, Fault, complaint, mistakes, raise_all, shape_mistakes, two_sum
+from slipcircle.base.checks import (
+    EPS,
+    INFINITY,
+    Bounds,
+    Fault,
+    choose,
+    complaint,
+    mistakes,
+    raise_all,
+    shape_mistakes,
+    two_sum,
+)
 from slipcircle.base.kinds import Array, Numbers
 from slipcircle.core.scene.weights import Dimensionless, MomentCoefficients, SlidingBody
 
@@ -52,20 +63,20 @@ class Arc(SlidingBody, Generic[Numbers]):
     width : float or array_like, optional
         Length perpendicular to the section, m.
     given : mapping, optional
-        Dimensionless coefficients (``GIVEN``) to be taken as they are instead of computed, all of them: to repeat a
-        calculation from its printed table. They belong to the initial position.
+        Dimensionless coefficients, all those of ``GIVEN``, to be used instead of computed ones, for repeating a
+        calculation from a printed table. They belong to the initial position.
 
     Raises
     ------
     ValueError
-        For values out of bounds, theta_2 <= theta_1, an opening above 180 degrees, or a mass that presses on nothing
-        (its weight has no component towards the arc). Lists every mistake.
+        For values out of bounds, theta_2 <= theta_1, an opening above 180 degrees, or a mass whose weight has no
+        component towards the arc. Lists every mistake.
 
     Notes
     -----
-    Symbols and equation numbers are the paper's. Fields may be arrays; results have their broadcast shape. Either
-    facing: dip, J_theta and its quotients, motions, velocities and shaking are all positive down-slope, whichever way
-    that turns. Only a J_theta in ``given`` has the sense of the angles, and so tells the facing.
+    Symbols and equation numbers are the paper's. Fields may be arrays; results have their broadcast shape. The slope
+    may face either way: dip, J_theta and its quotients, motions, velocities and shaking are all positive down-slope.
+    Only a J_theta in ``given`` has the sign of the angles, which determines the facing.
     """
 
     radius: Numbers | float
@@ -106,9 +117,8 @@ class Arc(SlidingBody, Generic[Numbers]):
 
     def __post_init__(self) -> None:
         values = {name: getattr(self, name) for name in ARC_BOUNDS}
-        shape = np.broadcast_shapes
         found = mistakes(values, ARC_BOUNDS) or shape_mistakes(values)
-        found = found or complaint(self.geometry_errors(), shape(np.shape(self.theta_1), np.shape(self.theta_2)))
+        found = found or complaint(self.geometry_errors(), np.broadcast(self.theta_1, self.theta_2).shape)
         given: Any = self.given
         if not isinstance(given, Mapping | None):
             found.append(f"given = {given!r}: must be a mapping of coefficients, or None")
@@ -121,28 +131,37 @@ class Arc(SlidingBody, Generic[Numbers]):
         raise_all("Arc", found)
 
     def geometry_errors(self) -> Iterator[Fault]:
-        """Lanes that are no arcs, or press on nothing."""
-        ends = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
-        one, two = (np.degrees(np.ravel(end)) for end in ends)
+        """Invalid arcs, and arcs without a normal load."""
+
+        def degrees(k: int) -> tuple[float, float]:
+            one, two = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
+            return float(np.degrees(one.flat[k])), float(np.degrees(two.flat[k]))
+
+        def in_degrees() -> str:
+            turns = np.any(np.abs(self.theta_1) > 4 * np.pi)  # 12.6 rad are more than anybody turns, and few degrees
+            return "; theta_1 and theta_2 are in rad: were they in degrees?" if turns else ""
+
+        def swapped(k: int) -> str:
+            one, two = degrees(k)
+            return f"{{theta_2}} = {two:.10g} deg: must be above {{theta_1}} = {one:.10g} deg; swap them?"
+
+        def too_wide(k: int) -> str:
+            one, two = degrees(k)
+            return f"{{theta_2}} - {{theta_1}} = {two - one:.10g} deg: must be at most 180 deg{in_degrees()}"
+
+        def unpressed(k: int) -> str:
+            one, two = degrees(k)
+            return (
+                f"{{theta_1}} = {one:.10g} deg, {{theta_2}} = {two:.10g} deg: it presses on nothing; the middle of the "
+                f"arc must lie between 180 and 360 deg, below its centre{in_degrees()}"
+            )
+
         with np.errstate(invalid="ignore"):  # J_r/Theta*: NaN beyond a half disc, and where the ends are no angles
-            weight = np.ravel(kernels.radial_weight_per_inertia(self.half_angle) * self._cosine_of_dip)
-        turns = np.any(np.abs(ends[0]) > 4 * np.pi)  # 12.6 rad are more than anybody turns, and few degrees
-        asked = "; theta_1 and theta_2 are in rad: were they in degrees?" if turns else ""
-        yield (
-            np.ravel(ends[1] <= ends[0]),
-            lambda k: f"{{theta_2}} = {two[k]:.10g} deg: must be above {{theta_1}} = {one[k]:.10g} deg; swap them?",
-        )
-        yield (
-            np.isnan(weight),
-            lambda k: f"{{theta_2}} - {{theta_1}} = {two[k] - one[k]:.10g} deg: must be at most 180 deg{asked}",
-        )
-        yield (
-            weight <= 0.0,
-            lambda k: (
-                f"{{theta_1}} = {one[k]:.10g} deg, {{theta_2}} = {two[k]:.10g} deg: it presses on nothing; "
-                f"the middle of the arc must lie between 180 and 360 deg, below its centre{asked}"
-            ),
-        )
+            normal_load = self._radial_amplitude * self._cosine_of_dip
+        normal_load = np.ravel(normal_load)
+        yield np.ravel(np.less_equal(self.theta_2, self.theta_1)), swapped
+        yield np.isnan(normal_load), too_wide
+        yield normal_load <= 0.0, unpressed
 
     @cached_property
     def half_angle(self) -> Any:
@@ -163,11 +182,11 @@ class Arc(SlidingBody, Generic[Numbers]):
     def facing(self) -> Any:
         """1 where gravity turns the mass counterclockwise, to the right; -1 where it turns it to the left."""
         moment = self._lean if self.given is None else self.given["weight_moment"]
-        return np.where(np.asarray(moment) < 0.0, -1.0, 1.0)[()]
+        return choose(np.less(moment, 0.0), -1.0, 1.0)
 
     @cached_property
     def dimensionless(self) -> Dimensionless:
-        """Coefficients of the equation of motion, from the arc or as given."""
+        """Coefficients of the equation of motion, computed or as given."""
         if self.given is not None:
             g = {**self.given, "weight_moment": self.facing * self.given["weight_moment"]}
             return Dimensionless(
@@ -204,17 +223,22 @@ class Arc(SlidingBody, Generic[Numbers]):
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
-        """C_theta/Theta* and C_r/Theta*, of which the weights over Theta* are made at any dip."""
+        """C_theta/Theta* and C_r/Theta*, from which J_theta/Theta* and J_r/Theta* follow at any dip."""
         alpha = self.half_angle
         dip = self.dip
         if self.given is not None and dip != 0.0:  # J_theta = C_theta sin(psi), J_r = C_r cos(psi)
             press = self.dimensionless.radial_weight_per_inertia
             return self.dimensionless.limit_friction * press / np.sin(dip), press / np.cos(dip)
-        return kernels.weight_moment_per_inertia(alpha), kernels.radial_weight_per_inertia(alpha)
+        return kernels.weight_moment_per_inertia(alpha), self._radial_amplitude
+
+    @cached_property
+    def _radial_amplitude(self) -> Any:
+        """C_r/Theta* of the arc, NaN beyond a half disc."""
+        return kernels.radial_weight_per_inertia(self.half_angle)
 
     @cached_property
     def moment_coefficients(self) -> MomentCoefficients:
-        """What the balance needs; r_u is a share of the static normal stress."""
+        """Coefficients of the balance of momentum; r_u is relative to the static normal stress."""
         weight, radial = self.amplitudes_per_inertia
         press = self.normal_load
         limit, static_normal_stress, polar_per_inertia = self._quotients
@@ -236,7 +260,7 @@ class Arc(SlidingBody, Generic[Numbers]):
             return self.dimensionless.radial_weight_per_inertia
         return self.amplitudes_per_inertia[1] * self._cosine_of_dip
 
-    @property
+    @cached_property
     def _cosine_of_dip(self) -> Any:
         """cos(psi) = -sin(theta_m), with the rounding of theta_m, which a steep dip shows."""
         ends = (np.asarray(theta, dtype=np.float64) for theta in (self.theta_1, self.theta_2))
@@ -262,7 +286,7 @@ class Arc(SlidingBody, Generic[Numbers]):
 
     @cached_property
     def depth(self) -> Any:
-        """f, the largest depth of the mass below its chord (2.12), m."""
+        """f, the greatest depth of the mass below its chord (2.12), m."""
         return self.sagitta
 
     @cached_property

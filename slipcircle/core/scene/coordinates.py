@@ -34,11 +34,14 @@ def indices_of(arc: Any, field: str) -> dict[str, Index]:
 def arc_numbers(arc: Any) -> dict[str, Any]:
     """All numbers of an arc or a section by name: each one number, or an array of one a lane."""
     numbers: dict[str, Any] = {}
-    for field in arc.quantities:
+    for field, axes in arc.quantities.items():
         value = getattr(arc, field)
+        if not axes and value is not None:
+            numbers[field] = value
+            continue
         lanes: Any = np.asarray(value)
         for name, index in indices_of(arc, field).items():
-            numbers[name] = lanes[(..., *index)] if index else value
+            numbers[name] = lanes[(..., *index)]
     return numbers | arc.other_numbers()
 
 
@@ -86,4 +89,6 @@ def replace_unchecked(instance: Any, values: Mapping[str, Any]) -> Any:
     other = object.__new__(type(instance))
     for f in fields(instance):
         object.__setattr__(other, f.name, values.get(f.name, getattr(instance, f.name)))
+    if hasattr(other, "takes_geometry") and other.takes_geometry(instance):
+        other.take_geometry(instance)
     return other

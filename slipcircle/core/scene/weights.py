@@ -10,7 +10,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Dimensionless:
-    """The coefficients of the equation of motion (3.11), dimensionless, at the start, positive down-slope.
+    """Dimensionless coefficients of the equation of motion (3.11) at the start, positive down-slope.
 
     Attributes
     ----------
@@ -50,10 +50,6 @@ class MomentCoefficients(NamedTuple):
     polar_moment: Any
     limit_friction: Any  # J_theta/J_r at the start
     cover: Any  # the stress of which r_u is a share, over the static normal stress
-
-    def inputs(self) -> dict[str, Any]:
-        """By the names of the generated programs (`generated.flow.INPUTS`)."""
-        return dict(zip(("fall", "fall_slope", "press", "press_slope", "level", "polar"), self, strict=False))
 
 
 class SlidingBody:

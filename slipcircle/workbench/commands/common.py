@@ -31,7 +31,7 @@ def add_files(parser: argparse.ArgumentParser, picture: str, **tables: str) -> N
 def check_files(options: argparse.Namespace) -> None:
     """See that all files of a command can be written and its pictures drawn, before the work."""
     values = vars(options)
-    outputs = {f"--{name}": values[name] for name in ("plot", "report", "csv", "npz") if values.get(name)}
+    outputs = {f"--{name}": values[name] for name in ("plot", "report", "csv", "npz", "live") if values.get(name)}
     scenes = values.get("scenes") or [name for name in [values.get("scene")] if name]
     files.check(options.command, outputs, [str(find(name)) for name in scenes])
     if "--plot" in outputs or "--report" in outputs:

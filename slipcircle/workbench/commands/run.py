@@ -27,15 +27,18 @@ def options(parser: argparse.ArgumentParser) -> None:
     polarities = "each shaken scene also with its horizontal shaking turned around, and the mean of both"
     parser.add_argument("--polarities", action="store_true", help=polarities)
     picture = "section, motion and energy, and the slide itself as .gif; may be given more than once"
-    add_files(parser, picture, report=REPORT, csv="the motion over time, in SI units and full precision")
+    table = "the motion over time, in SI units and full precision"
+    slide = "a page on which one can drag the slide, which needs nothing else"
+    add_files(parser, picture, report=REPORT, csv=table, live=slide)
+    varied = "--live with a second slider, for these values of a number: friction.residual_deg=8:18:21"
+    parser.add_argument("--vary", metavar="KEY=FROM:TO:COUNT", help=varied)
     times = "times of --csv in s, by default 401 even ones from start to end: 0:60:1"
     parser.add_argument("--times", type=values.times, metavar="FROM:TO:STEP", help=times)
 
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
-    if options.times is not None and not options.csv:
-        raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
+    _check_options(options)
     sources = [find(name).read_bytes() for name in options.scenes] if options.report else []
     scenes = [load(name) for name in options.scenes]
     if options.polarities:
@@ -60,6 +63,16 @@ def run(options: argparse.Namespace) -> Answer:
     )
 
 
+def _check_options(options: argparse.Namespace) -> None:
+    """Refuse options that need others, or that others leave no room for."""
+    if options.times is not None and not options.csv:
+        raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
+    if options.vary and not options.live:
+        raise ValueError("run: --vary: is the second slider of a page; give --live FILE as well")
+    if options.live and (len(options.scenes) > 1 or options.polarities):
+        raise ValueError("run: --live: shows one scene; --report has room for all")
+
+
 def _write_files(motions: Sequence[Motion], sources: Sequence[bytes], options: argparse.Namespace) -> None:
     """Make all files that are asked for before the first is written."""
     contents: dict[str, bytes] = {}
@@ -67,12 +80,25 @@ def _write_files(motions: Sequence[Motion], sources: Sequence[bytes], options: a
         contents[options.csv] = csv(motions, options.times)
     for path in options.plot:
         contents[path] = pictures.picture("motions", motions, path)
+    if options.live:
+        contents[options.live] = _live(motions[0], options.vary).encode()
     if options.report:
         from slipcircle.workbench.outputs.report import report
 
         contents[options.report] = report(motions, sources, options.line).encode()
     for path, content in contents.items():
         files.write(path, content)
+
+
+def _live(motion: Motion, varied: str | None) -> str:
+    """The page of a motion, or of its scene at the values of `--vary`, with that next to its own value first."""
+    from slipcircle.workbench.outputs import live
+
+    if not varied:
+        return live.page([motion])
+    form = "KEY=FROM:TO:COUNT or KEY=A,B,C, such as friction.residual_deg=8:18:21"
+    ((key, levels),) = values.by_key("vary", [varied], form, values.levels).items()
+    return with_scene_context(motion.plan.scene, lambda scene: live.varied_page(scene, key, levels))
 
 
 def _polarity_means(motions: Sequence[Motion]) -> dict[str, Mapping[str, float]]:

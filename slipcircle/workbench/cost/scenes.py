@@ -28,7 +28,7 @@ RESIDUAL = float(np.tan(np.radians(8.0)))
 RECORD_SAMPLES, RECORD_END = 4000, 20.0  # s
 BATCH = 32  # lanes of heyoka at once: as many as still gain
 # Run-out, peak velocity and duration by friction, of one scene and then of an ensemble's lanes, to 24 digits;
-# ``python tests/exact_scenes.py`` writes them.
+# ``python -m tests.campaigns.exact_scenes`` writes them.
 ANSWERS = Path(__file__).with_name("answers.json")
 PATIENCE = 5.0  # of a pass over scenes, as of `Subject`
 FROZEN, CLOSED_FORM = "frozen geometry", "closed form in time"

@@ -17,7 +17,7 @@ from slipcircle.workbench.cost.reference import Floats, reference
 from slipcircle.workbench.cost.ways import Subject, Way
 
 # Area, integrals of r and r^2, of the unit vector (x, y)/r and of (x, y) over the mass, from the centre and over powers
-# of the radius, of the sections of `drawn(COUNT)`, to 24 digits; ``python tests/exact_scenes.py`` writes them.
+# of the radius, of the sections of `drawn(COUNT)`, to 24 digits; ``tests.campaigns.exact_scenes`` writes them.
 ANSWERS, COUNT, MEASURES = Path(__file__).with_name("sections.json"), 12, 7
 PATIENCE = 80.0  # of a pass, as of `Subject`: a million sections of ours take less
 _X = np.linspace(-60.0, 60.0, 11)

@@ -147,10 +147,8 @@ _TOP = (
         LIMITS["m/s"][1],
         optional=True,
     ),
-    _declare(
-        "end_time", "end_time_s", "s", "time of the end, by default when the mass rests", *LIMITS["s"], optional=True
-    ),
-    _declare("accuracy", "accuracy", "", "relative error asked for", 0.0, 1.0, 1.0, True, "fixed"),
+    _declare("end_time", "end_time_s", "s", "end time, by default when the mass rests", *LIMITS["s"], optional=True),
+    _declare("accuracy", "accuracy", "", "requested relative error", 0.0, 1.0, 1.0, True, "fixed"),
 )
 _ARC = tuple(
     _declare(name, key, unit, help, *ARC_BOUNDS[name][:2], per_unit, ", by default " in help)
@@ -224,7 +222,7 @@ def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
     return {
         "": _table("a scene of slipcircle", _TOP, _TEXT),
         "arc": _table("the failed section", _ARC)._replace(required=True),
-        "arc.given": _table("coefficients of the equation of motion, taken as they are", _GIVEN),
+        "arc.given": _table("coefficients of the equation of motion, used instead of computed ones", _GIVEN),
         "friction": law_table(law)._replace(title="friction on the slip surface", required=True),
         **(by_rate if may_have_rate(law) else {}),
         **{name: _table(effect.help, effect.parameters, any_of=effect.any_of) for name, effect in EFFECTS.items()},
@@ -279,7 +277,7 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         _points("ground", "points of the surface from left to right"),
     )._replace(required=True, sets=(("points_m",), ("height_m", "angle_deg"), ("height_m", "run_m"))),
     "circle": _table(
-        'its slip circle: given, or looked for by critical = "bishop"',
+        'its slip circle: given, or searched with critical = "bishop"',
         [
             _length("radius", "radius"),
             _length("depth", "depth of the circle below the chord of these points"),
@@ -287,11 +285,11 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         ],
         _pair("centre", "centre of the circle", "[x, y]")
         | _points("through", "two points of the circle")
-        | _pair("between", "x between which the stretch of ground lies that is meant")
+        | _pair("between", "range of x that contains the intended mass, if the circle cuts off several")
         | {
             "critical": Key(
                 "critical",
-                "method by which the critical circle is looked for",
+                "method by which the critical circle is searched",
                 f"one of {', '.join(METHODS)}",
                 kind="|".join(METHODS),
             )

@@ -33,12 +33,12 @@ def shipped() -> tuple[str, ...]:
 
 
 def load(name: str | PathLike[str]) -> Scene[float]:
-    """A scene that ships, by name, or one's own, by the path of its TOML file.
+    """Load a scene that ships, by name, or one from a TOML file, by its path.
 
     Raises
     ------
     ValueError
-        If it cannot be read; lists every mistake, each with its path in the file, its value and what is allowed.
+        If it cannot be read; lists every mistake, with its path in the file, its value and what is allowed.
     """
     source = find(name)
     file = str(source)

@@ -4,8 +4,9 @@ from typing import Any
 
 from slipcircle.core import Motion
 from slipcircle.workbench.common import files
-from slipcircle.workbench.common.forms import html, to_dict, to_pandas, to_xarray
-from slipcircle.workbench.outputs import film, pictures, plots, studyplots
+from slipcircle.workbench.common.forms import html as table_of
+from slipcircle.workbench.common.forms import to_dict, to_pandas, to_xarray
+from slipcircle.workbench.outputs import film, live, pictures, plots, studyplots
 from slipcircle.workbench.outputs.plotstyle import known, new_figure
 from slipcircle.workbench.studies.study import Study
 
@@ -22,6 +23,11 @@ def plot(result: Motion | Study, what: str, ax: Any) -> Any:
     if ax is not None:
         raise ValueError("plot: the overview has several panels: leave out ax, or name one of its pictures")
     return drawn_by.overview(result, new_figure(drawn_by.size(result))).axes[0]
+
+
+def html(motion: Motion) -> str:
+    """Key results as a table, of a single motion below the slide to drag."""
+    return table_of(motion) if motion.shape else live.framed(motion) + table_of(motion)
 
 
 def animate(motion: Motion, path: str, seconds: float) -> Any:

@@ -12,14 +12,14 @@ WIDTH, INDENT = 100, 28
 HEAD = """\
 A scene is a TOML file. A key ends in the unit of its number: _deg, _m, _kPa, _kN_m3, ... [arc] and
 [friction] are needed. Adding a table, even an empty one, enables its effect; an effect without a
-table is not computed and costs nothing. In place of [arc], [ground] and [circle] give a real slope,
-[water] its water level; Vaiont has an [arc], as no citable profile is available.
+table is not computed and costs nothing. In place of [arc], [ground] and [circle] describe a real
+slope, [water] its water level; Vaiont has an [arc], as no citable profile is available.
 
-The balance of momentum, dimensionless (times over sqrt(R/g), stresses over sigma_ref, which is
-unit weight R (1 - cos alpha); numbers in brackets are the paper's equations and figures):
+The dimensionless balance of momentum (times over sqrt(R/g), stresses over sigma_ref = unit weight
+R (1 - cos alpha); numbers in brackets are equations and figures of the paper):
 
   Theta domega/dt = J_theta - sign(omega) (resistance + lambda mu sigma'),
-  sigma' = max(0, sigma - u); without effects sigma = J_r/lambda, u = resistance = 0
+  sigma' = max(0, sigma - u);  without effects: sigma = J_r/lambda, u = resistance = 0
 
 alpha is half the opening angle, psi the dip of the chord, Theta the moment of inertia, J_r the
 radial weight and J_theta the moment of the weight; A and lambda are (2.24) and (3.14). An effect

@@ -197,7 +197,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     error = motion.error_estimate
     method = [
         ["program of", ", ".join(plan.fragments)],
-        ["relative error asked for", _number(plan.accuracy)],
+        ["requested relative error", _number(plan.accuracy)],
         ["relative error estimated, of peak, run-out and duration", _data(error, _number(error))],
         ["warnings", "; ".join(warnings_of(motion)) or "none"],
     ]
@@ -349,7 +349,7 @@ def _of_study(study: Study, way: Plan, file: bytes | None) -> Iterable[Part | Ra
         ["seed", str(study.seed)],
         ["samples of a block", str(study.size)],
         ["samples by how they ended", ", ".join(ends)],
-        ["relative error asked for, of each solution", _number(design.accuracy)],
+        ["requested relative error of each solution", _number(design.accuracy)],
         ["relative error of quantiles from bins", "none: samples were kept" if study.samples else _number(BIN_ERROR)],
     ]
     yield Part([], method, "Method and accuracy")

@@ -59,8 +59,8 @@ COEFFICIENTS = {
 
 
 DIFFERENCE = (
-    "Bishop's method, which engineers quote, lets slices push each other horizontally, which presses steep bases more; "
-    "the paper's has the mean normal stress under the weight alone and is lower, by 4 to 14 % on common circles"
+    "Bishop's method includes horizontal forces between slices, which increase the normal stress on steep bases; the "
+    "paper's method uses the mean normal stress under the weight and gives a lower factor, by 4 to 14 % typically"
 )
 
 
@@ -171,7 +171,7 @@ def plan_part(plan: Plan) -> Part:
         "program of": ", ".join(plan.fragments),
         "a step's operations": plan.operations,
         "expected cost": f"about {plan.cost} floating-point operations",
-        "accuracy asked for": f"{plan.accuracy:.1e}",
+        "requested accuracy": f"{plan.accuracy:.1e}",
     }
     return Part(["", plan.scene.name], [row for row in rows.items() if row[1]])
 

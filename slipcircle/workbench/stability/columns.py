@@ -93,7 +93,7 @@ class SlopeArrays:
     @cached_property
     def numbers(self) -> SoilArrays:
         """Numbers of the soils, (layers, 1 or n) each; the unit weight and the datum 0 where they lack another."""
-        rows = []
+        rows: list[Any] = []
         for soil in self.soils:
             saturated = soil.unit_weight if soil.saturated_unit_weight is None else soil.saturated_unit_weight
             datum = 0.0 if soil.datum is None else soil.datum

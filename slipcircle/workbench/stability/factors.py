@@ -53,8 +53,8 @@ def circle_factors(
     Returns
     -------
     dict of ndarray
-        Factors by method, NaN where it refuses the circle. ``facing``: 1 where the mass slides to the right, -1 to the
-        left, 0 where nothing drives it. ``negative``: share of the arc under negative effective normal stress, by the
+        Factors by method, NaN where it refuses the circle. ``facing``: 1 if the mass slides to the right, -1 if to the
+        left, 0 if nothing drives it. ``negative``: share of the arc under negative effective normal stress, by the
         ordinary method or by Bishop's, if greater. ``k_y``: the k_h, in the place of the slope's, by which the paper's
         factor is 1; negative where the mass slides without; NaN where none is.
 
@@ -95,11 +95,8 @@ def _driven(
     slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, pieces: int, nodes: int = NODES
 ) -> _Driven:
     """The slices of arcs and their driving moments."""
-    first, last = (np.arctan2(p[:, 0] - centre[:, 0], centre[:, 1] - p[:, 1]) for p in (left, right))
-    upright = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
-    below_ground = (first < 0.0) & (last > 0.0) & (height_at(slope.ground, centre[:, 0]) >= centre[:, 1])
-    arcs = Arcs(centre, radius, first, last, upright & ~below_ground)
-    cracked = np.any(slope.crack)
+    arcs = _arcs(slope, centre, radius, left, right)
+    cracked = bool(np.any(slope.crack))
     slices = slices_above(slope, arcs, pieces, _NODES_TO_FACE if cracked else nodes)
     gravity = slices.driving_moment()
     negligible = 1e-9 * slices.weight_along_arc()
@@ -111,13 +108,18 @@ def _driven(
     slices = slices.facing(facing)
     upper_end = np.where(facing > 0.0, arcs.first, arcs.last)
     gravity = facing * gravity + _crack_water(slope, radius, upper_end)
-    driving = gravity
-    if np.any(slope.k_h):
-        driving = gravity + slope.k_h * slices.shaking_moment()
+    driving = gravity + slope.k_h * slices.shaking_moment() if np.any(slope.k_h) else gravity
     slides = arcs.valid & (facing != 0.0)
-    gravity = np.where(slides, gravity, np.nan)
     driving = np.where(slides & (driving > negligible), driving, np.nan)
-    return _Driven(slices, facing, gravity, driving)
+    return _Driven(slices, facing, np.where(slides, gravity, np.nan), driving)
+
+
+def _arcs(slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Arcs:
+    """Arcs between two points, valid if nowhere steeper than upright and with the centre above the ground."""
+    first, last = (np.arctan2(p[:, 0] - centre[:, 0], centre[:, 1] - p[:, 1]) for p in (left, right))
+    upright = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
+    below_ground = (first < 0.0) & (last > 0.0) & (height_at(slope.ground, centre[:, 0]) >= centre[:, 1])
+    return Arcs(centre, radius, first, last, upright & ~below_ground)
 
 
 def _cracked(slope: SlopeArrays, arcs: Arcs, facing: Floats) -> Arcs:

@@ -7,7 +7,7 @@ begins to cut a layer, so that the least may stand there.
 """
 
 from collections.abc import Callable
-from itertools import pairwise, product
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,9 @@ import numpy as np
 from slipcircle.base.checks import InputError
 from slipcircle.base.series import Floats
 from slipcircle.core import circle_through, circle_touching
-from slipcircle.workbench.stability.factors import NODES, factors_by
+from slipcircle.workbench.stability.descent import Descent
+from slipcircle.workbench.stability.factors import factors_by
+from slipcircle.workbench.stability.slices import NODES
 from slipcircle.workbench.stability.stability import Slope
 
 _POSITIONS = 40  # of ends, evenly along the ground
@@ -23,22 +25,13 @@ _LEAST_ON_EDGE = 7  # on each edge of a ground of few edges: the slope between w
 _FEW_EDGES = 12
 _MOST_VERTICES = 48  # of a ground; of more, those nearest to even places
 _SHARES = np.array([0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.64, 0.76, 0.88, 1.0])
-_LEAST_SHARE = 0.005
 _COARSE_NODES, _FINE_NODES = 4, 6  # of Gauss' rule
 _VALLEYS = 12  # that are refined
 _VALLEYS_ON_EDGE = 2  # of those that touch an edge of a boundary
 _APART = 2.5  # spacings of the coarse family between valleys
 _STEPS = 150  # of a refinement, at most
-_SHRINK = 0.5  # of the steps of a grid without a better neighbour
-_SHRINK_SMOOTH = 0.2  # where a parabola describes it
-_GROWTH = 2.0  # of steps while the best neighbour is on the rim
-_GAIN = 1e-6  # relative; by less, a step counts as none
-_FINEST = 1e-4  # step at which a valley is done, over its first
-_HOPELESS = 0.1  # over the least factor, as a share of it, a valley is left
 _KEPT = 3  # of refined valleys
 _TOGETHER = 1 << 13  # ground vertices times circles at a time: what fits into the caches
-_OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
-_SUBSETS = np.array(list(product([False, True], repeat=3)))[1:]
 _NONE = -1.0  # no edge is touched
 
 
@@ -144,7 +137,7 @@ class Search:
         """The same of a block, which is kept for the map."""
         centre, radius, left, right = self.circles(q)
         thick = np.flatnonzero(self.thickness(q, centre, radius) >= self.depth)
-        circles = (values[thick] for values in (centre, radius, left, right))
+        circles = (centre[thick], radius[thick], left[thick], right[thick])
         factors, facing = factors_by(self.arrays, *circles, self.method, nodes)
         within = factors > 0.0
         for limit, upper_left in zip(self.limits.values(), (1.0, -1.0), strict=True):
@@ -215,52 +208,17 @@ class Search:
         tell(f"{len(values)} circles; following {len(valleys)}, from {np.nanmin(values):.4g}")
         return q[valleys], steps[valleys]
 
-    def _neighbours(self, q: Floats, step: Floats, leaps: Floats) -> Floats:
-        """Of each circle all circles a step away in some of its numbers, itself, and those leaps away."""
-        grid = np.broadcast_to(_OFFSETS, (len(q), *_OFFSETS.shape)) * step[:, None, :3]
-        near = np.repeat(q[:, None], grid.shape[1] + leaps.shape[1], axis=1)
-        near[..., :3] += np.concatenate([grid, leaps], axis=1)
-        near[..., :3] = np.clip(near[..., :3], [0.0, 0.0, _LEAST_SHARE], [self.along[-1], self.along[-1], 1.0])
-        return near
-
     def refined(self, q: Floats, step: Floats) -> tuple[Floats, Floats]:
-        """The best circles, in order, after all were followed downhill.
-
-        To better neighbours on grids that shrink, and to where a parabola through the last grid is least.
-        """
-        q = q.copy()
-        now = step.copy()
-        best = np.full(len(q), np.inf)
-        leaps = np.zeros((len(q), len(_SUBSETS), 3))
+        """The best circles, in order, after all were followed downhill, and their first steps."""
+        descent = Descent(q, step, self.along[-1])
         for _ in range(_STEPS):
-            live = np.flatnonzero(np.any(now > _FINEST * step, axis=1))
-            if not live.size:
+            if not descent.unfinished.size:
                 break
-            near = self._neighbours(q[live], now[live], leaps[live])
-            values = self.evaluate(near.reshape(-1, 4), _FINE_NODES).reshape(len(live), -1)
-            values = np.nan_to_num(values, nan=np.inf)
-            rows = np.arange(len(live))
-            least = np.argmin(values, axis=1)
-            lowest = values[rows, least]
-            better = lowest + 1e-13 * np.abs(lowest) < best[live]
-            with np.errstate(invalid="ignore"):
-                gains = best[live] - lowest > _GAIN * np.abs(lowest)
-            best[live[better]] = lowest[better]
-            after = np.where(better[:, None], near[rows, least], q[live])
-            of_grid = least < len(_OFFSETS)
-            from_grid_s_centre = (q[live] - after)[:, None, :3]
-            steps = _leaps(values[:, : len(_OFFSETS)])
-            smooth = np.all(np.abs(steps[:, -1]) < 1.0, axis=1) & np.any(steps[:, -1], axis=1)
-            leaps[live] = from_grid_s_centre + steps * now[live, None, :3]
-            q[live] = after
-            on_rim = gains & of_grid & np.any(_OFFSETS[np.where(of_grid, least, 0)] != 0.0, axis=1)
-            quick = smooth | (better & ~of_grid)
-            scale = np.where(on_rim, _GROWTH, np.where(quick, _SHRINK_SMOOTH, _SHRINK))
-            now[live] = np.minimum(now[live] * scale[:, None], step[live])
-            lost = best > best.min() + _HOPELESS * max(abs(best.min()), 0.1)
-            now[lost] = 0.0
-        order = np.argsort(best, kind="stable")[:_KEPT]
-        return q[order], step[order]
+            near = descent.proposals()
+            values = self.evaluate(near.reshape(-1, 4), _FINE_NODES).reshape(near.shape[:2])
+            descent.move(near, np.nan_to_num(values, nan=np.inf))
+        order = np.argsort(descent.best, kind="stable")[:_KEPT]
+        return descent.q[order], step[order]
 
 
 def _valleys(q: Floats, values: Floats, steps: Floats) -> list[int]:
@@ -276,37 +234,3 @@ def _valleys(q: Floats, values: Floats, steps: Floats) -> list[int]:
             left = left[np.any(np.abs(q[left] - q[best]) > _APART * steps[best], axis=1)]
             count -= 1
     return valleys
-
-
-def _leaps(values: Floats) -> Floats:
-    """Steps from the middle of grids to the least points of parabolas, (n, subsets, 3), along some of the axes each.
-
-    The others stay: factors have kinks where an end passes a vertex of the ground, and no values beyond limits.
-    """
-    grid = values.reshape(-1, 3, 3, 3)
-    middle = grid[:, 1, 1, 1]
-    gradient = np.empty((len(grid), 3))
-    curvature = np.empty((len(grid), 3, 3))
-    with np.errstate(invalid="ignore"):
-        for i in range(3):
-            behind, ahead = (_beside(grid, {i: k}) for k in (0, 2))
-            gradient[:, i] = (ahead - behind) / 2
-            curvature[:, i, i] = ahead + behind - 2 * middle
-            for j in range(i):
-                corners = [_beside(grid, {i: k, j: m}) * (k - 1) * (m - 1) for k in (0, 2) for m in (0, 2)]
-                curvature[:, i, j] = curvature[:, j, i] = sum(corners) / 4
-    own = np.eye(3, dtype=bool)
-    both = _SUBSETS[:, :, None] & _SUBSETS[:, None, :]
-    system = np.where(both, curvature[:, None], own)
-    right = np.where(_SUBSETS, -gradient[:, None], 0.0)
-    convex = np.all(np.isfinite(system), axis=(2, 3)) & np.isfinite(right).all(axis=2)
-    convex &= np.all(np.linalg.eigvalsh(np.where(convex[..., None, None], system, own)) > 0.0, axis=2)
-    system = np.where(convex[..., None, None], system, own)
-    right = np.where(convex[..., None], right, 0.0)
-    leaps = np.linalg.solve(system, right[..., None])[..., 0]
-    return np.round(np.clip(leaps, -2.0, 2.0), 2)  # so that slopes that differ by rounding have the same circle
-
-
-def _beside(grid: Floats, at: dict[int, int]) -> Floats:
-    """Values in the middle of grids but for the places along some axes."""
-    return grid[:, *(at.get(axis, 1) for axis in range(3))]

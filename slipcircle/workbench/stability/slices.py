@@ -234,19 +234,27 @@ class _Bases:
         self.arc = arc
         self.scale = arcs.radius[arc]
         self.centre = arcs.centre[arc]
-        x = self.centre[:, 0] + self.scale * np.sin(inside)
-        self.x = x
-        columns = slope.columns
-        column = columns.at(arc, x)
-        row = 0 if len(columns.bounds) == 1 else arc
+        self.x = self.centre[:, 0] + self.scale * np.sin(inside)
+        self._look_up_surfaces(inside)
+        self._look_up_soil()
+
+    def _look_up_surfaces(self, inside: Floats) -> None:
+        """Their lines from the centre, and their heights above the arc."""
+        columns = self.slope.columns
+        column = columns.at(self.arc, self.x)
+        row = 0 if len(columns.bounds) == 1 else self.arc
         height = columns.height[:, row, column]
         self.gradient = columns.gradient[:, row, column]
         from_middle = self.centre[:, 0] - columns.middle[row, column]
         self.constant = (height + self.gradient * from_middle - self.centre[:, 1]) / self.scale
         self.depth = np.cos(inside)
         self.above = self.constant + self.gradient * np.sin(inside) + self.depth
+
+    def _look_up_soil(self) -> None:
+        """The layer at the base, and its numbers."""
+        slope = self.slope
         numbers = slope.numbers
-        lane = 0 if numbers.friction.shape[1] == 1 else arc
+        lane = 0 if numbers.friction.shape[1] == 1 else self.arc
         # At an end of the arc rounding may leave no ground above it: then the layers that end there count.
         lowest = np.minimum(self.above[0], 0.0) - _TOUCH
         layer = np.count_nonzero(self.above[: len(slope.soils)] >= lowest, axis=0) - 1

@@ -42,7 +42,8 @@ def forecast(blocks: int, seconds: float, overhead: float, workers: int) -> floa
     Examples
     --------
     A regional study of 1e9 scenes in blocks of 2**18, 0.16 s each at 0.6 microseconds a scene, with 3 ms for each that
-    nobody shares (`python tests/scale_ensemble.py` measures both): from about 50 workers on that is what it takes.
+    nobody shares (`python -m tests.campaigns.scale_ensemble` measures both): from about 50 workers on that is what it
+    takes.
 
     >>> [round(forecast(3815, 0.16, 0.003, workers)) for workers in (1, 10, 50, 100)]
     [610, 61, 12, 11]

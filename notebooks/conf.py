@@ -1,0 +1,172 @@
+"""Sphinx configuration of the book, which `./run book` builds from this folder: notebooks as stored, and pages.
+
+Two directives show what the program itself says when the book is built. `{command}` runs a command line, prints what it
+prints and shows the picture that it draws; `{scene-keys}` is the reference of scene files. Scene files that a page
+shows (TOML blocks with a caption) are there for the commands of that page.
+"""
+
+import contextlib
+import io
+import os
+import re
+import runpy
+import shlex
+import sys
+import tempfile
+from html import escape
+from pathlib import Path
+
+from docutils import nodes
+from docutils.parsers.rst import directives
+from latex2mathml.converter import convert
+from sphinx.util.docutils import SphinxDirective
+
+import slipcircle
+from slipcircle.workbench.outputs.guide import INDENT
+
+project, author, release = "slipcircle", "The slipcircle authors", slipcircle.__version__
+extensions = ["myst_nb", "numpydoc", "sphinx.ext.autodoc"]
+copyright = author  # noqa: A001
+html_theme, html_title, html_copy_source = "furo", f"slipcircle {release}", False
+html_static_path, html_css_files = ["book.css"], ["book.css"]
+exclude_patterns = ["*.png", "*.gif"]
+nb_execution_mode = "off"  # the outputs are stored, and tests/test_notebooks.py compares them with a fresh run
+nb_merge_streams, nb_render_markdown_format = True, "myst"
+myst_enable_extensions = ["dollarmath", "amsmath", "deflist"]
+myst_heading_anchors, myst_dmath_double_inline = 3, True
+autodoc_typehints = "none"  # numpydoc sections say them in words
+autodoc_member_order = "bysource"
+add_module_names = False
+numpydoc_show_class_members = False
+nitpicky = True
+html_math_renderer = "mathml"
+FILES = "_files"  # what commands write, beside the pages
+
+
+class Command(SphinxDirective):
+    """A command line, what it prints, and the picture or page that it writes."""
+
+    required_arguments, final_argument_whitespace, has_content = 1, True, True
+    option_spec = {"quiet": directives.flag, "markdown": directives.flag, "alt": directives.unchanged}
+
+    def run(self):
+        line = self.arguments[0]
+        printed = run(line, Path(self.env.app.outdir) / FILES, self.env.metadata[self.env.docname].get("files", {}))
+        if "markdown" in self.options:
+            printed = re.sub("^#", "##", printed.partition("\n")[2], flags=re.MULTILINE)  # below the page's title
+            return self.parse_text_to_nodes(printed, allow_section_headings=True)
+        shown = f"$ {line}\n" + ("" if "quiet" in self.options else printed.rstrip() + "\n")
+        block = nodes.literal_block(shown, shown, language="console")
+        written = [f"{FILES}/{name}" for name in re.findall(r"--(?:plot|live|report) (\S+)", line)]
+        return [block, *(nodes.raw("", self.shown(name), format="html") for name in written)]
+
+    def shown(self, name):
+        words = escape(self.options.get("alt", f"what {self.arguments[0]} draws"), quote=True)
+        if name.endswith(".html"):
+            return f'<iframe class="slide" src="{name}" title="{words}" loading="lazy"></iframe>'
+        return f'<a class="picture" href="{name}"><img src="{name}" alt="{words}" loading="lazy"></a>'
+
+
+def run(line, folder, files):
+    """What a command prints; it runs in a folder of its own with these files in it, and its files are kept."""
+    from slipcircle.__main__ import main
+
+    words = shlex.split(line)
+    folder.mkdir(parents=True, exist_ok=True)
+    out, err, here = io.StringIO(), io.StringIO(), os.getcwd()
+    with tempfile.TemporaryDirectory() as scratch:
+        os.chdir(scratch)
+        try:
+            for name, text in files.items():
+                Path(name).write_text(text, encoding="utf-8")
+            with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+                try:
+                    status = main(words[1:]) if words[0] == "slipcircle" else run_module(words[2:])
+                except SystemExit as leaving:  # after --help
+                    status = leaving.code
+            for path in set(Path().iterdir()) - {Path(name) for name in files}:
+                (folder / path.name).write_bytes(path.read_bytes())
+        finally:
+            os.chdir(here)
+    if status:
+        raise RuntimeError(f"{line}: {err.getvalue()}")
+    return out.getvalue()
+
+
+def run_module(words):
+    """Run `python -m MODULE ...` here."""
+    argv, sys.argv = sys.argv, words
+    try:
+        runpy.run_module(words[0], run_name="__main__", alter_sys=True)
+    finally:
+        sys.argv = argv
+
+
+class SceneKeys(SphinxDirective):
+    """The text of `slipcircle schema --text`, its keys as tables."""
+
+    def run(self):
+        text = run("slipcircle schema --text", Path(self.env.app.outdir) / FILES, {})
+        return self.parse_text_to_nodes("\n".join(sections(text)), allow_section_headings=True)
+
+
+def sections(text):
+    """Markdown of the guide: each of its blocks is a head in the first columns, with words and keys beside it."""
+    head, rest = text.split("\n\nAbove the first table\n")
+    yield f"## Conventions\n\n```text\n{head}\n```\n"
+    for block in ("Above the first table\n" + rest).split("\n\n"):
+        lines = []  # name and words
+        for line in block.rstrip().split("\n"):
+            if line.strip().startswith("needed:"):
+                lines.append(["", f"Needed{line.strip()[6:]}."])
+            elif line.startswith(" " * INDENT):
+                lines[-1][1] += f" {line.strip()}"
+            else:
+                name, _, words = line.strip().partition("  ")
+                lines.append([name, words.strip()])
+        (title, words), *keys = lines
+        yield f"{'###' if block.startswith('  ') else '##'} {name_of(title)}\n\n{prose(words)}\n"
+        if keys:
+            yield "| key | value |\n|---|---|"
+            yield from (f"| {name_of(name)} | {prose(words)} |" for name, words in keys if name)
+            yield from (f"\n{prose(words)}" for name, words in keys if not name)
+        yield ""
+
+
+def name_of(title):
+    """Keys and tables as code, words as they are."""
+    keys = re.fullmatch(r"\S+( or \S+)?|law = .*", title)
+    return "`" + title.replace(" or ", "` or `") + "`" if keys else title
+
+
+def prose(words):
+    """Words as Markdown; what stands between backticks stays."""
+    parts = words.split("`")
+    parts[::2] = [re.sub(r"([\\*_|<\[\]])", r"\\\1", part) for part in parts[::2]]
+    return "`".join(parts)
+
+
+def math(display):
+    """Visits mathematics: MathML needs no script and no network."""
+
+    def visit(self, node):
+        written = convert(node.astext(), display=display)
+        self.body.append(f'<div class="math">{written}</div>' if display == "block" else written)
+        raise nodes.SkipNode
+
+    return visit
+
+
+def keep_files(app, docname, source):
+    """The scene files that a page shows, by their captions."""
+    found = re.findall(r"```\{code-block\} toml\n:caption: (\S+)\n\n?(.*?)```", source[0], re.DOTALL)
+    app.env.metadata[docname]["files"] = dict(found)
+
+
+def setup(app):
+    app.add_directive("command", Command)
+    app.add_directive("scene-keys", SceneKeys)
+    app.add_html_math_renderer("mathml", (math("inline"), None), (math("block"), None))
+    app.connect("source-read", keep_files)
+    os.environ["COLUMNS"] = "100"
+    return {"parallel_read_safe": False}

@@ -1,0 +1,98 @@
+"""A motion as few points in time between which cubics are accurate: what the live page interpolates.
+
+Displacement is the cubic Hermite polynomial of its values and of the velocities at both ends of an interval, velocity
+that of its values and of the accelerations. Both are continuous; intervals are halved until they are accurate.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.core import ANSWERED, Motion, in_time
+from slipcircle.workbench.outputs.trace import Floats
+
+TOLERANCE = 2e-6  # of the greatest value
+_FIRST = 17  # even times at the start
+_BESIDE = 1e-7  # of the duration, before and after a jump of the acceleration
+_HALVINGS = 24
+_TICKS = 100_000_000, 10_000_000, 10_000_000, 1_000_000  # of time, displacement, velocity and acceleration
+
+
+class Interpolant(NamedTuple):
+    """Points of a motion, SI units, and how far cubics between them are off, as a share of the greatest values."""
+
+    times: Floats
+    displacement: Floats
+    velocity: Floats
+    acceleration: Floats
+    error: float
+
+    def ticks(self) -> tuple[list[list[int]], list[float]]:
+        """The four columns as whole numbers, and their units: how a page holds them in few bytes."""
+        columns, units = [], []
+        for values, most in zip(self[:4], _TICKS, strict=True):
+            unit = float(np.max(np.abs(values))) / most or 1.0
+            columns.append(np.rint(values / unit).astype(int).tolist())
+            units.append(unit)
+        return columns, units
+
+
+def interpolant(motion: Motion, most: int) -> Interpolant:
+    """At most so many points of a motion; at rest, and where there is no result, one."""
+    if motion.status not in ANSWERED or not motion.moves:
+        nothing = np.zeros(1)
+        return Interpolant(nothing, nothing, nothing, nothing, 0.0)
+    times = _first_times(motion, most)
+    for _ in range(_HALVINGS):
+        middles = (times[:-1] + times[1:]) / 2
+        errors = _errors_at(motion, times, middles)
+        worst = np.argsort(-errors)[: max(most - times.size, 0)]
+        halved = worst[errors[worst] > TOLERANCE]
+        if not halved.size:
+            break
+        times = np.sort(np.concatenate([times, middles[halved]]))
+    state = motion.at(times)
+    quarters = np.concatenate([times[:-1] + share * np.diff(times) for share in (0.25, 0.5, 0.75)])
+    error = float(np.max(_errors_at(motion, times, quarters)))
+    return Interpolant(times, state.displacement, state.velocity, state.acceleration, error)
+
+
+def hermite(times: Floats, values: Floats, slopes: Floats, at: Floats) -> Any:
+    """The piecewise cubic with values and slopes at increasing times, at other times between the first and the last."""
+    last = np.clip(np.searchsorted(times, at), 1, times.size - 1)
+    first = last - 1
+    step = times[last] - times[first]
+    share = (at - times[first]) / step
+    rest = 1.0 - share
+    by_values = rest**2 * (1.0 + 2.0 * share) * values[first] + share**2 * (1.0 + 2.0 * rest) * values[last]
+    by_slopes = rest**2 * share * slopes[first] - share**2 * rest * slopes[last]
+    return by_values + step * by_slopes
+
+
+def _errors_at(motion: Motion, times: Floats, others: Floats) -> Any:
+    """How far the cubics between times are off at other times, as shares of the greatest velocity and displacement."""
+    every = motion.at(np.concatenate([times, others]))
+    displacement, velocity, acceleration = every.displacement, every.velocity, every.acceleration
+    known, asked = slice(times.size), slice(times.size, None)
+    greatest_velocity = abs(float(motion.peak.velocity)) or 1.0
+    greatest_displacement = abs(float(motion.reach.displacement)) or 1.0
+    v = hermite(times, velocity[known], acceleration[known], others)
+    s = hermite(times, displacement[known], velocity[known], others)
+    of_velocity = np.abs(v - velocity[asked]) / greatest_velocity
+    of_displacement = np.abs(s - displacement[asked]) / greatest_displacement
+    return np.maximum(of_velocity, of_displacement)
+
+
+def _first_times(motion: Motion, most: int) -> Floats:
+    """Even times, and both sides of each time at which the acceleration may jump."""
+    duration = float(motion.duration)
+    jumps = [np.zeros(1), np.array([duration])]
+    jumps += [np.array([phase.start, phase.end]) for phase in motion.phases]
+    jumps += [np.asarray(function.kinks) for function in in_time(motion.plan.scene.called).values()]
+    places = np.unique(np.clip(np.concatenate(jumps), 0.0, duration))
+    if 3 * places.size > most:  # a record of ground motion, whose accelerations are continuous
+        places = np.array([0.0, duration])
+    beside = _BESIDE * duration
+    even = np.linspace(0.0, duration, _FIRST)
+    times = np.concatenate([even, places - beside, places + beside])
+    return np.unique(np.clip(times, 0.0, duration))

@@ -1,0 +1,233 @@
+"""A slide that one can drag: one page that needs nothing else, and the same as a part of reports and notebooks.
+
+Its layout, colours and program are in the folder `page`; here are the numbers and drawings that they show.
+"""
+
+import json
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from string import Template
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.text import shown
+from slipcircle.core import ANSWERED, Arc, Motion, Scene, parameter_value, with_parameters
+from slipcircle.workbench.common.markup import Raw, document, escaped, tag
+from slipcircle.workbench.common.quantities import OUTCOMES, end_words, summary, words
+from slipcircle.workbench.files.loaded import warnings_of
+from slipcircle.workbench.files.numbers import Number
+from slipcircle.workbench.outputs.interpolant import TOLERANCE, Interpolant, interpolant
+from slipcircle.workbench.outputs.livesection import Section, axes, common_magnification, frame_around, section
+from slipcircle.workbench.outputs.plotstyle import ending
+from slipcircle.workbench.studies import motions as study_motions
+from slipcircle.workbench.studies.ensemble import varied_number
+
+MOST_CASES = 61
+_POINTS, _MOST_POINTS = 6000, 1500  # of all motions together, of one
+_SHORTEST, _LONGEST = 4.0, 10.0  # seconds in which a slide is played, as in `live.js`
+_PAGE = Path(__file__).with_name("page")
+_SHELL = """
+body { margin: 0 auto; max-width: 68rem; padding: 1rem; background: var(--paper); color-scheme: light dark; }
+h1 { margin: 0; font: 600 .95rem/1.4 system-ui, sans-serif; color: var(--soft); }
+"""
+
+
+def style() -> str:
+    """The style of `fragment`."""
+    return (_PAGE / "live.css").read_text("utf-8")
+
+
+def script() -> str:
+    """The program of `fragment`; a page needs it once, at its end."""
+    return (_PAGE / "live.js").read_text("utf-8")
+
+
+def page(motions: Sequence[Motion], varied: str = "", labels: Sequence[str] = (), first: int = 0) -> str:
+    """One motion, or one scene's motions with a number varied, as a page of its own.
+
+    Parameters
+    ----------
+    motions : sequence of Motion
+        Single motions; those without a result are shown at their start.
+    varied, labels
+        What is varied, in words, and its values.
+    first : int
+        The motion that is shown first.
+    """
+    scene = motions[first].plan.scene
+    title = " \N{MIDDLE DOT} ".join(filter(None, [scene.name or "slide", scene.note]))
+    slide = fragment(motions, "slide", varied, labels, first)
+    return document(scene.name or "slide", [tag("h1", title), slide], _SHELL + style(), script())
+
+
+def framed(motion: Motion) -> Raw:
+    """The page of a motion within another page, such as a notebook, from which it is kept apart."""
+    attributes = 'sandbox="allow-scripts" width="100%" height="760" style="border: 0" title="the slide"'
+    return Raw(f'<iframe {attributes} srcdoc="{escaped(page([motion]))}"></iframe>')
+
+
+def fragment(motions: Sequence[Motion], name: str, varied: str = "", labels: Sequence[str] = (), first: int = 0) -> Raw:
+    """The same as a part of a page, which needs `style` and `script`; the name is its identifier there."""
+    points = max(min(_POINTS // len(motions), _MOST_POINTS), 20)
+    histories = [interpolant(motion, points) for motion in motions]
+    frame, magnification = frame_around(motions), common_magnification(motions)
+    arcs = {id(motion.plan.scene.arc): motion for motion in motions}  # one of cases that differ in other numbers
+    shapes = [section(motion, frame, magnification, f"{name}-{k}") for k, motion in enumerate(arcs.values())]
+    cases = [*map(_case, motions, histories, labels or [""] * len(motions))]
+    for case, motion in zip(cases, motions, strict=True):
+        case["shape"] = [*arcs].index(id(motion.plan.scene.arc))
+    data = _data(shapes, cases, histories, first)
+    left = float(motions[first].plan.scene.arc.facing) > 0.0
+    texts = {
+        "name": name,
+        "height": f"{frame.height:.1f}",
+        "sections": "".join(_groups(shapes, cases[first]["shape"])),
+        "axes": axes(frame, names_left=left),
+        "parameter": escaped(varied),
+        "first": str(first),
+        "last": str(len(motions) - 1),
+        "caption": escaped(" ".join(_caption(motions, histories, magnification))),
+        "data": _as_script_data(data),
+    }
+    template = Template((_PAGE / "live.html").read_text("utf-8"))
+    return Raw(template.substitute(texts | _first_texts(cases[first], data["duration"])))
+
+
+def _data(
+    shapes: Sequence[Section], cases: Sequence[dict[str, Any]], histories: Sequence[Interpolant], first: int
+) -> dict[str, Any]:
+    """What the script reads."""
+    duration = max(float(history.times[-1]) for history in histories)
+    return {
+        "duration": duration,
+        "pace": _pace(duration),
+        "first": first,
+        "velocity": _range(history.velocity for history in histories),
+        "displacement": _range(history.displacement for history in histories),
+        "shapes": [{"centre": shape.centre, "turn": shape.turn} for shape in shapes],
+        "cases": cases,
+    }
+
+
+def _first_texts(case: Mapping[str, Any], duration: float) -> dict[str, str]:
+    """What the page says of the case that is shown first, at its end, until the script runs."""
+    facts = [tag("div", Raw(tag("dt", label) + tag("dd", text))) for label, text in case["facts"]]
+    return {
+        "headline": escaped(case["headline"]),
+        "label": escaped(f"section to scale: {case['headline']}"),
+        "time": shown(duration),
+        "duration": repr(duration),
+        "state": escaped(case["end"]),
+        "facts": "".join(facts),
+        "warnings": "".join(tag("li", warning) for warning in case["warnings"]),
+    }
+
+
+def varied_page(scene: Scene, key: str, values: Sequence[float]) -> str:
+    """The page of a scene's motions at values of one of its numbers; that next to the scene's is shown first.
+
+    Parameters
+    ----------
+    key : str
+        As a scene file has it, ``friction.residual_deg``.
+    values : sequence of float
+        In the key's unit.
+
+    Raises
+    ------
+    ValueError
+        For a key that the scene has no value of, for values that make no scene, and for too many.
+    """
+    number = varied_number(scene, key, values)
+    if len(values) > MOST_CASES:
+        raise ValueError(f"--vary {key}: {len(values)} values; a page shows at most {MOST_CASES}")
+    levels = np.asarray(values, dtype=np.float64)
+    for value in levels:
+        with_parameters(scene, {number.name: float(number.to_si(value))})  # refuses what is no scene
+    lanes = study_motions.motions(scene, {number.name: number.to_si(levels)})
+    cases = [lanes[lane] for lane in range(levels.size)]
+    present = float(number.from_si(parameter_value(scene, number.name)))
+    nearest = int(np.argmin(np.abs(levels - present)))
+    return page(cases, _in_words(number), [shown(value) for value in values], nearest)
+
+
+def _in_words(number: Number) -> str:
+    """What a number is, with its unit: residual friction angle (deg), radius (m)."""
+    names = number.name.split(".")
+    if number.tangent:
+        return words(" ".join([*reversed(names), "angle"]), number.unit)
+    return words(" ".join(dict.fromkeys(names)), number.unit)
+
+
+def headline(motion: Motion) -> str:
+    """What happened to a mass, in a few words."""
+    if motion.status not in ANSWERED:
+        return f"no result: {motion.reason}"
+    if not motion.moves:
+        return f"does not move, factor of safety {shown(motion.factor_of_safety)}"
+    run_out, duration = (OUTCOMES[name].text(motion) for name in ("run_out", "duration"))
+    return f"{run_out} in {duration}, {ending(motion)}"
+
+
+def _case(motion: Motion, history: Interpolant, label: str) -> dict[str, Any]:
+    """A motion as the page holds it."""
+    answered = motion.status in ANSWERED
+    columns, units = history.ticks()
+    end = ending(motion) if answered and motion.moves else end_words(motion).get("comes to rest", "no result")
+    return {
+        "label": label,
+        "headline": headline(motion),
+        "end": end,
+        "facts": [*summary(motion).items()] if answered else [],
+        "warnings": warnings_of(motion) if answered else [],
+        "columns": columns,
+        "units": units,
+    }
+
+
+def _groups(shapes: Sequence[Section], seen: int) -> Iterator[str]:
+    """The sections, of which one is seen, with the mass at its end where no script moves it."""
+    for number, shape in enumerate(shapes):
+        display = "inline" if number == seen else "none"
+        yield f'<g class="shape" display="{display}">{shape.drawing}</g>\n'
+
+
+def _range(columns: Iterable[Any]) -> tuple[float, float]:
+    """Ends of an axis that shows all values and zero."""
+    values = [float(end) for column in columns for end in (column.min(), column.max())]
+    low, high = min(0.0, *values), max(0.0, *values)
+    return (low, high) if high > low else (0.0, 1.0)
+
+
+def _pace(duration: float) -> str:
+    """How fast a slide is played, in words."""
+    seconds = min(max(duration, _SHORTEST), _LONGEST)
+    if duration == seconds or duration == 0.0:
+        return "in real time"
+    faster = duration > seconds
+    times = duration / seconds if faster else seconds / duration
+    return f"played {times:.2g} times {'faster' if faster else 'slower'}"
+
+
+def _caption(motions: Sequence[Motion], histories: Sequence[Interpolant], magnification: float) -> Iterator[str]:
+    """What the drawing shows, and how accurate its numbers are."""
+    yield "To scale. Dashed: where the mass starts; dotted: its circle continued, as the method assumes."
+    if isinstance(motions[0].plan.scene.arc, Arc):
+        yield "The chord stands in place of the ground; coordinates are from the centre of the circle."
+    if magnification > 1.0:
+        yield f"Displacements are drawn {shown(magnification)} times as large."
+    if any(motion.moves and "rotation" not in motion.plan.effects for motion in motions):
+        yield "Frozen geometry: the mass is drawn turned, its forces stay those of the start."
+    if len(motions) > 1:
+        yield "Grey curves: the other cases."
+    error = max(TOLERANCE, *(history.error for history in histories))
+    power = 10.0 ** math.ceil(math.log10(error))
+    yield f"Interpolated to {power:.0e} of the greatest values."
+
+
+def _as_script_data(data: Mapping[str, Any]) -> str:
+    """JSON in which nothing is HTML or XML."""
+    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
+    return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")

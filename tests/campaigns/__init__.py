@@ -1,0 +1,1 @@
+"""Runs too long for every day, ``python -m tests.campaigns.NAME``; tests take a sample of each."""

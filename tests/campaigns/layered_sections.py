@@ -1,0 +1,406 @@
+"""Layered sections against their definitions: random ones, and quadrature to 30 digits that knows nothing of strips.
+
+``python -m tests.campaigns.layered_sections --count 200 --seed 1`` compares the moments and the parts of J_r, of its
+slope and of I_p on the stretches of every soil, and prints the largest differences.
+"""
+
+import argparse
+from collections.abc import Iterator
+from functools import lru_cache
+from itertools import pairwise
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from slipcircle.core import LayeredSection, Soil
+
+DIGITS = 30
+NAMES = ("weight", "weight rho", "weight rho^2", "weight x/rho", "weight y/rho", "weight x", "weight y")
+
+
+def random_section(rng: np.random.Generator, everything: bool = False, **given: Any) -> LayeredSection:
+    """A section with up to four layers: wavy, crossing and level boundaries, one soil twice, thin seams.
+
+    With everything also a water level, saturated weights, cohesion with depth, pore pressure ratios and surcharges.
+    """
+    while True:
+        facing = rng.choice([-1, 1])
+        x = np.concatenate([[-120.0], np.sort(rng.uniform(-60, 80, 4)), [160.0]])
+        y = np.concatenate([[25.0], np.sort(rng.uniform(0, 25, 4))[::-1], [0.0]])
+        ground = np.column_stack([x, y])[::facing] * [facing, 1]
+        tops: list[Any] = []
+        for kind in rng.integers(0, 4, rng.integers(1, 4)):
+            if kind == 0:
+                tops.append(float(rng.uniform(-10, 22)))
+            elif kind == 1 and tops and np.ndim(tops[-1]) == 0:
+                tops.append(tops[-1] - float(rng.choice([0.02, 0.5])))  # a seam
+            else:
+                count = rng.integers(2, 7)
+                tops.append(np.column_stack([np.sort(rng.uniform(-100, 100, count)), rng.uniform(-12, 24, count)]))
+        soils = []
+        for k in range(len(tops) + 1):
+            more: dict[str, Any] = {}
+            if everything:
+                more = {"cohesion_gradient": rng.choice([0.0, 800.0]), "datum": float(rng.uniform(-5, 20))}
+                more |= {
+                    "pore_ratio": rng.choice([0.0, 0.0, 0.2]),
+                    "saturated_unit_weight": 23e3 if rng.random() < 0.5 else None,
+                }
+            strength = rng.uniform(0, 2e4), rng.uniform(0.0, 0.8)
+            soils.append(Soil(rng.uniform(15e3, 22e3), *strength, name=f"soil {k}", **more))
+        if everything:
+            loads = [(float(x), float(x + rng.uniform(2, 20)), *(5e4 * rng.random(2))) for x in rng.uniform(-30, 30, 2)]
+            given = {**given, "level": ground - [0.0, rng.uniform(0, 4)], "surcharge": loads}
+        if len(tops) > 1:
+            soils[2] = soils[0]
+        centre = (rng.uniform(-10, 40) * facing, rng.uniform(28, 70))
+        layers = list(zip(soils, [None, *tops], strict=True))
+        try:
+            section = LayeredSection(ground, centre, rng.uniform(30, 80), layers=layers, **given)
+        except ValueError:
+            continue
+        if section.no_motion is None and max(np.abs(section._angles)) < 1.5:
+            return section
+
+
+def _line(points: Any) -> list[tuple[mp.mpf, mp.mpf]]:
+    points = np.asarray(points, dtype=np.float64)
+    if points.ndim == 0:
+        points = np.array([[-1.0, points], [1.0, points]])
+    inner = [(mp.mpf(float(x)), mp.mpf(float(y))) for x, y in points]
+    return [(mp.mpf(-1000), inner[0][1]), *inner, (mp.mpf(1000), inner[-1][1])]
+
+
+def _height(line: list[tuple[mp.mpf, mp.mpf]], x: mp.mpf) -> mp.mpf:
+    for (x1, y1), (x2, y2) in pairwise(line):
+        if x1 <= x <= x2 and x2 > x1:
+            return y1 + (y2 - y1) * (x - x1) / (x2 - x1)
+    raise AssertionError(x)
+
+
+def _kinks(lines: list[Any], cx: mp.mpf, cy: mp.mpf, radius: mp.mpf) -> Iterator[mp.mpf]:
+    """x of vertices, of crossings of lines with each other and with the circle."""
+    edges = [edge for line in lines for edge in pairwise(line)]
+    for (x1, y1), (x2, y2) in edges:
+        yield x1
+        u, v = x2 - x1, y2 - y1
+        p, q = x1 - cx, y1 - cy
+        a, b, c = u * u + v * v, p * u + q * v, p * p + q * q - radius**2
+        if a > 0 and b * b > a * c:
+            for sign in (-1, 1):
+                s = (-b + sign * mp.sqrt(b * b - a * c)) / a
+                if 0 <= s <= 1:
+                    yield x1 + s * u
+        for (x3, y3), (x4, y4) in edges:
+            w, z = x4 - x3, y4 - y3
+            across = u * z - v * w
+            if across != 0:
+                s = ((x3 - x1) * z - (y3 - y1) * w) / across
+                t = ((x3 - x1) * v - (y3 - y1) * u) / across
+                if 0 < s < 1 and 0 < t < 1:
+                    yield x1 + s * u
+
+
+def reference(section: Any) -> tuple[list[mp.mpf], list[list[mp.mpf]]]:
+    """Moments `NAMES` about the centre, x down-slope; for each layer the parts of J_r, its slope and I_p at its base.
+
+    Strips of no width: over x the integral of the weight's closed integral over y; in N, m and rad.
+    """
+    with mp.workdps(DIGITS + 5):
+        (cx, cy), radius = (mp.mpf(float(v)) for v in section.centre), mp.mpf(float(section.radius))
+        facing = int(section.facing)
+        lines = [_line(section.ground), *(_line(top) for _, top in section.layers[1:])]
+        weights = [mp.mpf(float(soil.unit_weight)) for soil, _ in section.layers]
+        left, right = sorted((mp.mpf(float(section.entry[0])), mp.mpf(float(section.exit[0]))))
+        every = sorted(set(_kinks(lines, cx, cy, radius)))
+        left, right = (min(every, key=lambda x: abs(x - end)) for end in (left, right))
+        cuts = [left, *(x for x in every if left < x < right), right]
+        moments = [mp.mpf(0)] * 7
+        parts = [[mp.mpf(0)] * 3 for _ in lines]
+        for a, b in pairwise(cuts):
+            if b - a < mp.mpf(10) ** -(DIGITS - 5):
+                continue
+            middle = (a + b) / 2
+            arc = cy - mp.sqrt(radius**2 - (middle - cx) ** 2)
+            envelope = [min(_height(line, middle) for line in lines[: k + 1]) for k in range(len(lines))]
+            base = max(sum(top > arc for top in envelope) - 1, 0)
+            chosen = [min(lines[: k + 1], key=lambda line: _height(line, middle)) for k in range(len(lines))]
+            for k, line in enumerate(chosen):
+                step = weights[k] - (weights[k - 1] if k else 0)
+                if step == 0 or envelope[k] <= arc:
+                    continue
+
+                def column(x: mp.mpf, line: Any = line) -> list[mp.mpf]:
+                    """Integrals over y of 1, rho, rho^2, x/rho, y/rho, x, y."""
+                    u = x - cx
+                    low, high = -mp.sqrt(radius**2 - u * u), _height(line, x) - cy
+                    rho_1, rho_2 = (mp.sqrt(u * u + v * v) for v in (low, high))
+                    log = mp.log((high + rho_2) / (low + rho_1)) if high > 0 else mp.log((rho_1 - low) / (rho_2 - high))
+                    return [
+                        high - low,
+                        (high * rho_2 - low * rho_1 + u * u * log) / 2,
+                        u * u * (high - low) + (high**3 - low**3) / 3,
+                        facing * u * log,
+                        rho_2 - rho_1,
+                        facing * u * (high - low),
+                        (high**2 - low**2) / 2,
+                    ]
+
+                sums = integrated(column, a, b)
+                moments = [m + step * n for m, n in zip(moments, sums, strict=True)]
+                for row, n in enumerate((-sums[4], sums[3], sums[1])):
+                    parts[base][row] += step * n
+        return moments, parts
+
+
+@lru_cache
+def _rule(degree: int) -> list[tuple[mp.mpf, mp.mpf]]:
+    return list(mp.calculus.quadrature.GaussLegendre(mp.mp).calc_nodes(degree, mp.mp.prec))
+
+
+def integrated(column: Any, a: mp.mpf, b: mp.mpf) -> list[mp.mpf]:
+    """Integrals over x by Gauss' rules of 24 and 48 points, halved until they agree to 20 digits."""
+    middle, half = (a + b) / 2, (b - a) / 2
+    values = []
+    for degree in (4, 5):
+        total = [mp.mpf(0)] * 7
+        for node, weight in _rule(degree):
+            total = [s + half * weight * v for s, v in zip(total, column(middle + half * node), strict=True)]
+        values.append(total)
+    size = max(map(abs, values[1]))
+    if all(abs(x - y) <= size * mp.mpf(10) ** -20 for x, y in zip(*values, strict=True)):
+        return values[1]
+    return [x + y for x, y in zip(integrated(column, a, middle), integrated(column, middle, b), strict=True)]
+
+
+def computed(section: Any) -> tuple[list[float], list[list[float]]]:
+    """The same by the package."""
+    radius, facing = float(section.radius), float(section.facing)
+    powers, signs = np.array([2, 3, 4, 2, 2, 3, 3]), np.array([1, 1, 1, facing, 1, facing, 1])
+    moments = section._weighted[:, 0] * radius**powers * signs
+    still = section.arc_strength.parts(np.zeros((1, 1)), ["normal"])
+    by_joint = np.stack([still[name][:, 0, 0] for name in ("normal", "tilt", "inertia")])
+    parts = []
+    for k in range(len(section.layers)):
+        sums = by_joint @ section.arc_strength.stretches.incidence(len(section.soils))[:-1, k, 0]
+        parts.append((sums * radius ** np.array([2, 2, 3])).tolist())
+    return moments.tolist(), parts
+
+
+class AlongTheArc:
+    """A section's weights and strengths along its arc from their definitions, by Gauss' rule between kinks.
+
+    Directions b are from straight below the centre, down-slope positive; the arc is ``(x, y)`` there. Of the package
+    it takes the section's numbers, and where to break the integrals.
+    """
+
+    def __init__(self, section: Any, points: int = 24) -> None:
+        self.section = section
+        self.radius = float(section.radius)
+        self.cx, self.cy = map(float, section.centre)
+        self.facing = float(section.facing)
+        self.first, self.last = (float(end[0]) for end in section.arc_strength.span)
+        self.lines = [np.asarray(section.ground), *(np.asarray(top) for _, top in section.layers[1:])]
+        self.soils = [soil for soil, _ in section.layers]
+        self.level = None if section.level is None else np.asarray(section.level)
+        self.nodes, self.weights = np.polynomial.legendre.leggauss(points)
+        self.joints = section.arc_strength.stretches.joint[0]
+        self.of_mass = np.concatenate([[self.first, self.last], self.facing * section._strips.beta[0]])
+        b, step = self.broken_at([])
+        self.moments = {name: float((step * value).sum()) for name, value in self.strips(b).items()}
+
+    def arc(self, b: Any) -> tuple[Any, Any]:
+        return self.cx + self.facing * self.radius * np.sin(b), self.cy - self.radius * np.cos(b)
+
+    def height(self, line: Any, x: Any) -> Any:
+        return np.interp(x, *line.T) if line.ndim else np.full_like(x, line)
+
+    def broken_at(self, kinks: Any) -> tuple[Any, Any]:
+        """Directions of nodes between kinks of the mass and these, and their steps."""
+        every = np.concatenate([self.of_mass, np.asarray(kinks, dtype=np.float64)])
+        every = np.concatenate([every, np.linspace(self.first, self.last, 9)])
+        edges = np.unique(np.clip(every, self.first, self.last))
+        edges = edges[np.concatenate([[True], np.diff(edges) > 1e-13])]
+        half = np.diff(edges) / 2
+        return edges[:-1] + half * (1.0 + self.nodes[:, None]), half * self.weights[:, None]
+
+    def soil_at(self, b: Any) -> Any:
+        """The soil below the arc; at its ends the ground has no thickness, and that just inside counts."""
+        x, y = self.arc(np.clip(b, self.first + 1e-6, self.last - 1e-6))
+        tops = np.minimum.accumulate([self.height(line, x) for line in self.lines], axis=0)
+        return np.maximum(np.count_nonzero(tops > y, axis=0) - 1, 0)
+
+    def of_base(self, name: str, b: Any) -> Any:
+        return np.array([getattr(soil, name) for soil in self.soils], dtype=np.float64)[self.soil_at(b)]
+
+    def strips(self, b: Any) -> dict[str, Any]:
+        """Integrals over y of the weight times -y/rho, x/rho, rho, x, y and rho^2, over b; vertical stress."""
+        x, y = self.arc(b)
+        along, low, section = self.facing * (x - self.cx), y - self.cy, self.section
+        level = self.height(self.level, x) if self.level is not None else None
+        names = ("radial", "tangential", "inertia", "x", "y", "square", "vertical")
+        sums: dict[str, Any] = {name: np.zeros_like(b) for name in names}
+
+        def add(step: float, top: Any) -> None:
+            high = np.maximum(top, y) - self.cy
+            rho_1, rho_2 = np.hypot(along, low), np.hypot(along, high)
+            log = np.arcsinh(high / np.abs(along)) - np.arcsinh(low / np.abs(along))
+            values = (
+                rho_1 - rho_2,
+                along * log,
+                (high * rho_2 - low * rho_1 + along**2 * log) / 2,
+                along * (high - low),
+                (high**2 - low**2) / 2,
+                along**2 * (high - low) + (high**3 - low**3) / 3,
+                high - low,
+            )
+            for name, value in zip(names, values, strict=True):
+                sums[name] = sums[name] + step * value
+
+        above, wet_above, top = 0.0, 0.0, np.full_like(x, np.inf)
+        for soil, line in zip(self.soils, self.lines, strict=True):
+            top = np.minimum(top, self.height(line, x))
+            add(soil.unit_weight - above, top)
+            above = soil.unit_weight
+            wet = 0.0 if soil.saturated_unit_weight is None else soil.saturated_unit_weight - above
+            if level is not None:
+                add(wet - wet_above, np.minimum(top, level))
+            wet_above = wet
+        high = self.height(self.lines[0], x) - self.cy
+        for x1, x2, q1, q2 in section.surcharge:
+            q = np.where((x >= x1) & (x <= x2), q1 + (q2 - q1) * (x - x1) / (x2 - x1), 0.0)
+            rho = np.hypot(along, high)
+            values = (-high / rho, along / rho, rho, along, high, rho**2, np.zeros_like(rho))
+            for name, value in zip(names, values, strict=True):
+                sums[name] = sums[name] + q * value
+        lever = {name: self.radius * np.cos(b) for name in names[:-1]}  # dx = R cos(b) db
+        return {name: sums[name] * lever.get(name, 1.0) for name in names}
+
+    def resistance(self, rotation: float, omega_2: float, shaking: Any = (0.0, 0.0), slip: float = 0.0) -> Any:
+        """Friction, water's part of it, and cohesion after a rotation, N/m; omega^2 is over g/R."""
+        section = self.section
+        moved = rotation if section.strength == "base" else 0.0
+        ends = np.array([self.first, self.last])
+        of_base = np.concatenate([self.joints, ends, self._datums()]) - moved
+        b, step = self.broken_at([*of_base, *self._of_water(rotation)])
+        strips = self.strips(b)
+        base, (k_h, k_v) = b + moved, shaking
+        cosine, sine = np.cos(rotation), np.sin(rotation)
+        turned = (1.0 - k_v) * (strips["radial"] * cosine - strips["tangential"] * sine)
+        turned = turned + k_h * (strips["tangential"] * cosine + strips["radial"] * sine)
+        turned = turned + omega_2 / self.radius * strips["inertia"]
+        x, y = self.arc(b + rotation)
+        head = np.maximum(self.height(self.level, x) - y, 0.0) if self.level is not None else 0.0
+        ratio = self.of_base("pore_ratio", base)
+        pressure = np.where(ratio > 0.0, ratio * strips["vertical"], section.water_unit_weight * head)
+        peak, residual = self.of_base("peak", base), self.of_base("residual", base)
+        mu = residual + (peak - residual) * self.softened(slip)
+        cohesion = self.of_base("cohesion", base)
+        if any(soil.datum is not None for soil in self.soils):
+            _, depth = self.arc(np.clip(base, self.first, self.last))
+            below = np.maximum(self.of_base("datum", base) - depth, 0.0)
+            cohesion = cohesion + self.of_base("cohesion_gradient", base) * below
+        values = (mu * turned, mu * pressure * self.radius, cohesion * self.radius)
+        return np.array([(step * value).sum() for value in values])
+
+    def softened(self, slip: float) -> float:
+        """The share of friction between peak and residual that is left of the exponential law that soils have."""
+        laws = [soil.friction for soil in self.soils if isinstance(soil.friction, dict)]
+        return float(np.exp(-slip / laws[0]["length"])) if laws else 1.0
+
+    def _of_water(self, rotation: float) -> Any:
+        return [] if self.level is None else self.facing * self.section._water.kinks[0] - rotation
+
+    def _datums(self) -> Any:
+        depths = [(self.cy - soil.datum) / self.radius for soil in self.soils if soil.datum is not None]
+        reach = np.arccos(np.clip(depths, -1.0, 1.0))
+        return np.concatenate([reach, -reach])
+
+    def motion(self, shaking: Any = None, rate: Any = None) -> tuple[float, float, float]:
+        """Peak velocity, run-out and duration of a motion down-slope from rest, by DOP853 in time.
+
+        ``shaking`` gives k_h and k_v of the time, and ``rate`` a factor of the speed.
+        """
+        gravity, moments = float(self.section.gravity), self.moments
+
+        def forces(time: float, rotation: float, omega: float) -> float:
+            k_h, k_v = shaking(time) if shaking else (0.0, 0.0)
+            x = moments["x"] * np.cos(rotation) - moments["y"] * np.sin(rotation)
+            y = moments["y"] * np.cos(rotation) + moments["x"] * np.sin(rotation)
+            drive = -(1.0 - k_v) * x - k_h * y
+            omega_2 = omega**2 * self.radius / gravity
+            friction, water, cohesion = self.resistance(rotation, omega_2, (k_h, k_v), abs(rotation) * self.radius)
+            factor = rate(abs(omega) * self.radius) if rate else 1.0
+            return drive - self.radius * (factor * max(0.0, friction - water) + cohesion)
+
+        def rates(time: float, state: Any) -> tuple[float, float]:
+            return state[1], gravity * forces(time, *state) / moments["square"]
+
+        def rests(time: float, state: Any) -> float:
+            return float(state[1])
+
+        def peaks(time: float, state: Any) -> float:
+            return float(rates(time, state)[1])
+
+        rests.terminal, rests.direction, peaks.direction = True, -1.0, -1.0  # type: ignore[attr-defined]
+        start = 1e-5  # s, from a series: no event at the standstill that the motion begins from
+        begun = rates(0.0, (0.0, 0.0))[1]
+        first = (begun * start**2 / 2, begun * start)
+        found = solve_ivp(rates, (start, 60.0), first, "DOP853", events=[rests, peaks], rtol=1e-11, atol=1e-14)
+        peak = max(state[1] for state in found.y_events[1])
+        return peak * self.radius, found.y_events[0][0][0] * self.radius, float(found.t_events[0][0])
+
+
+def strength_by_quadrature(section: Any, rotation: float, omega_2: float) -> tuple[Any, Any]:
+    """Friction, water's part of it, and cohesion after a rotation, by the package and by quadrature along the arc.
+
+    Over the weights towards the arc at rest; ``omega_2`` is omega*^2.
+    """
+    arc = AlongTheArc(section)
+    expected = arc.resistance(rotation, omega_2)
+    moments, terms = section._per_mean_weight[:, 0], section.arc_strength.terms(True, False)
+
+    def term(name: str) -> float:
+        value = terms.get(name, 0.0)
+        return float(np.ravel(value(np.array([[rotation]])) if callable(value) else value)[0])
+
+    theta = float(moments[2])
+    whole = -moments[4] * np.cos(rotation) - arc.facing * moments[3] * np.sin(rotation) + omega_2 * moments[1]
+    beyond = theta * (term("normal") + omega_2 * term("inertia"))
+    if section.strength == "mass":
+        beyond += theta * (term("turning") * np.cos(rotation) - term("turning_slope") * np.sin(rotation))
+    unit = float(np.ravel(section.mean_unit_weight)[0]) * arc.radius**2
+    mean = float(section.arc_strength.mean_peak[0])
+    values = [mean * (whole + beyond) * unit, mean * theta * term("lift") * unit, theta * term("strength") * unit]
+    return np.array(values) / arc.moments["radial"], expected / arc.moments["radial"]
+
+
+def differences(section: LayeredSection) -> tuple[float, float]:
+    """The largest difference of the moments and of the parts, relative: of vectors to their length."""
+    (moments, parts), (exact, exact_parts) = computed(section), reference(section)
+    sizes = [float(abs(v)) for v in exact]
+    for i, j in ((3, 4), (5, 6)):
+        sizes[i] = sizes[j] = float(np.hypot(sizes[i], sizes[j]))
+    of_moments = max(abs(a - float(b)) / s for a, b, s in zip(moments, exact, sizes, strict=True))
+    whole = [sizes[4], sizes[4], sizes[1]]
+    of_parts = max(
+        abs(a - float(b)) / s
+        for p, q in zip(parts, exact_parts, strict=True)
+        for a, b, s in zip(p, q, whole, strict=True)
+    )
+    return of_moments, of_parts
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--count", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=1)
+    asked = parser.parse_args()
+    rng = np.random.default_rng(asked.seed)
+    found = np.array([differences(random_section(rng)) for _ in range(asked.count)])
+    print(
+        f"{asked.count} layered sections: moments within {found[:, 0].max():.1e}, "
+        f"stretches within {found[:, 1].max():.1e}"
+    )

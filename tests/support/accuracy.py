@@ -1,0 +1,77 @@
+"""The 400 reference scenes as the package takes them, and the true errors of its motions."""
+
+import json
+from functools import cache
+from typing import Any, NamedTuple
+
+import mpmath
+import numpy as np
+from mpmath import mpf
+
+import slipcircle
+from slipcircle import Motion, Scene
+from tests.support import golden, references
+
+DATA = references.FILE.read_bytes()
+ROWS: list[dict[str, Any]] = json.loads(DATA)
+NUMBERS = range(300)
+TIMED = range(300, 400)
+MANY = 100  # phases: each adds its error to the next
+
+
+class Error(NamedTuple):
+    """True relative errors; absolute where the reference is 0."""
+
+    peak: float
+    run_out: float
+    duration: float
+    displacement: float
+    velocity: float
+
+
+def scene(row: dict[str, Any]) -> Scene:
+    """A row's scene."""
+    return golden.built("", row["scene"])
+
+
+@cache
+def solved(number: int) -> Motion:
+    """Its motion, by default accuracy."""
+    return slipcircle.solve(scene(ROWS[number]))
+
+
+def off(value: float, reference: str, scale: str) -> float:
+    """Error of a value, relative to a scale where that is not 0."""
+    with mpmath.workdps(50):
+        error = abs(mpf(float(value)) - mpf(reference))
+        return float(error / abs(mpf(scale)) if mpf(scale) else error)
+
+
+def true_error(motion: Motion, reference: dict[str, Any]) -> Error:
+    """Errors of a motion; those at given times are relative to the run-out and to the peak."""
+    peak, run_out, duration = reference["peak_velocity"], reference["run_out"], reference["duration"]
+    places = speeds = [0.0]
+    if reference["times"]:
+        times = np.minimum(reference["times"], np.inf if motion.arrested else motion.duration)
+        state = motion.at(times)
+        places = [off(v, r, run_out) for v, r in zip(state.displacement, reference["displacement"], strict=True)]
+        speeds = [off(v, r, peak) for v, r in zip(state.velocity, reference["velocity"], strict=True)]
+    return Error(
+        off(float(motion.peak.velocity), peak, peak),
+        off(motion.run_out, run_out, run_out),
+        off(motion.duration, duration, duration),
+        max(places),
+        max(speeds),
+    )
+
+
+@cache
+def error(number: int) -> Error:
+    """Errors of a scene's motion."""
+    return true_error(solved(number), ROWS[number]["reference"])
+
+
+def near_limit(number: int) -> bool:
+    """Whether its friction is meant to be next to its limit: the first scenes of a group."""
+    group = ROWS[number]["group"]
+    return number - next(k for k in NUMBERS if ROWS[k]["group"] == group) < references.NEAR.get(group, 0)

@@ -1,0 +1,368 @@
+"""All public numbers of scenes of every law and effect: ``python -m tests.support.golden`` writes them to golden.json.
+
+A scene is plain data, in SI units and radians. Its numbers are those of `solve`; run-out, peak velocity, duration and
+states on the way are also solved by Taylor series in ball arithmetic (`taylor`), which know nothing of the
+package, and where these are not met within the estimated error nothing is written. So the file holds no number that is
+known to be wrong; what changes a number beyond the estimated errors has to be explained by who writes it anew.
+"""
+
+import json
+import math
+import os
+import sys
+from collections.abc import Iterator, Mapping
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import asdict
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from flint import arb, ctx
+
+from slipcircle import Arc, Motion, Scene, load, solve
+from slipcircle.base.series import Series
+from tests.support import taylor
+
+FILE = Path(__file__).with_name("golden.json")
+SHARES = (0.18, 0.47, 0.76)  # of the duration, at which states are taken
+STATE = ("time", "rotation", "angular_velocity", "velocity", "displacement", "acceleration", "normal_stress")
+Data = dict[str, Any]
+
+# --- the scenes ------------------------------------------------------------------------------------------------------
+
+SLOPE = {"radius": 60.0, "theta_1": math.radians(220.0), "theta_2": math.radians(290.0), "unit_weight": 19e3,
+         "gravity": 9.81}  # limit friction 0.249  # fmt: skip
+LAWS: Data = {
+    "constant": 0.16,
+    "exponential": {"law": "exponential", "peak": 0.24, "residual": 0.11, "length": 1.5},
+    "linear": {"law": "linear", "peak": 0.23, "residual": 0.12, "length": 4.0},
+    "hyperbolic": {"law": "hyperbolic", "peak": 0.24, "residual": 0.1, "length": 2.0},
+    "tabulated": {"law": "tabulated", "slip": [0.0, 0.5, 2.0, 6.0], "coefficient": [0.24, 0.2, 0.21, 0.13]},
+    "strengthening": {"law": "exponential", "peak": 0.1, "residual": 0.3, "length": 6.0},
+    "rate": {"law": "rate_weakening", "peak": 0.24, "residual": 0.11, "velocity": 0.8},
+    "rate table": {"law": "rate_tabulated", "speed": [0.01, 0.3, 2.0, 8.0], "coefficient": [0.24, 0.22, 0.14, 0.12]},
+    "prescribed": {"law": "prescribed", "time": [0.0, 0.8, 2.5, 5.0], "coefficient": [0.3, 0.16, 0.12, 0.25]},
+    "product": {"law": "linear", "peak": 0.24, "residual": 0.2, "length": 3.0,
+                "rate": {"law": "rate_weakening", "peak": 1.0, "residual": 0.6, "velocity": 2.0}},
+}  # fmt: skip
+TURNING: Data = {"rotation": {}, "centripetal": {}}
+RECORD = {"time": [0.3, 0.5, 0.9, 1.2, 1.5, 2.2, 2.4], "horizontal": [0.0, 0.25, -0.3, 0.2, 0.31, -0.22, 0.0]}
+HEAT = {"pressurisation": 3e4, "heat_capacity": 2.7e6, "thickness": 0.05}
+CREEP = {"viscosity": 1e3, "thickness": 0.4}
+EFFECTS: Data = {
+    "frozen": {},
+    "centripetal": {"centripetal": {}},
+    "rotation": {"rotation": {}},
+    "turning": TURNING,
+    "ratio": TURNING | {"pore_pressure": {"ratio": 0.2}},
+    "pressure": {"rotation": {}, "pore_pressure": {"pressure": 3e4}},
+    "rising water": TURNING | {"pore_pressure": {"time": [0.0, 2.0, 6.0], "pressure": [0.0, 6e4, 1e4]}},
+    "cohesion": TURNING | {"cohesion": {"cohesion": 3e3}},
+    "drag": TURNING | {"drag": {"xi": 120.0}},
+    "viscosity": {"rotation": {}, "viscosity": CREEP},
+    "pulse": TURNING | {"shaking": {"pulse": "half-sine", "amplitude": 0.3, "duration": 1.2, "start": 0.4}},
+    "record": TURNING | {"shaking": RECORD},
+    "heat": TURNING | {"thermal_pressurisation": HEAT},
+    "all": TURNING | {"cohesion": {"cohesion": 2e3}, "drag": {"xi": 500.0}, "viscosity": CREEP,
+                      "pore_pressure": {"ratio": 0.1}, "thermal_pressurisation": HEAT,
+                      "shaking": RECORD | {"vertical": [0.0, 0.1, -0.2, 0.1, 0.0, 0.1, 0.0]}},
+}  # fmt: skip
+KINDS = ("rectangular", "triangular", "half-sine", "sine")
+
+
+def scene(friction: Any, effects: Mapping[str, Any], velocity: float = 0.0, end: float | None = None, **arc: float
+          ) -> Data:  # fmt: skip
+    """A scene of the slope, or of one that differs."""
+    return {"arc": SLOPE | arc, "friction": friction, "effects": dict(effects), "initial_velocity": velocity,
+            "end_time": end}  # fmt: skip
+
+
+def mirrored(given: Data) -> Data:
+    """In a vertical line: angles change, and nothing else, since positive is down-slope."""
+    first, second = given["arc"]["theta_1"], given["arc"]["theta_2"]
+    return given | {"arc": given["arc"] | {"theta_1": 3 * math.pi - second, "theta_2": 3 * math.pi - first}}
+
+
+def to_the_right(given: Data) -> Data:
+    """The one of a scene and its mirror image that counterclockwise is down-slope for, as the oracles take it."""
+    return mirrored(given) if given["arc"]["theta_1"] + given["arc"]["theta_2"] > 3 * math.pi else given
+
+
+def drawn() -> Iterator[tuple[str, Data]]:
+    """Every law with every effect, each in its turn from rest, pushed down and up, mirrored, cut short."""
+    starts = {"": 0.0, ", pushed down": 2.5, ", pushed up": -3.0}
+    for i, (law, friction) in enumerate(LAWS.items()):
+        for k, (name, effects) in enumerate(EFFECTS.items()):
+            words, velocity = list(starts.items())[(i + 2 * k) % 3]
+            end = None if "rotation" in effects else 5.0
+            given = scene(friction, effects, velocity, end)
+            if (i + k) % 4 == 1:
+                words, given = words + ", mirrored", mirrored(given)
+            if (2 * i + k) % 7 == 3:
+                words, given = words + ", cut", given | {"end_time": 1.1}
+            yield f"{law}, {name}{words}", given
+
+
+def chosen() -> Iterator[tuple[str, Data]]:
+    """What the table of laws and effects does not reach."""
+    wet = {"rotation": {}, "pore_pressure": {"pressure": 2e5}}
+    quake = {"pulse": "sine", "amplitude": 0.28, "duration": 4.0, "cycles": 3.0}
+    for kind in KINDS:
+        shaking = {"pulse": kind, "amplitude": 0.35, "vertical_amplitude": 0.2, "duration": 1.0, "start": 0.2}
+        for where, effects, end in (("frozen", {}, 8.0), ("turning", TURNING, None)):
+            yield (
+                f"{kind} pulse, {where}, stands before and after",
+                scene(0.33, effects | {"shaking": shaking}, 0.0, end),
+            )
+    for where, effects in (("frozen", {}), ("turning", TURNING)):
+        shaken = scene(0.36, effects | {"shaking": quake}, 0.0, 7.0)
+        yield f"rests in between, {where}", shaken
+        yield f"rests in between, {where}, mirrored", mirrored(shaken)
+        both = scene(0.36, effects | {"shaking": quake | {"amplitude": 0.7, "two_way": True}}, 0.0, 7.0)
+        yield f"shaken both ways, {where}", both
+        yield f"shaken both ways, {where}, mirrored", mirrored(both)
+        yield f"ends in a rest, {where}", shaken | {"end_time": 0.05}
+        yield f"ends while it slides, {where}", shaken | {"end_time": 0.7}
+        yield f"record both ways, {where}", scene(0.3, effects | {"shaking": RECORD | {"two_way": True}}, -0.4, 6.0)
+    yield "stays", scene(0.4, TURNING)
+    yield "stays, mirrored", mirrored(scene(0.4, TURNING))
+    yield "stays until its end time", scene(0.4, {}, 0.0, 3.0)
+    yield "pushed and rests, frozen", scene(0.4, {"centripetal": {}}, 5.0)
+    yield "pushed and rests, frozen, mirrored", mirrored(scene(0.4, {"centripetal": {}}, 5.0))
+    yield "pushed up and stays there", scene(0.5, TURNING, -4.0)
+    yield "swings back twice", scene(0.04, TURNING)
+    yield "swings back, mirrored", mirrored(scene(0.04, TURNING))
+    yield "ends on its way back", scene(0.04, TURNING, 0.0, 16.0)
+    yield "without friction", scene(0.0, TURNING)
+    yield "without friction, cohesion stops it", scene(0.0, TURNING | {"cohesion": {"cohesion": 2e3}})
+    for words, mu, velocity, pressure in (
+        ("up", 0.2, -14.0, 1.1e5),
+        ("up, no friction to speak of", 1e-9, -13.0, 1.08e5),
+        ("up and rests", 2.0, -13.0, 1.1e5),
+    ):
+        carried = scene(mu, {"rotation": {}, "pore_pressure": {"pressure": pressure}, "cohesion": {"cohesion": 4e3}},
+                        velocity)  # fmt: skip
+        yield f"lifts off and lands, pushed {words}", carried
+        yield f"lifts off and lands, pushed {words}, mirrored", mirrored(carried)
+    yield "lifted from the start", scene(0.2, wet | {"pore_pressure": {"pressure": 2.6e5}}, 0.0, 3.0)
+    yield (
+        "lifted from the start, mirrored",
+        mirrored(scene(0.2, wet | {"pore_pressure": {"pressure": 2.6e5}, "cohesion": {"cohesion": 1e3}}, 0.0, 3.0)),
+    )
+    yield "lifted by shaking", scene(0.5, TURNING | {"shaking": {"pulse": "half-sine", "amplitude": 0.2,
+          "vertical_amplitude": 1.6, "duration": 0.8}})  # fmt: skip
+    yield "lifted by shaking at rest", scene(0.9, TURNING | {"cohesion": {"cohesion": 2e5}, "shaking": {
+        "pulse": "rectangular", "amplitude": 0.05, "vertical_amplitude": 1.2, "duration": 0.5,
+        "start": 0.5}})  # fmt: skip
+    yield "level ground", scene(0.3, TURNING | {"shaking": quake | {"amplitude": 0.5, "two_way": True}}, 0.0, 6.0,
+                                theta_1=math.radians(235.0), theta_2=math.radians(305.0))  # fmt: skip
+    yield "next to its limit", scene(0.2487, TURNING)
+    yield "steep", scene(0.8, TURNING, theta_1=math.radians(150.0), theta_2=math.radians(250.0))
+    yield (
+        "steep, pushed up",
+        scene(0.3, {"rotation": {}}, -4.0, theta_1=math.radians(155.0), theta_2=math.radians(235.0)),
+    )
+    yield "thin", scene(0.2, TURNING, theta_1=math.radians(254.0), theta_2=math.radians(254.2))
+    yield "half disc", scene(0.1, TURNING, theta_1=math.radians(165.0), theta_2=math.radians(344.9))
+    yield "light gravity", scene(0.16, TURNING | {"drag": {"xi": 90.0}}, gravity=1.62)
+    yield "a viscous drop", scene(0.1, {"viscosity": {"viscosity": 2e6, "thickness": 0.4}}, 0.0, 9.0)
+    yield "a fast viscous start", scene(0.3, {"rotation": {}, "viscosity": CREEP}, 8.0)
+    yield "friction rises again", scene({"law": "prescribed", "time": [0.0, 1.0, 2.0, 3.0, 6.0, 7.0],
+          "coefficient": [0.3, 0.1, 0.5, 0.5, 0.1, 0.4]}, TURNING, 0.0, 9.0)  # fmt: skip
+    yield "water starts it", scene(0.3, TURNING | {"pore_pressure": {"time": [1.0, 4.0, 9.0],
+          "ratio": [0.0, 0.5, 0.0]}})  # fmt: skip
+    yield "slows a table of speed", scene({"law": "rate_tabulated", "speed": [0.5, 1.5, 4.0],
+          "coefficient": [0.3, 0.35, 0.2]}, TURNING, 6.0)  # fmt: skip
+    yield "strong drag", scene(0.1, TURNING | {"drag": {"xi": 2.0}})
+    yield "a table that rises", scene({"law": "tabulated", "slip": [0.0, 3.0, 5.0], "coefficient": [0.1, 0.2, 0.35]},
+                                      TURNING)  # fmt: skip
+
+
+SHIPPED = ("newmark-pulse", "vaiont-as-printed", "vaiont-frozen", "vaiont-heated", "vaiont-rate", "vaiont-shaken",
+           "vaiont-softening", "vaiont", "wet-slope")  # fmt: skip
+
+
+def rows() -> dict[str, Data | None]:
+    """All scenes by name; those that ship have no data here."""
+    return dict(drawn()) | dict(chosen()) | dict.fromkeys(SHIPPED)
+
+
+def built(name: str, given: Data | None) -> Scene:
+    """A scene from its data."""
+    if given is None:
+        return load(name)
+    effects = {e: dict(parameters) for e, parameters in given["effects"].items()}
+    shaking = effects.get("shaking", {})
+    if "time" in shaking:
+        time = shaking.pop("time")
+        shaking |= {
+            k: Series(np.array(time), np.array(shaking[k]), held=False)
+            for k in ("horizontal", "vertical")
+            if k in shaking
+        }
+    return Scene(Arc(**given["arc"]), given["friction"], effects, given["initial_velocity"], given["end_time"],
+                 name=name)  # fmt: skip
+
+
+@cache
+def solved(name: str) -> Motion:
+    """Its motion."""
+    found = solve(built(name, rows()[name]))
+    assert isinstance(found, Motion)
+    return found
+
+
+def changes(motion: Motion, samples: int = 4000, most: int | None = None) -> list[tuple[float, int, int]]:
+    """When the sense of motion changes before the end, and from what to what; 0 is rest. To the last bit."""
+    times = np.linspace(0.0, motion.duration, samples + 1)
+    sense = np.sign(motion.at(times).velocity).astype(int)
+    sense[-1] = sense[-2]
+    if sense[0] == 0 and motion.plan.scene.initial_velocity == 0.0:
+        sense[0] = sense[1]  # it starts at once, or later
+    found = []
+    for k in np.flatnonzero(sense[1:] != sense[:-1]).tolist()[:most]:
+        low, high = float(times[k]), float(times[k + 1])
+        while low < (middle := (low + high) / 2) < high:
+            low, high = (middle, high) if np.sign(motion.at(middle).velocity) == sense[k] else (low, middle)
+        found.append((high, int(sense[k]), int(sense[k + 1])))
+    return found
+
+
+# --- its numbers -----------------------------------------------------------------------------------------------------
+
+
+def times(motion: Motion) -> list[float]:
+    return [share * motion.duration for share in SHARES]
+
+
+def numbers(motion: Motion, at: list[float], sloped: bool = False) -> Data:
+    """Every public number of a motion, with states at given times."""
+    energy = motion.energy_at(np.array([*at, motion.duration]))
+    slopes = motion.sensitivity() if sloped else None
+    found: Data = {
+        "moves": motion.moves, "arrested": motion.arrested, "lifts": len(motion.lift_off),
+        "ill": any("ill-conditioned" in w for w in motion.warnings),
+        "duration": motion.duration, "run_out": motion.run_out, "limit_friction": motion.limit_friction,
+        "yield_coefficient": motion.yield_coefficient, "factor_of_safety": motion.factor_of_safety,
+        "lift_off": list(motion.lift_off), "estimate": motion.error_estimate,
+        "pore_pressure": motion.pore_pressure_at(np.array(at)).tolist(), "times": at,
+        "sensitivity": None if slopes is None else {
+            p: [slopes.derivative(of, p) for of in ("peak_velocity", "run_out", "duration")] for p in slopes.parameters
+        },
+        "energy": {k: np.asarray(v).tolist() for k, v in asdict(energy).items()},
+    }  # fmt: skip
+    for what, state in (("peak", motion.peak), ("end", motion.end), ("at", motion.at(np.array(at)))):
+        found[what] = {k: np.asarray(getattr(state, k)).tolist() for k in STATE}
+    return found
+
+
+def differences(name: str, motion: Motion, kept: Data) -> list[str]:
+    """Where a motion's numbers differ from those kept by more than both estimates allow."""
+    found, arc = numbers(motion, kept["times"], kept["sensitivity"] is not None), motion.plan.scene.arc
+    error = motion.error_estimate + kept["estimate"] + 4e-15
+    run_out, peak = abs(kept["run_out"]), abs(kept["peak"]["velocity"])
+    radius, gravity, stress = float(arc.radius), float(arc.gravity), float(arc.static_normal_stress)  # type: ignore[arg-type]
+    whole = max(kept["duration"], 1e-300)
+    # A place of greatest speed or of no pressure is a root of what is known with an error of this size.
+    place = 30 * math.sqrt(error) * whole
+    near = {"time": error * whole, "rotation": error * run_out / radius, "displacement": error * run_out,
+            "velocity": error * peak, "angular_velocity": error * peak / radius,
+            "acceleration": 300 * error * gravity, "normal_stress": 300 * error * stress}  # fmt: skip
+    loose = near | {"time": place, "rotation": place * peak / radius, "displacement": place * peak,
+                    "acceleration": 30 * math.sqrt(error) * gravity,
+                    "normal_stress": 30 * math.sqrt(error) * stress}  # fmt: skip
+    energy = max(np.max(np.abs(v)) for v in kept["energy"].values())
+    bounds: Data = {"duration": error * whole, "run_out": error * run_out, "lift_off": place,
+                    "pore_pressure": 300 * error * stress, "times": 0.0,
+                    "energy": dict.fromkeys(kept["energy"], 100 * error * energy)}  # fmt: skip
+    bounds |= {"peak": loose, "end": near, "at": near}
+    faults = [
+        f"{name}: {key} is {found[key]!r}, was {kept[key]!r}"
+        for key in ("moves", "arrested", "lifts", "ill")
+        if found[key] != kept[key]
+    ]
+
+    def compare(key: str, one: Any, other: Any, bound: Any) -> None:
+        if isinstance(other, dict):
+            for k in other:
+                compare(f"{key} {k}", one[k], other[k], bound[k])
+        elif np.shape(one) != np.shape(other) or not np.all(np.abs(np.subtract(one, other)) <= bound):
+            faults.append(f"{name}: {key} is {one!r}, was {other!r}, bound {bound:.2g}")
+
+    for key, bound in bounds.items():
+        compare(key, found[key], kept[key], bound)
+    for key in ("limit_friction", "yield_coefficient", "factor_of_safety"):
+        if found[key] != kept[key]:  # both may be infinite
+            compare(key, found[key], kept[key], 1e-13 * max(1.0, abs(kept[key])))
+    for key, slopes in (kept["sensitivity"] or {}).items():
+        compare(f"slope by {key}", found["sensitivity"][key], slopes, 1e-7 * np.max(np.abs(slopes)) + 1e-12)
+    # As fast at the time at which it was fastest: sharper than that time itself.
+    compare("speed at the time of the peak", float(motion.at(kept["peak"]["time"]).velocity) if kept["moves"] else 0.0,
+            kept["peak"]["velocity"], error * peak)  # fmt: skip
+    if not (2e-16 if kept["moves"] else 0.0) <= motion.error_estimate <= max(1e3 * kept["estimate"], 1e-11):
+        faults.append(f"{name}: the estimate is {motion.error_estimate}, was {kept['estimate']}")
+    return faults
+
+
+def misses(motion: Motion, given: Data, at: list[float], terms: int = 26, digits: int = 22) -> dict[str, float]:
+    """By how much more than the estimated error a motion is off, 1 at most where all is well."""
+    if given["friction"] == 0.0 and "cohesion" not in given["effects"]:  # `solve` gives the first standstill
+        given = given | {"end_time": motion.duration}
+    ctx.prec = 160
+    follow = taylor.Solution(taylor.Problem(to_the_right(given)), terms, digits)
+    exact, p = follow.record(), follow.p
+    run_out, peak = abs(motion.run_out) or 1.0, abs(float(motion.peak.velocity)) or 1.0
+    error = motion.error_estimate
+    found = {
+        "decisions": 0.0 if (motion.moves, motion.arrested) == (exact["moves"], exact["arrested"]) else math.inf,
+        "run_out": abs(float(arb(exact["run_out"]) - arb(motion.run_out))) / run_out,
+        "peak": abs(float(abs(arb(exact["peak_velocity"])) - arb(abs(float(motion.peak.velocity))))) / peak,
+        "duration": abs(float(arb(exact["duration"]) / arb(motion.duration) - 1)) if motion.duration else 0.0,
+    }
+    for t, s in zip(at, zip(*(getattr(motion.at(np.array(at)), k) for k in ("displacement", "velocity")), strict=True),
+                    strict=True):  # fmt: skip
+        x, v = follow.state(taylor.number(t) / p.scale)
+        found[f"displacement after {t:.3g} s"] = abs(float(x * p.radius - arb(float(s[0])))) / run_out
+        found[f"velocity after {t:.3g} s"] = abs(float(v * p.unit - arb(float(s[1])))) / peak
+    lifts = [float(t * p.scale) for t in follow.lifts]  # those at rest are not among them
+    near = 30 * math.sqrt(error) * motion.duration
+    known = all(any(abs(t - x) <= near for x in motion.lift_off) for t in lifts)
+    other = [t for t in motion.lift_off if all(abs(t - x) > near for x in lifts)]
+    found["lift-off"] = 0.0 if known and not any(motion.at(t).velocity for t in other) else math.inf
+    return {k: v / error if error else v * 1e16 for k, v in found.items()}
+
+
+def row(name: str) -> tuple[str, Data | None, str]:
+    """A row of the file, or why there is none."""
+    given = rows()[name]
+    try:
+        motion = solved(name)
+        at = times(motion)
+        found = numbers(motion, at, motion.plan.law == "constant" and motion.moves)
+        wrong = {} if given is None else {k: v for k, v in misses(motion, given, at).items() if not v <= 1.0}
+    except Exception as error:  # the report names all that fail
+        return name, None, f"{type(error).__name__}: {error}"
+    words = ", ".join(f"{k} {v:.3g} times the estimate {motion.error_estimate:.1e}" for k, v in wrong.items())
+    return name, found, words
+
+
+def main() -> int:
+    """Write the file, unless a number is wrong."""
+    found, faults = [], 0
+    with ProcessPoolExecutor(2) as pool:
+        for name, record, words in pool.map(row, rows()):
+            if words:
+                faults += 1
+                print(f"{name}: {words}", file=sys.stderr)
+            found.append(json.dumps({"name": name, "numbers": record}))
+    if faults and "--anyway" not in sys.argv:
+        return 1
+    temporary = FILE.with_suffix(".tmp")
+    temporary.write_text("[\n" + ",\n".join(found) + "\n]\n", encoding="utf-8")
+    os.replace(temporary, FILE)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

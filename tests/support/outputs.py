@@ -1,0 +1,38 @@
+"""Readers of what the program prints, writes and draws."""
+
+import io
+import re
+from typing import Any
+from xml.etree import ElementTree
+
+from PIL import Image
+
+
+def words_of(png: bytes) -> list[str]:
+    """What titles, axes and legends of a picture say, as the program writes it into the file."""
+    return str(getattr(Image.open(io.BytesIO(png)), "text", {}).get("Description", "")).split("\n")
+
+
+def columns(table: str) -> dict[str, list[str]]:
+    """The cells of a printed table by the label of their row."""
+    found = (re.split(r"  +", line) for line in table.splitlines() if "  " in line.strip())
+    return {label: cells for label, *cells in found if label}
+
+
+def tree(text: str) -> Any:
+    """The page as XML, which it must be as well."""
+    assert text.startswith("<!DOCTYPE html>\n")
+    return ElementTree.fromstring(text.partition("\n")[2])
+
+
+def rows(page: Any) -> dict[str, Any]:
+    """The last cell of every table row, by the text of its first."""
+    found = {}
+    for row in page.iter("tr"):
+        cells = list(row)
+        found["".join(cells[0].itertext())] = cells[-1]
+    return found
+
+
+# Few elements and few turns: no test is about how long something takes.
+QUICK: dict[str, Any] = {"SIZES": (1, 50, 400), "REPEATS": 2, "_TICK": 1e-7, "_PATIENCE": 0.0, "_PASS": 0.04}

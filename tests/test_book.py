@@ -1,0 +1,60 @@
+"""The book: it builds without a warning, every command of its pages runs, and every link of it leads somewhere."""
+
+import io
+import runpy
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote, urlsplit
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+pytest.importorskip("myst_nb", reason="the extra 'book' is not installed")
+pytest.importorskip("furo")
+
+
+class Links(HTMLParser):
+    """Where a page's links and pictures lead, and the places in it that links may name."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.targets: set[str] = set()
+        self.places: set[str] = set()
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        named = dict(attrs)
+        self.targets |= {t for t in (named.get("href"), named.get("src")) if t}
+        self.places |= {i for i in (named.get("id"), named.get("name")) if i}
+
+
+@pytest.mark.filterwarnings("ignore")  # of other packages
+def test_it_builds_without_a_warning_and_no_link_is_broken(tmp_path: Path, monkeypatch: Any, unseen: None) -> None:
+    """Pictures are left empty and the paper is not judged again: other tests do both."""
+    from sphinx.application import Sphinx
+
+    monkeypatch.setattr(runpy, "run_module", lambda *_, **__: print("# Verdicts\n\n## Of one claim"))
+    warnings, pages = io.StringIO(), tmp_path / "book"
+    book = ROOT / "notebooks"
+    app = Sphinx(book, book, pages, tmp_path / "trees", "html", status=None, warning=warnings)
+    app.build()
+    assert warnings.getvalue() == ""
+    links = {path.name: Links(path.read_text("utf-8")) for path in pages.glob("*.html")}
+    assert {f"{path.stem}.html" for path in (*book.glob("*.md"), *book.glob("*.ipynb"))} <= links.keys()
+    broken = {
+        (name, target)
+        for name, page in links.items()
+        for target in page.targets
+        if leads_nowhere(name, target, links, pages)
+    }
+    assert not broken
+
+
+def leads_nowhere(name: str, target: str, links: dict[str, Links], pages: Path) -> bool:
+    """Whether a link from this page inside the book names a file or a place that is not there."""
+    parts = urlsplit(target)
+    if parts.scheme or target in ("#", ""):
+        return False
+    page = parts.path or name
+    return not (pages / page).exists() or bool(parts.fragment and unquote(parts.fragment) not in links[page].places)

@@ -1,0 +1,246 @@
+"""The slide that one can drag: it shows the numbers of `Motion.at`, to scale, and needs nothing else."""
+
+import base64
+import hashlib
+import json
+import math
+import re
+import shutil
+import subprocess
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from slipcircle import LayeredSection, Motion, Scene, Soil, load, solve
+from slipcircle.workbench.outputs import live, livesection
+from slipcircle.workbench.outputs.interpolant import hermite, interpolant
+from slipcircle.workbench.outputs.sectionplot import mass_of
+
+KEY, VALUES = "friction.residual_deg", np.linspace(8.0, 18.0, 21)
+SHOWN = 1e-5  # of the greatest value: how far what the page shows may be off
+
+
+@cache
+def motion(name: str) -> Motion:
+    return solve(load(name))
+
+
+@cache
+def varied() -> str:
+    return live.varied_page(load("vaiont-softening"), KEY, VALUES.tolist())
+
+
+def tree(page: str) -> Any:
+    """The page as XML, which it must be as well."""
+    return ElementTree.fromstring(page.partition("\n")[2])
+
+
+def data(page: str) -> Any:
+    (text,) = (e.text for e in tree(page).iter("script") if e.get("type") == "application/json")
+    return json.loads(text)
+
+
+# --- in a browser ----------------------------------------------------------------------------------------------------
+
+
+def browsed(page: str, folder: Path, width: int, state: str = "") -> str:
+    """What a browser makes of a page in a window of some width: the text of its document."""
+    browser = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+    if browser is None:
+        pytest.skip("there is no Chromium here to show the page")
+    path = folder / "page.html"
+    path.write_text(page, "utf-8")
+    quiet = "--no-sandbox --disable-gpu --disable-background-networking --disable-component-update --disable-sync"
+    size, profile = f"--window-size={width},900", f"--user-data-dir={folder / 'profile'}"
+    command = [browser, "--headless", *quiet.split(), "--no-first-run", size, profile, "--dump-dom"]
+    done = subprocess.run(
+        [*command, f"{path.as_uri()}#{state}"], capture_output=True, text=True, check=True, timeout=60
+    )
+    return done.stdout
+
+
+def value(document: str, name: str) -> float:
+    (number,) = re.findall(f'<data class="{name}" value="([^"]*)"', document)
+    return float(number)
+
+
+def test_a_browser_shows_the_numbers_of_the_motion_at_the_address(tmp_path: Path) -> None:
+    """On a phone, the page as it is; the mass is drawn where it is at that time."""
+    document = browsed(varied(), tmp_path, 390, "t=17.3&v=4")
+    wanted = motion("vaiont-softening")
+    state = wanted.at(17.3)
+    assert value(document, "time") == 17.3
+    assert value(document, "velocity") == pytest.approx(state.velocity, abs=SHOWN * wanted.peak.velocity)
+    assert value(document, "displacement") == pytest.approx(state.displacement, abs=SHOWN * wanted.run_out)
+    ((angle, x, y),) = re.findall(r'class="mass" transform="rotate\((\S+) (\S+) (\S+)\)', document)
+    shape = data(varied())["shapes"][0]
+    assert float(angle) == pytest.approx(-math.degrees(state.rotation), abs=1e-3)
+    assert [float(x), float(y)] == shape["centre"]
+    assert 'class="curve" d="M' in document
+    assert f">{live.headline(wanted)}<" in document
+
+
+def test_a_browser_shows_every_case_at_every_time(tmp_path: Path) -> None:
+    """On a wide screen; a script that the page's policy would refuse asks for them."""
+    times = [0.0, 0.7, 5.0, 16.6, 31.0, 39.9]
+    ask = f"""
+    const said = [], shown = (name) => Number(document.querySelector('.' + name).value);
+    for (let v = 0; v < {VALUES.size}; v += 5) for (const t of {times}) {{
+      history.replaceState(null, '', `#t=${{t}}&v=${{v}}`);
+      dispatchEvent(new Event('hashchange'));
+      said.push([v, t, shown('velocity'), shown('displacement')]);
+    }}
+    document.body.append('asked: ' + JSON.stringify(said) + ';');"""
+    page = re.sub(r'<meta http-equiv="Content-Security-Policy".*?/>', "", varied())
+    document = browsed(page.replace("</body>", f"<script>{ask}</script></body>"), tmp_path, 1200)
+    (answers,) = re.findall(r"asked: (\[\[.*\]\]);", document)
+    scene = load("vaiont-softening")
+    for case, time, velocity, displacement in json.loads(answers):
+        assert isinstance(scene.friction, dict)
+        wanted = solve(replace(scene, friction=scene.friction | {"residual": math.tan(math.radians(VALUES[case]))}))
+        state = wanted.at(time)
+        assert velocity == pytest.approx(state.velocity, abs=SHOWN * wanted.peak.velocity)
+        assert displacement == pytest.approx(state.displacement, abs=SHOWN * wanted.run_out)
+
+
+# --- what a page holds -----------------------------------------------------------------------------------------------
+
+
+def test_it_needs_nothing_else_and_is_small() -> None:
+    page = varied()
+    root = tree(page)
+    assert len(page.encode()) < 300_000
+    assert not {e.tag for e in root.iter()} & {"link", "iframe", "object", "embed", "base", "img"}
+    assert not [key for e in root.iter() for key in e.attrib if key in ("src", "href", "style") or key.startswith("on")]
+    assert not re.search(r"url\((?!#)|@import|https?://(?!www.w3.org/2000/svg')", page)
+    (policy,) = (e.get("content") for e in root.iter("meta") if e.get("http-equiv") == "Content-Security-Policy")
+    assert policy.startswith("default-src 'none';")
+    assert "unsafe" not in policy
+    (style,), programs = (
+        re.findall("<style>(.*?)</style>", page, re.S),
+        re.findall("<script>(.*?)</script>", page, re.S),
+    )
+    for text in (style, *programs):
+        assert base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() in policy
+    assert len(programs) == 1
+
+
+@pytest.mark.parametrize("name", ["vaiont", "vaiont-rate", "vaiont-shaken", "newmark-pulse", "valley-side"])
+def test_cubics_between_the_points_of_a_page_are_the_motion(name: str) -> None:
+    wanted, rng = motion(name), np.random.default_rng(3)
+    points = interpolant(wanted, 1500)
+    times = np.sort(rng.uniform(0.0, wanted.duration, 400))
+    (t, s, v, a), units = points.ticks()
+    assert len(t) < 400
+    columns = [unit * np.array(column) for unit, column in zip(units, (t, s, v, a), strict=True)]
+    state = wanted.at(times)
+    found = hermite(columns[0], columns[2], columns[3], times)
+    assert np.abs(found - state.velocity).max() < SHOWN * wanted.peak.velocity
+    found = hermite(columns[0], columns[1], columns[2], times)
+    assert np.abs(found - state.displacement).max() < SHOWN * wanted.reach.displacement
+
+
+@pytest.mark.parametrize("name", ["valley-side", "real-slope", "vaiont"])
+def test_the_mass_is_drawn_to_scale_where_it_turns_to(name: str) -> None:
+    """Either facing: both ends of its slip surface, turned as the page turns them, are where the section has them."""
+    m = motion(name)
+    soil = m.plan.scene.arc
+    mass = mass_of(soil, soil)
+    frame = livesection.frame_around([m])
+    drawn = livesection.section(m, frame, 1.0, "x")
+    ends = mass.on_circle(mass.ends)
+    (x, y), turn = drawn.centre, -math.radians(drawn.turn * m.run_out)  # of the drawing, whose y is downwards
+    places = [x, y] + (frame.points(ends) - [x, y]) @ [
+        [math.cos(turn), -math.sin(turn)],
+        [math.sin(turn), math.cos(turn)],
+    ]
+    arm = ends - mass.centre
+    toe = 1 if soil.facing > 0 else 0
+    lower = m.journey.toe if name != "vaiont" else None
+    if lower is not None:
+        assert places[toe] == pytest.approx(frame.points(lower), abs=1e-6 * frame.height)
+    angle = np.arctan2(arm[:, 1], arm[:, 0]) + float(soil.facing) * m.end.rotation
+    turned = mass.centre + mass.radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    assert places == pytest.approx(frame.points(turned), abs=1e-6 * frame.height)
+    assert np.hypot(*(frame.points(ends[0]) - frame.points(ends[1]))) == pytest.approx(
+        frame.scale * np.hypot(*(ends[0] - ends[1]))
+    )
+
+
+def test_masses_that_stay_are_cut_off_or_have_no_result_have_a_page() -> None:
+    vaiont = load("vaiont")
+    still = solve(Scene(vaiont.arc, 0.9, ["rotation"], name="still"))
+    cut = solve(replace(vaiont, end_time=10.0))
+    for m, words in ((still, "does not move"), (cut, "still moving")):
+        page = live.page([m])
+        assert words in data(page)["cases"][0]["headline"]
+        assert words in "".join(tree(page).itertext())
+    assert data(live.page([cut]))["duration"] == 10.0
+    assert data(live.page([still]))["duration"] == 0.0
+    over = replace(vaiont, friction=0.0, initial_velocity=1.0)
+    cases = data(live.varied_page(over, "initial_velocity_m_s", [0.0, -400.0]))["cases"]
+    assert ["no result" in case["headline"] for case in cases] == [False, True]
+
+
+def test_soils_are_drawn_in_the_ground_and_in_the_mass_with_their_names() -> None:
+    soils = [
+        Soil(19e3, friction=0.25, name="sand"),
+        Soil(18e3, 2e3, 0.15, name="clay"),
+        Soil(21e3, 9e3, 0.4, name="till"),
+    ]
+    layers = list(zip(soils, [None, [(-20.0, 12.0), (40.0, 6.0)], -1.0], strict=True))
+    ground = [[-40, 20], [0, 20], [40, 0], [90, 0]]
+    section = LayeredSection(ground, (30, 45), 48.0, layers=layers)
+    root = tree(live.page([solve(Scene(section, effects=["rotation", "centripetal"]))]))
+    bands = [e for e in root.iter("path") if e.get("class", "").startswith("band ")]
+    assert len(bands) == 2 * (len(section.layers) - 1)
+    assert [e.text for e in root.iter("text")][: len(section.layers)] == [soil.name for soil, _ in section.layers]
+
+
+def test_a_notebook_shows_the_slide() -> None:
+    root = ElementTree.fromstring(f"<div>{motion('vaiont')._repr_html_()}</div>")
+    (frame,) = root.iter("iframe")
+    assert frame.get("sandbox") == "allow-scripts"
+    assert "677.3 m in 38.08 s, at rest" in str(frame.get("srcdoc"))
+
+
+def test_hostile_names_are_text() -> None:
+    hostile = solve(replace(load("vaiont"), name="</script><script>alert(1)</script>&]]>", note="<b>"))
+    root = tree(live.page([hostile], "</script><b>", ["<i>"]))
+    assert len(list(root.iter("script"))) == 2
+    assert not {e.tag for e in root.iter()} & {"b", "i"}
+    assert data(live.page([hostile], "x", ["<i>"]))["cases"][0]["label"] == "<i>"
+
+
+# --- the command -----------------------------------------------------------------------------------------------------
+
+
+def test_a_command_writes_the_page(tmp_path: Path, asked: Any) -> None:
+    page = tmp_path / "slide.html"
+    assert asked("run vaiont --vary friction.angle_deg=8:12:3 --live", page)[0] == 0
+    found = data(page.read_text("utf-8"))
+    assert [case["label"] for case in found["cases"]] == ["8", "10", "12"]
+    assert found["first"] == 1
+    assert "friction angle (deg)" in page.read_text("utf-8")
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ("vaiont --vary friction.angle_deg=8:12:3", "--vary: is the second slider of a page; give --live FILE as well"),
+        ("vaiont vaiont-frozen --live {}", "--live: shows one scene"),
+        ("vaiont --live {} --vary friction.angle_deg=8:12:99", "99 values; a page shows at most 61"),
+        ("vaiont --live {} --vary friction.angle=8:12:3", "friction.angle: is no number of a scene"),
+        ("vaiont --live {} --vary friction.angle_deg=8:x", "must be KEY=FROM:TO:COUNT"),
+        ("vaiont --live {} --vary friction.angle_deg=-8,8", "friction"),
+        ("vaiont --live {}/none/x", "there is no folder"),
+    ],
+)
+def test_what_cannot_be_a_page_is_refused(words: str, told: str, tmp_path: Path, refused: Any) -> None:
+    assert told in refused("run", words.format(tmp_path / "x.html"))
+    assert not list(tmp_path.iterdir())
