@@ -71,7 +71,7 @@ class SlopeArrays:
     surcharge: Any = ()  # from x1 to x2, q1 and q2
     crack: Any = 0.0
     crack_water: Any = 0.0
-    shaken_load: Any = 0.0  # share of the surcharge on which k_h acts
+    k_h_on_surcharge: bool = False
 
     def only(self, lanes: Any) -> SlopeArrays:
         """Some of n slopes."""

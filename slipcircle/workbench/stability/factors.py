@@ -166,9 +166,9 @@ def _ordinary(driven: _Driven) -> Floats:
 def _yield_coefficient(driven: _Driven) -> Floats:
     """k_h by which drive and resistance of the paper's method are equal; both are linear in it, with friction or not.
 
-    As of a motion: friction does not act where the sum of normal stresses times friction is negative.
+    As of a motion, which shakes surcharges as well; friction does not act where its sum over the arc is negative.
     """
-    slices = driven.slices
+    slices = driven.slices._replace(shaken_load=1.0)
     shaking = slices.shaking_moment()
     friction = slices.integral(slices.friction * slices.radial_normal())
     tilt = slices.integral(slices.friction * slices.radial_tilt())

@@ -183,7 +183,7 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = N
         stresses=base.stresses(steps),
         friction=base.soil.friction,
         k_h=base.of_slope(slope.k_h),
-        shaken_load=base.of_slope(slope.shaken_load),
+        shaken_load=base.of_slope(slope.k_h_on_surcharge),
         steps=steps,
         constant=base.constant,
         gradient=base.gradient,
