@@ -135,7 +135,7 @@ def test_weightless(vertical: float) -> None:
 
 @pytest.mark.parametrize("amplitude", [1e3, 1e9])
 def test_huge_shaking_is_refused_where_the_mass_turns_over(amplitude: float) -> None:
-    with pytest.raises(ValueError, match="the chord stands upright"):
+    with pytest.raises(ValueError, match="the chord is vertical"):
         solve(Scene(ARC, 0.5, TURNING | {"shaking": {"pulse": "half-sine", "amplitude": amplitude, "duration": 5.0}}))
 
 

@@ -157,7 +157,7 @@ def _document(content: Mapping[str, Any], tables: Mapping[str, Table], law: str)
         known["friction"] = {"law": content["friction"]["law"], "coefficient": 0.0}
     document = Document(known, tables)
     if len(known) < len(content):
-        document.mistakes.insert(0, "arc: and ground exclude each other; leave one out")
+        document.mistakes.insert(0, "arc: and ground exclude each other; remove one")
     return document
 
 

@@ -196,7 +196,7 @@ class Search:
         values = self.evaluate(q)
         order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
         if not order.size:
-            left = "no circle is left that slides within the limits given; widen entry, exit, depth or base"
+            left = "no circle within these limits can slide; widen entry, exit, depth or base"
             raise InputError("critical", [left])
         valleys: list[int] = []
         while len(valleys) < _VALLEYS and order.size:
