@@ -53,6 +53,9 @@ if TYPE_CHECKING:
     from slipcircle.core.scene.section import Section as Section
     from slipcircle.core.scene.soils import Soil as Soil
     from slipcircle.core.scene.soils import layer_mistakes as layer_mistakes
+    from slipcircle.core.scene.soils_along import Stretch as Stretch
+    from slipcircle.core.scene.soils_along import mean_normal_stress as mean_normal_stress
+    from slipcircle.core.scene.soils_along import stretches as stretches
     from slipcircle.core.scene.weights import Dimensionless as Dimensionless
 
 # Public names by the module that defines them.
@@ -75,6 +78,7 @@ _PUBLIC = {
     "core.scene.scene": "Scene checked",
     "core.scene.section": "Section",
     "core.scene.soils": "Soil layer_mistakes",
+    "core.scene.soils_along": "Stretch mean_normal_stress stretches",
     "core.scene.weights": "Dimensionless",
 }
 _MODULES = {name: f"slipcircle.{module}" for module, names in _PUBLIC.items() for name in names.split()}
