@@ -449,7 +449,7 @@ def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) ->
         ("--grid friction.angel_deg=1:2:3", "did you mean friction.angle_deg"),
         ("--grid friction.angle_deg=1 --scheduler tcp://127.0.0.1:1", "is of --engine dask"),
         ("--grid friction.angle_deg=1,2 --grid friction.angle_deg=3", "each key once"),
-        ("--grid friction.angle_deg=8:12:9999 --grid arc.radius_m=1:9:9999", "67108864 at most"),
+        ("--grid friction.angle_deg=8:12:9999 --grid arc.radius_m=1:9:9999", "at most 67108864"),
         ("--grid friction.angle_deg=1:2:1000000000000", "not enough memory"),
         ("--grid friction.angle_deg=1 --engine threads --workers 0", "--workers 0: must be 1"),
         ("--grid friction.angle_deg=1 --csv /no/such/place.csv", "there is no folder /no/such"),

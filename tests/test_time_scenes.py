@@ -186,7 +186,7 @@ VANISHING = [
 
 @pytest.mark.parametrize("friction", VANISHING, ids=str)
 def test_swings_that_hardly_die_away_are_refused(friction: Any) -> None:
-    with pytest.raises(ValueError, match=r"turns back \d{4} times and more without resting; give an earlier end"):
+    with pytest.raises(ValueError, match=r"turns back \d{4} times or more without coming to rest; give an earlier end"):
         solve(Scene(ARC, friction, TURNING))
     motion = solve(Scene(ARC, friction, TURNING, end_time=300.0))  # asked for so much only, it is followed
     assert 7 <= len(golden.changes(motion)) < 9
