@@ -285,7 +285,7 @@ def test_the_command_line_says_the_same(file: Path, said: Any, refused: Any) -> 
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("viaont", "scene 'viaont' is unknown; known are newmark-pulse, .*, wet-slope; did you mean vaiont?"),
+        ("viaont", "scene 'viaont' is unknown; known are layered-slope, .*, wet-slope; did you mean vaiont?"),
         ("", "scene '' is unknown; known are .*"),
         ("wet_slope.toml", "wet_slope.toml: there is no such file; known are .*; did you mean wet-slope?"),
         ("no/where", "no/where: there is no such file; known are .*"),

@@ -33,7 +33,7 @@ from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
 from slipcircle.workbench.outputs.provenance import inputs
-from slipcircle.workbench.outputs.tables import Part, interval, motion_column
+from slipcircle.workbench.outputs.tables import Part, interval, motion_column, stretches_part
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
@@ -190,6 +190,8 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     for label, text in motion_column(motion).items():
         rows.append([label, _value(quantities[label], motion, text) if label in quantities else text])
     yield Part([], rows, "Key results")
+    if layered := stretches_part(motion):
+        yield layered._replace(title="Soils along the slip surface")
     yield tag("h3", "Pictures")
     for what, caption in _captions(motion).items():
         yield _figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))

@@ -86,11 +86,13 @@ class Slope:
         Soils from the ground down, each with its top, as for a `LayeredSection`; in place of cohesion, friction, unit
         weight and pore ratio.
     surcharge : sequence of (x1, x2, q1, q2)
-        Pressures on the ground, Pa, linear from x1 to x2; k_h does not act on them.
+        Pressures on the ground, Pa, linear from x1 to x2.
     pond : float, optional
         Level of standing water, m; without a water level also that of the ground water.
     crack, crack_water : float
         Depth of a tension crack at the upper end of an arc, and height of the water in it, m.
+    k_h_on_surcharge : bool
+        Whether k_h acts on the surcharges, at the ground.
 
     Raises
     ------
@@ -113,6 +115,7 @@ class Slope:
     pond: float | None = None
     crack: float = 0.0
     crack_water: float = 0.0
+    k_h_on_surcharge: bool = False
 
     def __post_init__(self) -> None:
         given = {name: value for name, value in vars(self).items() if name not in _LAYERED}
@@ -143,7 +146,7 @@ class Slope:
 
     def arrays(self) -> SlopeArrays:
         """For `circle_factors`."""
-        names = ("water_unit_weight", "pressure", "k_h", "pond", "crack", "crack_water")
+        names = ("water_unit_weight", "pressure", "k_h", "pond", "crack", "crack_water", "k_h_on_surcharge")
         numbers: dict[str, Any] = {n: getattr(self, n) for n in names}
         ground = np.asarray(self.ground)[None]
         level = None if self.level is None else np.asarray(self.level)[None]
@@ -158,7 +161,7 @@ class Slope:
         return SlopeArrays(ground, soils, tops, level, surcharge=self.surcharge, **numbers)
 
 
-_LAYERED = ("layers", "surcharge", "pond", "crack", "crack_water")
+_LAYERED = ("layers", "surcharge", "pond", "crack", "crack_water", "k_h_on_surcharge")
 _OF_ONE_SOIL = ("cohesion", "friction", "unit_weight", "pore_ratio")
 
 
