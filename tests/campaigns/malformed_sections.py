@@ -100,8 +100,8 @@ def line(rng: Random, given: Data) -> Wrong:
             points[k][rng.randrange(2)] = rng.choice([NAN, INF, -INF, 1e9, -1e300])
             return Wrong({name: points}, f"{name}[{k}]", shown(points[k]) + ".*within 1e9 m")
         case 3:
-            return Wrong({name: [[points[0][0], y] for _, y in points]}, name, "all points have the same x|is equal to the "
-                         "point before it", KEYS[name])  # fmt: skip
+            return Wrong({name: [[points[0][0], y] for _, y in points]}, name, "all points have the same x|is equal "
+                         "to the point before it", KEYS[name])  # fmt: skip
         case 4:
             odd: list[Any] = [[], [points[0]], "ground", None, 3.0, True, [1.0, 2.0], [[1.0], [2.0]], points[0],
                               [[1, 2, 3], [4, 5, 6]], [["a", "b"], ["c", "d"]], {"x": 1}, [points[0], [1.0]],
