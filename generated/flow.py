@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d3c9c359b58fd458779f0e932e3106d61bfa875b9ec23153d62e0b2c0efa2875
+# sha256 of the text below: 9cefe069b1e43a4761db05f799f1815ff38605fd96fdd30e6adaa910cd2aca69
 """The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref:
@@ -206,7 +206,7 @@ FRAGMENTS: dict[str, Fragment] = {
     ),
     'centripetal': Fragment(
         words=(
-            '(2.20) the mass presses harder on the slip surface the faster it turns',
+            '(2.20) the normal stress on the slip surface increases with the speed of rotation',
             'adds A omega^2 to sigma',
         ),
         inputs=(),
@@ -226,7 +226,7 @@ FRAGMENTS: dict[str, Fragment] = {
     ),
     'pore_pressure': Fragment(
         words=(
-            '(2.20) water pressure on the slip surface relieves friction',
+            '(2.20) water pressure on the slip surface reduces friction',
             'adds J_r pore_ratio*/lambda + pore_pressure* + water* to u',
             'pore_ratio* = cover ratio',
             'pore_pressure* = pressure/sigma_ref',
@@ -390,9 +390,10 @@ FRAGMENTS: dict[str, Fragment] = {
     ),
     'thermal_pressurisation': Fragment(
         words=(
-            '(3.11) friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves '
-                'the layer) and adiabatic (no heat does), as in a slide of seconds to minutes on millimetres of clay '
-                'or more; one mean pressure and temperature, constant Lambda, and all work of friction is heat',
+            '(3.11) friction heats a thin layer, whose pore water expands and reduces its strength; undrained and '
+                'adiabatic (neither water nor heat leaves the layer), as in slides of seconds to minutes on some '
+                'millimetres of clay; one mean pressure and temperature, constant Lambda, and all work of friction is '
+                'heat',
             'adds excess to u',
             "dexcess/dphi = kappa* mu sigma'",
             'kappa* = R pressurisation/(heat_capacity thickness)',
@@ -420,7 +421,7 @@ FRAGMENTS: dict[str, Fragment] = {
     ),
     'layered_strength': Fragment(
         words=(
-            '(2.23) soils along the arc have strengths of their own, by the weights of (2.23) straight above each',
+            '(2.23) each soil along the arc has its strength, with the normal stress from the weight above it (2.23)',
             'adds Theta (layered_lift + layered_remaining_lift/slip_mu)/lambda to u',
             'adds Theta layered_cohesion to resistance',
             'adds Theta (k_h (layered_normal_slope + turning_slope) + layered_inertia omega^2 + (1 - k_v) '

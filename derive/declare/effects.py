@@ -200,7 +200,7 @@ EFFECTS = (
     Effect("rotation", "1.2", (), ("slip",), "the mass turns as it slides, and its weight acts in its new position",
            turns=True),
     Effect("centripetal", "2.20", (), ("speed squared",),
-           "the mass presses harder on the slip surface the faster it turns", stress=A * OMEGA_2),
+           "the normal stress on the slip surface increases with the speed of rotation", stress=A * OMEGA_2),
     Effect("pore_pressure", "2.20", (
         Parameter("ratio", "", _BELOW_0, 1.0, "r_u, pore pressure over the static normal stress at the position (of a "
                   "real section over the weight of the soil above), constant or a function of time", "ratio", 1.0,
@@ -211,15 +211,15 @@ EFFECTS = (
         Parameter("level", "Pa", _BELOW_0, _INFINITY, "mean pressure on the arc of a real section below its water "
                   "level, which stays while the mass turns through it", "", 1.0, _WATER, VALUE / REFERENCE,
                   optional=True, kind="rotation"),
-        Parameter("time", "s", _BELOW_0, _INFINITY, "times of a ratio or pressure that is a list, straight lines "
-                  "between them", "time_s", optional=True, kind="list"),
+        Parameter("time", "s", _BELOW_0, _INFINITY, "times of a ratio or pressure given as a list, with linear "
+                  "interpolation", "time_s", optional=True, kind="list"),
         _optional("record", "file of a record of either, relative to the scene's: a table of times and values",
                   kind="text"),
-        _optional("units", "unit of the record's values, where it does not say it: Pa, kPa, MPa, or ratio for r_u",
+        _optional("units", "unit of the record's values, if the file does not give it: Pa, kPa, MPa, or ratio for r_u",
                   kind="text"),
         _optional("start", "time of its first sample, by default the record's own", "s", "start_s"),
         *_OF_A_RECORD), (),
-           "water pressure on the slip surface relieves friction", pressure=_RATIO * J_R / LAMBDA + _PRESSURE + _WATER,
+           "water pressure on the slip surface reduces friction", pressure=_RATIO * J_R / LAMBDA + _PRESSURE + _WATER,
            any_of=("ratio", "pressure", "record")),
     Effect("cohesion", "3.11", (
         Parameter("cohesion", "Pa", _BELOW_0, _INFINITY, "shear strength without normal stress", "cohesion_kPa", 1e3,
@@ -244,18 +244,18 @@ EFFECTS = (
         _optional("duration", "duration of the pulse", "s", "duration_s"),
         _optional("cycles", "waves of a sine, by default 1"),
         _optional("record", "file of an acceleration record, relative to the scene's", kind="text"),
-        _optional("holds", "what the record holds, positive down-slope whichever way the slope faces: acceleration of "
-                  "the ground, or its opposite, which drives", kind="ground|driving"),
-        _optional("units", "unit of the record's values, where it does not say it: g, m/s2, cm/s2, gal, mm/s2",
+        _optional("holds", "content of the record, positive down-slope whichever way the slope faces: acceleration of "
+                  "the ground, or its opposite, which drives the mass", kind="ground|driving"),
+        _optional("units", "unit of the record's values, if the file does not give it: g, m/s2, cm/s2, gal, mm/s2",
                   kind="text"),
-        _optional("vertical_record", "file of the vertical acceleration, upwards where it holds that of the ground",
+        _optional("vertical_record", "file of the vertical acceleration, positive upwards for that of the ground",
                   kind="text"),
-        _optional("vertical_column", "name of its column, in the same file where no other is named", kind="text"),
+        _optional("vertical_column", "name of its column, by default in the same file", kind="text"),
         _optional("scale", "factor on the record's values, by default 1"),
         _optional("peak", "greatest horizontal acceleration to which a record is scaled, in place of a factor",
                   key="peak_g"),
         *_OF_A_RECORD,
-        _optional("two_way", "whether shaking may start it up-slope too; by default it may not", kind="flag")),
+        _optional("two_way", "whether shaking may also start the mass up-slope; by default false", kind="flag")),
            ("time",), "ground motion tilts and scales gravity", any_of=("horizontal", "pulse", "record"),
            driving_moment=K_H * THETA * DRIVING_MOMENT_SLOPE - K_V * J_THETA,
            normal_load=K_H * THETA * NORMAL_LOAD_SLOPE - K_V * J_R),
@@ -266,8 +266,8 @@ EFFECTS = (
         Parameter("heat_capacity", "J/m^3 K", 0.0, _INFINITY, "rho c, heat capacity of the layer by volume",
                   "heat_capacity_MJ_m3_K", 1e6),
         Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("history",),
-           "friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves the "
-           "layer) and adiabatic (no heat does), as in a slide of seconds to minutes on millimetres of clay or more; "
+           "friction heats a thin layer, whose pore water expands and reduces its strength; undrained and adiabatic "
+           "(neither water nor heat leaves the layer), as in slides of seconds to minutes on some millimetres of clay; "
            "one mean pressure and temperature, constant Lambda, and all work of friction is heat",
            pressure=_EXCESS, states=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
 )  # fmt: skip
@@ -294,7 +294,7 @@ SECTION_EFFECTS = (
                     "rotation"),
         _of_section("remaining_lift", "what water takes from it", _REMAINING_LIFT, "rotation"),
         _of_section("strength", "strength without normal stress", _COHESIVE, "rotation")), (),
-           "soils along the arc have strengths of their own, by the weights of (2.23) straight above each",
+           "each soil along the arc has its strength, with the normal stress from the weight above it (2.23)",
            normal_load=THETA * (_EXCESS_PRESS + _LEFT_PRESS / SLIP_MU),
            pressure=THETA / LAMBDA * (_LIFT + _REMAINING_LIFT / SLIP_MU), resistance=THETA * _COHESIVE),
 )  # fmt: skip

@@ -46,7 +46,8 @@ def with_derivatives(section: LayeredSection, names: Sequence[str]) -> LayeredSe
         object.__setattr__(other, f.name, changed.get(f.name, getattr(section, f.name)))
     vars(other)["real"] = section
     vars(other)["shape"] = (len(names),)
-    return other  # type: ignore[no-any-return]
+    section_of_lanes: LayeredSection = other
+    return section_of_lanes
 
 
 class _ComplexSection(LayeredSection):

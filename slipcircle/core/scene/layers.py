@@ -9,7 +9,7 @@ friction this is the paper's method; `slipcircle.core.scene.strength` has it.
 from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -84,6 +84,14 @@ class LayeredSection(Section):
         overhangs = max(-float(np.min(first)), float(np.max(last))) > np.pi / 2
         steep = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
         raise_all("LayeredSection", [steep] if overhangs else [])
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, LayeredSection) or len(self.layers) != len(other.layers):
+            return False
+        same_tops = all(np.array_equal(a, b) for (_, a), (_, b) in zip(self.layers, other.layers, strict=True))
+        names = {f.name for f in fields(self)} - {"layers", "foreland"}
+        same_fields = all(np.array_equal(getattr(self, name), getattr(other, name)) for name in names)
+        return self.soils == other.soils and same_tops and same_fields
 
     # --- soils -------------------------------------------------------------------------------------------------------
 
