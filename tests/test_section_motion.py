@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import brentq
 
 from slipcircle import Arc, Motion, Scene, Section, load, solve
-from slipcircle.workbench.stability.slices import circle_factors
+from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.stability import Slope
 from tests.support.grounds import GROUND
 

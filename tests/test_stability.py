@@ -11,9 +11,9 @@ from slipcircle import Scene
 from slipcircle.core.scene import circles
 from slipcircle.core.scene.ground import circle_through
 from slipcircle.core.scene.section import Section
+from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.search import critical
-from slipcircle.workbench.stability.slices import circle_factors
 from slipcircle.workbench.stability.stability import METHODS, Slope, factors_of_safety
 from tests.campaigns import peers_slopes
 

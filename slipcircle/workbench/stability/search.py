@@ -9,8 +9,8 @@ import numpy as np
 from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.series import Floats
 from slipcircle.core import Section
+from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.family import Search
-from slipcircle.workbench.stability.slices import circle_factors
 from slipcircle.workbench.stability.stability import METHODS, Slope
 
 _PULLED = 0.2  # share of an arc that may be under negative stress without a warning
@@ -184,7 +184,7 @@ def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right
     """One circle, by arrays of one."""
     circle = centre, radius, left, right
     factors = circle_factors(slope.arrays(), *circle, pieces=_PIECES)
-    still = circle_factors(slope.arrays()._replace(k_h=0.0), *circle) if slope.k_h else None
+    still = circle_factors(replace(slope.arrays(), k_h=0.0), *circle) if slope.k_h else None
     facing = int(factors["facing"][0])
     negative = float(factors["negative"][0])
     first, second = _point(left), _point(right)

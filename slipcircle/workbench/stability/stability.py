@@ -15,9 +15,10 @@ from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
 from slipcircle.base.checks import InputError, raise_all
+from slipcircle.base.series import Floats
 from slipcircle.core import LayeredSection, Section, Soil, law_parts, layer_mistakes, pond_errors, slope_errors
-from slipcircle.workbench.stability.arcs import SlopeArrays, SoilArrays
-from slipcircle.workbench.stability.slices import Floats, circle_factors
+from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
+from slipcircle.workbench.stability.factors import circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
@@ -151,7 +152,7 @@ class Slope:
         ground = np.asarray(self.ground)[None]
         level = None if self.level is None else np.asarray(self.level)[None]
         if level is None and self.pond is not None:
-            level = top_line(self.pond, ground, lambda value, *_: value)
+            level = level_line(self.pond, ground)
         soils: tuple[SoilArrays, ...] = (SoilArrays(self.cohesion, self.friction, self.unit_weight, self.pore_ratio),)
         tops: tuple[Floats, ...] = ()
         if self.layers:
@@ -271,9 +272,7 @@ def top_line(top: Any, ground: Floats, by_lane: Callable[..., Any]) -> Floats:
     """The top of a layer as a line, (1 or n, V, 2): of a height, from one end of the ground to the other."""
     if np.ndim(top) > 1:
         return np.asarray(by_lane(top, 2))
-    height = np.reshape(by_lane(top), (-1, 1))
-    x = np.broadcast_to(ground[:, [0, -1], 0], (max(len(height), len(ground)), 2))
-    return np.stack(np.broadcast_arrays(x, height), axis=-1)
+    return level_line(by_lane(top), ground)
 
 
 def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
