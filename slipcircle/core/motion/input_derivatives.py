@@ -61,21 +61,10 @@ class InputDerivatives:
         self.time_growth = (radius - gravity) / 2
         self.speed_growth = (radius + gravity) / 2
         self.radius_growth = radius
-        unit_weight = self.relative("unit_weight", arc.unit_weight)
         if isinstance(arc, LayeredSection):
             self.with_derivatives = with_derivatives(arc, names)
-            unit_weight = derivative(self.with_derivatives.mean_unit_weight) / float(arc.mean_unit_weight)
         self.inputs, alpha, inertia, cover = self._geometry()
-        self.growths = {
-            "half_angle": alpha / float(arc.half_angle),
-            "gravity": gravity,
-            "Theta": inertia,
-            "radius": radius,
-            # (2.13): sigma_ref = unit weight * R (1 - cos alpha)
-            "reference_stress": unit_weight + radius + alpha / math.tan(float(arc.half_angle) / 2),
-            "density": unit_weight - gravity,
-            "cover": cover,
-        }
+        self.growths = self._growths_of_scales(radius, gravity, alpha) | {"Theta": inertia, "cover": cover}
         scales = {name: float(value) for name, value in scales_of(arc).items()}
         for effect, given in lanes.called.items():
             if effect in EFFECTS:
@@ -86,6 +75,23 @@ class InputDerivatives:
         self.growth = InputGrowth(self.time_growth, end_dot, self.tables)
         velocity_growth = self.relative("initial_velocity", lanes.velocity) - self.speed_growth
         self.omega = lanes.problem.cells[ix.OMEGA, 0] * velocity_growth
+
+    def _growths_of_scales(self, radius: Floats, gravity: Floats, alpha: Floats) -> dict[str, Floats]:
+        """Relative derivatives of what parameters are made dimensionless by; alpha's own is absolute."""
+        arc = self.lanes.arc
+        if isinstance(arc, LayeredSection):
+            unit_weight = derivative(self.with_derivatives.mean_unit_weight) / float(arc.mean_unit_weight)
+        else:
+            unit_weight = self.relative("unit_weight", arc.unit_weight)
+        half_angle = float(arc.half_angle)
+        return {
+            "half_angle": alpha / half_angle,
+            "gravity": gravity,
+            "radius": radius,
+            # (2.13): sigma_ref = unit weight * R (1 - cos alpha)
+            "reference_stress": unit_weight + radius + alpha / math.tan(half_angle / 2),
+            "density": unit_weight - gravity,
+        }
 
     def _geometry(self) -> "_Geometry":
         """Derivatives of the arc's coefficients and angle, and of its moment of inertia and cover."""
