@@ -74,7 +74,7 @@ def test_what_is_not_solved_is_told() -> None:
     deep = Section([[-10, 10], [0, 0], [10, 10]], [0.2, 2.0], 4.0, 20e3)
     with pytest.raises(ValueError, match="half a circle"):
         Scene(deep, 0.3)
-    with pytest.raises(AttributeError, match="of a Section only"):
+    with pytest.raises(AttributeError, match="needs a Section"):
         solve(Scene(Arc(60.0, 4.0, 5.0, 2e4), 0.9)).journey  # noqa: B018
 
 

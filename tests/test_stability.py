@@ -287,7 +287,7 @@ def test_limits_hold() -> None:
         if "depth" in more:
             assert Section(slope.ground, found.centre, found.radius, 19e3, between=found.between).depth >= 6.0 - 1e-6
         (name,) = more
-        stands = f"the {name} stands on a limit of the search" if name != "depth" else "as thin as the search allows"
+        stands = f"the {name} is at a limit of the search" if name != "depth" else "as thin as the search allows"
         assert stands in found.warning
         assert stands not in free.warning
     again = critical(slope)
@@ -384,12 +384,12 @@ def test_the_least_factor_is_that_of_differential_evolution(seed: int) -> None:
 @pytest.mark.parametrize(
     ("slope", "more", "words"),
     [
-        (replace(ACADS, cohesion=0.0), {}, "ever thinner skin"),
+        (replace(ACADS, cohesion=0.0), {}, "ever thinner masses"),
         (replace(ACADS, friction=0.0, base=None), {}, "infinitely deep, where the factor tends to 0.0828;"),
         (replace(ACADS, friction=0.0, base=None, k_h=0.1), {}, "infinitely deep"),
         (Slope([(0, 0), (50, 0)], 1e3, 0.5, 2e4), {}, "level"),
-        (replace(ACADS, pressure=5e3), {}, "the same along every circle, and lifts the thin ones"),
-        (replace(ACADS, k_h=-0.9), {}, "no circle is left that slides"),
+        (replace(ACADS, pressure=5e3), {}, "uniform along every circle, and lifts thin masses"),
+        (replace(ACADS, k_h=-0.9), {}, "no circle within these limits can slide"),
         (ACADS, {"method": "janbu"}, "must be one of"),
         (ACADS, {"method": ["bishop"]}, "must be one of"),
         (ACADS, {"entry": 3.0}, "entry = 3.0: must be two numbers"),
@@ -399,7 +399,7 @@ def test_the_least_factor_is_that_of_differential_evolution(seed: int) -> None:
         (ACADS, {"entry": (5.0, 1.0)}, "least and the greatest"),
         (ACADS, {"exit": (200.0, 300.0)}, "beside the ground"),
         (ACADS, {"depth": -1.0}, "at least 0"),
-        (ACADS, {"entry": (0.0, 1.0), "exit": (2.0, 3.0)}, "no circle is left"),
+        (ACADS, {"entry": (0.0, 1.0), "exit": (2.0, 3.0)}, "no circle within these limits"),
     ],
 )
 def test_a_search_without_an_answer_says_why(slope: Slope, more: dict[str, object], words: str) -> None:

@@ -202,7 +202,7 @@ class Search:
         q, steps = self._coarse_family()
         values = self.evaluate(q, _COARSE_NODES)
         if not np.any(np.isfinite(values)):
-            left = "no circle is left that slides within the limits given; widen entry, exit, depth or base"
+            left = "no circle within these limits can slide; widen entry, exit, depth or base"
             raise InputError("critical", [left])
         valleys = _valleys(q, values, steps)
         tell(f"{len(values)} circles; following {len(valleys)}, from {np.nanmin(values):.4g}")

@@ -161,7 +161,7 @@ def _reached_ends(search: Search, circle: Critical) -> list[str]:
         for x in search.ground[[0, -1], 0]
         if min(abs(circle.entry[0] - x), abs(circle.exit[0] - x)) < 1e3 * search.rounding
     ]
-    return [f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less" for x in reached]
+    return [f"the circle reaches the end of the ground at x = {x:.6g}; the factor may be lower beyond" for x in reached]
 
 
 def _reached_limits(search: Search, q: Floats, circle: Critical) -> list[str]:
@@ -171,10 +171,10 @@ def _reached_limits(search: Search, q: Floats, circle: Critical) -> list[str]:
     for name, limit in search.limits.items():
         x = getattr(circle, name)[0]
         if limit is not None and limit[1] > limit[0] and min(abs(x - limit[0]), abs(x - limit[1])) < near:
-            sentences.append(f"the {name} stands on a limit of the search, x = {x:.6g}; a wider one may give less")
+            sentences.append(f"the {name} is at a limit of the search, x = {x:.6g}; the factor may be lower beyond")
     centre, radius, _, _ = search.circles(q)
     if search.depth and search.thickness(q, centre, radius)[0] < search.depth + near:
-        sentences.append(f"the mass is as thin as the search allows, {search.depth:.6g} m; a thinner one may give less")
+        sentences.append(f"the mass is as thin as the search allows, {search.depth:.6g} m; thinner ones may be worse")
     return sentences
 
 
@@ -240,14 +240,14 @@ def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) ->
     for name, pair in limits.items():
         mistakes += _limit_mistakes(name, pair, ground)
     if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
-        mistakes.append("{ground}: is level; nothing drives a slide")
+        mistakes.append("{ground}: is level; nothing drives a mass")
     elif not depth and slope.cohesion == 0.0 and not slope.layers:
         mistakes.append(
-            f"{{cohesion}} = 0: the least factor is that of an ever thinner skin{_skin(slope)}; give a least depth"
+            f"{{cohesion}} = 0: the factor decreases towards ever thinner masses{_skin(slope)}; give a least depth"
         )
     elif not depth and slope.friction and slope.pressure:
         mistakes.append(
-            "{pressure}: is the same along every circle, and lifts the thin ones; give a water level or a pore "
+            "{pressure}: is uniform along every circle, and lifts thin masses; give a water level or a pore "
             "pressure ratio, or a least depth"
         )
     return mistakes
@@ -263,7 +263,7 @@ def _limit_mistakes(name: str, pair: Any, ground: Floats) -> list[str]:
         return [f"{given}: must be the least and the greatest x, in this order"]
     if high < ground[0, 0] or low > ground[-1, 0]:
         reach = f"from {ground[0, 0]:.10g} to {ground[-1, 0]:.10g}"
-        return [f"{given}: lies beside the ground, which reaches {reach}"]
+        return [f"{given}: lies beside the ground, which extends {reach}"]
     return []
 
 
@@ -289,6 +289,6 @@ def _refuse_bottomless(slope: Slope, least: float, shaken: bool) -> None:
     if shaken:
         deepest = 0.0
     if least > deepest:
-        words = f"the critical circle runs infinitely deep, where the factor tends to {deepest:.4g}"
+        words = f"the critical circle is infinitely deep, where the factor tends to {deepest:.4g}"
         advice = "give the base of the soil, or where the circle comes out (exit)"
         raise InputError("critical", [f"{{friction}} = 0 without a base: {words}; {advice}"])

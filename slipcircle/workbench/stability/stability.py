@@ -136,7 +136,7 @@ class Slope:
             found = [] if self.unit_weight is not None else ["unit_weight is missing"]
         found += slope_errors(given)
         if self.level is not None and self.pore_ratio != 0.0:
-            found.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; leave one out")
+            found.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; remove one")
         if not found:
             ground = np.array(self.ground, dtype=np.float64)
             object.__setattr__(self, "ground", ground)
@@ -192,7 +192,7 @@ def require_drive(section: Section) -> None:
     if abs(moment) <= 1e-9 * area:
         left, right = sorted((float(section.entry[0]), float(section.exit[0])))
         where = f"{{centre}}: nothing drives the mass from x = {left:.6g} to {right:.6g}"
-        why = "it is in balance about the centre, as below level ground; choose a circle that cuts the slope"
+        why = "it is in equilibrium about the centre, as below level ground; choose a circle that cuts the slope"
         raise InputError("Section", [f"{where}: {why}"])
 
 
@@ -219,7 +219,7 @@ def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:
     """
     section = scene.arc
     if not isinstance(section, Section):
-        raise ValueError("factors_of_safety: scene.arc: must be a Section; an Arc has the factor of its Motion alone")
+        raise ValueError("factors_of_safety: scene.arc: must be a Section; an Arc has only the factor of its Motion")
     strength = soil(scene.friction, scene.called)
     if not strength:
         raise ValueError(
