@@ -18,7 +18,7 @@ from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.series import Floats
 from slipcircle.core import LayeredSection, Section, Soil, law_parts, layer_mistakes, pond_errors, slope_errors
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
-from slipcircle.workbench.stability.factors import circle_factors
+from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
@@ -39,6 +39,13 @@ METHODS: Mapping[str, tuple[str, str]] = {
         "forces between slices increase the normal stress on steep bases",
     ),
 }
+
+
+def least_of(method: str) -> str:
+    """In words, what a search by a method minimises."""
+    return "least yield coefficient" if method == YIELD else f"least factor by {method}"
+
+
 COMPARED = """\
 The factor is the moment of this strength about the centre, divided by that of the weight and of k_h times the weight \
 at half the height of the slices. The three agree for mu = 0, and nearly for flat arcs. On the circle of real-slope \
@@ -129,7 +136,7 @@ class Slope:
             found = [] if self.unit_weight is not None else ["unit_weight is missing"]
         found += slope_errors(given)
         if self.level is not None and self.pore_ratio != 0.0:
-            found.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; leave one out")
+            found.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; remove one")
         if not found:
             ground = np.array(self.ground, dtype=np.float64)
             object.__setattr__(self, "ground", ground)
@@ -185,7 +192,7 @@ def require_drive(section: Section) -> None:
     if abs(moment) <= 1e-9 * area:
         left, right = sorted((float(section.entry[0]), float(section.exit[0])))
         where = f"{{centre}}: nothing drives the mass from x = {left:.6g} to {right:.6g}"
-        why = "it is in balance about the centre, as below level ground; choose a circle that cuts the slope"
+        why = "it is in equilibrium about the centre, as below level ground; choose a circle that cuts the slope"
         raise InputError("Section", [f"{where}: {why}"])
 
 
@@ -212,7 +219,7 @@ def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:
     """
     section = scene.arc
     if not isinstance(section, Section):
-        raise ValueError("factors_of_safety: scene.arc: must be a Section; an Arc has the factor of its Motion alone")
+        raise ValueError("factors_of_safety: scene.arc: must be a Section; an Arc has only the factor of its Motion")
     strength = soil(scene.friction, scene.called)
     if not strength:
         raise ValueError(
