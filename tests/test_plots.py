@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 
 import matplotlib.pyplot
@@ -13,9 +14,11 @@ from matplotlib.text import Text
 from PIL import Image, ImageSequence
 
 from slipcircle import Arc, Scene, Section, critical, grid, load, solve
+from slipcircle.workbench.common.quantities import record
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs import layerplot, pictures, plots, plotstyle, searchplot
-from slipcircle.workbench.outputs.tables import motion_column
+from slipcircle.workbench.outputs.report import _of_motion
+from slipcircle.workbench.outputs.tables import motion_column, stretches_part
 from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
@@ -357,3 +360,22 @@ def test_stresses_along_a_layered_arc_have_its_mean() -> None:
     assert np.mean(stress) == pytest.approx(mean, rel=1e-12)
     assert ax.lines[1].get_ydata()[0] == pytest.approx(mean, rel=1e-12)
     assert 0.0 < along[0] < along[-1] < ax.get_xlim()[1]
+
+
+def test_stretches_are_in_tables_json_and_reports() -> None:
+    """Of each soil along the arc, and of the whole: its strength over the drive is the factor of safety."""
+    slide = solve(Scene(profile("softening"), effects=TURNING, name="four layers"))
+    part = stretches_part(slide)
+    assert part is not None
+    *rows, whole = part.rows
+    assert [row[0] for row in rows] == [f"soil {k}" for k in (0, 1, 2, 3, 2)]
+    assert whole[1:3] == ["66.16", "100.0"]
+    records = record(slide)["stretches"]
+    assert [f"{100 * r['weight_share']:.1f}" for r in records] == [row[2] for row in rows]
+    assert sum(r["length"] * r["strength"] for r in records) / 66.16275 == pytest.approx(
+        1e3 * float(whole[5]), rel=1e-4
+    )
+    _, in_report = islice(_of_motion(slide, None), 2)
+    assert in_report == part._replace(title="Soils along the slip surface")
+    assert stretches_part(motion("vaiont")) is None
+    assert "stretches" not in record(motion("vaiont"))

@@ -170,7 +170,7 @@ MISTAKES = [
      "arc.radius_m: is missing: radius of the slip circle, a number above 0 (m)"),
     (ARC, "friction: is missing: friction on the slip surface, a table [friction]"),
     (ARC + "[friction]\n", "friction: angle_deg or coefficient is missing: friction coefficient, tan(phi)"),
-    (ARC + FRICTION + "coefficient = 0.2\n", "friction: angle_deg and coefficient exclude each other; leave one out"),
+    (ARC + FRICTION + "coefficient = 0.2\n", "friction: angle_deg and coefficient exclude each other; remove one"),
     (ARC + "[friction]\nangle_deg = 95\n", "friction.angle_deg = 95: must be a number at least 0 and below 90 (deg): "),
     (ARC + "[friction]\ncoefficient = -0.1\n", "friction.coefficient = -0.1: must be a number at least 0: "),
     (ARC + "[friction]\nlaw = 'exponentail'\npeak = 1\nresidual = 0\nlength_m = 1\n",
@@ -193,7 +193,7 @@ MISTAKES = [
     (ARC.replace("= 20\n", "= 0\n") + FRICTION, "arc.unit_weight_kN_m3 = 0: must be a number above 0 (kN/m3): unit"),
     (ARC.replace("215.2", "276.9") + FRICTION, "arc.theta_2_deg = 276.9 deg: must be above theta_1_deg = 276.9 deg"),
     (ARC.replace("215.2", "15.2").replace("276.9", "76.9") + FRICTION,
-     "arc.theta_1_deg = 15.2 deg, theta_2_deg = 76.9 deg: it presses on nothing"),
+     "arc.theta_1_deg = 15.2 deg, theta_2_deg = 76.9 deg: there is no normal load"),
     (ARC + GIVEN.replace("radial_weight = 0.0870\n", "") + FRICTION, "arc.given.radial_weight: is missing: radial wei"),
     (ARC + GIVEN.replace("0.468", "-1") + FRICTION, "arc.given.dynamic_coefficient = -1: must be a number above 0"),
     (ARC + GIVEN + FRICTION + "[rotation]\n", "arc.given: belongs to the initial position and cannot"),
@@ -285,7 +285,7 @@ def test_the_command_line_says_the_same(file: Path, said: Any, refused: Any) -> 
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("viaont", "scene 'viaont' is unknown; known are newmark-pulse, .*, wet-slope; did you mean vaiont?"),
+        ("viaont", "scene 'viaont' is unknown; known are layered-slope, .*, wet-slope; did you mean vaiont?"),
         ("", "scene '' is unknown; known are .*"),
         ("wet_slope.toml", "wet_slope.toml: there is no such file; known are .*; did you mean wet-slope?"),
         ("no/where", "no/where: there is no such file; known are .*"),

@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from slipcircle.core.scene.ground import slope_errors as slope_errors
     from slipcircle.core.scene.layers import LayeredSection as LayeredSection
     from slipcircle.core.scene.parameters import DIP as DIP
+    from slipcircle.core.scene.parameters import SOIL_BOUNDS as SOIL_BOUNDS
     from slipcircle.core.scene.parameters import Parameter as Parameter
     from slipcircle.core.scene.parameters import parameter_value as parameter_value
     from slipcircle.core.scene.parameters import parameters as parameters
@@ -74,7 +75,9 @@ _PUBLIC = {
     "core.scene.friction": "RATE_LAWS law_depends law_mistakes law_names law_parts may_have_rate",
     "core.scene.ground": "circle_through circle_touching pond_errors simple_slope slope_errors",
     "core.scene.layers": "LayeredSection",
-    "core.scene.parameters": "DIP Parameter parameter_value parameters with_parameter_arrays with_parameters",
+    "core.scene.parameters": (
+        "DIP SOIL_BOUNDS Parameter parameter_value parameters with_parameter_arrays with_parameters"
+    ),
     "core.scene.scene": "Scene checked",
     "core.scene.section": "Section",
     "core.scene.soils": "Soil layer_mistakes",

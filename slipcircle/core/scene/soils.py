@@ -101,7 +101,9 @@ def layer_mistakes(
     if foreland is not None and not isinstance(foreland, Soil):
         found.append(f"foreland = {foreland!r}: must be a Soil")
     elif foreland is not None and strength == "mass":
-        found.append("foreland: cannot be combined with strength = 'mass', by which the sole of the mass keeps its own")
+        found.append(
+            "{foreland}: cannot be combined with {strength} = 'mass', by which the sole of the mass keeps its own"
+        )
     used = [soil for soil, _ in pairs] + ([foreland] if isinstance(foreland, Soil) else [])
     found += _together_mistakes(list({id(soil): soil for soil in used}.values()))
     for k, load in enumerate(surcharge):
@@ -118,8 +120,9 @@ def _top_mistakes(k: int, top: Any) -> list[str]:
     if top is None:
         return [f"layers[{k}]: top is missing: a height in m, or points from left to right"]
     if np.ndim(top) > 1:
-        return points_errors(f"layers[{k}]: top", top, True)
-    return mistakes({"top": top}, {"top": (-FAR, FAR, "a height in m, or points from left to right")})
+        return points_errors(f"layers.{k + 1}.top", top, True)
+    name = f"layers.{k + 1}.top"
+    return mistakes({name: top}, {name: (-FAR, FAR, "a height in m, or points from left to right")})
 
 
 def _together_mistakes(soils: list[Soil]) -> list[str]:
@@ -133,5 +136,6 @@ def _together_mistakes(soils: list[Soil]) -> list[str]:
             shared = {name: value for name, value in soil.friction.items() if name not in ("peak", "residual")}
             laws.add(repr(sorted(shared.items())))
     if len(laws) > 1:
-        found.append("layers: the soils along an arc share one law of slip and one length")
+        others = ", ".join(soil.name for soil in soils if isinstance(soil.friction, Mapping))
+        found.append(f"layers: the soils along an arc share one law of slip and one length, and not {others}")
     return found

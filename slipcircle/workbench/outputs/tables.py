@@ -12,12 +12,21 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from generated.effects import EFFECTS
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan, step_operations
-from slipcircle.workbench.common.quantities import OUTCOMES, end_words, results, summary, time_text, to_error, words
+from slipcircle.workbench.common.quantities import (
+    OUTCOMES,
+    end_words,
+    results,
+    stretch_records,
+    summary,
+    time_text,
+    to_error,
+    words,
+)
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
-from slipcircle.workbench.stability.stability import METHODS
+from slipcircle.workbench.stability.stability import METHODS, least_of
 from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 
@@ -114,6 +123,25 @@ def motion_column(motion: Motion) -> dict[str, str]:
     }
 
 
+def stretches_part(motion: Motion) -> Part | None:
+    """Soils along a layered arc from its upper end: length, weight above, mean stresses and strength at the start."""
+    records = stretch_records(motion)
+    if not records:
+        return None
+    length = sum(record["length"] for record in records)
+    stresses = ("normal_stress", "pore_pressure", "strength")
+    whole = {"soil": "whole arc", "length": length, "weight_share": 1.0}
+    for name in stresses:
+        whole[name] = sum(record["length"] * record[name] for record in records) / length
+    rows = []
+    for record in (*records, whole):
+        in_kilopascal = [shown(record[name] / 1e3) for name in stresses]
+        rows.append([record["soil"], shown(record["length"]), f"{100 * record['weight_share']:.1f}", *in_kilopascal])
+    head = ["soil", "length (m)", "weight (%)", *(f"{words(name)} (kPa)" for name in stresses)]
+    note = "From the upper end down: the share of the weight above each stretch, and means along it at the start."
+    return Part(head, rows, f"{motion.plan.scene.name}: soils along the slip surface", note)
+
+
 def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
     """Columns by label as rows of one table; a cell is empty where a column has no such label."""
     return [[label, *(c.get(label, "") for c in columns)] for label in dict.fromkeys(chain.from_iterable(columns))]
@@ -130,13 +158,15 @@ def stability_column(critical: Critical) -> dict[str, str]:
         column |= _factors(critical.factor_of_safety_without_k_h, ", without k_h")
         column["motion starts from"] = "that without k_h by the paper's method"
     column |= {
-        "circle": f"least factor by {critical.method}" if critical.method else "as given",
+        "circle": least_of(critical.method) if critical.method else "as given",
         "centre": _point(critical.centre),
         "radius": f"{shown(critical.radius)} m",
         "entry": _point(critical.entry),
         "exit": _point(critical.exit),
         "circles evaluated, invalid": f"{critical.tried}, {critical.refused}",
     }
+    if critical.yield_coefficient is not None:
+        column["yield coefficient k_y"] = f"{critical.yield_coefficient:.4f}, by the paper's method"
     if not math.isnan(critical.negative):  # as it is of a circle that overhangs
         sides = {1: "right", -1: "left"}
         column["slides to the"] = sides.get(critical.facing, "neither side: nothing drives it")
