@@ -201,7 +201,7 @@ def test_every_variant_has_its_certificate() -> None:
 
 @pytest.mark.parametrize("part", range(3))
 def test_the_checker_proves_certificates(part: int) -> None:
-    """A third of them; `certify.prove_all` proves all, and `python -m derive` whatever it writes."""
+    """A third of them; `python -m derive prove` proves all, and `python -m derive` what it writes."""
     for record in RECORDS[part::9]:
         _, proved = certify.checked(record)
         assert proved, record["kernel"]
