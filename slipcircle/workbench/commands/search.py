@@ -2,6 +2,7 @@
 
 import argparse
 
+from slipcircle.base.progress import track
 from slipcircle.workbench.commands.common import add_files
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.outputs import pictures, tables
@@ -23,7 +24,7 @@ def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     if options.plot and len(options.scenes) > 1:
         raise ValueError(f"search: --plot {options.plot[0]}: shows one slope; search them one by one")
-    searched = [critical_of_file(name, options.method, say) for name in options.scenes]
+    searched = [critical_of_file(name, options.method, say) for name in track(options.scenes, "slopes searched")]
     names, notes, circles = zip(*searched, strict=True)
     pictures.write(options.plot, "search", circles[0])
     for name, circle in zip(names, circles, strict=True):
