@@ -63,7 +63,7 @@ class Series:
             object.__setattr__(self, name, given.astype(np.float64))
         if self.time.shape != self.values.shape or self.time.size < 2:
             raise ValueError(
-                f"Series: has {self.time.size} times and {self.values.size} values: must have as many of both, "
+                f"Series: has {self.time.size} times and {self.values.size} values: must have equal numbers of both, "
                 "two at least"
             )
         found = bad_sample(self.time, self.values)
@@ -125,7 +125,7 @@ class Pulse:
         }
         found += mistakes(vars(self), bounds, one=bounds)
         if self.name != "sine" and self.cycles != 1.0:
-            found.append(f"cycles = {self.cycles!r}: belongs to a sine only; leave it out")
+            found.append(f"cycles = {self.cycles!r}: applies to a sine only; remove it")
         raise_all("Pulse", found)
 
     def scaled(self, factor: float) -> "Pulse":

@@ -308,7 +308,7 @@ def _indices(study: Study) -> Part:
 
 def _quantile_notes(study: Study) -> Iterator[str]:
     if study.without_result:
-        yield f"{BEYOND}: among the {study.without_result} samples that slide without a result, so beyond any value"
+        yield f"{BEYOND}: among the {study.without_result} samples that move without a result, so beyond any value"
     if not study.samples:
         yield f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"
 
