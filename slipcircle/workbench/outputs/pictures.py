@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from slipcircle.base.progress import track
 from slipcircle.core import Motion
 from slipcircle.workbench.common import files
 from slipcircle.workbench.outputs.plotstyle import described, missing
@@ -72,7 +73,7 @@ def _played(film: "Film") -> bytes:
     figure.set_layout_engine("none")  # which would lay out every frame anew
     background, size = canvas.copy_from_bbox(figure.bbox), canvas.get_width_height()
     images = []
-    for frame in range(len(film.times)):
+    for frame in track(range(len(film.times)), "frames drawn"):
         canvas.restore_region(background)
         for artist in film.draw(frame):
             figure.draw_artist(artist)
