@@ -105,11 +105,12 @@ class Tangents:
         terms = np.zeros(degree + 2)
         shifted_terms = shifted(piece.data.polynomial(number), np.array([local]))[:, 0]
         terms[: len(shifted_terms)] = shifted_terms[: degree + 2]
+        by_table = None if by_parameter is None else _of_table(by_parameter, number, local)
         for power in range(degree + 1):
             growth = factor_growth + power * unit_growth
             dots = terms[power] * growth + (power + 1) * terms[power + 1] * local_dot
-            if by_parameter is not None:
-                dots = dots + _of_table(by_parameter, number, local, power)
+            if by_table is not None and power < len(by_table):
+                dots = dots + by_table[power]
             cell = ix.VALUE if power == 0 else ix.Q1 + power - 1
             self.put(state, cells + cell, piece.factor[0] * unit**power * dots)
 
@@ -268,7 +269,7 @@ class Tangents:
             self.peak_dot = self.dot(state, ix.OMEGA) + rate * moved
 
 
-def _of_table(by_parameter: list[Data], number: NDArray[np.intp], local: float, power: int) -> Floats:
-    """One coefficient of the derivative of a table by each parameter, about a place within a piece."""
-    terms = [shifted(data.polynomial(number), np.array([local]))[:, 0] for data in by_parameter]
-    return np.array([t[power] if power < len(t) else 0.0 for t in terms])
+def _of_table(by_parameter: list[Data], number: NDArray[np.intp], local: float) -> Floats:
+    """Coefficients of the derivatives of a table by each parameter, about a place within a piece, (terms, ...)."""
+    polynomials = np.concatenate([data.polynomial(number) for data in by_parameter], axis=1)
+    return np.asarray(shifted(polynomials, np.full(len(by_parameter), local)))

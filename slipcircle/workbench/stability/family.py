@@ -16,7 +16,7 @@ from slipcircle.base.checks import InputError
 from slipcircle.base.series import Floats
 from slipcircle.core import circle_through, circle_touching
 from slipcircle.workbench.stability.descent import Descent
-from slipcircle.workbench.stability.factors import factors_by
+from slipcircle.workbench.stability.factors import YIELD, factors_by
 from slipcircle.workbench.stability.slices import NODES
 from slipcircle.workbench.stability.stability import Slope
 
@@ -139,7 +139,7 @@ class Search:
         thick = np.flatnonzero(self.thickness(q, centre, radius) >= self.depth)
         circles = (centre[thick], radius[thick], left[thick], right[thick])
         factors, facing = factors_by(self.arrays, *circles, self.method, nodes)
-        within = factors > 0.0
+        within = np.isfinite(factors) if self.method == YIELD else factors > 0.0
         for limit, upper_left in zip(self.limits.values(), (1.0, -1.0), strict=True):
             if limit is not None:
                 x = np.where(facing == upper_left, left[thick, 0], right[thick, 0])

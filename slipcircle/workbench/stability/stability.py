@@ -18,7 +18,7 @@ from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.series import Floats
 from slipcircle.core import LayeredSection, Section, Soil, law_parts, layer_mistakes, pond_errors, slope_errors
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
-from slipcircle.workbench.stability.factors import circle_factors
+from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
@@ -39,6 +39,13 @@ METHODS: Mapping[str, tuple[str, str]] = {
         "forces between slices increase the normal stress on steep bases",
     ),
 }
+
+
+def least_of(method: str) -> str:
+    """In words, what a search by a method minimises."""
+    return "least yield coefficient" if method == YIELD else f"least factor by {method}"
+
+
 COMPARED = """\
 The factor is the moment of this strength about the centre, divided by that of the weight and of k_h times the weight \
 at half the height of the slices. The three agree for mu = 0, and nearly for flat arcs. On the circle of real-slope \

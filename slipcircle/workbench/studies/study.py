@@ -17,6 +17,7 @@ from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.files.loaded import stability_of
+from slipcircle.workbench.stability.stability import least_of
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import NO_RESULT, Design, Result
 from slipcircle.workbench.studies.motions import motions
@@ -374,6 +375,6 @@ class Study(Pictured):
             return []
         whose = "scene as it is given" if self.design.method == "grid" else "means"
         return [
-            f"all of them slide along the critical circle of the {whose}, of the least factor by "
-            f"{stability.method}; it is searched once, and kept"
+            f"all of them slide along the critical circle of the {whose}, of the "
+            f"{least_of(stability.method)}; it is searched once, and kept"
         ]
