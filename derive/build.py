@@ -1,8 +1,10 @@
 """The extension modules of `generated`, compiled in place: `python -m derive.build`, and at install time.
 
-Flags of the environment are ignored: the proofs of the kernels hold for the operations as they are written.
+By the machine's C compiler, or where there is none by the one in the package index (``pip install ziglang``). Flags of
+the environment are ignored: the proofs of the kernels hold for the operations as they are written.
 """
 
+import importlib.util
 import os
 import platform
 import shlex
@@ -14,19 +16,11 @@ import tempfile
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent.parent / "generated"
-# Vector loops need three of them: no errno from sqrt, pieces that are not used may raise a flag (cleared later), and no
-# branches made of comparisons. The last two are worth a tenth of the time: many chains of operations side by side.
-FLAGS = (
-    "-O3",
-    "-fPIC",
-    "-fno-fast-math",
-    "-ffp-contract=off",
-    "-fno-math-errno",
-    "-fno-trapping-math",
-    "-fno-thread-jumps",
-    "-fschedule-insns",
-    "-fsched-pressure",
-)
+# Vector loops need no errno from sqrt and pieces that are not used may raise a flag (cleared later).
+FLAGS = ("-O3", "-fPIC", "-fno-fast-math", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math")
+# GCC also makes branches of comparisons, which are no vector loops; the last two are worth a tenth of the time, as
+# there are many chains of operations side by side. Clang and Zig do not know these flags.
+GCC_FLAGS = ("-fno-thread-jumps", "-fschedule-insns", "-fsched-pressure")
 # The integrator is compiled once for every kind of processor, and once for the module. It proves nothing bit by bit: a
 # product and a sum may be one operation.
 INTEGRATOR = ("-ffp-contract=fast", "-fvisibility=hidden", "-Wno-psabi")
@@ -56,9 +50,9 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_k
     digest = source.read_text("utf-8").split('"', 2)[1]  # of the header's #define
     if binary.is_file() and digest.encode() in binary.read_bytes():
         return binary
-    compiler = shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "")
-    if not compiler or not shutil.which(compiler[0]):
-        raise NoBinaryError(f"no C compiler ({' '.join(compiler) or 'CC is not set'})")
+    compiler = c_compiler()
+    if not _is_clang(compiler):
+        flags = (*flags, *GCC_FLAGS)
     with tempfile.TemporaryDirectory(dir=folder, prefix=".") as made:
         target = Path(made) / binary.name
         for command in _commands(name, source, target):
@@ -67,6 +61,26 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_k
                 raise NoBinaryError(f"{compiler[0]} fails: {done.stderr.strip().splitlines()[:1]}")
         os.replace(target, binary)
     return binary
+
+
+def c_compiler() -> list[str]:
+    """``CC`` of the environment; else Python's own, the machine's, or that of the package index, whichever there is."""
+    if asked := shlex.split(os.environ.get("CC", "")):
+        candidates = [asked]
+    else:
+        candidates = [shlex.split(sysconfig.get_config_var("CC") or ""), ["cc"], ["gcc"], ["clang"]]
+    for command in candidates:
+        if command and shutil.which(command[0]):
+            return command
+    if not asked and importlib.util.find_spec("ziglang"):
+        return [sys.executable, "-m", "ziglang", "cc", "-mcpu=baseline"]
+    raise NoBinaryError(f"no C compiler {asked[0]}" if asked else "no C compiler; `pip install ziglang` brings one")
+
+
+def _is_clang(compiler: list[str]) -> bool:
+    """Whether it is Clang, or Zig, which is Clang within."""
+    done = subprocess.run([*compiler, "--version"], capture_output=True, text=True, check=False)
+    return "clang" in done.stdout
 
 
 def _commands(name: str, source: Path, target: Path) -> list[list[str]]:

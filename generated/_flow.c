@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "a2c520d11d108d7924721af383d0b40bc5f082b1a905cdf35373dcfa0b1bc2e5"
+#define DIGEST "59adc0f00ecbb366c7484b6b0cf15f4f330b6a8eec1ec01110da3614e3f04b53"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -62,9 +62,21 @@ typedef struct {
 
 #if defined(__x86_64__)
 #define LEVELS(X) X(avx512) X(avx2) X(baseline)
-#define RUNS_avx512 (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && \
-                     __builtin_cpu_supports("avx512vl") && RUNS_avx2)
-#define RUNS_avx2 (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+/* What the processor has, of what the system keeps the registers. The compilers' own answer is not used: that of Zig's
+ * library is no to everything. */
+#include <cpuid.h>
+enum { HAS_AVX2 = 1, HAS_AVX512 = 2 };
+static int processor(void)
+{
+    const unsigned wide = bit_AVX512F | bit_AVX512DQ | bit_AVX512VL;
+    unsigned a, b, c, d, kept, high;
+    if (!__get_cpuid(1, &a, &b, &c, &d) || !(c & bit_OSXSAVE) || !(c & bit_FMA)) return 0;
+    __asm__("xgetbv" : "=a"(kept), "=d"(high) : "c"(0));
+    if ((kept & 0x06) != 0x06 || !__get_cpuid_count(7, 0, &a, &b, &c, &d) || !(b & bit_AVX2)) return 0;
+    return HAS_AVX2 | ((kept & 0xe0) == 0xe0 && (b & wide) == wide ? HAS_AVX512 : 0);
+}
+#define RUNS_avx512 (processor() & HAS_AVX512)
+#define RUNS_avx2 (processor() & HAS_AVX2)
 #else
 #define LEVELS(X) X(baseline)
 #endif
@@ -80,9 +92,6 @@ enum { KINDS = sizeof levels / sizeof *levels };
 
 static int runs(int kind)
 {
-#if defined(__x86_64__)
-    __builtin_cpu_init();
-#endif
     const int can[] = {
 #define CAN(LEVEL) (RUNS_##LEVEL) != 0,
         LEVELS(CAN)

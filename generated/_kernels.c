@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "6a1fe3b0566ea6f3183fbc580fb19387f0dac82a91af4c8920cd9df77eea4aff"
+#define DIGEST "ab6f47666f71d3b7dc8cc68e75cd11b1008b2fda5053826a2e5d8f6e648f35e7"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -40,11 +40,27 @@
 /* Levels: which program, compiled for what. */
 #if defined(__GNUC__) && defined(__x86_64__)
 #define LEVELS(X) X(avx512, fused) X(avx2, fused) X(baseline, plain)
+#if defined(__clang__)
+#define TARGET_avx512 __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma"), min_vector_width(512)))
+#else
 #define TARGET_avx512 __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma,prefer-vector-width=512")))
+#endif
 #define TARGET_avx2 __attribute__((target("avx2,fma")))
-#define RUNS_avx512 (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && \
-                     __builtin_cpu_supports("avx512vl") && RUNS_avx2)
-#define RUNS_avx2 (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+/* What the processor has, of what the system keeps the registers. The compilers' own answer is not used: that of Zig's
+ * library is no to everything. */
+#include <cpuid.h>
+enum { HAS_AVX2 = 1, HAS_AVX512 = 2 };
+static int processor(void)
+{
+    const unsigned wide = bit_AVX512F | bit_AVX512DQ | bit_AVX512VL;
+    unsigned a, b, c, d, kept, high;
+    if (!__get_cpuid(1, &a, &b, &c, &d) || !(c & bit_OSXSAVE) || !(c & bit_FMA)) return 0;
+    __asm__("xgetbv" : "=a"(kept), "=d"(high) : "c"(0));
+    if ((kept & 0x06) != 0x06 || !__get_cpuid_count(7, 0, &a, &b, &c, &d) || !(b & bit_AVX2)) return 0;
+    return HAS_AVX2 | ((kept & 0xe0) == 0xe0 && (b & wide) == wide ? HAS_AVX512 : 0);
+}
+#define RUNS_avx512 (processor() & HAS_AVX512)
+#define RUNS_avx2 (processor() & HAS_AVX2)
 #elif defined(__GNUC__) && (defined(__FP_FAST_FMA) || defined(__aarch64__))
 #define LEVELS(X) X(fma, fused) X(baseline, plain)
 #define TARGET_fma
@@ -1452,9 +1468,6 @@ static int fill(PyObject *module)
     PyObject *levels = PyDict_New();
     const char *flag = NULL;
     int failed = PyArray_ImportNumPyAPI() < 0 || PyUFunc_ImportUFuncAPI() < 0 || levels == NULL;
-#ifdef RUNS_avx2
-    __builtin_cpu_init();
-#endif
 #define ADD(LEVEL, FORM) \
     if (!failed && (RUNS_##LEVEL)) { \
         PyObject *pair = Py_BuildValue("(sN)", #FORM, ufuncs(ufuncs_##LEVEL)); \

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d75c526dd4b0684c11f8af00513353bf475ea9fbd7f2cd1178b99951d9a02b61
+# sha256 of the text below: cfdf71dbeee237098560d2b2101fa228615ba8c00d837fed8606a00cded543cf
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -127,7 +127,8 @@ EFFECTS = {
     'rotation': Effect('rotation', '1.2', (), ('slip',),
         'the mass turns as it slides, and its weight acts in its new position', True, (), ('psi = psi_0 - phi',)),
     'centripetal': Effect('centripetal', '2.20', (), ('speed squared',),
-        'the mass presses harder on the slip surface the faster it turns', False, (), ('adds A omega^2 to sigma',)),
+        'the normal stress on the slip surface increases with the speed of rotation', False, (),
+        ('adds A omega^2 to sigma',)),
     'pore_pressure': Effect('pore_pressure', '2.20', (
         Parameter('ratio', '', -5e-324, 1.0,
             'r_u, pore pressure over the static normal stress at the position (of a real section over the weight of '
@@ -142,14 +143,14 @@ EFFECTS = {
             'through it', '', 1.0, 'water', lambda value, scales: value/scales['reference_stress'], True, 'rotation',
             (('reference_stress', -1.0), ('value', 1.0))),
         Parameter('time', 's', -5e-324, 1e+18,
-            'times of a ratio or pressure that is a list, straight lines between them', 'time_s', 1.0, '', lambda value,
+            'times of a ratio or pressure given as a list, with linear interpolation', 'time_s', 1.0, '', lambda value,
             scales: value, True, 'list', (('value', 1.0),)),
         Parameter('record', '', -INFINITY, INFINITY,
             "file of a record of either, relative to the scene's: a table of times and values", 'record', 1.0, '',
             lambda value, scales: value, True, 'text', (('value', 1.0),)),
         Parameter('units', '', -INFINITY, INFINITY,
-            "unit of the record's values, where it does not say it: Pa, kPa, MPa, or ratio for r_u", 'units', 1.0, '',
-            lambda value, scales: value, True, 'text', (('value', 1.0),)),
+            "unit of the record's values, if the file does not give it: Pa, kPa, MPa, or ratio for r_u", 'units', 1.0,
+            '', lambda value, scales: value, True, 'text', (('value', 1.0),)),
         Parameter('start', 's', -1e+18, 1e+18, "time of its first sample, by default the record's own", 'start_s', 1.0,
             '', lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('column', '', -INFINITY, INFINITY, "name of the record's column, where there is a choice", 'column',
@@ -158,7 +159,7 @@ EFFECTS = {
             lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps',
             1.0, '', lambda value, scales: value, True, 'refuse|linear', (('value', 1.0),)),
-    ), (), 'water pressure on the slip surface relieves friction', False, ('ratio', 'pressure', 'record'),
+    ), (), 'water pressure on the slip surface reduces friction', False, ('ratio', 'pressure', 'record'),
         ('adds J_r pore_ratio*/lambda + pore_pressure* + water* to u', 'pore_ratio* = cover ratio',
         'pore_pressure* = pressure/sigma_ref', 'water* = level/sigma_ref')),
     'cohesion': Effect('cohesion', '3.11', (
@@ -205,18 +206,17 @@ EFFECTS = {
         Parameter('record', '', -INFINITY, INFINITY, "file of an acceleration record, relative to the scene's",
             'record', 1.0, '', lambda value, scales: value, True, 'text', (('value', 1.0),)),
         Parameter('holds', '', -INFINITY, INFINITY,
-            'what the record holds, positive down-slope whichever way the slope faces: acceleration of the ground, or '
-            'its opposite, which drives', 'holds', 1.0, '', lambda value, scales: value, True, 'ground|driving',
-            (('value', 1.0),)),
+            'content of the record, positive down-slope whichever way the slope faces: acceleration of the ground, or '
+            'its opposite, which drives the mass', 'holds', 1.0, '', lambda value, scales: value, True,
+            'ground|driving', (('value', 1.0),)),
         Parameter('units', '', -INFINITY, INFINITY,
-            "unit of the record's values, where it does not say it: g, m/s2, cm/s2, gal, mm/s2", 'units', 1.0, '',
+            "unit of the record's values, if the file does not give it: g, m/s2, cm/s2, gal, mm/s2", 'units', 1.0, '',
             lambda value, scales: value, True, 'text', (('value', 1.0),)),
         Parameter('vertical_record', '', -INFINITY, INFINITY,
-            'file of the vertical acceleration, upwards where it holds that of the ground', 'vertical_record', 1.0, '',
+            'file of the vertical acceleration, positive upwards for that of the ground', 'vertical_record', 1.0, '',
             lambda value, scales: value, True, 'text', (('value', 1.0),)),
-        Parameter('vertical_column', '', -INFINITY, INFINITY,
-            'name of its column, in the same file where no other is named', 'vertical_column', 1.0, '', lambda value,
-            scales: value, True, 'text', (('value', 1.0),)),
+        Parameter('vertical_column', '', -INFINITY, INFINITY, 'name of its column, by default in the same file',
+            'vertical_column', 1.0, '', lambda value, scales: value, True, 'text', (('value', 1.0),)),
         Parameter('scale', '', -1000000000000.0, 1000000000000.0, "factor on the record's values, by default 1",
             'scale', 1.0, '', lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('peak', '', -1000000000000.0, 1000000000000.0,
@@ -229,7 +229,7 @@ EFFECTS = {
         Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps',
             1.0, '', lambda value, scales: value, True, 'refuse|linear', (('value', 1.0),)),
         Parameter('two_way', '', -INFINITY, INFINITY,
-            'whether shaking may start it up-slope too; by default it may not', 'two_way', 1.0, '', lambda value,
+            'whether shaking may also start the mass up-slope; by default false', 'two_way', 1.0, '', lambda value,
             scales: value, True, 'flag', (('value', 1.0),)),
     ), ('time',), 'ground motion tilts and scales gravity', False, ('horizontal', 'pulse', 'record'),
         ('adds -J_theta k_v + dJ_theta/dpsi k_h to J_theta', 'adds -J_r k_v + dJ_r/dpsi k_h to J_r')),
@@ -244,10 +244,10 @@ EFFECTS = {
         Parameter('thickness', 'm', 1e-13, 1e+20, 'thickness of the sheared layer', 'thickness_m', 1.0, '',
             lambda value, scales: value, False, 'number', (('value', 1.0),)),
     ), ('history',),
-        'friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves the layer) '
-        'and adiabatic (no heat does), as in a slide of seconds to minutes on millimetres of clay or more; one mean '
-        'pressure and temperature, constant Lambda, and all work of friction is heat', False, (), ('adds excess to u',
-        "dexcess/dphi = kappa* mu sigma'", 'kappa* = R pressurisation/(heat_capacity thickness)')),
+        'friction heats a thin layer, whose pore water expands and reduces its strength; undrained and adiabatic '
+        '(neither water nor heat leaves the layer), as in slides of seconds to minutes on some millimetres of clay; '
+        'one mean pressure and temperature, constant Lambda, and all work of friction is heat', False, (),
+        ('adds excess to u', "dexcess/dphi = kappa* mu sigma'", 'kappa* = R pressurisation/(heat_capacity thickness)')),
 }
 
 ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
@@ -258,6 +258,8 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
         Parameter('turning_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'turning_slope',
             lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('normal', '', -INFINITY, INFINITY, 'the same of strength with the base', '', 1.0, 'layered_normal',
+            lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
+        Parameter('normal_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'layered_normal_slope',
             lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
         Parameter('inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it', '', 1.0,
             'layered_inertia', lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
@@ -270,12 +272,18 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
             lambda value, scales: value, True, 'number', (('value', 1.0),)),
         Parameter('remaining_normal', '', -INFINITY, INFINITY, 'the same of strength with the base', '', 1.0,
             'layered_remaining', lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
+        Parameter('remaining_normal_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0,
+            'layered_remaining_slope', lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
         Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it',
             '', 1.0, 'layered_remaining_inertia', lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
+        Parameter('remaining_lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0,
+            'layered_remaining_lift', lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
         Parameter('strength', '', -INFINITY, INFINITY, 'strength without normal stress', '', 1.0, 'layered_cohesion',
             lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
-    ), (), 'soils along the arc have strengths of their own, by the weights of (2.23) straight above each', False, (),
-        ('adds Theta layered_lift/lambda to u',
-        'adds Theta (layered_cohesion + layered_remaining + layered_remaining_inertia omega^2 + remaining) to '
-        'resistance', 'adds Theta (layered_inertia omega^2 + layered_normal + turning) to J_r')),
+    ), (), 'each soil along the arc has its strength, with the normal stress from the weight above it (2.23)', False,
+        (), ('adds Theta (layered_lift + layered_remaining_lift/slip_mu)/lambda to u',
+        'adds Theta layered_cohesion to resistance',
+        'adds Theta (k_h (layered_normal_slope + turning_slope) + layered_inertia omega^2 + (1 - k_v) (layered_normal '
+        '+ turning) + (k_h (layered_remaining_slope + remaining_slope) + layered_remaining_inertia omega^2 + (1 - '
+        'k_v) (layered_remaining + remaining))/slip_mu) to J_r')),
 }

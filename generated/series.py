@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8092e9afc6b67d55036c4fe793975d519c84ad5b13fa4327598c12aa38196832
+# sha256 of the text below: 052d8dcdf3ffde15d4f63fe1014d3a1aba9975303211f376be977fa1fc884d4b
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8, 'pow': 9}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "a2c520d11d108d7924721af383d0b40bc5f082b1a905cdf35373dcfa0b1bc2e5"  # of the compiled integrator's source
+DIGEST = "59adc0f00ecbb366c7484b6b0cf15f4f330b6a8eec1ec01110da3614e3f04b53"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

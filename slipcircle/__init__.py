@@ -1,12 +1,11 @@
 """The dynamic slip circle method: how fast, how far, and when a mass that failed along a circle comes to rest.
 
 `Arc` holds the failed section, `Section` that of a real slope, `Scene` adds friction, effects and the start, `plan`
-says how it will be solved and `solve` returns the `Motion`; `ensemble` draws uncertain numbers, `backanalyse` looks for
-what explains an observation, and `critical` for the circle along which a `Slope` fails.
-`slipcircle.kernels` are the functions of an arc alone. Units are SI, angles radians.
-`slipcircle schema --text` is the guide to effects and friction laws: formulas, parameters and bounds;
-``notebooks/0_the_method.ipynb`` tells the mechanics, equation by equation. The numbers come from the package
-`generated`, which `python -m derive` writes.
+describes how it will be solved and `solve` returns the `Motion`; `ensemble` samples uncertain numbers, `backanalyse`
+fits parameters to observations, and `critical` searches the circle along which a `Slope` fails. `slipcircle.kernels`
+has the functions of an arc. Units are SI, angles are in radians. `slipcircle schema --text` is the guide to effects and
+friction laws: formulas, parameters and bounds; ``notebooks/0_the_method.ipynb`` derives the mechanics. The formulas are
+those of the package `generated`, which `python -m derive` writes.
 """
 
 from importlib import import_module

@@ -11,11 +11,13 @@ import zipfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from derive import build
 from derive.approximate.programs import variants
 from derive.generate import emit_c, write
+from slipcircle.core.flow import compiled
 from tests.support.kernels import COMPILED, FITTED, LEVELS, needs_binary
 
 ROOT = Path(__file__).parents[1]
@@ -159,6 +161,27 @@ def test_other_processors_compile_one_program_plainly(tmp_path: Path, fma: str, 
     assert served(tmp_path) == (level, [])
 
 
+def test_without_a_compiler_of_the_machine_that_of_the_package_index_serves(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: name == "ziglang")
+    assert build.c_compiler()[:4] == [sys.executable, "-m", "ziglang", "cc"]
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    with pytest.raises(build.NoBinaryError, match="pip install ziglang"):
+        build.c_compiler()
+
+
+@needs_binary
+def test_kernels_and_integrator_use_what_the_processor_has() -> None:
+    """NumPy asks the processor too; a compiler's library may know none of it, and all takes 2.6 times as long."""
+    has = getattr(np, "_core")._multiarray_umath.__cpu_features__  # noqa: B009 (private, and without a type)
+    widest = "avx512" if has["AVX512_SKX"] else "avx2" if has["AVX2"] and has["FMA3"] else COMPILED[-1]
+    integrator = compiled.module()
+    assert integrator is not None
+    assert COMPILED[0] == widest
+    assert next(iter(integrator.LEVELS)) == widest
+
+
 def test_without_a_compiler_the_wheel_is_pure_and_works(tmp_path: Path) -> None:
     """Of a copy with one kernel and no walk; with one, `test_house` builds it."""
     checkout, nothing = tmp_path / "checkout", tmp_path / "nothing"
@@ -169,7 +192,7 @@ def test_without_a_compiler_the_wheel_is_pure_and_works(tmp_path: Path) -> None:
     for name in ("pyproject.toml", "README.md", "LICENSE", ".gitignore"):
         shutil.copy(ROOT / name, checkout / name)
     command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(tmp_path)]
-    environ = {k: v for k, v in os.environ.items() if k != "CC"} | {"PATH": str(nothing)}
+    environ = os.environ | {"PATH": str(nothing), "CC": "absent"}
     subprocess.run(command, cwd=checkout, env=environ, capture_output=True, text=True, check=True)
     (made,) = tmp_path.glob("*-py3-none-any.whl")
     with zipfile.ZipFile(made) as archive:

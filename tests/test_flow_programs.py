@@ -140,7 +140,7 @@ def test_a_program_holds_what_its_scene_calls_for_and_nothing_else() -> None:
     assert frozen.roles["normal"] == frozen.roles["upright"] == -1
     turning = build_program(("rotation", "centripetal"), ("constant",))
     assert sorted(names(turning)) == ["lin"] * 3 + ["sqr", "tim", "turn"]
-    water = build_program(("rotation", "pore_pressure"), ("constant",), absent=("pore_pressure", "pore_ratio"))
+    water = build_program(("rotation", "pore_pressure"), ("constant",), absent=("pore_pressure", "pore_ratio", "water"))
     dry = build_program(("rotation",), ("constant",))
     assert (names(water), sorted(op[0] for op in water.scalar)) == (names(dry), sorted(op[0] for op in dry.scalar))
     one = build_program(("rotation", "shaking"), ("constant",), moving=("k_h",), absent=("k_v",))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, Section, solve
-from slipcircle.core import LayeredSection, Soil
+from slipcircle.core import LayeredSection, Soil, stretches
 from slipcircle.core.flow import compiled
 from slipcircle.core.scene.coordinates import changed_fields, replace_unchecked
 from slipcircle.core.scene.parameters import with_parameters
@@ -17,18 +17,8 @@ from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 from tests.campaigns.layered_benchmarks import CASES, solved
 from tests.campaigns.layered_benchmarks import differences as differences_of
 from tests.campaigns.layered_sections import differences, random_section, strength_by_quadrature
+from tests.support.layered import GROUND, LEVEL, PROFILES, TOPS, TURNING, profile, tangent
 
-TURNING = ["rotation", "centripetal"]
-GROUND = [(-60, 20), (0, 20), (40, 0), (120, 0)]
-LEVEL = [(-60, 10), (0, 9), (40, 0), (120, 0)]
-TOPS = (None, 18.5, 2.0, -1.0)
-
-# Unit weight in kN/m^3, cohesion in kPa, angles of friction at first and after much slip; length in m.
-PROFILES: dict[str, tuple[Any, float]] = {
-    "one soil in four layers, under water": ([(19, 4, 15, 15)] * 4, 0.0),
-    "constant friction": ([(18, 0, 30, 30), (19, 0, 18, 18), (17, 0, 8, 8), (21, 0, 22, 22)], 0.0),
-    "softening": ([(18, 3, 30, 24), (19, 2, 20, 15), (17, 1, 9, 6), (21, 0, 23, 20)], 0.8),
-}
 # Factor of safety, peak velocity, its time, run-out and duration, by DOP853 in time with rtol = 2e-13, of a program
 # that shares nothing with this one; peak and run-out at the base also by integrating omega^2 over phi.
 MOTIONS = {
@@ -39,22 +29,6 @@ MOTIONS = {
     ("softening", "base"): (0.913425561, 1.915602114, 4.2903403, 8.397668319, 7.563534201),
     ("softening", "mass"): (0.913425561, 2.025732503, 4.4431712, 9.189842726, 7.823357243),
 }
-
-
-def tangent(degrees: Any) -> Any:
-    return np.tan(np.deg2rad(degrees))
-
-
-def profile(name: str, strength: str = "base", **given: Any) -> LayeredSection:
-    """The slope of `MOTIONS` with the soils of one of its profiles."""
-    rows, length = PROFILES[name]
-    soils = []
-    for k, (unit_weight, cohesion, peak, residual) in enumerate(rows):
-        law = {"law": "exponential", "peak": tangent(peak), "residual": tangent(residual), "length": length}
-        soils.append(Soil(1e3 * unit_weight, 1e3 * cohesion, law if length else tangent(peak), name=f"soil {k}"))
-    level = LEVEL if "water" in name else None
-    layers = list(zip(soils, TOPS, strict=True))
-    return LayeredSection(GROUND, (30, 45), 48.0, level=level, layers=layers, strength=strength, **given)
 
 
 def test_moments_and_stretches_are_those_of_the_definitions() -> None:
@@ -91,6 +65,28 @@ def test_the_first_lines_name_the_factors_of_a_layered_ground() -> None:
     still = stability.factor_of_safety_without_k_h or {}
     assert column["factor by Bishop's method"] == f"{still['bishop']:.4f}, without k_h"
     assert "factor with k_h = 0.1" in column
+
+
+@pytest.mark.parametrize("name", PROFILES)
+def test_stretches_sum_up_to_the_motion(name: str) -> None:
+    """Stress, pressure and strength along the arc to those on which it starts; weights to the whole; soils by place."""
+    section = profile(name)
+    motion, rows = solve(Scene(section, effects=TURNING)), stretches(section)
+    length = sum(row.length for row in rows)
+    state = motion.at(0.0)
+    assert length == pytest.approx(48.0 * (rows[-1].end - rows[0].start))
+    assert sum(row.weight_share for row in rows) == pytest.approx(1.0)
+    total = sum(row.length * row.normal_stress for row in rows) / length
+    assert total == pytest.approx(float(state.normal_stress), rel=1e-12)
+    pressure = sum(row.length * row.pore_pressure for row in rows) / length
+    assert pressure == pytest.approx(float(np.asarray(section.mean_pressure())), rel=1e-12, abs=1e-9)
+    (centroid, _), weight = section.centroid, section.mean_unit_weight * section.area
+    resistance = 48.0 * sum(row.length * row.strength for row in rows)
+    assert motion.factor_of_safety == pytest.approx(resistance / (weight * abs(centroid - 30.0)), rel=1e-12)
+    assert [row.soil.name[-1] for row in rows] == list("01232")
+    for row in rows:
+        middle = (row.start + row.end) / 2
+        assert row.soil is section.layers[sum(45.0 - 48.0 * np.cos(middle) < top for top in TOPS[1:])][0]
 
 
 @pytest.mark.parametrize("strength", ["base", "mass"])

@@ -19,7 +19,7 @@ import pytest
 from slipcircle import LayeredSection, Motion, Scene, Soil, load, solve
 from slipcircle.workbench.outputs import live, livesection
 from slipcircle.workbench.outputs.interpolant import hermite, interpolant
-from slipcircle.workbench.outputs.sectionplot import mass_of
+from slipcircle.workbench.outputs.shapes import mass_of
 
 KEY, VALUES = "friction.residual_deg", np.linspace(8.0, 18.0, 21)
 SHOWN = 1e-5  # of the greatest value: how far what the page shows may be off

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 
 import matplotlib.pyplot
@@ -9,15 +10,19 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_rgb
 from matplotlib.patches import Polygon
+from matplotlib.text import Text
 from PIL import Image, ImageSequence
 
-from slipcircle import Arc, Section, critical, grid, load, solve
+from slipcircle import Arc, Scene, Section, critical, grid, load, solve
+from slipcircle.workbench.common.quantities import record
 from slipcircle.workbench.files.loaded import stability_of
-from slipcircle.workbench.outputs import pictures, plots, plotstyle, sectionplot
-from slipcircle.workbench.outputs.tables import motion_column
+from slipcircle.workbench.outputs import layerplot, pictures, plots, plotstyle, searchplot
+from slipcircle.workbench.outputs.report import _of_motion
+from slipcircle.workbench.outputs.tables import motion_column, stretches_part
 from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
+from tests.support.layered import TURNING, profile
 from tests.support.outputs import words_of
 from tests.support.pictures import SCENES, canvas, clashes, drawn, legend, motion, texts
 
@@ -36,9 +41,7 @@ def test_no_text_lies_on_another(name: str) -> None:
     assert plots.overview(motion(name), figure) is figure
     assert len(list(texts(figure))) > 15
     assert clashes(figure) == []
-    for ax in figure.axes:
-        if ax.get_legend():
-            assert ax.get_legend().get_window_extent().y0 >= ax.get_window_extent().y1
+    assert all(text.get_fontsize() >= 8.0 for text in figure.findobj(Text))
 
 
 # --- what is drawn -------------------------------------------------------------------------------------------------
@@ -73,20 +76,22 @@ def test_history_draws_the_motion(name: str) -> None:
         farthest = [float(m.reach.time)] if what == "displacement" and m.swings_back else []
         assert marks == pytest.approx([float(m.peak.time), *farthest, m.duration])
         said = legend(ax)
-        assert any(x.startswith("peak velocity: ") for x in said)
+        assert any(x.startswith("peak velocity") for x in said)
         assert any(x.startswith(plotstyle.ending(m)) for x in said)
         assert name != "lifted" or not any("equilibrium" in x for x in said)
 
 
 def test_words_stand_once_beside_each_other() -> None:
-    """Of the histories the first says what the marks are, the lowest what runs to the right; degrees beside metres."""
+    """Of the histories the first says what the marks are; degrees beside metres; panels bear letters."""
     m = motion("vaiont")
     figure = canvas(plots.size(m))
     plots.overview(m, figure)
     stacked = [ax for ax in figure.axes if ax.get_xlim() == (0.0, m.duration)]
-    assert [ax.get_xlabel() for ax in stacked] == ["", "", "", "time $t$ (s)"]
     assert ["peak velocity" in " ".join(legend(ax)) for ax in stacked] == [True, False, False, False]
-    assert "677.3 m" in " ".join(legend(stacked[1]))
+    assert "677.3 m" in legend(stacked[1])
+    assert "in balance without friction" in legend(stacked[2])
+    assert "".join(ax.get_title("left") for ax in figure.axes) == "abcdef"
+    assert figure.get_suptitle() == "Vaiont: 677 m in 38.1 s, at rest"
     ax = plots.history(m, "displacement", drawn())
     (side,) = ax.child_axes
     ax.figure.canvas.draw()
@@ -147,6 +152,7 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
     arc = m.plan.scene.arc
     assert isinstance(arc, Arc)
     radius, said = float(np.asarray(arc.radius)), " ".join(legend(ax))
+    ax.figure.draw_without_rendering()
     outlines = {str(p.get_label()): p.get_xy()[:-1] for p in ax.patches if isinstance(p, Polygon)}
     if name == "tiny":  # marks take the place of what cannot be seen
         assert not outlines
@@ -156,9 +162,9 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
     larger = float(large[1]) if large else 1.0
     assert bool(large) == (0.0 < share < 0.02)
     assert not large or (0.04 <= larger * share <= 0.1 and large[1].rstrip("0") in ("1", "2", "5"))
-    turns = {"start": 0.0} | ({plotstyle.ending(m): larger * float(m.end.rotation)} if m.moves else {})
+    turns = {"start": 0.0} | ({"end": larger * float(m.end.rotation)} if m.moves else {})
     for words, turn in turns.items():
-        (outline,) = (xy for label, xy in outlines.items() if label.startswith(words))
+        (outline,) = (xy for label, xy in outlines.items() if label == words)
         assert np.allclose(np.hypot(*outline.T), radius)
         ends = np.array([arc.theta_1, arc.theta_2]) + arc.facing * turn
         assert np.allclose(outline[[0, -1]], radius * np.array([np.cos(ends), np.sin(ends)]).T)
@@ -173,7 +179,11 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
 @pytest.mark.parametrize(("name", "way"), [("vaiont", 1), ("to the left", -1), ("pushed up", -1), ("still", 1)])
 def test_reactions_push_inwards_and_against_the_motion(name: str, way: int) -> None:
     texts = plots.section(motion(name), drawn(), forces=True).texts
-    weight, *rest = [(np.array(a.xyann), np.array(a.xy)) for a in texts if getattr(a, "arrow_patch", None)]
+    weight, *rest = [
+        (np.array(a.xyann), np.array(a.xy))
+        for a in texts
+        if getattr(a, "arrow_patch", None) and not hasattr(a, "anchors")
+    ]
     across, along = weight[1] - weight[0]
     assert across == 0.0 > along
     for normal, tangential in zip(rest[::2], rest[1::2], strict=True):
@@ -187,9 +197,8 @@ def test_ladder_is_drawn() -> None:
     ax = plots.ladder(rungs, drawn((9.0, 3.5)))
     assert [bar.get_width() for bar in ax.patches] == [r.run_out for r in rungs]
     assert [bool(bar.get_hatch()) for bar in ax.patches] == [not r.arrested for r in rungs]
-    assert ax.get_xlabel() == "run-out along the arc (m)"
+    assert ax.get_xlabel() == "run-out along the arc (m); dotted: with all effects, 677.3 m"
     assert [t.get_text() for t in ax.get_yticklabels()] == ["no effect", "+ rotation", "+ centripetal"]
-    assert set(legend(ax)) == {"does not come to rest", "comes to rest", "with all effects: 677.3 m"}
     assert ax.child_axes[0].get_yticklabels()[0].get_text().endswith("still moving at 38.08 s")
     assert clashes(ax.figure) == []
 
@@ -216,7 +225,7 @@ def test_the_section_says_when_and_how_far_and_that_the_circle_goes_on() -> None
     """No velocity in metres; how the toe of a slope ends above its ground, which the tables and reports say as well."""
     m = solve(load("real-slope"))
     words = legend(plots.section(m, drawn((9.0, 6.0))))
-    assert "peak velocity after 3.803 s and 5.393 m" in words
+    assert "peak velocity 2.955 m/s after 3.803 s and 5.393 m" in words
     assert any(w.startswith("at rest after 6.477 s and 10.41 m") for w in words)
     section = m.plan.scene.arc
     assert isinstance(section, Section)
@@ -238,7 +247,7 @@ def test_the_map_of_a_search_is_darkest_where_most_dangerous_and_whole(depth: fl
     assert stability is not None
     slope = stability.slope
     found, figure = critical(slope, depth=depth), canvas((9.0, 6.0))
-    sectionplot.critical_circle(found, figure)
+    searchplot.critical_circle(found, figure)
     ax = figure.axes[0]
     (cells,) = (c for c in ax.collections if c.get_array() is not None)
     low, high = (cells.get_cmap()(x)[:3] for x in (0.0, 1.0))
@@ -252,9 +261,10 @@ def test_the_map_of_a_search_is_darkest_where_most_dangerous_and_whole(depth: fl
 
 
 def test_a_stored_picture_says_what_it_shows() -> None:
-    """Its title, axes and legends stand in the file, by which pictures in the repository are compared with today's."""
+    """Its title, axes, legends and labels are in the file; so pictures in the repository are compared with today's."""
     said = words_of(pictures.picture("ladder", ladder(SCENES["vaiont"]), "ladder.png"))
-    assert {"run-out along the arc (m)", "with all effects: 677.3 m", "does not come to rest"} <= set(said)
+    assert said == ["run-out along the arc (m); dotted: with all effects, 677.3 m"]
+    assert "at rest after 38.08 s and 677.3 m" in words_of(pictures.picture("section", motion("vaiont"), "s.png"))
 
 
 # --- greys and names -----------------------------------------------------------------------------------------------
@@ -316,3 +326,56 @@ def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
         m.plot(ax=ax)
     with pytest.raises(ValueError, match=r"2 lanes is not one picture: take one of them, motion\[0\]"):
         solve(replace(SCENES["wet-slope"], friction=np.array([0.3, 0.4]))).plot()
+
+
+# --- layered ground ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("strength", ["base", "mass"])
+def test_the_arc_of_a_layered_section_has_the_colours_of_its_soils(strength: str) -> None:
+    """At the start those below it; turned those in space, or those that it carries along; each band has its name."""
+    section = profile("softening", strength)
+    slide, ax = solve(Scene(section, effects=TURNING)), drawn()
+    plots.section(slide, ax)
+    x, tops = layerplot.boundaries(np.asarray(section.ground, dtype=float), section.layers)
+    assert {soil.name for soil, _ in section.layers} <= {*legend(ax)}
+    colours = {strong: name for name, (_, strong) in layerplot.soil_colours(section.layers).items()}
+    arcs = [line for line in ax.lines if line.get_solid_capstyle() == "butt" and line.get_color() in colours]
+    turns = {6.0: 0.0, 2.5: float(slide.end.rotation) if strength == "mass" else 0.0}
+    assert {line.get_linewidth() for line in arcs} == {*turns}
+    for line in arcs:
+        place = np.mean(line.get_xydata()[19:21], axis=0) - section.centre
+        turn = turns[line.get_linewidth()] * section.facing
+        cos, sin = np.cos(-turn), np.sin(-turn)
+        across, up = [[cos, -sin], [sin, cos]] @ place + section.centre
+        above = [name for name, top in zip(range(4), tops, strict=True) if up <= np.interp(across, x, top)]
+        assert colours[line.get_color()] == f"soil {max(above, default=2)}" or up > 0.0  # the exit's soil goes on
+
+
+def test_stresses_along_a_layered_arc_have_its_mean() -> None:
+    section = profile("softening")
+    ax = layerplot.normal_stress_along(section, drawn())
+    along, stress = ax.lines[0].get_data()
+    mean = float(solve(Scene(section, effects=TURNING)).at(0.0).normal_stress) / 1e3
+    assert np.mean(stress) == pytest.approx(mean, rel=1e-12)
+    assert ax.lines[1].get_ydata()[0] == pytest.approx(mean, rel=1e-12)
+    assert 0.0 < along[0] < along[-1] < ax.get_xlim()[1]
+
+
+def test_stretches_are_in_tables_json_and_reports() -> None:
+    """Of each soil along the arc, and of the whole: its strength over the drive is the factor of safety."""
+    slide = solve(Scene(profile("softening"), effects=TURNING, name="four layers"))
+    part = stretches_part(slide)
+    assert part is not None
+    *rows, whole = part.rows
+    assert [row[0] for row in rows] == [f"soil {k}" for k in (0, 1, 2, 3, 2)]
+    assert whole[1:3] == ["66.16", "100.0"]
+    records = record(slide)["stretches"]
+    assert [f"{100 * r['weight_share']:.1f}" for r in records] == [row[2] for row in rows]
+    assert sum(r["length"] * r["strength"] for r in records) / 66.16275 == pytest.approx(
+        1e3 * float(whole[5]), rel=1e-4
+    )
+    _, in_report = islice(_of_motion(slide, None), 2)
+    assert in_report == part._replace(title="Soils along the slip surface")
+    assert stretches_part(motion("vaiont")) is None
+    assert "stretches" not in record(motion("vaiont"))

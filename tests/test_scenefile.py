@@ -216,7 +216,7 @@ MISTAKES = [
      "arc.unit_weight_kN_m3 = 19500: must be a number above 0 (kN/m3): unit weight; is that in N/m3?"),
     (ARC + FRICTION + "[cohesion]\ncohesion_kPa = 1e307\n",
      "cohesion.cohesion_kPa = 1e+307: must be a number at least 0 (kPa): "),
-    ("accuracy = 1\n" + ARC + FRICTION, "accuracy = 1: must be a number above 0 and below 1: relative error asked for"),
+    ("accuracy = 1\n" + ARC + FRICTION, "accuracy = 1: must be a number above 0 and below 1: requested relative error"),
     ("initial_velocity_m_s = nan\n" + ARC + FRICTION, "initial_velocity_m_s = nan: must be a number (m/s): velocity"),
     ('"" = 1\n' + ARC + FRICTION, " = 1: is unknown; known are name"),
     ('"arc.given" = 1\n' + ARC + FRICTION, "arc.given = 1: is unknown; "),
@@ -285,7 +285,7 @@ def test_the_command_line_says_the_same(file: Path, said: Any, refused: Any) -> 
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("viaont", "scene 'viaont' is unknown; known are newmark-pulse, .*, wet-slope; did you mean vaiont?"),
+        ("viaont", "scene 'viaont' is unknown; known are layered-slope, .*, wet-slope; did you mean vaiont?"),
         ("", "scene '' is unknown; known are .*"),
         ("wet_slope.toml", "wet_slope.toml: there is no such file; known are .*; did you mean wet-slope?"),
         ("no/where", "no/where: there is no such file; known are .*"),

@@ -268,7 +268,7 @@ def test_the_guide_tells_by_how_much_the_methods_differ() -> None:
         assert f"{paper:.3f}, {ordinary:.3f} and {bishop:.3f}" in said
         shares.append(f"{100 * (1 - paper / bishop):.0f} %")
     assert f"by {shares[0]} and by {shares[1]} of Bishop's" in said
-    assert "critical method by which the critical circle is looked for: one of paper, ordinary, bishop" in said
+    assert "critical method by which the critical circle is searched: one of paper, ordinary, bishop" in said
 
 
 def test_the_limits_of_a_file_hold(write: Write, said: Any, records: Any) -> None:
@@ -303,7 +303,7 @@ def test_the_first_lines_name_each_factor_of_safety(write: Write, said: Any) -> 
         f"{shaken['paper']} by the paper's method, {shaken['bishop']} by Bishop's"
     ]
     assert table["at the start"] == ["stable by Bishop, moves by the paper's method"]
-    assert "lower, by 4 to 14 %" in " ".join(out.split())
+    assert "lower factor, by 4 to 14 %" in " ".join(out.split())
     table = columns(said("run", write(FIXED)))
     assert "at the start" not in table  # as it moves by both
     assert table["factor of safety"][0].endswith("by the paper's method; the motion starts from it")

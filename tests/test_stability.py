@@ -418,7 +418,7 @@ def test_a_search_without_an_answer_says_why(slope: Slope, more: dict[str, objec
         ({"pore_ratio": 1.2}, "pore_ratio"),
         ({"k_h": 3.0}, "k_h"),
         ({"base": 35.0}, "below the highest point of the ground"),
-        ({"level": [(0, 30), (90, 30)]}, "ponds"),
+        ({"level": [(0, 30), (90, 30)]}, "standing water needs pond"),
         ({"level": [(0, 20), (90, 30)], "pore_ratio": 0.2}, "exclude each other"),
         ({"level": [(200, 20), (300, 20)]}, "beside the ground"),
         ({"cohesion": 0.0, "friction": 0.0}, "no strength"),

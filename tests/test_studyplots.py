@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Study, backanalyse, ensemble, load, solve
-from slipcircle.workbench.outputs import plots, studyplots
+from slipcircle.workbench.outputs import plots, studyplots, tornado
 from slipcircle.workbench.outputs.report import study_report
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support.outputs import rows, tree
@@ -91,7 +91,7 @@ def test_a_backanalysis_is_drawn_over_its_fields() -> None:
     figure = canvas((11, 7), 60)
     studyplots.explained(back, figure)
     assert clashes(figure) == []
-    assert [ax.get_xlabel() for ax in figure.axes] == ["", "", "friction.angle_deg", "arc.radius_m"]
+    assert [ax.get_xlabel() for ax in figure.axes] == ["", "", "friction angle (deg)", "radius (m)"]
     run_out, by_radius = figure.axes[:2]
     at, values = (np.asarray(v) for v in run_out.lines[0].get_data())
     radius = back.solutions[0].values["arc.radius_m"]
@@ -121,7 +121,7 @@ def test_indices_are_bars_with_errors() -> None:
     e = found("three, Sobol")
     ax = studyplots.indices(e, "run_out", drawn())
     keys = ticks(ax)
-    of = {u.key: k for k, u in enumerate(e.design.inputs.values())}
+    of = {"friction angle": 0, "pore pressure ratio": 1, "radius": 2}
     assert set(keys) == set(of)
     first, total = e.sensitivity["run_out"]
     widths = [bar.get_width() for bar in ax.patches]
@@ -138,38 +138,50 @@ def test_tornado_is_what_a_small_change_does() -> None:
     """Beside differences of solutions, which are the motion's own; a coordinate changes by metres."""
     small = {"friction.angle_deg": 1e-3, "arc.radius_m": 2e-3, "pore_pressure.ratio": 1e-5}
     at = {"friction.angle_deg": 24.001, "arc.radius_m": 40.002, "pore_pressure.ratio": 0.35001}
+    words = {
+        "friction.angle_deg": "friction angle",
+        "arc.radius_m": "radius",
+        "pore_pressure.ratio": "pore pressure ratio",
+    }
     m = motion("wet-slope")
     found = m.sensitivity()
-    ax = studyplots.tornado(found, "run_out", small, drawn())
-    bars = dict(zip([x.partition(" = ")[0] for x in ticks(ax)], [p.get_width() for p in ax.patches], strict=False))
+    ax = tornado.tornado(found, "run_out", small, drawn())
+    bars = dict(
+        zip([re.sub(r" [\d.]+ ±.*", "", x) for x in ticks(ax)], [p.get_width() for p in ax.patches], strict=False)
+    )
     for key, value in at.items():
         (other,) = grid(m.plan.scene, {key: [value]}, accuracy=1e-14).samples["run_out"]
-        assert bars[key] == pytest.approx(other - m.run_out, rel=1e-3)
+        assert bars[words[key]] == pytest.approx(other - m.run_out, rel=1e-3)
     assert [*map(abs, bars.values())] == sorted(map(abs, bars.values()), reverse=True)
-    assert "cohesion.cohesion_kPa = 3 ± 0.03" in ticks(studyplots.tornado(found, ax=drawn()))
+    assert "cohesion 3 ± 0.03 kPa" in ticks(tornado.tornado(found, ax=drawn()))
     with pytest.raises(ValueError, match=r"changes = 'friction': must be one of friction\.angle_deg"):
-        studyplots.tornado(found, "run_out", {"friction": 0.1})
+        tornado.tornado(found, "run_out", {"friction": 0.1})
     with pytest.raises(ValueError, match="output = 'speed': must be one of peak_velocity, run_out, duration, reach"):
-        studyplots.tornado(found, "speed")
-    assert "does not move" in studyplots.tornado(motion("still").sensitivity(), ax=drawn()).texts[0].get_text()
-    words = ticks(studyplots.tornado(solve(load("real-slope")).sensitivity(), ax=drawn()))
-    assert {"ground.points_m.2.y = 35 ± 0.0282", "circle.radius_m = 28.64 ± 0.0282"} <= {*words}
+        tornado.tornado(found, "speed")
+    assert "does not move" in tornado.tornado(motion("still").sensitivity(), ax=drawn()).texts[0].get_text()
+    ax = tornado.tornado(solve(load("real-slope")).sensitivity(), ax=drawn())
+    names = ticks(ax)
+    assert len(names) == 10
+    assert "3 more numbers change it by at most" in ax.get_xlabel()
+    assert {"y of ground point 2 35 ± 0.0282 m", "radius 28.64 ± 0.0282 m"} <= {*names}
 
 
 def test_tornado_compares_equals() -> None:
     """Standard deviations of what the scene says is uncertain, and nothing else; without them 1 % of each number."""
     scene = replace(load("wet-slope"), uncertain=ANGLE | RADIUS)
-    ax = studyplots.tornado(solve(scene).sensitivity(), ax=drawn())
-    assert {*ticks(ax)} == {"friction.angle_deg = 24 ± 2", "arc.radius_m = 40 ± 5.77"}
+    ax = tornado.tornado(solve(scene).sensitivity(), ax=drawn())
+    assert {*ticks(ax)} == {"friction angle 24 ± 2 deg", "radius 40 ± 5.77 m"}
     assert "by a standard deviation of each" in ax.get_xlabel()
     table = motion("vaiont").sensitivity()
-    ax = studyplots.tornado(table, ax=drawn())
-    bars = dict(zip([x.partition(" = ")[0] for x in ticks(ax)], [abs(p.get_width()) for p in ax.patches], strict=False))
+    ax = tornado.tornado(table, ax=drawn())
+    bars = dict(
+        zip([re.sub(r" [\d.]+ ±.*", "", x) for x in ticks(ax)], [abs(p.get_width()) for p in ax.patches], strict=False)
+    )
     mu = table.at["friction"]
     angle = 0.01 * np.arctan(mu) * (1 + mu**2)
-    assert bars["friction.angle_deg"] == pytest.approx(abs(table.derivative("run_out", "friction")) * angle)
-    assert bars["arc.radius_m"] == pytest.approx(0.01 * abs(table.derivative("run_out", "radius")) * table.at["radius"])
-    assert "arc.theta_1_deg = 215.2 ± 0.308" in ticks(ax)
+    assert bars["friction angle"] == pytest.approx(abs(table.derivative("run_out", "friction")) * angle)
+    assert bars["radius"] == pytest.approx(0.01 * abs(table.derivative("run_out", "radius")) * table.at["radius"])
+    assert "theta 1 215.2 ± 0.308 deg" in ticks(ax)
 
 
 def test_shaking_is_drawn_as_given() -> None:
@@ -205,11 +217,25 @@ def test_a_grid_is_drawn_as_curves() -> None:
             slide = replace(scene, arc=replace(scene.arc, radius=radius), friction=float(np.tan(np.deg2rad(angle))))
             m = solve(slide)
             assert [reach, velocity] == pytest.approx([m.reach.displacement, float(m.peak.velocity)], rel=1e-9)
-    assert all(legend(ax) == [f"arc.radius_m = {r:.4g}" for r in radii] for ax in figure.axes)
-    with pytest.raises(ValueError, match="with at most 6 values of the second, not 1 x 7"):
-        studyplots.response(grid(scene, {"friction.angle_deg": [10.0], "arc.radius_m": np.linspace(1e3, 2e3, 7)}))
+    assert all(set(legend(ax)) == {f"radius {r:.4g} m" for r in radii} for ax in figure.axes)
     with pytest.raises(ValueError, match="not samples"):
         studyplots.response(found("two"))
+
+
+def test_a_grid_of_any_size_is_a_map() -> None:
+    """Each cell where its numbers are, darkest where the output is greatest; of few values curves, whichever way."""
+    angles, radii = np.linspace(12.0, 8.0, 9), np.linspace(1e3, 2e3, 10)
+    study = grid(load("vaiont"), {"friction.angle_deg": angles, "arc.radius_m": radii})
+    ax = studyplots.response(study, "run_out", drawn())
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("friction angle (deg)", "radius (m)")
+    cells = ax.collections[0]
+    assert np.array_equal(cells.get_array(), study.samples["run_out"].reshape(9, 10).T[:, ::-1])
+    low, high = (sum(cells.get_cmap()(x)[:3]) for x in (0.0, 1.0))
+    assert high < 0.5 * low
+    few = grid(load("vaiont"), {"friction.angle_deg": [10.0, 12.0], "arc.radius_m": radii})
+    ax = studyplots.response(few, "run_out", drawn())
+    assert ax.get_xlabel() == "radius (m)"
+    assert set(legend(ax)) == {"friction angle 10 deg", "friction angle 12 deg"}
 
 
 def test_one_command_writes_everything(tmp_path: Path, records: Any) -> None:
@@ -246,7 +272,8 @@ def test_every_study_has_a_report(name: str) -> None:
 @pytest.mark.parametrize(
     ("more", "told"),
     [("--grid friction.angle_deg=8:12:3 --report {}/a.html", "--report: of samples, not of a grid"),
-     ("--grid friction.angle_deg=8:12:3 --grid arc.radius_m=1000:2000:7 --plot {}/a.png", "not 3 x 7")],
+     ("--grid friction.angle_deg=8:12:3 --grid arc.radius_m=1e3:2e3:7 --grid end_time_s=1:2:2 --plot {}/a.png",
+      "not 3 x 7 x 2")],
 )  # fmt: skip
 def test_what_cannot_be_written_is_said_before_the_work(
     more: str, told: str, tmp_path: Path, refused: Any, monkeypatch: pytest.MonkeyPatch

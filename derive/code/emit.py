@@ -35,6 +35,7 @@ PYTHON = Language(
     "python", "{name} = {text}", lambda x: "np.nan" if x != x else repr(x), "horner({x}, ({coefficients}))"
 )
 TEMPLATES = Path(__file__).resolve().parent / "templates"
+PROCESSOR = (TEMPLATES / "_processor.h").read_text(encoding="utf-8").strip()  # part of each C file
 HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
 

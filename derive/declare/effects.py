@@ -46,8 +46,8 @@ class Parameter:
     ``key`` names it with its unit in a scene file, which gives ``per_unit`` SI units each. ``symbol`` stands
     for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the effect's
     other parameters, by their names. An ``optional`` one may be omitted. ``kind`` is "number", "list" (of numbers),
-    "series" (a number, or a function of time), "rotation" (a function of it, which the section gives), "text", "flag"
-    or one of several words, "this|that". What has no ``key`` cannot be written in a file.
+    "series" (a number, or a function of time), "rotation" (the same of the rotation, which the section gives), "text",
+    "flag" or one of several words, "this|that". What has no ``key`` cannot be written in a file.
     """
 
     name: str
@@ -164,12 +164,16 @@ LAWS = (
 _COHESION, _RATIO, _PRESSURE, _WATER, _DRAG, _VISCOSITY = sp.symbols(
     "cohesion pore_ratio pore_pressure water drag viscosity", real=True
 )
-_K_H, _K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
-_NORMAL, _INERTIA, _LIFT, _COHESIVE, TURNING, TURNING_SLOPE = sp.symbols(
-    "layered_normal layered_inertia layered_lift layered_cohesion turning turning_slope", real=True
+K_H, K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
+# Of the soils along an arc, over Theta*. What turns with the mass are numbers, the others functions of the rotation.
+SLIP_MU, TURNING, TURNING_SLOPE, REMAINING, REMAINING_SLOPE = sp.symbols(
+    "slip_mu turning turning_slope remaining remaining_slope", real=True
 )
-_REMAINING, _REMAINING_INERTIA, REMAINING, REMAINING_SLOPE = sp.symbols(
-    "layered_remaining layered_remaining_inertia remaining remaining_slope", real=True
+_NORMAL, _NORMAL_SLOPE, _INERTIA, _LIFT, _COHESIVE = sp.symbols(
+    "layered_normal layered_normal_slope layered_inertia layered_lift layered_cohesion", real=True
+)
+_REMAINING, _REMAINING_SLOPE, _REMAINING_INERTIA, _REMAINING_LIFT = sp.symbols(
+    "layered_remaining layered_remaining_slope layered_remaining_inertia layered_remaining_lift", real=True
 )
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
@@ -196,7 +200,7 @@ EFFECTS = (
     Effect("rotation", "1.2", (), ("slip",), "the mass turns as it slides, and its weight acts in its new position",
            turns=True),
     Effect("centripetal", "2.20", (), ("speed squared",),
-           "the mass presses harder on the slip surface the faster it turns", stress=A * OMEGA_2),
+           "the normal stress on the slip surface increases with the speed of rotation", stress=A * OMEGA_2),
     Effect("pore_pressure", "2.20", (
         Parameter("ratio", "", _BELOW_0, 1.0, "r_u, pore pressure over the static normal stress at the position (of a "
                   "real section over the weight of the soil above), constant or a function of time", "ratio", 1.0,
@@ -207,15 +211,15 @@ EFFECTS = (
         Parameter("level", "Pa", _BELOW_0, _INFINITY, "mean pressure on the arc of a real section below its water "
                   "level, which stays while the mass turns through it", "", 1.0, _WATER, VALUE / REFERENCE,
                   optional=True, kind="rotation"),
-        Parameter("time", "s", _BELOW_0, _INFINITY, "times of a ratio or pressure that is a list, straight lines "
-                  "between them", "time_s", optional=True, kind="list"),
+        Parameter("time", "s", _BELOW_0, _INFINITY, "times of a ratio or pressure given as a list, with linear "
+                  "interpolation", "time_s", optional=True, kind="list"),
         _optional("record", "file of a record of either, relative to the scene's: a table of times and values",
                   kind="text"),
-        _optional("units", "unit of the record's values, where it does not say it: Pa, kPa, MPa, or ratio for r_u",
+        _optional("units", "unit of the record's values, if the file does not give it: Pa, kPa, MPa, or ratio for r_u",
                   kind="text"),
         _optional("start", "time of its first sample, by default the record's own", "s", "start_s"),
         *_OF_A_RECORD), (),
-           "water pressure on the slip surface relieves friction", pressure=_RATIO * J_R / LAMBDA + _PRESSURE + _WATER,
+           "water pressure on the slip surface reduces friction", pressure=_RATIO * J_R / LAMBDA + _PRESSURE + _WATER,
            any_of=("ratio", "pressure", "record")),
     Effect("cohesion", "3.11", (
         Parameter("cohesion", "Pa", _BELOW_0, _INFINITY, "shear strength without normal stress", "cohesion_kPa", 1e3,
@@ -231,8 +235,8 @@ EFFECTS = (
         Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("speed",),
            "viscous resistance of a sheared layer, which grows with the speed", resistance=THETA * _VISCOSITY * OMEGA),
     Effect("shaking", "3.11", (
-        _optional("horizontal", "k_h(t), driving acceleration over g, positive down-slope", "", "", "series", _K_H),
-        _optional("vertical", "k_v(t), acceleration over g that reduces the effective weight", "", "", "series", _K_V),
+        _optional("horizontal", "k_h(t), driving acceleration over g, positive down-slope", "", "", "series", K_H),
+        _optional("vertical", "k_v(t), acceleration over g that reduces the effective weight", "", "", "series", K_V),
         _optional("pulse", "name of a pulse", kind="rectangular|half-sine|triangular|sine"),
         _optional("amplitude", "greatest k_h of the pulse, positive down-slope", key="amplitude_g"),
         _optional("vertical_amplitude", "greatest k_v of the pulse, by default 0", key="vertical_amplitude_g"),
@@ -240,21 +244,21 @@ EFFECTS = (
         _optional("duration", "duration of the pulse", "s", "duration_s"),
         _optional("cycles", "waves of a sine, by default 1"),
         _optional("record", "file of an acceleration record, relative to the scene's", kind="text"),
-        _optional("holds", "what the record holds, positive down-slope whichever way the slope faces: acceleration of "
-                  "the ground, or its opposite, which drives", kind="ground|driving"),
-        _optional("units", "unit of the record's values, where it does not say it: g, m/s2, cm/s2, gal, mm/s2",
+        _optional("holds", "content of the record, positive down-slope whichever way the slope faces: acceleration of "
+                  "the ground, or its opposite, which drives the mass", kind="ground|driving"),
+        _optional("units", "unit of the record's values, if the file does not give it: g, m/s2, cm/s2, gal, mm/s2",
                   kind="text"),
-        _optional("vertical_record", "file of the vertical acceleration, upwards where it holds that of the ground",
+        _optional("vertical_record", "file of the vertical acceleration, positive upwards for that of the ground",
                   kind="text"),
-        _optional("vertical_column", "name of its column, in the same file where no other is named", kind="text"),
+        _optional("vertical_column", "name of its column, by default in the same file", kind="text"),
         _optional("scale", "factor on the record's values, by default 1"),
         _optional("peak", "greatest horizontal acceleration to which a record is scaled, in place of a factor",
                   key="peak_g"),
         *_OF_A_RECORD,
-        _optional("two_way", "whether shaking may start it up-slope too; by default it may not", kind="flag")),
+        _optional("two_way", "whether shaking may also start the mass up-slope; by default false", kind="flag")),
            ("time",), "ground motion tilts and scales gravity", any_of=("horizontal", "pulse", "record"),
-           driving_moment=_K_H * THETA * DRIVING_MOMENT_SLOPE - _K_V * J_THETA,
-           normal_load=_K_H * THETA * NORMAL_LOAD_SLOPE - _K_V * J_R),
+           driving_moment=K_H * THETA * DRIVING_MOMENT_SLOPE - K_V * J_THETA,
+           normal_load=K_H * THETA * NORMAL_LOAD_SLOPE - K_V * J_R),
     Effect("thermal_pressurisation", "3.11", (
         Parameter("pressurisation", "Pa/K", _BELOW_0, _INFINITY, "Lambda, rise of the pore pressure in the undrained "
                   "layer for each kelvin", "pressurisation_MPa_K", 1e6, _KAPPA,
@@ -262,30 +266,37 @@ EFFECTS = (
         Parameter("heat_capacity", "J/m^3 K", 0.0, _INFINITY, "rho c, heat capacity of the layer by volume",
                   "heat_capacity_MJ_m3_K", 1e6),
         Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("history",),
-           "friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves the "
-           "layer) and adiabatic (no heat does), as in a slide of seconds to minutes on millimetres of clay or more; "
+           "friction heats a thin layer, whose pore water expands and reduces its strength; undrained and adiabatic "
+           "(neither water nor heat leaves the layer), as in slides of seconds to minutes on some millimetres of clay; "
            "one mean pressure and temperature, constant Lambda, and all work of friction is heat",
            pressure=_EXCESS, states=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
 )  # fmt: skip
 
 
 # What a section adds to the balance by itself: no user and no file asks for it.
+_EXCESS_NORMAL, _EXCESS_SLOPE = _NORMAL + TURNING, _NORMAL_SLOPE + TURNING_SLOPE
+_LEFT_NORMAL, _LEFT_SLOPE = _REMAINING + REMAINING, _REMAINING_SLOPE + REMAINING_SLOPE
+_EXCESS_PRESS = (1 - K_V) * _EXCESS_NORMAL + K_H * _EXCESS_SLOPE + _INERTIA * OMEGA_2
+_LEFT_PRESS = (1 - K_V) * _LEFT_NORMAL + K_H * _LEFT_SLOPE + _REMAINING_INERTIA * OMEGA_2
 SECTION_EFFECTS = (
     Effect("layered_strength", "2.23", (
         _of_section("turning", "excess of friction's normal force over the mean, of strength with the mass", TURNING),
         _of_section("turning_slope", "its derivative by the dip", TURNING_SLOPE),
         _of_section("normal", "the same of strength with the base", _NORMAL, "rotation"),
+        _of_section("normal_slope", "its derivative by the dip", _NORMAL_SLOPE, "rotation"),
         _of_section("inertia", "what the square of the angular velocity adds to it", _INERTIA, "rotation"),
         _of_section("lift", "what water takes from it", _LIFT, "rotation"),
         _of_section("remaining", "excess of the friction that slip leaves, of strength with the mass", REMAINING),
         _of_section("remaining_slope", "its derivative by the dip", REMAINING_SLOPE),
         _of_section("remaining_normal", "the same of strength with the base", _REMAINING, "rotation"),
+        _of_section("remaining_normal_slope", "its derivative by the dip", _REMAINING_SLOPE, "rotation"),
         _of_section("remaining_inertia", "what the square of the angular velocity adds to it", _REMAINING_INERTIA,
                     "rotation"),
+        _of_section("remaining_lift", "what water takes from it", _REMAINING_LIFT, "rotation"),
         _of_section("strength", "strength without normal stress", _COHESIVE, "rotation")), (),
-           "soils along the arc have strengths of their own, by the weights of (2.23) straight above each",
-           normal_load=THETA * (_NORMAL + TURNING + _INERTIA * OMEGA_2), pressure=THETA / LAMBDA * _LIFT,
-           resistance=THETA * (_COHESIVE + REMAINING + _REMAINING + _REMAINING_INERTIA * OMEGA_2)),
+           "each soil along the arc has its strength, with the normal stress from the weight above it (2.23)",
+           normal_load=THETA * (_EXCESS_PRESS + _LEFT_PRESS / SLIP_MU),
+           pressure=THETA / LAMBDA * (_LIFT + _REMAINING_LIFT / SLIP_MU), resistance=THETA * _COHESIVE),
 )  # fmt: skip
 ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
 

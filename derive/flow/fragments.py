@@ -14,6 +14,8 @@ from derive.declare.effects import (
     EFFECTIVE,
     J_R,
     J_THETA,
+    K_H,
+    K_V,
     LAMBDA,
     LAWS,
     MU,
@@ -25,6 +27,7 @@ from derive.declare.effects import (
     REMAINING_SLOPE,
     RESISTANCE_FACTOR,
     SLIP,
+    SLIP_MU,
     SPEED,
     THETA,
     TURNING_SLOPE,
@@ -56,6 +59,10 @@ TOTALS = {x: (ZERO, series(str(x))) for x in (NORMAL, FRICTION, MU)}
 CALLABLE = Law("callable", "1.14", (), ("slip",), "a function of the slip, in pieces", degree=DEGREE)
 
 
+# What changes its sign in a mirror, in which the slope falls the other way.
+ODD = {DRIVING_MOMENT, NORMAL_LOAD_SLOPE, TURNING_SLOPE, REMAINING_SLOPE, K_H}
+
+
 def seen(q: Symbol) -> Symbol:
     """A component of the weight where the phase begins, as it is seen in the direction of travel."""
     return cell(f"{q}_0")
@@ -63,8 +70,7 @@ def seen(q: Symbol) -> Symbol:
 
 def sign(q: Symbol) -> Expr:
     """What a component is multiplied by to be seen so: J_theta and the slope of J_r are odd in psi."""
-    odd_in_psi = (DRIVING_MOMENT, NORMAL_LOAD_SLOPE, TURNING_SLOPE, REMAINING_SLOPE)
-    return DIRECTION if q in odd_in_psi else ONE
+    return DIRECTION if q in ODD else ONE
 
 
 def position() -> dict[Symbol, tuple[Expr, Increment]]:
@@ -106,16 +112,17 @@ def quantities(effect: Effect) -> dict[str, Expr]:
 
 def odd(effect: Effect) -> set[Symbol]:
     """The parameters that change sign in a mirror, in which the drive does and nothing else, or ValueError."""
-    symbols = sorted({p.symbol for p in effect.parameters if p.symbol is not None}, key=str)
-    for chosen in chain.from_iterable(combinations(symbols, n) for n in range(len(symbols) + 1)):
+    symbols = {p.symbol for p in effect.parameters if p.symbol is not None}
+    free = sorted(symbols - ODD, key=str)
+    for chosen in chain.from_iterable(combinations(free, n) for n in range(len(free) + 1)):
         if _symmetric(effect, chosen):
-            return set(chosen)
+            return symbols & ODD | {*chosen}
     raise ValueError(f"{effect.name}: no signs of its parameters make its terms the same in a mirror")
 
 
 def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
     """Whether a mirror in which these parameters change sign turns the drive round and leaves all else."""
-    mirror = {x: -x for x in (DRIVING_MOMENT, NORMAL_LOAD_SLOPE, *chosen)}
+    mirror = {x: -x for x in ODD.union(chosen)}
     for quantity, e in quantities(effect).items():
         mirrored = -e if quantity == "driving" else e
         if expand(e.xreplace(mirror) - mirrored) != 0:
@@ -130,17 +137,15 @@ def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]
     variables |= {OMEGA: speed, SPEED: speed, SLIP: (BEGAN, series("x"))}
     if effect is None:
         return variables
+    variables[SLIP_MU] = varying("slip_mu")
+    variables |= {x: (sign(x) * x, series(f"d{x}", sign(x))) for x in (K_H, K_V)}
     odd_parameters = odd(effect)
     for p in effect.parameters:
         x = p.symbol
         if x is None or x in BY_PSI:
             continue
         direction = DIRECTION if x in odd_parameters else ONE
-        increment: Increment = {}
-        if p.kind == "rotation":
-            increment = powers(str(x), "x", DEGREE)
-        elif p.kind == "series":
-            increment = series(f"d{x}", direction)
+        increment = series(f"d{x}", direction) if p.kind in ("series", "rotation") else {}
         variables[x] = (direction * x, increment)
     for x in effect.states:
         variables[x] = varying(str(x))
@@ -157,6 +162,9 @@ def of_effect(effect: Effect) -> Fragment:
     if effect.turns:
         return rotation(effect)
     low = Lowering(effect.name, moving(effect))
+    for p in effect.parameters:
+        if p.kind == "rotation":
+            low.register(powers(str(p.symbol), "x", DEGREE), f"d{p.symbol}")
     for x in effect.states:
         low.cells[f"{x}_less"] = -x
         low.cells[f"{x}_0"] = -cell(f"{x}_less")  # the state's cell changes along the phase

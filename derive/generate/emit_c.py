@@ -114,6 +114,7 @@ def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str
     loops, table = _loops_and_table(_tiers(programs))
     polynomials = (f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n" for n in range(2, MOST))
     marks = {
+        "PROCESSOR": emit.PROCESSOR,
         "HALF_PI": HALF_PI.hex(),
         "END_double": END["double"].hex(),
         "END_float": END["float"].hex(),

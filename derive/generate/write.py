@@ -31,7 +31,7 @@ def files(proved: list[Record]) -> dict[str, str]:
     kernels = functions.kernels(proved)
     closed = closed_forms()
     c_kernels = emit_c.source(variants(), functions.comments(kernels, proved))
-    c_flow = _template("_flow.c")
+    c_flow = _template("_flow.c").replace("@PROCESSOR@", emit.PROCESSOR)
     for mark, lines in (layout.c() | series.c()).items():
         c_flow = c_flow.replace(f"@{mark}@\n", lines)
     texts = {

@@ -43,7 +43,7 @@ class Series:
     values : array_like
         SI units; over gravity for shaking.
     held : bool, optional
-        Whether the first and the last value hold beyond the samples, where otherwise it is zero.
+        Whether the first and the last value continue beyond the samples; otherwise it is zero there.
 
     Raises
     ------
@@ -85,7 +85,7 @@ class Series:
 
     @property
     def greatest(self) -> float:
-        """Of the values' size."""
+        """Greatest absolute value."""
         return float(np.max(np.abs(self.values)))
 
     def scaled(self, factor: float) -> "Series":
@@ -102,7 +102,7 @@ class Pulse:
     name : str
         One of ``PULSES``. A triangle has its top in the middle; a half-sine is half a wave.
     amplitude : float
-        Its greatest value; over gravity for shaking. May be negative.
+        Greatest value; over gravity for shaking. May be negative.
     start, duration : float
         s.
     cycles : float, optional
@@ -141,7 +141,7 @@ class Pulse:
 
     @property
     def _phase(self) -> float:
-        """Radians of the sine that the whole pulse takes; 0 where it is straight between its kinks."""
+        """Phase of the sine over the whole pulse, rad; 0 for a pulse that is straight between its kinks."""
         return math.pi * {"sine": 2 * self.cycles, "half-sine": 1.0}.get(self.name, 0.0)
 
     def __call__(self, t: Any) -> Any:
@@ -164,11 +164,11 @@ class Pulse:
 
     @property
     def crests(self) -> Floats:
-        """Times at which it is greatest in size, kinks aside, s."""
+        """Times of its greatest absolute values other than kinks, s."""
         quarters = np.arange(math.pi / 2, self._phase, math.pi)
         return self.start + self.duration * quarters / (self._phase or 1.0)
 
     @property
     def greatest(self) -> float:
-        """Of its size."""
+        """Greatest absolute value."""
         return abs(self.amplitude)

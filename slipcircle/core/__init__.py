@@ -1,7 +1,7 @@
-"""The core: what a scene is (`scene`), how it is integrated (`flow`), and what became of it (`motion`).
+"""The core: scenes (`scene`), their integration (`flow`), and the resulting motion (`motion`).
 
-What is listed here is public: all that the workbench, or any program built on the core, needs. Each name is loaded when
-it is first asked for, so that importing the core loads nothing.
+The names listed here are public: all that the workbench, or any program built on the core, needs. Each is loaded on
+first use, so that importing the core loads nothing.
 """
 
 from importlib import import_module
@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from slipcircle.core.scene.ground import slope_errors as slope_errors
     from slipcircle.core.scene.layers import LayeredSection as LayeredSection
     from slipcircle.core.scene.parameters import DIP as DIP
+    from slipcircle.core.scene.parameters import SOIL_BOUNDS as SOIL_BOUNDS
     from slipcircle.core.scene.parameters import Parameter as Parameter
     from slipcircle.core.scene.parameters import parameter_value as parameter_value
     from slipcircle.core.scene.parameters import parameters as parameters
@@ -53,6 +54,9 @@ if TYPE_CHECKING:
     from slipcircle.core.scene.section import Section as Section
     from slipcircle.core.scene.soils import Soil as Soil
     from slipcircle.core.scene.soils import layer_mistakes as layer_mistakes
+    from slipcircle.core.scene.soils_along import Stretch as Stretch
+    from slipcircle.core.scene.soils_along import mean_normal_stress as mean_normal_stress
+    from slipcircle.core.scene.soils_along import stretches as stretches
     from slipcircle.core.scene.weights import Dimensionless as Dimensionless
 
 # Public names by the module that defines them.
@@ -71,10 +75,13 @@ _PUBLIC = {
     "core.scene.friction": "RATE_LAWS law_depends law_mistakes law_names law_parts may_have_rate",
     "core.scene.ground": "circle_through circle_touching pond_errors simple_slope slope_errors",
     "core.scene.layers": "LayeredSection",
-    "core.scene.parameters": "DIP Parameter parameter_value parameters with_parameter_arrays with_parameters",
+    "core.scene.parameters": (
+        "DIP SOIL_BOUNDS Parameter parameter_value parameters with_parameter_arrays with_parameters"
+    ),
     "core.scene.scene": "Scene checked",
     "core.scene.section": "Section",
     "core.scene.soils": "Soil layer_mistakes",
+    "core.scene.soils_along": "Stretch mean_normal_stress stretches",
     "core.scene.weights": "Dimensionless",
 }
 _MODULES = {name: f"slipcircle.{module}" for module, names in _PUBLIC.items() for name in names.split()}

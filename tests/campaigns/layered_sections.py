@@ -12,6 +12,7 @@ from typing import Any
 
 import mpmath as mp
 import numpy as np
+from scipy.integrate import solve_ivp
 
 from slipcircle.core import LayeredSection, Soil
 
@@ -179,118 +180,201 @@ def computed(section: Any) -> tuple[list[float], list[list[float]]]:
     radius, facing = float(section.radius), float(section.facing)
     powers, signs = np.array([2, 3, 4, 2, 2, 3, 3]), np.array([1, 1, 1, facing, 1, facing, 1])
     moments = section._weighted[:, 0] * radius**powers * signs
-    still = section.arc_strength.parts(np.zeros((1, 1)))[..., 0, 0]
+    still = section.arc_strength.parts(np.zeros((1, 1)), ["normal"])
+    by_joint = np.stack([still[name][:, 0, 0] for name in ("normal", "tilt", "inertia")])
     parts = []
     for k in range(len(section.layers)):
-        one = np.zeros((len(section.soils), 1))
-        one[k] = 1.0
-        differences = section.arc_strength.stretches.differences(one)[:, 0]
-        sums = np.einsum("j,s,ijs->i", differences, section._surfaces[1][:, 0], still)
-        parts.append([-sums[4] * radius**2, sums[3] * radius**2, sums[1] * radius**3])
+        sums = by_joint @ section.arc_strength.stretches.incidence(len(section.soils))[:-1, k, 0]
+        parts.append((sums * radius ** np.array([2, 2, 3])).tolist())
     return moments.tolist(), parts
 
 
+class AlongTheArc:
+    """A section's weights and strengths along its arc from their definitions, by Gauss' rule between kinks.
+
+    Directions b are from straight below the centre, down-slope positive; the arc is ``(x, y)`` there. Of the package
+    it takes the section's numbers, and where to break the integrals.
+    """
+
+    def __init__(self, section: Any, points: int = 24) -> None:
+        self.section = section
+        self.radius = float(section.radius)
+        self.cx, self.cy = map(float, section.centre)
+        self.facing = float(section.facing)
+        self.first, self.last = (float(end[0]) for end in section.arc_strength.span)
+        self.lines = [np.asarray(section.ground), *(np.asarray(top) for _, top in section.layers[1:])]
+        self.soils = [soil for soil, _ in section.layers]
+        self.level = None if section.level is None else np.asarray(section.level)
+        self.nodes, self.weights = np.polynomial.legendre.leggauss(points)
+        self.joints = section.arc_strength.stretches.joint[0]
+        self.of_mass = np.concatenate([[self.first, self.last], self.facing * section._strips.beta[0]])
+        b, step = self.broken_at([])
+        self.moments = {name: float((step * value).sum()) for name, value in self.strips(b).items()}
+
+    def arc(self, b: Any) -> tuple[Any, Any]:
+        return self.cx + self.facing * self.radius * np.sin(b), self.cy - self.radius * np.cos(b)
+
+    def height(self, line: Any, x: Any) -> Any:
+        return np.interp(x, *line.T) if line.ndim else np.full_like(x, line)
+
+    def broken_at(self, kinks: Any) -> tuple[Any, Any]:
+        """Directions of nodes between kinks of the mass and these, and their steps."""
+        every = np.concatenate([self.of_mass, np.asarray(kinks, dtype=np.float64)])
+        every = np.concatenate([every, np.linspace(self.first, self.last, 9)])
+        edges = np.unique(np.clip(every, self.first, self.last))
+        edges = edges[np.concatenate([[True], np.diff(edges) > 1e-13])]
+        half = np.diff(edges) / 2
+        return edges[:-1] + half * (1.0 + self.nodes[:, None]), half * self.weights[:, None]
+
+    def soil_at(self, b: Any) -> Any:
+        """The soil below the arc; at its ends the ground has no thickness, and that just inside counts."""
+        x, y = self.arc(np.clip(b, self.first + 1e-6, self.last - 1e-6))
+        tops = np.minimum.accumulate([self.height(line, x) for line in self.lines], axis=0)
+        return np.maximum(np.count_nonzero(tops > y, axis=0) - 1, 0)
+
+    def of_base(self, name: str, b: Any) -> Any:
+        return np.array([getattr(soil, name) for soil in self.soils], dtype=np.float64)[self.soil_at(b)]
+
+    def strips(self, b: Any) -> dict[str, Any]:
+        """Integrals over y of the weight times -y/rho, x/rho, rho, x, y and rho^2, over b; vertical stress."""
+        x, y = self.arc(b)
+        along, low, section = self.facing * (x - self.cx), y - self.cy, self.section
+        level = self.height(self.level, x) if self.level is not None else None
+        names = ("radial", "tangential", "inertia", "x", "y", "square", "vertical")
+        sums: dict[str, Any] = {name: np.zeros_like(b) for name in names}
+
+        def add(step: float, top: Any) -> None:
+            high = np.maximum(top, y) - self.cy
+            rho_1, rho_2 = np.hypot(along, low), np.hypot(along, high)
+            log = np.arcsinh(high / np.abs(along)) - np.arcsinh(low / np.abs(along))
+            values = (
+                rho_1 - rho_2,
+                along * log,
+                (high * rho_2 - low * rho_1 + along**2 * log) / 2,
+                along * (high - low),
+                (high**2 - low**2) / 2,
+                along**2 * (high - low) + (high**3 - low**3) / 3,
+                high - low,
+            )
+            for name, value in zip(names, values, strict=True):
+                sums[name] = sums[name] + step * value
+
+        above, wet_above, top = 0.0, 0.0, np.full_like(x, np.inf)
+        for soil, line in zip(self.soils, self.lines, strict=True):
+            top = np.minimum(top, self.height(line, x))
+            add(soil.unit_weight - above, top)
+            above = soil.unit_weight
+            wet = 0.0 if soil.saturated_unit_weight is None else soil.saturated_unit_weight - above
+            if level is not None:
+                add(wet - wet_above, np.minimum(top, level))
+            wet_above = wet
+        high = self.height(self.lines[0], x) - self.cy
+        for x1, x2, q1, q2 in section.surcharge:
+            q = np.where((x >= x1) & (x <= x2), q1 + (q2 - q1) * (x - x1) / (x2 - x1), 0.0)
+            rho = np.hypot(along, high)
+            values = (-high / rho, along / rho, rho, along, high, rho**2, np.zeros_like(rho))
+            for name, value in zip(names, values, strict=True):
+                sums[name] = sums[name] + q * value
+        lever = {name: self.radius * np.cos(b) for name in names[:-1]}  # dx = R cos(b) db
+        return {name: sums[name] * lever.get(name, 1.0) for name in names}
+
+    def resistance(self, rotation: float, omega_2: float, shaking: Any = (0.0, 0.0), slip: float = 0.0) -> Any:
+        """Friction, water's part of it, and cohesion after a rotation, N/m; omega^2 is over g/R."""
+        section = self.section
+        moved = rotation if section.strength == "base" else 0.0
+        ends = np.array([self.first, self.last])
+        of_base = np.concatenate([self.joints, ends, self._datums()]) - moved
+        b, step = self.broken_at([*of_base, *self._of_water(rotation)])
+        strips = self.strips(b)
+        base, (k_h, k_v) = b + moved, shaking
+        cosine, sine = np.cos(rotation), np.sin(rotation)
+        turned = (1.0 - k_v) * (strips["radial"] * cosine - strips["tangential"] * sine)
+        turned = turned + k_h * (strips["tangential"] * cosine + strips["radial"] * sine)
+        turned = turned + omega_2 / self.radius * strips["inertia"]
+        x, y = self.arc(b + rotation)
+        head = np.maximum(self.height(self.level, x) - y, 0.0) if self.level is not None else 0.0
+        ratio = self.of_base("pore_ratio", base)
+        pressure = np.where(ratio > 0.0, ratio * strips["vertical"], section.water_unit_weight * head)
+        peak, residual = self.of_base("peak", base), self.of_base("residual", base)
+        mu = residual + (peak - residual) * self.softened(slip)
+        cohesion = self.of_base("cohesion", base)
+        if any(soil.datum is not None for soil in self.soils):
+            _, depth = self.arc(np.clip(base, self.first, self.last))
+            below = np.maximum(self.of_base("datum", base) - depth, 0.0)
+            cohesion = cohesion + self.of_base("cohesion_gradient", base) * below
+        values = (mu * turned, mu * pressure * self.radius, cohesion * self.radius)
+        return np.array([(step * value).sum() for value in values])
+
+    def softened(self, slip: float) -> float:
+        """The share of friction between peak and residual that is left of the exponential law that soils have."""
+        laws = [soil.friction for soil in self.soils if isinstance(soil.friction, dict)]
+        return float(np.exp(-slip / laws[0]["length"])) if laws else 1.0
+
+    def _of_water(self, rotation: float) -> Any:
+        return [] if self.level is None else self.facing * self.section._water.kinks[0] - rotation
+
+    def _datums(self) -> Any:
+        depths = [(self.cy - soil.datum) / self.radius for soil in self.soils if soil.datum is not None]
+        reach = np.arccos(np.clip(depths, -1.0, 1.0))
+        return np.concatenate([reach, -reach])
+
+    def motion(self, shaking: Any = None, rate: Any = None) -> tuple[float, float, float]:
+        """Peak velocity, run-out and duration of a motion down-slope from rest, by DOP853 in time.
+
+        ``shaking`` gives k_h and k_v of the time, and ``rate`` a factor of the speed.
+        """
+        gravity, moments = float(self.section.gravity), self.moments
+
+        def forces(time: float, rotation: float, omega: float) -> float:
+            k_h, k_v = shaking(time) if shaking else (0.0, 0.0)
+            x = moments["x"] * np.cos(rotation) - moments["y"] * np.sin(rotation)
+            y = moments["y"] * np.cos(rotation) + moments["x"] * np.sin(rotation)
+            drive = -(1.0 - k_v) * x - k_h * y
+            omega_2 = omega**2 * self.radius / gravity
+            friction, water, cohesion = self.resistance(rotation, omega_2, (k_h, k_v), abs(rotation) * self.radius)
+            factor = rate(abs(omega) * self.radius) if rate else 1.0
+            return drive - self.radius * (factor * max(0.0, friction - water) + cohesion)
+
+        def rates(time: float, state: Any) -> tuple[float, float]:
+            return state[1], gravity * forces(time, *state) / moments["square"]
+
+        def rests(time: float, state: Any) -> float:
+            return float(state[1])
+
+        def peaks(time: float, state: Any) -> float:
+            return float(rates(time, state)[1])
+
+        rests.terminal, rests.direction, peaks.direction = True, -1.0, -1.0  # type: ignore[attr-defined]
+        start = 1e-5  # s, from a series: no event at the standstill that the motion begins from
+        begun = rates(0.0, (0.0, 0.0))[1]
+        first = (begun * start**2 / 2, begun * start)
+        found = solve_ivp(rates, (start, 60.0), first, "DOP853", events=[rests, peaks], rtol=1e-11, atol=1e-14)
+        peak = max(state[1] for state in found.y_events[1])
+        return peak * self.radius, found.y_events[0][0][0] * self.radius, float(found.t_events[0][0])
+
+
 def strength_by_quadrature(section: Any, rotation: float, omega_2: float) -> tuple[Any, Any]:
-    """Friction, water's part of it, and cohesion after a rotation, and by Gauss' rule along 40,000 pieces of the arc.
+    """Friction, water's part of it, and cohesion after a rotation, by the package and by quadrature along the arc.
 
     Over the weights towards the arc at rest; ``omega_2`` is omega*^2.
     """
-    radius, (cx, cy) = float(section.radius), map(float, section.centre)
-    facing = float(section.facing)
-    span: Any = [float(end[0]) for end in section.arc_strength.span]
-    lines = [np.asarray(section.ground), *(np.asarray(top) for _, top in section.layers[1:])]
-    soils = [soil for soil, _ in section.layers]
-
-    def height(line: Any, x: Any) -> Any:
-        return np.interp(x, *line.T) if line.ndim else np.full_like(x, line)
-
-    def arc(b: Any) -> tuple[Any, Any]:
-        return cx + facing * radius * np.sin(b), cy - radius * np.cos(b)
-
-    def soil_at(b: Any) -> Any:
-        """The soil below the arc; at its ends the ground has no thickness, and that just inside counts."""
-        x, y = arc(np.clip(b, span[0] + 1e-6, span[1] - 1e-6))
-        tops = np.minimum.accumulate([height(line, x) for line in lines], axis=0)
-        return np.maximum(np.count_nonzero(tops > y, axis=0) - 1, 0)
-
-    joints = section.arc_strength.stretches.joint[0]
-    kinks = [*span, *joints, *(joints - rotation), *(facing * section._strips.beta[0])]
-    edges = np.unique(np.clip(np.concatenate([np.linspace(span[0], span[1], 40_001), kinks]), *span))
-    nodes, weights = np.polynomial.legendre.leggauss(4)
-    half = np.diff(edges) / 2
-    b = edges[:-1] + half * (1.0 + nodes[:, None])
-    x, y = arc(b)
-    along = facing * (x - cx)
-    level = height(np.asarray(section.level), x) if section.level is not None else None
-    radial, tangential, inertia, vertical = (np.zeros_like(b) for _ in range(4))
-
-    def add(step: float, top: Any) -> None:
-        """A surface: integrals over y of -y/rho, x/rho and rho, and the height, times the step of the unit weight."""
-        nonlocal radial, tangential, inertia, vertical
-        low, high = y - cy, np.maximum(top, y) - cy
-        rho_1, rho_2 = np.hypot(along, low), np.hypot(along, high)
-        log = np.arcsinh(high / np.abs(along)) - np.arcsinh(low / np.abs(along))
-        radial = radial + step * (rho_1 - rho_2)
-        tangential = tangential + step * along * log
-        inertia = inertia + step * (high * rho_2 - low * rho_1 + along**2 * log) / 2
-        vertical = vertical + step * (high - low)
-
-    above, wet_above, top = 0.0, 0.0, np.full_like(x, np.inf)
-    for soil, line in zip(soils, lines, strict=True):
-        top = np.minimum(top, height(line, x))
-        add(soil.unit_weight - above, top)
-        above = soil.unit_weight
-        wet = 0.0 if soil.saturated_unit_weight is None else soil.saturated_unit_weight - above
-        if level is not None:
-            add(wet - wet_above, np.minimum(top, level))
-        wet_above = wet
-    overburden = vertical.copy()
-    on_ground = height(lines[0], x) - cy
-    for x1, x2, q1, q2 in section.surcharge:
-        q = np.where((x >= x1) & (x <= x2), q1 + (q2 - q1) * (x - x1) / (x2 - x1), 0.0)
-        rho = np.hypot(along, on_ground)
-        radial, tangential, inertia = radial - q * on_ground / rho, tangential + q * along / rho, inertia + q * rho
-    base = b + rotation if section.strength == "base" else b
-
-    def of_base(name: str) -> Any:
-        return np.array([getattr(soil, name) for soil in soils], dtype=np.float64)[soil_at(base)]
-
-    there_x, there_y = arc(b + rotation)
-    head = np.maximum(height(np.asarray(section.level), there_x) - there_y, 0.0) if section.level is not None else 0.0
-    ratio, mu = of_base("pore_ratio"), of_base("peak")
-    pressure = np.where(ratio > 0.0, ratio * overburden, section.water_unit_weight * head)
-    cohesion = of_base("cohesion")
-    if any(soil.datum is not None for soil in soils):
-        _, depth = arc(np.clip(base, *span))
-        cohesion = cohesion + of_base("cohesion_gradient") * np.maximum(of_base("datum") - depth, 0.0)
-
-    def integral(values: Any) -> float:
-        return float((half * weights[:, None] * values).sum())
-
-    turned = radial * np.cos(rotation) - tangential * np.sin(rotation) + omega_2 * inertia / radius
-    scale = radius * integral(radial * np.cos(b))
-    expected = [
-        radius * integral(mu * turned * np.cos(b)),
-        radius * integral(mu * pressure),
-        radius * integral(cohesion),
-    ]
-
-    moments, terms = section._per_mean_weight[:, 0], section.arc_strength.terms
-    at = np.array([[rotation]])
+    arc = AlongTheArc(section)
+    expected = arc.resistance(rotation, omega_2)
+    moments, terms = section._per_mean_weight[:, 0], section.arc_strength.terms(True, False)
 
     def term(name: str) -> float:
-        return float(terms[name](at)[0, 0]) if name in terms else 0.0
+        value = terms.get(name, 0.0)
+        return float(np.ravel(value(np.array([[rotation]])) if callable(value) else value)[0])
 
     theta = float(moments[2])
-    whole = -moments[4] * np.cos(rotation) - facing * moments[3] * np.sin(rotation) + omega_2 * moments[1]
+    whole = -moments[4] * np.cos(rotation) - arc.facing * moments[3] * np.sin(rotation) + omega_2 * moments[1]
     beyond = theta * (term("normal") + omega_2 * term("inertia"))
     if section.strength == "mass":
-        turning = terms.get("turning", 0.0) * np.cos(rotation) - terms.get("turning_slope", 0.0) * np.sin(rotation)
-        beyond += theta * float(turning)
-    unit = float(np.ravel(section.mean_unit_weight)[0]) * radius**2
+        beyond += theta * (term("turning") * np.cos(rotation) - term("turning_slope") * np.sin(rotation))
+    unit = float(np.ravel(section.mean_unit_weight)[0]) * arc.radius**2
     mean = float(section.arc_strength.mean_peak[0])
-    computed = [mean * (whole + beyond) * unit, mean * theta * term("lift") * unit, theta * term("strength") * unit]
-    return np.array(computed) / scale, np.array(expected) / scale
+    values = [mean * (whole + beyond) * unit, mean * theta * term("lift") * unit, theta * term("strength") * unit]
+    return np.array(values) / arc.moments["radial"], expected / arc.moments["radial"]
 
 
 def differences(section: LayeredSection) -> tuple[float, float]:

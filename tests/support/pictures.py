@@ -27,7 +27,13 @@ def drawn(size: tuple[float, float] = (7.0, 5.0)) -> Any:
 
 
 def legend(ax: Any) -> list[str]:
-    return [t.get_text() for t in ax.get_legend().get_texts()]
+    """What the axis and its twins say beside curves and in legends."""
+    said = []
+    for one in ax.figure.axes:
+        if one.bbox.bounds == ax.bbox.bounds:
+            explained = one.get_legend().get_texts() if one.get_legend() else []
+            said += [" ".join(t.get_text().split()) for t in (*one.texts, *explained)]
+    return said
 
 
 def texts(figure: Any) -> Iterator[tuple[str, Any]]:
@@ -43,7 +49,7 @@ def texts(figure: Any) -> Iterator[tuple[str, Any]]:
                     hidden |= {tick.label1, tick.label2}
     for text in figure.findobj(Text):
         if text.get_text().strip() and text.get_visible() and text not in hidden:
-            yield text.get_text(), text.get_window_extent(renderer)
+            yield text.get_text(), Text.get_window_extent(text, renderer)  # without a line to what it names
 
 
 def clashes(figure: Any) -> list[str]:

@@ -60,9 +60,7 @@ typedef struct {
 
 #if defined(__x86_64__)
 #define LEVELS(X) X(avx512) X(avx2) X(baseline)
-#define RUNS_avx512 (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && \
-                     __builtin_cpu_supports("avx512vl") && RUNS_avx2)
-#define RUNS_avx2 (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+@PROCESSOR@
 #else
 #define LEVELS(X) X(baseline)
 #endif
@@ -78,9 +76,6 @@ enum { KINDS = sizeof levels / sizeof *levels };
 
 static int runs(int kind)
 {
-#if defined(__x86_64__)
-    __builtin_cpu_init();
-#endif
     const int can[] = {
 #define CAN(LEVEL) (RUNS_##LEVEL) != 0,
         LEVELS(CAN)

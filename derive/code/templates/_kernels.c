@@ -38,11 +38,13 @@
 /* Levels: which program, compiled for what. */
 #if defined(__GNUC__) && defined(__x86_64__)
 #define LEVELS(X) X(avx512, fused) X(avx2, fused) X(baseline, plain)
+#if defined(__clang__)
+#define TARGET_avx512 __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma"), min_vector_width(512)))
+#else
 #define TARGET_avx512 __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma,prefer-vector-width=512")))
+#endif
 #define TARGET_avx2 __attribute__((target("avx2,fma")))
-#define RUNS_avx512 (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && \
-                     __builtin_cpu_supports("avx512vl") && RUNS_avx2)
-#define RUNS_avx2 (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+@PROCESSOR@
 #elif defined(__GNUC__) && (defined(__FP_FAST_FMA) || defined(__aarch64__))
 #define LEVELS(X) X(fma, fused) X(baseline, plain)
 #define TARGET_fma
@@ -225,9 +227,6 @@ static int fill(PyObject *module)
     PyObject *levels = PyDict_New();
     const char *flag = NULL;
     int failed = PyArray_ImportNumPyAPI() < 0 || PyUFunc_ImportUFuncAPI() < 0 || levels == NULL;
-#ifdef RUNS_avx2
-    __builtin_cpu_init();
-#endif
 #define ADD(LEVEL, FORM) \
     if (!failed && (RUNS_##LEVEL)) { \
         PyObject *pair = Py_BuildValue("(sN)", #FORM, ufuncs(ufuncs_##LEVEL)); \

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 from generated.flow import FRAGMENTS, INPUTS, QUANTITIES
 from generated.layout import CELLS, TABLE
-from slipcircle.core.flow.link import PRIME, ZERO, Linker, Operation, named_in, needed, places_of, tangent
+from slipcircle.core.flow.link import ONE, PRIME, ZERO, Linker, Operation, named_in, needed, places_of, tangent
 from slipcircle.core.flow.program import OUTPUT_CELLS, READ_REGISTERS, Program, Table, Tangent
 
 
@@ -78,10 +78,10 @@ def build_program(
     fragments = tuple(name for name in outputs if name in FRAGMENTS)
     registers = tuple(name for name in outputs if name not in FRAGMENTS)
     builder = _Builder(registers, directions)
-    builder.declare_effects(effects, moving)
+    builder.declare_effects(effects, moving, absent)
     builder.declare_laws(laws)
     builder.declare_functions_of_time(moving)
-    builder.declare_balance((*effects, *laws), fragments, absent)
+    builder.declare_balance(effects, laws, fragments, absent)
     builder.resolve()
     builder.select()
     builder.allocate()
@@ -106,26 +106,29 @@ class _Builder:
     def __init__(self, extra: tuple[str, ...], directions: int) -> None:
         self.extra, self.directions = extra, range(directions)
         self.link = Linker()
+        self.inputs: list[str] = []
         self.tables: list[TableDeclaration] = []
         self.sums: dict[str, list[Any]] = {}  # what fragments add to each quantity: base, size, terms of its increment
 
     # --- 1. definitions ----------------------------------------------------------------------------------------------
 
-    def declare_effects(self, effects: tuple[str, ...], moving: tuple[str, ...]) -> None:
+    def declare_effects(self, effects: tuple[str, ...], moving: tuple[str, ...], absent: tuple[str, ...]) -> None:
         """Take the definitions of gravity and of effects."""
         self._take("gravity")
         for effect in effects:
             self._take(effect)
             for declared in FRAGMENTS[effect].tables:
-                self._effect_table(TableDeclaration(*declared), moving)
+                self._effect_table(TableDeclaration(*declared), moving, absent)
 
-    def _effect_table(self, table: TableDeclaration, moving: tuple[str, ...]) -> None:
-        """An effect's table where the scene gives a function; else its cells are zero."""
+    def _effect_table(self, table: TableDeclaration, moving: tuple[str, ...], absent: tuple[str, ...]) -> None:
+        """An effect's table where the scene gives a function; else a number that does not change, or none."""
         if table.name in moving:
             self.tables.append(table)
             return
-        for name in (table.name, *table.coefficients):
+        for name in table.coefficients:
             self.link.cell_definitions[name] = ("set", ZERO)
+        if table.name not in absent:
+            self.inputs.append(table.name)
 
     def declare_laws(self, laws: tuple[str, ...]) -> None:
         """Take the definitions of the friction law, or of two whose coefficients are factors of friction."""
@@ -148,20 +151,27 @@ class _Builder:
             if table.kind == "time":
                 self.link.series_definitions[table.argument] = ("ramp", table.argument, table.name)
 
-    def declare_balance(self, terms: tuple[str, ...], extra: tuple[str, ...], absent: tuple[str, ...]) -> None:
+    def declare_balance(
+        self, effects: tuple[str, ...], laws: tuple[str, ...], extra: tuple[str, ...], absent: tuple[str, ...]
+    ) -> None:
         """Take the balance, sum what fragments add to its quantities, and list what a scene has to give."""
         for name in ("balance", *extra):
             self._take(name)
-        for symbol in absent:
-            self.link.cell_definitions[symbol] = ("set", ZERO)
+        link = self.link
+        not_shaken = () if "shaking" in effects else ("k_h", "k_v")
+        for symbol in (*absent, *not_shaken):
+            link.cell_definitions[symbol] = ("set", ZERO)
         for quantity in dict.fromkeys((*QUANTITIES, "mu", *self.factors)):
             self._sum(quantity)
-        self._collect_inputs(("gravity", *terms, *extra))
+        if len(laws) == 1:  # what multiplies a law of speed is the whole of it
+            link.cell_definitions["slip_mu_0"] = ("set", "mu_0")
+            link.series_definitions["dslip_mu"] = ("lin", "dslip_mu", "", ((ONE, "dmu"),))
+        self._collect_inputs(("gravity", *effects, *laws, *extra))
 
     def _collect_inputs(self, names: tuple[str, ...]) -> None:
         """The numbers that a scene has to give, and the states with their rates."""
         defined = self.link.cell_definitions
-        self.inputs = list(INPUTS)
+        self.inputs = [*INPUTS, *self.inputs]
         self.rates = {"x": "omega", "omega": "net"}
         for name in names:
             fragment = FRAGMENTS[name]

@@ -49,6 +49,10 @@ def integrate_all(
     while True:
         state = problem.initial_cells() if cells is None else cells
         integrator(problem.program, problem.tables, state, samples, log)
+        if cells is None and problem.extend_rotations(state[ix.REACH_ROTATION]):
+            if log is not None:
+                log.clear()
+            continue
         if state[ix.STATUS].max(initial=0.0) < ix.TOO_LONG:
             return state
         _integrate_stiff(problem, state, samples, log)
@@ -180,7 +184,7 @@ class Lanes:
     def energy_unit(self) -> Any:
         """J for one of omega*^2/2."""
         arc = self.arc
-        weight = np.multiply(arc.width, arc.unit_weight) * np.power(arc.radius, 3.0)
+        weight = np.multiply(arc.width, arc.mean_unit_weight) * np.power(arc.radius, 3.0)
         return weight * arc.dimensionless.moment_of_inertia
 
     # --- the motion ----------------------------------------------------------------------------------------------
@@ -190,7 +194,11 @@ class Lanes:
         if self.count == 1:
             return integrate_all(self.problem, log=log)
         problem = self._build()  # of many lanes copies and what is kept cost as much as the integration
-        return integrate_all(problem, log=log, cells=None if problem.functions else problem.cells)
+        final = integrate_all(problem, log=log, cells=None if problem.functions else problem.cells)
+        if not problem.extend_rotations(final[ix.REACH_ROTATION]):
+            return final
+        farther = self._build()._replace(tables=problem.tables)
+        return integrate_all(farther, log=log)
 
     def read(self, times: Floats) -> Floats:
         """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes)."""
@@ -289,6 +297,7 @@ class Lanes:
         if states.further is not None:
             slip, *others = states.further
             cells[ix.SLIP] = slip
+            problem.extend_rotations(cells[ix.ROTATION])
             problem.extend_tables(cells)
             for (cell, _, _), value in zip(problem.program.states[2:], others, strict=True):
                 cells[cell] = value

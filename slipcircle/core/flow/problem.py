@@ -18,7 +18,8 @@ from generated.flow import INPUTS, PIECES
 from slipcircle.base.checks import choose, plain
 from slipcircle.core.flow import tables
 from slipcircle.core.flow.build import build_program
-from slipcircle.core.flow.layered import rotation_tables
+from slipcircle.core.flow.layered import FINEST as FINEST_TABLES
+from slipcircle.core.flow.layered import RotationTables
 from slipcircle.core.flow.program import Program
 from slipcircle.core.flow.tables import Data
 from slipcircle.core.scene.arc import Arc
@@ -46,6 +47,7 @@ class Problem(NamedTuple):
     functions: Mapping[int, Callable[[Any], Any]]  # of slip, given in Python, by the place of their table
     recipe: tuple[tuple[str, ...], ...]  # the arguments of `build_program`: effects, laws, moving, absent
     outputs: tuple[str, ...] = ()  # further ones of the program
+    rotations: RotationTables | None = None  # tables that may be laid out farther
 
     def with_outputs(self, outputs: tuple[str, ...] = (), directions: int = 0) -> "Problem":
         """The same lanes with further outputs, or with derivatives in so many directions."""
@@ -59,7 +61,7 @@ class Problem(NamedTuple):
         with_shaking = tuple(name for name in ALL_EFFECTS if name in (*effects, "shaking"))
         still_moving = tuple(symbol for symbol in moving if symbol not in shaking)
         program = build_program(with_shaking, laws, still_moving, (*others, "k_v"))
-        return self._with_program(program)
+        return self._with_program(program)._replace(rotations=None)
 
     def _with_program(self, program: Program) -> "Problem":
         """The same numbers for another program."""
@@ -80,6 +82,18 @@ class Problem(NamedTuple):
             while end <= farthest:
                 self.tables[k] = tables.sampled(function, 2 * end, self.tables[k])
                 end = float(self.tables[k].breaks[-1])
+
+    def extend_rotations(self, rotation: Floats) -> bool:
+        """Lay functions of the rotation out as far as they may be needed, where lanes get beyond what is there."""
+        if self.rotations is None:
+            return False
+        place = {table.name: k for k, table in enumerate(self.program.tables)}
+        ends = [self.tables[place[name]].breaks[-1] for name in self.rotations.functions]
+        if not any(np.any(rotation > end + 1e-9) for end in ends):
+            return False
+        for name, data in self.rotations.laid_out().items():
+            self.tables[place[name]] = data
+        return True
 
     def initial_cells(self) -> Floats:
         """A copy of the cells at the start."""
@@ -133,8 +147,9 @@ def build_problem(
     for effect in effects:
         numbers.add_effect(effect, called[effect], rotating)
     if "layered_strength" in effects:
-        upslope = "shaking" in effects or bool(np.any(velocity < 0.0))
-        numbers.add_layers(called["layered_strength"], rotating, upslope, accuracy)
+        upslope = "shaking" in effects or bool(np.any(velocity != 0.0))
+        tolerance = FINEST_TABLES if lanes == 1 else accuracy / 100
+        numbers.add_layers(called["layered_strength"], upslope, tolerance, friction)
     for name, parameters in laws:
         numbers.add_law(name, parameters)
     numbers.add_start(velocity, end_time)
@@ -164,7 +179,7 @@ def _assembled(numbers: "_Numbers", recipe: tuple[tuple[str, ...], ...], lanes: 
         cells[table.cells + ix.SCALED_BY] = factor
         if table.name in numbers.functions:
             functions[k] = numbers.functions[table.name]
-    return Problem(program, data, cells, numbers.time_scale, functions, recipe)
+    return Problem(program, data, cells, numbers.time_scale, functions, recipe, rotations=numbers.rotations)
 
 
 def _recipe(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
@@ -181,6 +196,8 @@ def _recipe(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], ..
                 absent.append(p.symbol)
             elif callable(value):
                 moving.append(p.symbol)
+    if "layered_strength" in effects and "shaking" not in effects:
+        absent += ["k_h", "k_v"]  # of which its terms are made too
     return effects, laws, tuple(moving), tuple(absent)
 
 
@@ -192,6 +209,7 @@ class _Numbers:
     functions: dict[str, Callable[[Any], Any]] = field(default_factory=dict)
     # Of each table: its data, the scale of its argument, the factor of its values.
     tables: dict[str, tuple[Data, Any, Any]] = field(default_factory=dict)
+    rotations: RotationTables | None = None
 
     def __post_init__(self) -> None:
         self.time_scale, self.radius = plain(self.arc.time_scale), plain(self.arc.radius)
@@ -228,15 +246,17 @@ class _Numbers:
                 factor = p.dimensionless(factor_of(effect, given, p.name), scales)
                 self.tables[p.symbol] = tables.of_time(value), self.time_scale, factor
 
-    def add_layers(self, given: Mapping[str, Any], rotates: bool, upslope: bool, accuracy: float) -> None:
+    def add_layers(self, given: Mapping[str, Any], upslope: bool, tolerance: float, friction: Any) -> None:
         """What the soils of a layered section give that changes with the rotation."""
         assert isinstance(self.arc, LayeredSection)
-        terms = {name: value for name, value in given.items() if isinstance(value, OfRotation)}
-        if not terms:
-            return
-        found = rotation_tables(self.arc, terms, rotates, upslope, accuracy)
         symbols = {p.name: p.symbol for p in ALL_EFFECTS["layered_strength"].parameters}
-        self.tables |= {symbols[name]: (table, 1.0, 1.0) for name, table in found.items()}
+        rotations = RotationTables(self.arc, given, symbols, tolerance, upslope)
+        if not rotations.functions:
+            return
+        self.rotations = rotations
+        laid_out = rotations.laid_out(rotations.likely_reach(friction))
+        for name, table in laid_out.items():
+            self.tables[name] = table, 1.0, 1.0
 
     def add_law(self, name: str, given: Mapping[str, Any]) -> None:
         """What a friction law gives: a table, or dimensionless numbers under its own name."""
@@ -324,12 +344,12 @@ def _first_only(terms: Collection[str], laws: Any, inputs: Mapping[str, Any]) ->
 
     Of effects and symbols of functions.
     """
-    cohesive_layers = "layered_strength" in terms and "layered_cohesion" in terms
-    if cohesive_layers or not rotates(ALL_EFFECTS.keys() & terms):
+    if not rotates(ALL_EFFECTS.keys() & terms) or "layered_cohesion" in terms:
         return 0.0
     (name, parameters), *others = laws
     constant = name == "constant" and not others
     frictionless = parameters["coefficient"] == 0.0 if constant else False
-    may_lift = not UPLIFT.isdisjoint(terms)
+    may_lift = not UPLIFT.isdisjoint(terms) or bool(np.any(inputs.get("layered_lift")))
     swings = choose(frictionless, 1.0, 2.0 if may_lift else 0.0)
-    return choose(inputs.get("cohesion", 0.0) > 0.0, 0.0, swings)
+    cohesion = inputs.get("cohesion", 0.0) + inputs.get("layered_cohesion", 0.0)
+    return choose(cohesion > 0.0, 0.0, swings)

@@ -28,7 +28,7 @@ class Sensitivity:
     scene : Scene
         Whose parameters they are.
     warnings : tuple of str
-        What to know before the values are used.
+        Warnings about the results.
     elasticities : ndarray
         (parameter/output) d(output)/d(parameter): per cent for a per cent; NaN where the output is zero.
     """

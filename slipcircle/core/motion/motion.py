@@ -60,7 +60,7 @@ def final_entries(cells: Floats, single: bool) -> dict[int, Any]:
 
 
 class Motion(Trajectory, Forms, Generic[Numbers]):
-    """A solved scene; of a scene of arrays, every attribute is an array of its shape, NaN where the status says why.
+    """A solved scene. For a scene of arrays every attribute is an array, NaN for cases without a result (`reason`).
 
     Attributes
     ----------
@@ -69,7 +69,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     status : Status
         How it ended.
     reason : str
-        Why there is no result; empty where there is one.
+        Why there is no result; empty if there is one.
     moves : bool
         Whether the mass moves at all.
     arrested : bool
@@ -79,25 +79,26 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     run_out : float
         Displacement along the arc at the end, m.
     outcomes : mapping
-        Greatest displacement (`reach`), `run_out`, `peak_velocity` and `duration`, without their states.
+        Greatest displacement (`reach`), `run_out`, `peak_velocity` and `duration`.
     reach : State
-        Where it is farthest from its start.
+        State at the greatest displacement.
     peak, end : State
-        At the greatest speed, and at the end.
+        States at the greatest speed and at the end.
     limit_friction : float
         Friction coefficient at limit equilibrium at the start, for the direction in which gravity pulls.
     yield_coefficient : float
         k_y, the horizontal acceleration over g, down-slope, at which the mass would just move; negative if it moves.
     factor_of_safety : float
-        Limit of resistance over drive at the start; infinite without a drive.
+        Available resistance over drive at the start; infinite without a drive.
     friction : float
         The friction coefficient at the start.
     error_estimate : float
         Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
     warnings : tuple of str
-        What a user should know of a single motion; empty where all is well.
+        Warnings about a single motion; usually empty.
 
-    A motion of many lanes has a length and is indexed; `to_dict`, `to_pandas` and `to_xarray` turn it into tables.
+    A motion of several cases has a length and can be indexed; `to_dict`, `to_pandas` and `to_xarray` export it as
+    tables.
     """
 
     # --- how it ended ------------------------------------------------------------------------------------------------
@@ -114,7 +115,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return reasons[self.status]
 
     def count(self) -> dict[str, int]:
-        """The number of lanes of each status that occurs, by its name."""
+        """Number of cases of each status, by its name."""
         counts = np.bincount(np.ravel(self._status), minlength=len(Status))
         return {status.name: int(counts[status]) for status in Status if counts[status]}
 
@@ -135,12 +136,12 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def turnings(self) -> Any:
-        """How often the mass has turned back."""
+        """Number of times the mass has turned back."""
         return self._shaped(np.asarray(self._final[ix.TURNS], int))
 
     @property
     def brake(self) -> Any:
-        """q, twice what a unit of omega*^2 takes from the rate at the start: the speed falls like exp(-q phi/2)."""
+        """q, twice the decrease of the rate per unit of omega*^2 at the start: the speed decays like exp(-q phi/2)."""
         return self._shaped(self._lanes.brake)
 
     # --- results -----------------------------------------------------------------------------------------------------
@@ -201,13 +202,13 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def swings_back(self) -> Any:
-        """Whether it has been farther from its start than it is at the end."""
+        """Whether it has been farther from its start than at the end."""
         farthest, end = np.abs(self.reach.displacement), np.abs(self.run_out)
         return farthest > end * (1 + SWING)
 
     @property
     def journey(self) -> Journey:
-        """Where it is at the end, of a `Section`: toe, its horizontal run-out, fall of the centroid, travel angle."""
+        """Position at the end, for a `Section`: toe and its horizontal run-out, drop of the centroid, travel angle."""
         section = self.plan.scene.arc
         if not isinstance(section, Section):
             raise AttributeError("journey: of a Section only, as an Arc does not say where it lies")
@@ -217,9 +218,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def lift_off(self) -> tuple[float, ...]:
-        """Times from which water or shaking carries the mass and contact with the slip surface is lost, s.
+        """Times at which contact with the slip surface is lost by uplift or shaking, s.
 
-        While it stays carried through standstills that is one lift-off.
+        A loss of contact that lasts through standstills counts once.
         """
         times: list[float] = []
         lifted, resumed = False, -1.0
@@ -232,7 +233,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
-        """The stretches of a single motion between its standstills."""
+        """Phases of a single motion between its standstills."""
         scale = self._lanes.time_scale
         phases: list[Phase] = []
         for event, time, rotation, direction in self._log:
@@ -272,12 +273,12 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @cached_property
     def energy(self) -> Any:
-        """The energy balance from the start to the end."""
+        """Energy balance from the start to the end."""
         return self.energy_at(self.duration)
 
     @cached_property
     def energy_error_estimate(self) -> float:
-        """How far the energy balance of a single motion is off at any time, relative to all energy until then."""
+        """Greatest error of the energy balance of a single motion, relative to all energy until then."""
         energy = self.energy_at(np.linspace(0.0, self._duration, ENERGY_CHECKS))
         exchanged = np.maximum.accumulate(energy.kinetic_start + np.abs(energy.work) + energy.dissipation)
         return float(2 * np.max(np.abs(energy.residual) / np.maximum(exchanged, 1e-300)))
@@ -292,7 +293,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         Raises
         ------
         ValueError
-            If the scene is exactly at its limit, where the motion has no derivative; or is one of arrays.
+            If the scene is exactly at its limit, where the motion has no derivative, or has arrays.
         """
         from slipcircle.core.motion.sensitivity import sensitivity
 

@@ -21,25 +21,25 @@ STEPS = 8  # that a motion typically takes
 
 @dataclass(frozen=True)
 class Plan:
-    """The way to a scene's motion.
+    """How a scene is solved.
 
     Attributes
     ----------
     scene : Scene
     effects, left_out : tuple of str
-        Effects used, and known effects that the scene does not call for.
+        Effects of the scene, and known effects that it does not use.
     law : str
         The friction law.
     method, why : str
-        What is done, in words, and what asks for it.
+        The method, in words, and the reason for it.
     fragments : tuple of str
-        The parts of `generated.flow` that the scene's program is joined of.
+        Parts of `generated.flow` from which the program is assembled.
     operations : str
-        On series, by kind, of one step.
+        Operations on series in one step, by kind.
     cost : int
-        Floating-point operations that a solution typically takes.
+        Typical number of floating-point operations of a solution.
     accuracy : float
-        Relative error that was asked for.
+        Requested relative error.
     """
 
     scene: Scene
@@ -55,23 +55,23 @@ class Plan:
 
     @property
     def equation(self) -> Equation:
-        """The equation of motion of exactly this scene: its terms, and the numbers of its coefficients."""
+        """Equation of motion of this scene: its terms, and the values of its coefficients."""
         return equation_of(self.scene, self.accuracy)
 
 
 def plan(scene: Scene, accuracy: float | None = None) -> Plan:
-    """How a scene is solved: by its flow program, which only the effects that it calls for are part of.
+    """How a scene is solved: its flow program, which contains only the effects of the scene.
 
     Parameters
     ----------
     scene : Scene
     accuracy : float, optional
-        Relative error asked for; by default the scene's own, or 1e-9.
+        Requested relative error; by default that of the scene, or 1e-9.
 
     Raises
     ------
     ValueError
-        If the accuracy is not between 0 and 1, or for what is no scene.
+        If the accuracy is not between 0 and 1, or for an argument that is not a scene.
     """
     checked(scene, "plan")
     wanted = accuracy if accuracy is not None else scene.accuracy if scene.accuracy is not None else DEFAULT_ACCURACY

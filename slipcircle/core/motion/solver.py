@@ -27,34 +27,34 @@ STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
 
 def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any = False) -> Motion[Numbers]:
-    """Solve a scene until it rests, or until its end time; a scene of arrays as an ensemble.
+    """Solve a scene until it rests, or until its end time; a scene of arrays is solved as an ensemble.
 
     Parameters
     ----------
     scene : Scene
     accuracy : float, optional
-        Relative error asked for; by default the scene's own, or 1e-9.
+        Requested relative error; by default that of the scene, or 1e-9.
     invalid : array_like of bool, optional
-        Lanes that are no scenes, as `with_parameter_arrays` gives them; their status is `Status.INVALID`.
+        Invalid cases, as returned by `with_parameter_arrays`; their status is `Status.INVALID`.
 
     Returns
     -------
     Motion
-        Its attributes are arrays of the scene's broadcast shape where the scene has arrays: ``Motion[float]`` or
-        ``Motion[Array]`` to a type checker, as the numbers that the scene was made of.
+        If the scene has arrays, its attributes are arrays of their broadcast shape; to a type checker it is
+        ``Motion[float]`` or ``Motion[Array]``, like the scene.
 
     Raises
     ------
     ValueError
-        If a single scene never rests and has no end time, turns over, or overflows; of an ensemble, such lanes say so
-        by their status.
+        If a single scene never rests and has no end time, turns over, or overflows; in an ensemble the status of such
+        cases says so.
 
     Notes
     -----
-    Friction opposes the motion and never drives it. At a standstill the mass stays if the drive is at most the
-    resistance, and turns back if not, or starts again when shaking, water or friction has changed enough. A mass that
-    nothing brings to rest (no friction, or none that presses on the slip surface, and no cohesion) is followed to its
-    first standstill. ``notebooks/0_the_method.ipynb`` derives all of this.
+    Friction opposes the motion and never drives it. At a standstill the mass stays if the drive does not exceed the
+    resistance; otherwise it turns back. It starts again once shaking, water or friction has changed enough. A mass that
+    nothing brings to rest (without cohesion, and without friction or normal load) is integrated to its first
+    standstill. ``notebooks/0_the_method.ipynb`` derives all of this.
     """
     chosen = plan(scene, accuracy)
     motion: Motion[Numbers] = motion_of(chosen, invalid)

@@ -29,7 +29,7 @@ class Status(IntEnum):
 
     @property
     def reason(self) -> str:
-        """Why there is no result; empty where there is one."""
+        """Why there is no result; empty if there is one."""
         return _REASONS.get(self.name, "")
 
 
@@ -65,13 +65,13 @@ STATUS_OF_END[[ix.ARRESTED, ix.PAUSED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_
 
 @dataclass(frozen=True)
 class State:
-    """The motion at one time, or at an array of times; positive down-slope.
+    """The motion at one or several times; positive down-slope.
 
     Attributes
     ----------
     time, rotation, angular_velocity, velocity, displacement, acceleration, normal_stress
-        s, rad, rad/s, m/s and m along the arc, m/s^2 along the arc, Pa (mean over the arc, water included; computed
-        when it is first asked for).
+        s, rad, rad/s, m/s and m along the arc, m/s^2 along the arc, Pa (mean over the arc, including water pressure;
+        computed on first use).
     """
 
     time: Any
@@ -96,12 +96,13 @@ class State:
 
 @dataclass(frozen=True)
 class Energy:
-    """The energy balance from the start to one time or several, J.
+    """Energy balance from the start to one or several times, J.
 
     Attributes
     ----------
     kinetic_start, kinetic_end, work, dissipation
-        Kinetic energies, work of gravity and shaking, and what all resistance took, integrated beside the motion.
+        Kinetic energies, work of gravity and shaking, and energy dissipated by all resistance, integrated with the
+        motion.
     """
 
     kinetic_start: Any

@@ -63,20 +63,20 @@ class Arc(SlidingBody, Generic[Numbers]):
     width : float or array_like, optional
         Length perpendicular to the section, m.
     given : mapping, optional
-        Dimensionless coefficients (``GIVEN``) to be taken as they are instead of computed, all of them: to repeat a
-        calculation from its printed table. They belong to the initial position.
+        Dimensionless coefficients, all those of ``GIVEN``, to be used instead of computed ones, for repeating a
+        calculation from a printed table. They belong to the initial position.
 
     Raises
     ------
     ValueError
-        For values out of bounds, theta_2 <= theta_1, an opening above 180 degrees, or a mass that presses on nothing
-        (its weight has no component towards the arc). Lists every mistake.
+        For values out of bounds, theta_2 <= theta_1, an opening above 180 degrees, or a mass whose weight has no
+        component towards the arc. Lists every mistake.
 
     Notes
     -----
-    Symbols and equation numbers are the paper's. Fields may be arrays; results have their broadcast shape. Either
-    facing: dip, J_theta and its quotients, motions, velocities and shaking are all positive down-slope, whichever way
-    that turns. Only a J_theta in ``given`` has the sense of the angles, and so tells the facing.
+    Symbols and equation numbers are the paper's. Fields may be arrays; results have their broadcast shape. The slope
+    may face either way: dip, J_theta and its quotients, motions, velocities and shaking are all positive down-slope.
+    Only a J_theta in ``given`` has the sign of the angles, which determines the facing.
     """
 
     radius: Numbers | float
@@ -131,7 +131,7 @@ class Arc(SlidingBody, Generic[Numbers]):
         raise_all("Arc", found)
 
     def geometry_errors(self) -> Iterator[Fault]:
-        """Lanes that are no arcs, or press on nothing."""
+        """Invalid arcs, and arcs without a normal load."""
 
         def degrees(k: int) -> tuple[float, float]:
             one, two = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
@@ -186,7 +186,7 @@ class Arc(SlidingBody, Generic[Numbers]):
 
     @cached_property
     def dimensionless(self) -> Dimensionless:
-        """Coefficients of the equation of motion, from the arc or as given."""
+        """Coefficients of the equation of motion, computed or as given."""
         if self.given is not None:
             g = {**self.given, "weight_moment": self.facing * self.given["weight_moment"]}
             return Dimensionless(
@@ -223,7 +223,7 @@ class Arc(SlidingBody, Generic[Numbers]):
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
-        """C_theta/Theta* and C_r/Theta*, of which the weights over Theta* are made at any dip."""
+        """C_theta/Theta* and C_r/Theta*, from which J_theta/Theta* and J_r/Theta* follow at any dip."""
         alpha = self.half_angle
         dip = self.dip
         if self.given is not None and dip != 0.0:  # J_theta = C_theta sin(psi), J_r = C_r cos(psi)
@@ -238,7 +238,7 @@ class Arc(SlidingBody, Generic[Numbers]):
 
     @cached_property
     def moment_coefficients(self) -> MomentCoefficients:
-        """What the balance needs; r_u is a share of the static normal stress."""
+        """Coefficients of the balance of momentum; r_u is relative to the static normal stress."""
         weight, radial = self.amplitudes_per_inertia
         press = self.normal_load
         limit, static_normal_stress, polar_per_inertia = self._quotients
@@ -286,7 +286,7 @@ class Arc(SlidingBody, Generic[Numbers]):
 
     @cached_property
     def depth(self) -> Any:
-        """f, the largest depth of the mass below its chord (2.12), m."""
+        """f, the greatest depth of the mass below its chord (2.12), m."""
         return self.sagitta
 
     @cached_property

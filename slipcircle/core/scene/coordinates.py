@@ -89,4 +89,6 @@ def replace_unchecked(instance: Any, values: Mapping[str, Any]) -> Any:
     other = object.__new__(type(instance))
     for f in fields(instance):
         object.__setattr__(other, f.name, values.get(f.name, getattr(instance, f.name)))
+    if hasattr(other, "takes_geometry") and other.takes_geometry(instance):
+        other.take_geometry(instance)
     return other

@@ -31,6 +31,15 @@ def law_mistakes(given: Any) -> list[str]:
     return faults
 
 
+def rate_mistakes(given: Any) -> list[str]:
+    """A sentence for each mistake in a law of speed that multiplies the friction of all soils."""
+    if given is None:
+        return []
+    if not isinstance(given, Mapping):
+        return [f"rate = {shown(given)}: must be a law of speed with its parameters"]
+    return _named_faults(given, "rate", RATE_LAWS)
+
+
 def may_have_rate(law: str) -> bool:
     """Whether a law may be multiplied by one of speed."""
     return not {"speed", "time"} & set(LAWS[law].depends_on)

@@ -71,8 +71,8 @@ def pond_errors(grounds: Floats, levels: Floats) -> Fault:
             return "{level}: lies beside the ground; it must reach over it"
         at = int(np.argmax(excess[k]))
         return (
-            f"{{level}}: stands {excess[k, at]:.4g} m above the ground at x = {x[k, at]:.10g}; ponds are not yet "
-            "possible"
+            f"{{level}}: stands {excess[k, at]:.4g} m above the ground at x = {x[k, at]:.10g}; standing water needs "
+            "{pond}, which factors of safety know and motions do not"
         )
 
     return ~both.any(axis=1) | (excess.max(axis=1) > 1e-9 * size), sentence

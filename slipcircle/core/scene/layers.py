@@ -9,7 +9,7 @@ friction this is the paper's method; `slipcircle.core.scene.strength` has it.
 from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -17,24 +17,25 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import raise_all
-from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.soils import LANE_NUMBERS, SOIL_NUMBERS, Soil, layer_mistakes
-from slipcircle.core.scene.strength import ArcStrength, MeanFriction
-from slipcircle.core.scene.strips import (
+from slipcircle.core.scene.friction import rate_mistakes
+from slipcircle.core.scene.profile import (
     AREA,
     HEAD,
     INERTIA,
     MOMENT_X,
     MOMENT_Y,
+    MOMENTS,
     POLAR,
     RADIAL_X,
     RADIAL_Y,
-    Floats,
-    Strips,
-    cut_into_strips,
+    Profile,
+    profile_of,
 )
-
-_MOMENTS = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
+from slipcircle.core.scene.section import Section
+from slipcircle.core.scene.soils import LANE_NUMBERS, SOIL_NUMBERS, Soil, layer_mistakes
+from slipcircle.core.scene.strength import ArcStrength, MeanFriction, over_circles
+from slipcircle.core.scene.stretches import OF_GEOMETRY
+from slipcircle.core.scene.strips import Floats, Strips, cut_into_strips
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,37 +45,50 @@ class LayeredSection(Section):
     Parameters
     ----------
     layers : sequence of pairs
-        From the ground down, each a `Soil` and its top: None of the first, whose top is the ground; else a height in m
-        or points from left to right, (V, 2), which go on horizontally. What rises above the boundary before it is cut
-        off there.
+        From the ground down, each a `Soil` and its top: None for the first, whose top is the ground; otherwise a height
+        in m or points from left to right, (V, 2), continued horizontally. A boundary is cut off where it rises above
+        the one before.
     strength : str
-        "base": the strength of the soils below the arc stays where it is as the mass moves over them, and that at the
-        exit goes on beyond it; "mass": a sheared sole travels along.
+        "base": the strength belongs to the soils below the arc, over which the mass moves, and that at the exit
+        continues beyond it; "mass": the sheared sole moves with the mass.
     foreland : Soil, optional
-        Below the arc beyond the exit, in the place of the soil at the exit; its cohesion follows its own rule with
-        depth.
+        Soil along the arc beyond the exit, in place of the soil at the exit; its cohesion varies with depth by its own
+        rule.
     surcharge : sequence of (x1, x2, q1, q2)
-        Pressures on the ground that lie on the mass and move with it, Pa, linear from x1 to x2, m.
+        Pressures on the ground that move with the mass and are shaken with it, Pa, linear from x1 to x2, m.
+    rate : mapping, optional
+        A law of speed by which the friction of all soils is multiplied, ``{"law": "rate_weakening", "peak": 1.0,
+        "residual": 0.6, "velocity": 0.1}``; a factor of 1 leaves it unchanged.
 
     Notes
     -----
-    The other parameters are those of `Section`; ``unit_weight`` is that of the soils and not given here.
+    The other parameters are those of `Section`, without ``unit_weight``, which the soils have.
     """
 
-    unit_weight: ArrayLike = 1.0  # of the geometry alone
+    unit_weight: ArrayLike = field(default=1.0, init=False, repr=False)  # the soils have theirs
     layers: Sequence[tuple[Soil, Any]] = ()
     strength: str = "base"
     foreland: Soil | None = None
     surcharge: Sequence[tuple[float, float, float, float]] = ()
+    rate: Mapping[str, Any] | None = None
     quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
 
     def __post_init__(self) -> None:
-        raise_all("LayeredSection", layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland))
+        errors = layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland)
+        raise_all("LayeredSection", errors + rate_mistakes(self.rate))
         super().__post_init__()
         first, last = self._angles
         overhangs = max(-float(np.min(first)), float(np.max(last))) > np.pi / 2
         steep = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
         raise_all("LayeredSection", [steep] if overhangs else [])
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, LayeredSection) or len(self.layers) != len(other.layers):
+            return False
+        same_tops = all(np.array_equal(a, b) for (_, a), (_, b) in zip(self.layers, other.layers, strict=True))
+        names = {f.name for f in fields(self)} - {"layers", "foreland"}
+        same_fields = all(np.array_equal(getattr(self, name), getattr(other, name)) for name in names)
+        return self.soils == other.soils and same_tops and same_fields
 
     # --- soils -------------------------------------------------------------------------------------------------------
 
@@ -84,6 +98,13 @@ class LayeredSection(Section):
         return (*(soil for soil, _ in self.layers), *([self.foreland] if self.foreland else []))
 
     @cached_property
+    def shape(self) -> tuple[int, ...]:
+        """Of results that depend on the geometry alone."""
+        tops = [np.shape(top) for _, top in self.layers if top is not None]
+        leading = [shape[:-2] if len(shape) > 1 else shape for shape in tops]
+        return np.broadcast_shapes(super().shape, *leading)
+
+    @cached_property
     def lanes_shape(self) -> tuple[int, ...]:
         """The broadcast shape of the geometry and of all numbers of soils."""
         numbers = [getattr(s, n) for s in self.soils for n in LANE_NUMBERS]
@@ -91,8 +112,11 @@ class LayeredSection(Section):
 
     def of_soils(self, value: Callable[[Soil], Any]) -> Floats:
         """A number of each soil, (soils, lanes)."""
-        rows = [np.broadcast_to(np.asarray(value(s), dtype=np.float64), self.lanes_shape) for s in self.soils]
-        return np.stack(rows).reshape(len(rows), -1)
+        numbers = [np.asarray(value(s)) for s in self.soils]
+        rows = np.empty((len(numbers), *self.lanes_shape), dtype=np.result_type(np.float64, *numbers))
+        for k, number in enumerate(numbers):
+            rows[k] = number
+        return rows.reshape(len(rows), -1)
 
     def _shaped(self, values: Any) -> Any:
         """Values by lane in the shape of the results, of geometry or of all."""
@@ -101,60 +125,74 @@ class LayeredSection(Section):
         shape = self.shape if len(values) == count else self.lanes_shape
         return values.reshape((*shape, *values.shape[1:]))[()]
 
-    # --- weights -----------------------------------------------------------------------------------------------------
+    # --- geometry ----------------------------------------------------------------------------------------------------
 
     @cached_property
     def _lines_over_radius(self) -> list[Floats]:
         """Ground, tops of the layers and water level from the centre, over R, (circles or 1, V, 2)."""
         ground, centre, radius = self._circle
         ends = ground[:, [0, -1], 0]
-        given = [ground]
+        lines = [ground]
         for _, top in self.layers[1:]:
-            points = np.asarray(top, dtype=np.float64)
+            points = np.asarray(top)
             if points.ndim < 2:  # a height, or one of each circle
-                height = np.broadcast_to(points, self.shape if points.ndim else ())[..., None]
-                points = np.stack(np.broadcast_arrays(ends[0] if not points.ndim else ends, height), axis=-1)
-            given.append(self._lines(points))
+                height = np.broadcast_to(points, self.shape if points.ndim else ()).reshape(-1, 1)
+                points = np.stack(np.broadcast_arrays(ends, height), axis=-1)
+                lines.append(points)
+            else:
+                lines.append(self._lines(points))
         if self.level is not None:
-            given.append(self._level)
-        return [(line - centre[:, None]) / radius[:, None, None] for line in given]
+            lines.append(self._level)
+        return [(line - centre[:, None]) / radius[:, None, None] for line in lines]
 
     @cached_property
-    def _surfaces(self) -> tuple[list[tuple[int, ...]], Floats]:
-        """Surfaces as the numbers of their lines, and the step of the unit weight below each, (surfaces, lanes)."""
-        count = len(self.layers)
-        tops = [tuple(range(k + 1)) for k in range(count)]
-        weight = self.of_soils(lambda s: s.unit_weight)[:count]
-        steps = [np.diff(weight, axis=0, prepend=0.0)]
-        if self.level is not None and any(s.saturated_unit_weight is not None for s in self.soils[:count]):
-            wet = self.of_soils(lambda s: s.unit_weight if s.saturated_unit_weight is None else s.saturated_unit_weight)
-            tops += [(*top, count) for top in tops]
-            steps.append(np.diff(wet[:count] - weight, axis=0, prepend=0.0))
-        steps += [np.ones_like(weight[:1])] * bool(self.surcharge)
-        return tops, np.concatenate(steps)
+    def _saturated(self) -> bool:
+        """Whether a soil is heavier below the water level."""
+        weights = [soil.saturated_unit_weight for soil, _ in self.layers]
+        return self.level is not None and any(weight is not None for weight in weights)
 
     @cached_property
     def _strips(self) -> Strips:
-        """The mass in strips."""
-        (left, _), (right, _) = self._ends
-        lines = self._lines_over_radius
+        """The mass in strips; its surfaces are the tops of layers, and the wet parts of layers."""
+        count = len(self.layers)
+        surfaces = [tuple(range(k + 1)) for k in range(count)]
+        if self._saturated:
+            surfaces += [(*lines, count) for lines in surfaces]
         _, centre, radius = self._circle
         x, size = centre[:, :1], radius[:, None]
         loads = [((x1 - x) / size, (x2 - x) / size, q1 / size, q2 / size) for x1, x2, q1, q2 in self.surcharge]
-        extra = np.concatenate([np.empty((len(x), 0)), *(end for load in loads for end in load[:2])], axis=1)
-        datums = [s.datum for s in self.soils if s.datum is not None]
-        if datums:
-            depth = np.clip((centre[:, 1:] - np.array(datums)) / radius[:, None], -1.0, 1.0)
-            across = np.sqrt((1.0 - depth) * (1.0 + depth))
-            extra = np.concatenate([extra, across, -across], axis=1)
-        return cut_into_strips(lines, self._surfaces[0], len(self.layers), (left, right), extra, loads)
+        cuts = [end for load in loads for end in load[:2]]
+        for soil in self.soils:
+            if soil.datum is not None:
+                depth = np.clip((centre[:, 1:] - soil.datum) / size, -1.0, 1.0)
+                across = np.sqrt((1.0 - depth) * (1.0 + depth))
+                cuts += [across, -across]
+        extra = np.concatenate(cuts, axis=1) if cuts else None
+        (left, _), (right, _) = self._ends
+        return cut_into_strips(self._lines_over_radius, surfaces, count, (left, right), extra, loads)
 
     @cached_property
-    def _cumulative(self) -> Floats:
-        """Integrals of a unit weight below each surface from the left end, (8, surfaces, circles, edges).
+    def profile(self) -> Profile:
+        """Integrals along the arc of a unit weight below each surface; of surcharges, the last one, as they are."""
+        return profile_of(self._strips)
 
-        The surcharges, if there are any, come last, as they are."""
-        return self._strips.cumulative()
+    def heads_between(self, low: Floats, high: Floats) -> Floats:
+        """Integrals of the head of the water level over arcs in space, (..., circles)."""
+        return self._water.integral(low, high)
+
+    # --- weights -----------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def weight_steps(self) -> Floats:
+        """Steps of the unit weight below each surface, N/m^3, (surfaces, lanes); 1 of surcharges."""
+        count = len(self.layers)
+        weight = self.of_soils(lambda s: s.unit_weight)[:count]
+        steps = [np.diff(weight, axis=0, prepend=0.0)]
+        if self._saturated:
+            wet = self.of_soils(lambda s: s.unit_weight if s.saturated_unit_weight is None else s.saturated_unit_weight)
+            steps.append(np.diff(wet[:count] - weight, axis=0, prepend=0.0))
+        steps += [np.ones_like(weight[:1])] * bool(self.surcharge)
+        return np.concatenate(steps)
 
     @cached_property
     def _weighted(self) -> Floats:
@@ -162,19 +200,24 @@ class LayeredSection(Section):
 
         The ground's own are those of a homogeneous mass, so that one soil in many layers gives the numbers of one.
         """
-        whole = self._cumulative[:HEAD, :, :, -1].copy()
-        whole[:, 0] = np.stack([self._moments[name] for name in _MOMENTS])
-        return np.asarray((whole * self._surfaces[1]).sum(axis=1))
+        whole = self.profile.whole[:HEAD].copy()
+        whole[:, 0] = np.stack([self._moments[name] for name in MOMENTS])
+        return over_circles(whole.transpose(1, 0, 2), self.weight_steps)
+
+    @cached_property
+    def _weights_per_area(self) -> Floats:
+        """The mean unit weight, N/m^3, (lanes,)."""
+        return np.asarray(self._weighted[AREA] / self._moments["area"])
 
     @cached_property
     def _per_mean_weight(self) -> Floats:
-        """The same over the mean unit weight: numbers as a homogeneous mass has them."""
-        return self._weighted / (self._weighted[AREA] / self._moments["area"])
+        """The moments over the mean unit weight: numbers as a homogeneous mass has them."""
+        return self._weighted / self._weights_per_area
 
     @cached_property
     def mean_unit_weight(self) -> Any:
         """The weight of the mass over its area, N/m^3."""
-        return self._shaped(self._weighted[AREA] / self._moments["area"])
+        return self._shaped(self._weights_per_area)
 
     @cached_property
     def centroid(self) -> Any:
@@ -186,8 +229,9 @@ class LayeredSection(Section):
     @cached_property
     def moments(self) -> dict[str, Any]:
         """Theta*, I_p*, J_r, J_theta (3.12), (2.17), (2.23), (3.13), and the derivatives of the last two by the dip."""
-        m, facing = self._per_mean_weight, self._facing
-        found = {
+        m = self._per_mean_weight
+        facing = self._facing
+        moments = {
             "moment_of_inertia": m[INERTIA],
             "polar_moment": m[POLAR],
             "radial_weight": -m[RADIAL_Y],
@@ -195,7 +239,7 @@ class LayeredSection(Section):
             "radial_weight_slope": facing * m[RADIAL_X],
             "weight_moment_slope": -m[MOMENT_Y],
         }
-        return {name: self._shaped(value) for name, value in found.items()}
+        return {name: self._shaped(value) for name, value in moments.items()}
 
     # --- strength ----------------------------------------------------------------------------------------------------
 
@@ -206,27 +250,28 @@ class LayeredSection(Section):
 
     @property
     def friction(self) -> MeanFriction:
-        """The friction of the arc as a whole, as a `Scene` takes it."""
+        """Friction of the arc as a whole, as a `Scene` takes it."""
         return self.arc_strength.friction
 
     def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:
         """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
-        terms = {
-            name: term
-            for name, term in self.arc_strength.terms.items()
-            if not name.endswith("inertia") or "centripetal" in effects
-        }
+        terms = self.arc_strength.terms("rotation" in effects, "shaking" in effects)
+        if "centripetal" not in effects:
+            terms = {name: term for name, term in terms.items() if not name.endswith("inertia")}
         return {**effects, "layered_strength": terms}
 
     # --- numbers that vary -------------------------------------------------------------------------------------------
 
     def other_numbers(self) -> dict[str, Any]:
-        """``soils.NAME.cohesion``, ``soils.NAME.friction.peak``, ...; ``layers.2.top``, of a line its first point's."""
+        """``soils.NAME.cohesion``, ``soils.NAME.friction.peak``, ...; ``layers.2.top``, of a line its first point's.
+
+        Of a factor of speed ``rate.peak``, ...
+        """
         numbers: dict[str, Any] = {}
         for soil in self.soils:
-            for field in SOIL_NUMBERS:
-                if (value := getattr(soil, field)) is not None:
-                    numbers[f"soils.{soil.name}.{field}"] = value
+            for name in SOIL_NUMBERS:
+                if (value := getattr(soil, name)) is not None:
+                    numbers[f"soils.{soil.name}.{name}"] = value
             if isinstance(soil.friction, Mapping):
                 numbers |= {f"soils.{soil.name}.friction.{n}": v for n, v in soil.friction.items() if n != "law"}
             else:
@@ -234,29 +279,67 @@ class LayeredSection(Section):
         for k, (_, top) in enumerate(self.layers):
             if top is not None:
                 numbers[f"layers.{k + 1}.top"] = np.asarray(top)[..., 0, 1][()] if np.ndim(top) > 1 else top
-        return numbers
+        rate = self.rate or {}
+        return numbers | {
+            f"rate.{name}": value for name, value in rate.items() if np.ndim(value) == 0 and name != "law"
+        }
 
     def fields_with(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """The layers and the foreland with other values of these."""
-
-        def changed(soil: Soil) -> Soil:
-            mine: dict[str, Any] = {
-                n.split(".", 2)[2]: v for n, v in values.items() if n.startswith(f"soils.{soil.name}.")
-            }
-            law = {n.partition(".")[2]: mine.pop(n) for n in [*mine] if n.startswith("friction.")}
-            if law:
-                mine["friction"] = {**soil.friction, **law}
-            return replace(soil, **mine)
-
-        soils = {id(soil): changed(soil) for soil in self.soils}
+        """The layers, the foreland and the factor of speed with other values of these."""
+        known = self.other_numbers()
+        changed = {name: value for name, value in values.items() if value is not known[name]}
+        if not changed:
+            return {}
+        soils = {id(soil): _soil_with(soil, changed) for soil in self.soils}
         layers = []
         for k, (soil, top) in enumerate(self.layers):
-            value = values.get(f"layers.{k + 1}.top")
-            if value is not None and np.ndim(top) > 1:  # the line moves as a whole
-                line = np.asarray(top, dtype=np.float64)
-                shift = np.asarray(value) - line[..., 0, 1]
-                top = line + np.stack(np.broadcast_arrays(0.0, shift[..., None]), axis=-1)
-            elif value is not None:
-                top = value
+            name = f"layers.{k + 1}.top"
+            if name in changed and not np.array_equal(changed[name], known[name]):
+                top = _moved(top, changed[name])
             layers.append((soils[id(soil)], top))
-        return {"layers": tuple(layers), "foreland": self.foreland and soils[id(self.foreland)]}
+        rate = {n.removeprefix("rate."): value for n, value in changed.items() if n.startswith("rate.")}
+        return {
+            "layers": tuple(layers),
+            "foreland": self.foreland and soils[id(self.foreland)],
+            "rate": {**self.rate, **rate} if self.rate and rate else self.rate,
+        }
+
+    def takes_geometry(self, other: Section) -> bool:
+        """Whether nothing differs from another section but numbers of soils."""
+        return isinstance(other, LayeredSection) and super().takes_geometry(other) and _same_cut(self, other)
+
+    def take_geometry(self, other: Section) -> None:
+        """What another section has computed of a geometry that is the same."""
+        super().take_geometry(other)
+        if isinstance(other, LayeredSection) and "arc_strength" in vars(other):
+            known = vars(other.arc_strength)
+            vars(self.arc_strength).update((name, known[name]) for name in known if name in OF_GEOMETRY)
+
+
+def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
+    """Whether two sections have the same boundaries, surcharges, and soils that differ in no more than numbers."""
+    same = len(one.layers) == len(other.layers) and len(one.soils) == len(other.soils)
+    same &= one.surcharge is other.surcharge and one.strength == other.strength and one._saturated == other._saturated
+    same &= all(mine is theirs for (_, mine), (_, theirs) in zip(one.layers, other.layers, strict=same))
+    return same and all(mine.datum == theirs.datum for mine, theirs in zip(one.soils, other.soils, strict=True))
+
+
+def _soil_with(soil: Soil, values: Mapping[str, Any]) -> Soil:
+    """A soil with other values of its numbers, by their names in the section."""
+    start = f"soils.{soil.name}."
+    changed: dict[str, Any] = {n.removeprefix(start): v for n, v in values.items() if n.startswith(start)}
+    law = {n.removeprefix("friction."): changed.pop(n) for n in [*changed] if n.startswith("friction.")}
+    if law:
+        changed["friction"] = {**soil.friction, **law}
+    return replace(soil, **changed) if changed else soil
+
+
+def _moved(top: Any, height: Any) -> Any:
+    """The top of a layer at another height; a line moves as a whole, and its first point has that height."""
+    if np.ndim(top) < 2:
+        return height
+    line = np.asarray(top)
+    if line.ndim > 2:  # lanes of one line
+        line = line.reshape(-1, *line.shape[-2:])[0]
+    rise = np.asarray(height - line[0, 1])[..., None]
+    return line + np.stack(np.broadcast_arrays(0.0, rise), axis=-1)

@@ -28,10 +28,10 @@ ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 
 @dataclass(frozen=True)
 class Scene(Generic[Numbers]):
-    """What is to be simulated, and nothing else: an effect that is not named is neither computed nor paid for.
+    """What is simulated: effects that are not named are not computed and cost nothing.
 
-    Where fields are arrays (the arc's too, and the parameters of effects and laws), it is an ensemble of their
-    broadcast shape. Tables and given coefficients are no such fields.
+    If fields are arrays (including those of the arc and the parameters of effects and laws), it is an ensemble of their
+    broadcast shape. Tables and given coefficients cannot vary within an ensemble.
 
     Parameters
     ----------
@@ -40,25 +40,24 @@ class Scene(Generic[Numbers]):
     friction : float or array_like, mapping, or callable
         Friction coefficient mu = tan(phi) (1.14); or a law of slip by name with its parameters,
         ``{"law": "exponential", "peak": 0.42, "residual": 0.18, "length": 2.0}``, lengths in m; or a function of the
-        accumulated slip in m, which takes and returns arrays, also of slips beyond the run-out. Laws of speed and of
-        time go by name as well, and ``"rate": {...}`` in a law of slip multiplies it by a law of speed.
+        accumulated slip in m, which takes and returns arrays, also for slips beyond the run-out. Laws of speed and of
+        time are given by name, too, and ``"rate": {...}`` in a law of slip multiplies it by a law of speed.
     effects : mapping or iterable of str, optional
-        Effects by name, each with its parameters: ``{"centripetal": {}}``, or names alone where none has any. What
-        changes with time is a `slipcircle.base.series.Series` or `Pulse`, or what such are made of: a pulse by
-        name, or a list with its times.
+        Effects by name, each with its parameters: ``{"centripetal": {}}``, or only names if none has parameters. A
+        function of time is a `Series` or `Pulse`, or its parts: a pulse by name, or a list with its times.
     initial_velocity : float or array_like, optional
         Velocity along the arc at the start, m/s, positive down-slope.
     end_time : float or array_like, optional
-        s; by default until the mass rests.
+        End of the integration, s; by default until the mass rests.
     accuracy : float, optional
-        Relative error that is asked for; the call's own wins.
+        Requested relative error; that of the call takes precedence.
     name, note : str, optional
-        What the scene is, and where its numbers come from.
+        What the scene describes, and the source of its numbers.
     uncertain : mapping, optional
-        Numbers known by a distribution, which `ensemble` draws and checks; `solve` takes the scene's own. Keys as in a
-        scene file, ``"friction.angle_deg"`` or ``"circle.radius_m"``, or SI names as in ``numbers``, ``"friction"``;
-        values are frozen distributions of scipy.stats, or ``{"distribution": "normal", "mean": 10, "std": 1}``, in the
-        key's unit.
+        Numbers with a distribution, which `ensemble` checks and samples; `solve` uses the numbers of the scene. Keys as
+        in a scene file, ``"friction.angle_deg"`` or ``"circle.radius_m"``, or SI names as in ``numbers``,
+        ``"friction"``; values are frozen distributions of scipy.stats, or ``{"distribution": "normal", "mean": 10,
+        "std": 1}``, in the key's unit.
 
     Notes
     -----
@@ -151,13 +150,14 @@ class Scene(Generic[Numbers]):
 
     @property
     def called(self) -> Mapping[str, Mapping[str, Any]]:
-        """Effects by name, each with its parameters, however they were given; and the water level of a section."""
+        """Effects by name, each with its parameters, and the water level of a section."""
         assert isinstance(self.effects, dict)
         return self.arc.section_effects(self.effects)
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
-        """All that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``, ``cohesion.cohesion``, ..."""
+        """All numbers that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``,
+        ``cohesion.cohesion``, ..."""
         found = arc_numbers(self.arc)
         law = self.friction
         if isinstance(self.arc, LayeredSection):

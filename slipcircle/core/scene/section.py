@@ -20,6 +20,14 @@ from slipcircle.core.scene.heights import HeightIntegrals, height_integrals, int
 from slipcircle.core.scene.turning import TurningMass
 from slipcircle.core.scene.weights import Dimensionless, MomentCoefficients, SlidingBody
 
+# The fields that the geometry consists of, and what is computed of them alone.
+_GEOMETRY = ("ground", "centre", "radius", "between", "level")
+_OF_GEOMETRY = (
+    *("shape", "_circle", "_cut", "_candidates", "_ends", "_mine", "_moments", "_facing", "facing", "_angles"),
+    *("_chord", "half_angle", "dip", "entry", "exit", "area", "depth", "mean_cover", "sagitta", "_level", "_water"),
+    *("pressure_kinks", "_lines_over_radius", "_strips", "profile"),
+)
+
 
 @dataclass(frozen=True)
 class Section(SlidingBody, TurningMass):
@@ -38,9 +46,9 @@ class Section(SlidingBody, TurningMass):
     gravity, width : float or array_like, optional
         m/s^2; length across the section, m.
     between : pair of float, optional
-        x between which the stretch lies that is meant, or its middle, where the circle cuts off several.
+        Range of x that contains the intended mass, or x of its middle, if the circle cuts off several masses.
     level : array_like, optional
-        Points of the water level from left to right, (..., W, 2), m; beyond its ends it goes on horizontally.
+        Points of the water level from left to right, (..., W, 2), m; it continues horizontally beyond them.
     water_unit_weight : float
         N/m^3.
     base : float, optional
@@ -49,22 +57,21 @@ class Section(SlidingBody, TurningMass):
     Raises
     ------
     ValueError
-        Lists every mistake, one sentence each: a circle that misses the ground, several stretches and none chosen,
-        points out of order, a centre below the ground, a pond, ...
+        Lists every mistake, one sentence each: a circle that misses the ground, several masses without a choice, points
+        out of order, a centre below the ground, a pond, ...
 
     Notes
     -----
     Ground, centre, radius and level may be arrays with leading axes; results have their broadcast shape. Angles are
-    measured from straight below the centre. Either facing: the mass faces the way in which gravity turns it, ``entry``
-    is its upper end, and positive means down-slope throughout.
+    measured from straight below the centre. The mass faces the way in which gravity turns it, ``entry`` is its upper
+    end, and positive is down-slope throughout.
 
-    For the coordinates as they are given moments are right to about 1e-14 (J_r, J_theta: of their vector's length)
+    For exact coordinates the moments are accurate to about 1e-14 (J_r, J_theta: relative to the length of their vector)
     however thin the mass; ``mean_cover`` and ``mean_pressure`` to about 4e-15 (1 + 1/alpha) of the greatest height
-    above the arc, alpha half its angle (1e-13/alpha at worst of 2,000 random arcs). A vertex as near to the circle as
-    rounding of coordinates goes (32 times 2e-16) counts as on it, which changes a mass of the depth f by up to about
-    1e-14 (R + x + y)/f, x and y its greatest coordinates: by 1e-6 at alpha = 1e-5. A point of the arc lies under the
-    water level and the ground at its x, also where the arc overhangs: the column above it is then ground outside the
-    mass.
+    above the arc, alpha half its angle (1e-13/alpha at worst of 2,000 random arcs). A vertex within rounding of the
+    circle (32 times 2e-16 of the coordinates) counts as on it, which changes a mass of depth f by up to about 1e-14 (R
+    + x + y)/f, x and y its greatest coordinates: by 1e-6 at alpha = 1e-5. The cover and the water head of a point of
+    the arc are those at its x, also where the arc overhangs: the column above it is then ground outside the mass.
     """
 
     ground: ArrayLike
@@ -94,6 +101,15 @@ class Section(SlidingBody, TurningMass):
         raise_all(
             "Section", section_errors(vars(self), self.quantities) or complaint(geometry_errors(self), self.shape)
         )
+
+    def takes_geometry(self, other: Section) -> bool:
+        """Whether this is another section's circle through the same lines."""
+        return all(getattr(self, name) is getattr(other, name) for name in _GEOMETRY)
+
+    def take_geometry(self, other: Section) -> None:
+        """What another section has computed of a geometry that is the same."""
+        known = vars(other)
+        vars(self).update((name, known[name]) for name in _OF_GEOMETRY if name in known)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Section) and all(
@@ -223,7 +239,7 @@ class Section(SlidingBody, TurningMass):
 
     @cached_property
     def exit(self) -> Any:
-        """Lower end of the slip surface: the toe at the start, x and y in m."""
+        """Lower end of the slip surface, the toe at the start, x and y in m."""
         return self._end(-1.0)
 
     @cached_property
@@ -251,14 +267,14 @@ class Section(SlidingBody, TurningMass):
 
     @cached_property
     def depth(self) -> Any:
-        """The greatest thickness of the mass, from the arc towards the centre, m."""
+        """Greatest thickness of the mass along a radius, m."""
         return self._shaped(circles.thickness(self._cut, self._mine)) * self.radius
 
     @cached_property
     def mean_cover(self) -> Any:
-        """Mean over the arc of the height of the ground above it, m: times r_u and the unit weight, a mean pressure.
+        """Mean height of the ground above the arc, m; times r_u and the unit weight it is a mean pressure.
 
-        Above a point where the arc overhangs, the ground outside the mass.
+        Where the arc overhangs, it is the ground outside the mass.
         """
         first, last = self._angles
         integral = np.where(self._mine, integral_inside(self._cut), 0.0).sum(axis=1)
@@ -270,19 +286,19 @@ class Section(SlidingBody, TurningMass):
     # --- mechanics ---------------------------------------------------------------------------------------------------
 
     def geometry_errors(self) -> Iterator[Fault]:
-        """Lanes that are no sections, or do not move."""
+        """Invalid sections, and sections that cannot move."""
         levels = () if self.level is None else line_errors("level", self._level)
         return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
 
     def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:
-        """With the mean pressure below the water level, which stays while the mass turns through it."""
+        """Adds the mean pressure below the water level, which stays in place as the mass turns through it."""
         if self.level is None:
             return effects
         return {**effects, "pore_pressure": {**effects.get("pore_pressure", {}), "level": self.mean_pressure}}
 
     @cached_property
     def no_motion(self) -> str | None:
-        """Why the method gives no motion, if it does not."""
+        """Why the method gives no motion, if so."""
         return next(iter(complaint(motion_errors(self), self.shape)), None)
 
     @cached_property
@@ -323,7 +339,7 @@ class Section(SlidingBody, TurningMass):
 
     @cached_property
     def moment_coefficients(self) -> MomentCoefficients:
-        """What the balance needs; r_u is a share of the weight of the soil above, gamma h, in the mean over the arc."""
+        """Coefficients of the balance of momentum; r_u is relative to the overburden gamma h, averaged over the arc."""
         m = self.moments
         d = self.dimensionless
         inertia = d.moment_of_inertia
@@ -351,7 +367,7 @@ class Section(SlidingBody, TurningMass):
     def mean_pressure(self, rotation: Any = 0.0) -> Any:
         """Mean pore pressure on the arc under the mass after a rotation, Pa.
 
-        The level stays in space while the mass turns through it; elementary between the ``pressure_kinks``.
+        The level stays in place as the mass turns through it; smooth between the ``pressure_kinks``.
 
         Parameters
         ----------

@@ -20,25 +20,25 @@ LANE_NUMBERS = (*SOIL_NUMBERS, "peak", "residual")
 
 @dataclass(frozen=True)
 class Soil:
-    """A soil of a layered ground.
+    """A soil of layered ground.
 
     Parameters
     ----------
     unit_weight : float or array_like
         gamma, N/m^3.
     cohesion : float or array_like
-        c, Pa; at and above the datum where there is a gradient.
+        c, Pa; with a gradient, its value at and above the datum.
     friction : float, array_like or mapping
         Friction coefficient tan(phi); or a law of slip, ``{"law": "exponential", "peak": 0.4, "residual": 0.2,
-        "length": 0.5}``, of which all soils along an arc share the law and its length.
+        "length": 0.5}``; all soils along an arc share the law and its length.
     saturated_unit_weight : float or array_like, optional
         Below the water level, N/m^3.
     cohesion_gradient : float or array_like
-        What c grows by for each metre below the datum, Pa/m.
+        Increase of c per metre below the datum, Pa/m.
     datum : float, optional
-        y below which c grows, m.
+        y below which c increases, m.
     pore_ratio : float or array_like
-        r_u: pore pressure over the vertical stress of the layers above, at the start; in the place of a water level.
+        r_u, pore pressure over the vertical stress of the layers above, at the start; in place of a water level.
     name : str
     """
 
@@ -79,6 +79,10 @@ def soil_mistakes(soil: Soil) -> list[str]:
     found = mistakes(numbers, {name: bounds[name] for name in numbers}) + law_mistakes(soil.friction)
     if isinstance(soil.friction, Mapping) and not {"peak", "residual", "length"} <= {*soil.friction}:
         found.append("friction.law: must have a peak, a residual and a length, to be shared along an arc")
+    if isinstance(soil.friction, Mapping) and "rate" in soil.friction:
+        found.append(
+            "friction.rate: is given to the section, LayeredSection(..., rate=...), for all soils along an arc"
+        )
     if soil.datum is None and not found and np.any(np.asarray(soil.cohesion_gradient)):
         found.append("datum: is missing: y below which the cohesion grows, in m")
     return found
@@ -97,7 +101,9 @@ def layer_mistakes(
     if foreland is not None and not isinstance(foreland, Soil):
         found.append(f"foreland = {foreland!r}: must be a Soil")
     elif foreland is not None and strength == "mass":
-        found.append("foreland: cannot be combined with strength = 'mass', by which the sole of the mass keeps its own")
+        found.append(
+            "{foreland}: cannot be combined with {strength} = 'mass', by which the sole of the mass keeps its own"
+        )
     used = [soil for soil, _ in pairs] + ([foreland] if isinstance(foreland, Soil) else [])
     found += _together_mistakes(list({id(soil): soil for soil in used}.values()))
     for k, load in enumerate(surcharge):
@@ -114,8 +120,9 @@ def _top_mistakes(k: int, top: Any) -> list[str]:
     if top is None:
         return [f"layers[{k}]: top is missing: a height in m, or points from left to right"]
     if np.ndim(top) > 1:
-        return points_errors(f"layers[{k}]: top", top, True)
-    return mistakes({"top": top}, {"top": (-FAR, FAR, "a height in m, or points from left to right")})
+        return points_errors(f"layers.{k + 1}.top", top, True)
+    name = f"layers.{k + 1}.top"
+    return mistakes({name: top}, {name: (-FAR, FAR, "a height in m, or points from left to right")})
 
 
 def _together_mistakes(soils: list[Soil]) -> list[str]:
@@ -129,5 +136,6 @@ def _together_mistakes(soils: list[Soil]) -> list[str]:
             shared = {name: value for name, value in soil.friction.items() if name not in ("peak", "residual")}
             laws.add(repr(sorted(shared.items())))
     if len(laws) > 1:
-        found.append("layers: the soils along an arc share one law of slip and one length")
+        others = ", ".join(soil.name for soil in soils if isinstance(soil.friction, Mapping))
+        found.append(f"layers: the soils along an arc share one law of slip and one length, and not {others}")
     return found

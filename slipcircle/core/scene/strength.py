@@ -5,337 +5,223 @@ the *mass*. With A, B and P the parts of J_r, of its slope and of I_p on the str
 
     friction(phi, omega) = sum mu [cos(phi) A - sin(phi) B + omega*^2 P] - integral of mu u.
 
-What this is more than with the mean friction coefficient on the whole arc is handed to the balance. A quantity q of the
-soils summed over the stretches, with a cumulative integral C from the entry, is
-
-    q_last C(exit) + sum over the joints of stretches of (q_before - q_after) C(joint),
-
-so that only C at the joints depends on the rotation, and only the differences on the numbers of the soils.
+What this is more than with the mean friction coefficient on the whole arc is handed to the balance.
 """
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from slipcircle.core.scene.strips import AREA, HEAD, INERTIA, MOMENT_X, POLAR, RADIAL_X, RADIAL_Y, Floats
+from slipcircle.core.scene.profile import INERTIA, RADIAL_Y, Floats
+from slipcircle.core.scene.stretches import StretchIntegrals
 
 
 class OfRotation(NamedTuple):
     """A function of the rotation, the sum of coefficients (parts, lanes) times parts of the geometry alone.
 
-    ``parts`` takes rotations (M, circles), down-slope, and returns (parts, M, circles).
+    ``coefficients`` are by the name of those parts: a method of `ArcStrength`, which takes rotations (M, circles),
+    down-slope, and returns (parts, M, circles).
     """
 
-    parts: Callable[[Floats], Floats]
-    coefficients: Floats
+    strength: "ArcStrength"
+    coefficients: Mapping[str, Floats]
 
     def __call__(self, rotation: Floats) -> Floats:
         """Its values after rotations (M, circles), (M, lanes)."""
-        return np.asarray((self.parts(rotation) * self.coefficients[:, None]).sum(axis=0))
+        return self.combined(self.strength.parts(rotation, self.coefficients))
+
+    def combined(self, parts: Mapping[str, Floats]) -> Floats:
+        """Its values from parts that are known."""
+        return sum((over_circles(parts[name], values) for name, values in self.coefficients.items()), np.zeros(()))
+
+
+def over_circles(parts: Floats, coefficients: Floats) -> Floats:
+    """Sums over the first axis of parts (parts, ..., circles) times coefficients (parts, lanes), (..., lanes)."""
+    if parts.shape[-1] == 1:
+        return np.tensordot(parts[..., 0], coefficients, (0, 0))
+    return np.einsum("p...l,pl->...l", parts, coefficients)
 
 
 class MeanFriction(dict[str, Any]):
     """The law of friction of an arc as a whole that the soils along it make up."""
 
 
-class Stretches(NamedTuple):
-    """Where the soil at the base changes along the arc: (circles, J) directions, and the soils above and below.
-
-    A quantity q of the soils, summed over the stretches with a cumulative integral C from the entry, is
-    q_last C(exit) + sum_j (q_before - q_after)_j C(b_j): `differences` are its coefficients.
-    """
-
-    joint: Floats
-    before: NDArray[np.intp]
-    after: NDArray[np.intp]
-    first: NDArray[np.intp]
-    last: NDArray[np.intp]
-
-    def differences(self, quantity: Floats) -> Floats:
-        """(q_before - q_after) at the joints and q_last, of (soils, lanes); (J + 1, lanes)."""
-        lane = np.arange(quantity.shape[1])
-        circle = lane if len(self.joint) > 1 else np.zeros_like(lane)
-        steps = quantity[self.before[circle].T, lane] - quantity[self.after[circle].T, lane]
-        return np.concatenate([steps, quantity[self.last[circle], lane][None]])
-
-
 @dataclass(frozen=True, eq=False)
-class ArcStrength:
+class ArcStrength(StretchIntegrals):
     """The strength along the arc of a `slipcircle.core.scene.layers.LayeredSection`."""
 
-    section: Any
-
-    @cached_property
-    def stretches(self) -> Stretches:
-        """Where the soil at the base changes, from the entry to the exit; a foreland's comes in at the exit."""
-        strips, down = self.section._strips, self.section._facing[:, None] > 0.0
-        base = np.where(down, strips.base, strips.base[:, ::-1])
-        edges = np.where(down, strips.beta, -strips.beta[:, ::-1])
-        before, after, joint = base[:, :-1], base[:, 1:], edges[:, 1:-1]
-        last = base[:, -1]
-        if self.section.foreland is not None:
-            last = np.full_like(last, len(self.section.layers))
-            before = np.concatenate([before, base[:, -1:]], axis=1)
-            after = np.concatenate([after, last[:, None]], axis=1)
-            joint = np.concatenate([joint, edges[:, -1:]], axis=1)
-        changes = np.any(before != after, axis=0)
-        return Stretches(joint[:, changes], before[:, changes], after[:, changes], base[:, 0], last)
-
-    @cached_property
-    def span(self) -> tuple[Floats, Floats]:
-        """Directions of the entry and of the exit, (circles,)."""
-        left, right = self.section._angles
-        down = self.section._facing > 0.0
-        return np.where(down, left, -right), np.where(down, right, -left)
-
-    def _from_entry(self, b: Floats) -> Floats:
-        """Integrals of a unit weight below each surface from the entry to directions b, (circles, M).
-
-        (8, surfaces, circles, M); of x down-slope.
-        """
-        facing = self.section._facing[:, None]
-        at = self.section._strips.up_to(facing * b, self.section._cumulative)
-        whole = self.section._cumulative[..., -1:]
-        at = np.where(facing > 0.0, at, whole - at)
-        at[[RADIAL_X, MOMENT_X]] *= facing
-        return at
-
-    def _joints_met(self, rotation: Floats) -> Floats:
-        """Where the mass meets the joints, and its exit, after rotations (M, circles), (J + 1, M, circles).
-
-        In directions of the mass at the start. Joints of the base stay behind as the mass moves on.
-        """
-        first, last = self.span
-        moved = rotation if self.section.strength == "base" else np.zeros_like(rotation)
-        joints = [np.clip(j - moved, first, last) for j in self.stretches.joint.T]
-        return np.stack([*joints, np.broadcast_to(last, rotation.shape)])
-
-    def parts(self, rotation: Floats) -> Floats:
-        """Integrals of unit weights below surfaces up to where joints are met, (8, J + 1, surfaces, M, circles)."""
-        met = self._joints_met(rotation)
-        joints, times, circle = met.shape
-        flat = self._from_entry(np.moveaxis(met, 2, 0).reshape(circle, -1))
-        split = flat.reshape(*flat.shape[:3], joints, times)  # integrals, surfaces, circles, joints, times
-        return split.transpose(0, 3, 1, 4, 2)
-
-    def _normal(self, rotation: Floats) -> Floats:
-        """Normal force of the weights up to the joints, ((J + 1) surfaces, M, circles)."""
-        parts = self.parts(rotation)
-        turned = -parts[RADIAL_Y] * np.cos(rotation) - parts[RADIAL_X] * np.sin(rotation)
-        return turned.reshape(-1, *rotation.shape)
-
-    def _inertia(self, rotation: Floats) -> Floats:
-        """What omega*^2 adds to it, likewise."""
-        return self.parts(rotation)[POLAR].reshape(-1, *rotation.shape)
-
-    def _overburden(self, rotation: Floats) -> Floats:
-        """Integral of the vertical stress at the start, likewise."""
-        return self.parts(rotation)[HEAD].reshape(-1, *rotation.shape)
-
-    def _space(self, rotation: Floats) -> Floats:
-        """Directions in space of the joints, the exit and the entry after rotations, (J + 2, M, circles)."""
-        first, last = self.span
-        start, end = first + rotation, last + rotation
-        joints = self.stretches.joint.T
-        if self.section.strength == "base":
-            there = [np.clip(j, start, end) for j in joints]
-        else:
-            there = [j + rotation for j in joints]
-        return np.stack([*there, end, start])
-
-    def _heads(self, rotation: Floats) -> Floats:
-        """Integrals of the head of the water level from the entry to these directions, (J + 2, M, circles)."""
-        there = self.section._facing * self._space(rotation)
-        entry = np.broadcast_to(there[-1], there.shape)
-        return self.section._water.integral(np.minimum(entry, there), np.maximum(entry, there))
-
-    def _growth(self, b: Floats) -> Floats:
-        """Integral over the arc, from its entry to directions b, of the depth below each soil's datum, over R.
-
-        (soils, ..., circles); 0 above the datum and of soils without one.
-        """
-        _, centre, radius = self.section._circle
-        first, _ = self.span
-        rows = []
-        for soil in self.section.soils:
-            if soil.datum is None:
-                rows.append(np.zeros(b.shape))
-                continue
-            level = (soil.datum - centre[:, 1]) / radius  # of the datum above the centre
-            reach = np.arccos(np.clip(-level, -1.0, 1.0))  # the datum crosses the arc at -reach and reach
-            start, end = np.clip(first, -reach, reach), np.clip(b, -reach, reach)
-            rows.append(level * (end - start) + np.sin(end) - np.sin(start))
-        return np.stack(rows)
-
-    def _cohesion_growth(self, rotation: Floats) -> Floats:
-        """Parts of the resistance that grow with depth, of each soil one, (soils, M, circles), over R."""
-        first, last = self.span
-        there = self._space(rotation)
-        if self.section.strength == "mass":
-            there = there - rotation
-        limit = last if self.section.foreland is None else np.inf  # a foreland's own rule goes on beyond the exit
-        growth = self._growth(np.clip(there, first, limit))
-        *joints, exit_, entry = range(len(there))
-        stretches = self.stretches
-        parts = np.zeros((len(self.section.soils), *rotation.shape))
-        circle = np.arange(rotation.shape[1])
-        for k in joints:
-            parts[stretches.before[:, k], :, circle] += growth[stretches.before[:, k], k, :, circle]
-            parts[stretches.after[:, k], :, circle] -= growth[stretches.after[:, k], k, :, circle]
-        parts[stretches.last, :, circle] += growth[stretches.last, exit_, :, circle]
-        parts[stretches.first, :, circle] -= growth[stretches.first, entry, :, circle]
-        if self.section.foreland is None:
-            parts += self._held_value(stretches.last, last, np.maximum(there[exit_] - last, 0.0))
-        return parts + self._held_value(stretches.first, first, np.maximum(first - there[entry], 0.0))
-
-    def _held_value(self, soil: NDArray[np.intp], direction: Floats, length: Floats) -> Floats:
-        """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
-        _, centre, radius = self.section._circle
-        parts = np.zeros((len(self.section.soils), *length.shape))
-        for k, s in enumerate(self.section.soils):
-            if s.datum is not None:
-                depth = np.maximum((s.datum - centre[:, 1]) / radius + np.cos(direction), 0.0)
-                parts[k] = np.where(soil == k, depth * length, 0.0)
-        return parts
-
-    @cached_property
-    def rotation_kinks(self) -> Floats:
-        """Rotations at which one of these functions is not smooth, (kinks, circles), sorted."""
-        first, last = self.span
-        down = self.section._facing[:, None]
-        edges = np.where(down > 0.0, self.section._strips.beta, -self.section._strips.beta[:, ::-1])
-        base = [self.stretches.joint, first[:, None], last[:, None]]
-        if self.section.level is not None:
-            base.append(self.section._water.kinks * down)
-        _, centre, radius = self.section._circle
-        for s in self.section.soils:
-            if s.datum is not None:
-                reach = np.arccos(np.clip((centre[:, 1] - s.datum) / radius, -1.0, 1.0))[:, None]
-                base += [reach, -reach]
-        there = np.concatenate(base, axis=1)
-        every = there[:, :, None] - edges[:, None, :]
-        return np.sort(every.reshape(len(every), -1), axis=1).T
-
-    @cached_property
-    def _weight_steps(self) -> Floats:
-        """Steps of the unit weight over its mean, (surfaces, lanes)."""
-        return self.section._surfaces[1] / (self.section._weighted[AREA] / self.section._moments["area"])
+    _terms: dict[tuple[bool, bool], dict[str, Any]] = field(default_factory=dict)
 
     def _by_surface(self, quantity: Floats) -> Floats:
         """Coefficients of integrals up to joints of a quantity of the soils, ((J + 1) surfaces, lanes)."""
-        differences = self.stretches.differences(quantity)
-        product = differences[:, None] * self._weight_steps
+        differences = self._by_direction(quantity)[:-1]
+        product = differences[:, None] * self._surfaces[1]
         return product.reshape(-1, product.shape[-1])
 
     def _by_direction(self, quantity: Floats) -> Floats:
         """The same up to directions in space, joints, exit and entry, (J + 2, lanes)."""
-        differences = self.stretches.differences(quantity)
-        lane = np.arange(quantity.shape[1])
-        first = self.stretches.first[lane if len(self.stretches.first) > 1 else np.zeros_like(lane)]
-        return np.concatenate([differences, -quantity[first, lane][None]])
+        return over_circles(self.incidence.transpose(1, 0, 2), quantity)
+
+    @cached_property
+    def _still(self) -> dict[str, Floats]:
+        """The parts at the start, by name, (parts, circles)."""
+        still = np.zeros((1, len(self.section._facing)))
+        names = ["normal", "space"]
+        names += ["growth"] if any(s.datum is not None for s in self.section.soils) else []
+        names += ["heads"] if self.section.level is not None else []
+        return {name: part[:, 0] for name, part in self.parts(still, names).items()}
+
+    @cached_property
+    def _by_soil(self) -> dict[str, Floats]:
+        """What presses on the stretches of each soil at the start, over the mean unit weight, (soils, lanes)."""
+        weights = self._surfaces[1]
+        found = {}
+        for name in ("normal", "tilt", "inertia", "overburden"):
+            part = self._still[name]
+            by_joint = part.reshape(-1, len(weights), part.shape[-1])
+            by_surface = np.einsum("jic,jsc->sic", self.incidence[:-1], by_joint)
+            found[name] = over_circles(by_surface, weights)
+        return found
+
+    def _at_start(self, name: str, quantity: Floats) -> Floats:
+        """A quantity of the soils times what presses on their stretches, (lanes,)."""
+        return np.asarray((self._by_soil[name] * quantity).sum(axis=0))
 
     def _mean(self, quantity: Floats) -> Floats:
         """Mean of a friction coefficient over the arc, by the normal forces at the start, (lanes,)."""
-        still = np.zeros((1, len(self.section._facing)))
-        normal = (self._by_surface(quantity) * self._normal(still)[:, 0]).sum(axis=0)
-        return np.asarray(normal / -self.section._per_mean_weight[RADIAL_Y])
+        return self._at_start("normal", quantity) / -self.section._per_mean_weight[RADIAL_Y]
+
+    @cached_property
+    def _peak(self) -> Floats:
+        return self.section.of_soils(lambda s: s.peak)
+
+    @cached_property
+    def _softens(self) -> bool:
+        return any(isinstance(soil.friction, Mapping) for soil in self.section.soils)
+
+    @cached_property
+    def _residual(self) -> Floats:
+        return self.section.of_soils(lambda s: s.residual) if self._softens else self._peak
 
     @cached_property
     def mean_peak(self) -> Floats:
         """Friction coefficient of the whole arc at the start, (lanes,)."""
-        return self._mean(self.section.of_soils(lambda s: s.peak))
+        return self._mean(self._peak)
 
     @cached_property
     def mean_residual(self) -> Floats:
         """Friction coefficient of the whole arc after much slip, by the normal forces at the start, (lanes,)."""
-        return self._mean(self.section.of_soils(lambda s: s.residual))
+        return self._mean(self._residual) if self._softens else self.mean_peak
 
     @cached_property
-    def _friction_excess(self) -> tuple[Floats, Floats]:
-        """By soil, over their means and less 1: the part of friction that slip takes away, and what remains.
+    def _shares(self) -> tuple[Floats, Floats]:
+        """By soil, over their means: the part of friction that slip takes away, and what remains beyond this share.
 
-        The same where friction is constant.
+        With mu = r + (p - r) f(s) of each soil and of the means, sum mu N = mu_mean (sum (p - r)/(p - r)_mean N) +
+        sum (r - r_mean (p - r)/(p - r)_mean) N: the second sum is 0 where the soils soften alike.
         """
-        peak, residual = self.section.of_soils(lambda s: s.peak), self.section.of_soils(lambda s: s.residual)
-        lost, mean_lost = peak - residual, self.mean_peak - self.mean_residual
-        with np.errstate(divide="ignore", invalid="ignore"):
-            remaining = np.where(self.mean_residual > 0.0, residual / self.mean_residual - 1.0, 0.0)
-            changing = np.where(mean_lost != 0.0, lost / mean_lost - 1.0, remaining)
-        return changing, remaining
+        mean = np.where(self.mean_peak != 0.0, self.mean_peak, 1.0)
+        share = np.where(self.mean_peak != 0.0, self._peak / mean, 1.0)
+        if not self._softens:
+            return share, np.zeros(1)
+        lost = self._peak - self._residual
+        mean_lost = self.mean_peak - self.mean_residual
+        softens = np.any(lost, axis=0) & (mean_lost != 0.0)
+        share = np.where(softens, lost / np.where(softens, mean_lost, 1.0), share)
+        remaining = np.where(softens, self._residual - self.mean_residual * share, 0.0)
+        rounding = 1e-15 * np.abs(self._residual)
+        return share, np.where(np.abs(remaining) > rounding, remaining, 0.0)
 
     @cached_property
     def friction(self) -> MeanFriction:
         """The friction of the arc as a whole, as a `Scene` takes it: its mean, by the normal forces at the start."""
         laws = [s.friction for s in self.section.soils if isinstance(s.friction, Mapping)]
         peak, residual = self.section._shaped(self.mean_peak), self.section._shaped(self.mean_residual)
+        rate = {} if self.section.rate is None else {"rate": self.section.rate}
         if not laws:
-            return MeanFriction(law="constant", coefficient=peak)
-        return MeanFriction(laws[0], peak=peak, residual=residual)
+            return MeanFriction(law="constant", coefficient=peak, **rate)
+        return MeanFriction(laws[0], peak=peak, residual=residual, **rate)
 
-    @cached_property
-    def terms(self) -> dict[str, Any]:
+    def terms(self, rotates: bool, shaken: bool) -> dict[str, Any]:
         """What the balance takes beyond a homogeneous mass with the mean friction, over Theta*: numbers and functions.
 
-        With mu = r + (p - r) f(s) of each soil, friction is mu_mean (N + G) + r_mean (G_r - G): N of the weight, G
-        and G_r what the parts p - r and r of the soils take hold of beyond their means.
+        Of friction what it takes hold of beyond its mean, N + G + (G_r)/mu, N of the weight; G_r remains of it where
+        soils do not soften alike. Whatever does not change with the rotation is a number.
         """
-        theta = self.section._per_mean_weight[INERTIA]
-        changing, remaining = self._friction_excess
-        takes_hold = self._by_surface(changing) / theta
-        terms = self._gripping("normal", "turning", "inertia", takes_hold)
-        if np.any(remaining != changing):
-            left = self._by_surface(remaining - changing) * self.mean_residual / theta
-            terms |= self._gripping("remaining_normal", "remaining", "remaining_inertia", left)
-        terms["strength"] = self._cohesion()
-        terms["lift"] = self._lift()
-        empty = [n for n, term in terms.items() if isinstance(term, OfRotation) and not np.any(term.coefficients)]
-        return {name: term for name, term in terms.items() if name not in empty}
+        key = rotates, shaken
+        if key not in self._terms:
+            share, remaining = self._shares
+            terms = self._gripping(("normal", "turning", "inertia"), share - 1.0, *key)
+            if np.any(self._peak):
+                terms["lift"] = self._lift(share, rotates)
+            terms["strength"] = self._cohesion(rotates)
+            if np.any(remaining):
+                left = ("remaining_normal", "remaining", "remaining_inertia")
+                terms |= self._gripping(left, remaining, *key)
+                terms["remaining_lift"] = self._lift(remaining, rotates)
+            self._terms[key] = {name: term for name, term in terms.items() if _counts(term)}
+        return self._terms[key]
+
+    @property
+    def _theta(self) -> Floats:
+        return np.asarray(self.section._per_mean_weight[INERTIA])
 
     @property
     def _weight_scale(self) -> Floats:
         """gamma Theta* in N/m^3, by which weights come over Theta*, (lanes,)."""
-        unit_weight = self.section._weighted[AREA] / self.section._moments["area"]
-        return np.asarray(unit_weight * self.section._per_mean_weight[INERTIA])
+        return self.section._weights_per_area * self._theta
 
-    def _cohesion(self) -> OfRotation:
+    def _gripping(self, names: tuple[str, str, str], quantity: Floats, rotates: bool, shaken: bool) -> dict[str, Any]:
+        """What a share of friction takes hold of, of weight and of inertia."""
+        base, mass, inertia = names
+
+        def at_start(part: str) -> Any:
+            return self.section._shaped(self._at_start(part, quantity) / self._theta)
+
+        if not rotates or self.section.strength == "mass":
+            return {mass: at_start("normal"), f"{mass}_slope": at_start("tilt"), inertia: at_start("inertia")}
+        coefficients = self._by_surface(quantity) / self._theta
+        slope = OfRotation(self, {"tilt": coefficients}) if shaken else at_start("tilt")
+        terms = {
+            name: OfRotation(self, {part: coefficients}) for name, part in ((base, "normal"), (inertia, "inertia"))
+        }
+        return {**terms, f"{base}_slope": slope}  # which the yield coefficient takes too
+
+    def _cohesion(self, rotates: bool) -> Any:
         """Strength without normal stress, over Theta*."""
-        cohesion = self.section.of_soils(lambda s: s.cohesion) / (self._weight_scale * self.section._circle[2])
-        constant = OfRotation(self._space, self._by_direction(cohesion))
-        growth = self.section.of_soils(lambda s: s.cohesion_gradient) / self._weight_scale
-        return _sum([constant, OfRotation(self._cohesion_growth, growth)]) if np.any(growth) else constant
+        section = self.section
+        cohesion = section.of_soils(lambda s: s.cohesion)
+        growth = section.of_soils(lambda s: s.cohesion_gradient)
+        coefficients = {}
+        if np.any(cohesion):
+            coefficients["space"] = self._by_direction(cohesion / (self._weight_scale * section._circle[2]))
+        if np.any(growth):
+            coefficients["growth"] = growth / self._weight_scale
+        return self._function(coefficients, rotates and section.strength == "base")
 
-    def _lift(self) -> OfRotation:
-        """What water takes from the normal force, over the mean friction and Theta*: of the level, and of ratios."""
-        share = self.section.of_soils(lambda s: s.peak) / np.where(self.mean_peak > 0.0, self.mean_peak, 1.0)
-        ratio = self.section.of_soils(lambda s: s.pore_ratio)
-        theta = self.section._per_mean_weight[INERTIA]
-        of_ratios = OfRotation(self._overburden, self._by_surface(share * ratio) / theta)
-        if self.section.level is None:
-            return of_ratios
-        weight = np.where(ratio > 0.0, 0.0, share) * self.section.water_unit_weight / self._weight_scale
-        of_level = OfRotation(self._heads, self._by_direction(weight))
-        return _sum([of_level, of_ratios]) if np.any(ratio) else of_level
+    def _lift(self, share: Floats, rotates: bool) -> Any:
+        """What water takes from the normal force of a share of friction, over Theta*: of the level, and of ratios."""
+        section = self.section
+        ratio = section.of_soils(lambda s: s.pore_ratio)
+        coefficients = {"overburden": self._by_surface(share * ratio) / self._theta} if np.any(ratio) else {}
+        if section.level is not None:
+            weight = np.where(ratio > 0.0, 0.0, share) * section.water_unit_weight / self._weight_scale
+            coefficients["heads"] = self._by_direction(weight)
+        return self._function(coefficients, rotates and (section.strength == "base" or section.level is not None))
 
-    def _gripping(self, base: str, mass: str, inertia: str, coefficients: Floats) -> dict[str, Any]:
-        """What friction takes hold of, with coefficients of the parts by surface: of weight and of inertia."""
-        terms: dict[str, Any] = {inertia: OfRotation(self._inertia, coefficients)}
-        if self.section.strength == "base":
-            return terms | {base: OfRotation(self._normal, coefficients)}
-        parts = self.parts(np.zeros((1, len(self.section._facing))))[..., 0, :]
-        normal, slope = (parts[k].reshape(len(coefficients), -1) for k in (RADIAL_Y, RADIAL_X))
-        terms[mass] = self.section._shaped((coefficients * -normal).sum(axis=0))
-        terms[f"{mass}_slope"] = self.section._shaped((coefficients * slope).sum(axis=0))
-        return terms
+    def _function(self, coefficients: Mapping[str, Floats], changes: bool) -> Any:
+        """A function of the rotation, or the number that it is at the start; 0 of nothing."""
+        if not coefficients:
+            return 0.0
+        function = OfRotation(self, coefficients)
+        return function if changes else self.section._shaped(function.combined(self._still))
 
 
-def _sum(functions: Sequence[OfRotation]) -> OfRotation:
-    """The sum of functions of the rotation."""
-
-    def parts(rotation: Floats) -> Floats:
-        return np.concatenate([f.parts(rotation) for f in functions])
-
-    return OfRotation(parts, np.concatenate([f.coefficients for f in functions]))
+def _counts(term: Any) -> bool:
+    """Whether a term is not zero."""
+    if isinstance(term, OfRotation):
+        return any(np.any(values) for values in term.coefficients.values())
+    return bool(np.any(term))

@@ -10,7 +10,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Dimensionless:
-    """The coefficients of the equation of motion (3.11), dimensionless, at the start, positive down-slope.
+    """Dimensionless coefficients of the equation of motion (3.11) at the start, positive down-slope.
 
     Attributes
     ----------

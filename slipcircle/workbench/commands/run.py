@@ -47,7 +47,17 @@ def run(options: argparse.Namespace) -> Answer:
     motions = [with_scene_context(scene, solve) for scene in scenes]
     _write_files(motions, sources, options)
     means = _polarity_means(motions) if options.polarities else {}
-    tabulate = tables.motion_column if options.verbose else tables.motion_summary
+    return Answer(
+        lambda: [*map(record, motions), *({"scene": name, **mean} for name, mean in means.items())],
+        _parts(motions, means, options.verbose),
+        _warnings(motions),
+    )
+
+
+def _parts(motions: Sequence[Motion], means: Mapping[str, Mapping[str, float]], verbose: bool) -> Iterator[Part]:
+    """The motions side by side with their means, and if verbose the soils along each slip surface."""
+    scenes = [motion.plan.scene for motion in motions]
+    tabulate = tables.motion_column if verbose else tables.motion_summary
     columns = [tabulate(motion) for motion in motions]
     for mean in means.values():
         texts = {q.label: f"{shown(mean[name])} {q.unit}" for name, q in OUTCOMES.items()}
@@ -56,11 +66,9 @@ def run(options: argparse.Namespace) -> Answer:
     if any(map(stability_of, scenes)):
         notes.append(tables.DIFFERENCE)
     head = ["", *(scene.name for scene in scenes), *means]
-    return Answer(
-        lambda: [*map(record, motions), *({"scene": name, **mean} for name, mean in means.items())],
-        [Part(head, tables.beside(columns), note="; ".join(notes))],
-        _warnings(motions),
-    )
+    yield Part(head, tables.beside(columns), note="; ".join(notes))
+    if verbose:
+        yield from filter(None, map(tables.stretches_part, motions))
 
 
 def _check_options(options: argparse.Namespace) -> None:

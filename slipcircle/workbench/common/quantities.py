@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.text import DIGITS, digits_left, shown
+from slipcircle.core import LayeredSection, stretches
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
@@ -176,12 +177,21 @@ def record(motion: Any) -> dict[str, Any]:
         | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q in JOURNEY}
         | states
         | ({"stability": stability.record()} if stability else {})
+        | ({"stretches": stretch_records(motion)} if isinstance(scene.arc, LayeredSection) else {})
         | {
             "energy": asdict(motion.energy) | {"residual": motion.energy.residual},
             "error_estimate": motion.error_estimate,
             "warnings": warnings_of(motion),
         }
     )
+
+
+def stretch_records(motion: Any) -> list[dict[str, Any]]:
+    """The stretches of a layered arc from the entry to the exit, by the names of their soils; none of another arc."""
+    arc = motion.plan.scene.arc
+    if not isinstance(arc, LayeredSection):
+        return []
+    return [stretch._asdict() | {"soil": stretch.soil.name} for stretch in stretches(arc)]
 
 
 def plain(value: Any) -> Any:

@@ -12,7 +12,7 @@ from typing import Any
 
 from generated.effects import LAWS
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
-from slipcircle.workbench.files.keys import Key, Table, law_table
+from slipcircle.workbench.files.keys import VARYING, Key, Table, law_table
 from slipcircle.workbench.files.numbers import numbers
 
 _UNITS = ("_deg", "_kPa", "_m_s2", "_m_s", "_s", "_m")  # at the end of a key
@@ -65,7 +65,8 @@ class Document:
             if name in inner and isinstance(value, dict):
                 self._read_table(full, value)
             elif name in inner:
-                self._report(full, f"{full} = {shown(value)}: must be a table [{full}]: {self._tables[full].title}")
+                table_inside = f"{self._heading(full)}: {self._tables[full].title}"
+                self._report(full, f"{full} = {shown(value)}: must be {table_inside}")
             elif name in table.keys:
                 key = table.keys[name]
                 self.typed[_joined(path, key.name)] = full
@@ -83,9 +84,13 @@ class Document:
         inside = [t for t in self._tables if t and t.rpartition(".")[0] == path]
         return {t.removeprefix(f"{path}." if path else ""): t for t in inside}
 
+    def _heading(self, path: str) -> str:
+        """What begins a table of a file, or each one in a list of tables."""
+        return f"tables [[{path}]]" if self._tables[path].repeats == "numbered" else f"a table [{path}]"
+
     def _argument(self, full: str, key: Key, value: Any, content: Mapping[str, Any], table: Table) -> Any:
         """A value in SI units, of a distribution the median; None where it is wrong, which is reported."""
-        if isinstance(value, dict) and key.kind in ("number", "series"):
+        if isinstance(value, dict) and key.kind in VARYING:
             if odd := distribution_mistakes(value, (key.number.low, key.number.high)):
                 self._odd_distributions[full] = [f"{full}: {mistake}" for mistake in odd]
                 self._report(full)
@@ -111,7 +116,7 @@ class Document:
                 self._missing[_joined(path, name)] = f"{key.title}, {key.allowed}"
         for name, full in self._tables_in(path).items():
             if self._tables[full].required and name not in content:
-                self._missing[full] = f"{self._tables[full].title}, a table [{full}]"
+                self._missing[full] = f"{self._tables[full].title}, {self._heading(full)}"
 
     def _check_sets(self, path: str, content: Mapping[str, Any]) -> None:
         """Of sets of keys all of one and none of the others are needed."""

@@ -13,8 +13,10 @@ import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
 from slipcircle.core import ARC_BOUNDS, GIVEN, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
-from slipcircle.workbench.stability.stability import METHODS
 
+_MOST = {"N/m^3": 1e6, "Pa": 1e12, "Pa/m": 1e12}  # by SI unit, upper bounds that only a wrong unit passes
+VARYING = ("number", "series", "line")  # kinds of keys whose numbers may vary
+_UNITS = {"Pa/m": "kPa/m"}  # of files, where a key does not show it in this order
 ROUGHEST = 10.0  # friction coefficient that no soil has: more was an angle
 
 
@@ -66,7 +68,8 @@ class Key(NamedTuple):
     """A key of a scene file: the argument that it stands for, and what it is and may be.
 
     ``kind`` is "text", "flag", "number", "fixed" (a number that no scene varies), "list" (of numbers), "series" (a
-    number or a list), "pair" and "points" (of two numbers), or words: "this|that".
+    number or a list), "pair" and "points" (of two numbers), "line" (a number or points), "load" (a number or two), or
+    words: "this|that".
     """
 
     name: str
@@ -80,9 +83,10 @@ class Key(NamedTuple):
         """What is wrong with a value: places in a list, "" for the value itself, and what stands there."""
         if isinstance(value, list) and self.kind in ("list", "series"):
             return [(f"[{k}]", v) for k, v in enumerate(value) if not self._number(v)]
-        if isinstance(value, list) and self.kind == "points" and len(value) > 1:
+        if isinstance(value, list) and self.kind in ("points", "line") and len(value) > 1:
             return [(f"[{k}]", v) for k, v in enumerate(value) if not self._pair(v)][:1]
-        right = dict.fromkeys(("number", "fixed", "series"), self._number(value)) | {
+        right = dict.fromkeys(("number", "fixed", "series", "line"), self._number(value)) | {
+            "load": self._number(value) or self._pair(value),
             "text": isinstance(value, str),
             "flag": isinstance(value, bool),
             "pair": self._pair(value),
@@ -93,11 +97,11 @@ class Key(NamedTuple):
 
     def convert(self, value: Any) -> Any:
         """A right value as an argument, in SI units."""
-        if self.kind == "points":
+        if self.kind == "points" or (self.kind == "line" and isinstance(value, list)):
             return np.array(value)
         if self.kind == "pair":
             return float(value[0]), float(value[1])
-        if self.kind not in ("number", "fixed", "list", "series"):
+        if self.kind not in ("number", "fixed", "list", "series", "line", "load"):
             return value
         return [self.convert(v) for v in value] if isinstance(value, list) else float(self.number.to_si(value))
 
@@ -111,7 +115,8 @@ class Key(NamedTuple):
 class Table(NamedTuple):
     """A table of a scene file; exactly one key of each of ``one_of`` is needed, at least one of ``any_of``.
 
-    Of ``sets`` of keys all of one and none of the others.
+    Of ``sets`` of keys all of one and none of the others. A table that ``repeats`` holds others: "named", by any name,
+    or "numbered" from 1, which the file has as a list [[...]].
     """
 
     title: str
@@ -120,9 +125,10 @@ class Table(NamedTuple):
     any_of: tuple[str, ...] = ()
     required: bool = False
     sets: tuple[tuple[str, ...], ...] = ()
+    repeats: str = ""
 
 
-def _declare(
+def declare(
     name: str,
     key: str,
     unit: str,
@@ -138,7 +144,7 @@ def _declare(
 
 _TEXT = {"name": Key("name", "name of the scene, by default the file's"), "note": Key("note", "source of the numbers")}
 _TOP = (
-    _declare(
+    declare(
         "initial_velocity",
         "initial_velocity_m_s",
         "m/s",
@@ -147,13 +153,11 @@ _TOP = (
         LIMITS["m/s"][1],
         optional=True,
     ),
-    _declare(
-        "end_time", "end_time_s", "s", "time of the end, by default when the mass rests", *LIMITS["s"], optional=True
-    ),
-    _declare("accuracy", "accuracy", "", "relative error asked for", 0.0, 1.0, 1.0, True, "fixed"),
+    declare("end_time", "end_time_s", "s", "end time, by default when the mass rests", *LIMITS["s"], optional=True),
+    declare("accuracy", "accuracy", "", "requested relative error", 0.0, 1.0, 1.0, True, "fixed"),
 )
-_ARC = tuple(
-    _declare(name, key, unit, help, *ARC_BOUNDS[name][:2], per_unit, ", by default " in help)
+ARC = tuple(
+    declare(name, key, unit, help, *ARC_BOUNDS[name][:2], per_unit, ", by default " in help)
     for name, key, unit, per_unit, help in (
         ("radius", "radius_m", "m", 1.0, "radius of the slip circle"),
         ("theta_1", "theta_1_deg", "rad", math.pi / 180, "polar angle of the arc's first end; 270 is below the centre"),
@@ -163,7 +167,7 @@ _ARC = tuple(
         ("width", "width_m", "m", 1.0, f"length across the section, by default {WIDTH}"),
     )
 )
-_GIVEN = [_declare(n, n, "", f"{n.replace('_', ' ')}, dimensionless", *b[:2], kind="fixed") for n, b in GIVEN.items()]
+_GIVEN = [declare(n, n, "", f"{n.replace('_', ' ')}, dimensionless", *b[:2], kind="fixed") for n, b in GIVEN.items()]
 
 
 def _number(p: Parameter, title: str, unit: str = "", required: bool = False, tangent: bool = False) -> Key:
@@ -173,18 +177,29 @@ def _number(p: Parameter, title: str, unit: str = "", required: bool = False, ta
     of = replace(of, low=0.0 if closed else float(of.from_si(p.lower)), high=float(of.from_si(p.upper)), closed=closed)
     if p.key.endswith("_deg") and not p.unit and not tangent:
         of = replace(of, high=ROUGHEST)  # which is not told: who meets it gave an angle
-    least, most = ARC_BOUNDS[p.name][:2] if p.name in ARC_BOUNDS else LIMITS.get(p.unit, (0.0, INFINITY))
-    told = dict(of.limits)  # of what only a wrong unit passes the sign is enough
-    if p.lower in (least, -most):
-        told = {"gt": 0.0} if p.lower > 0.0 else {}
-    told.pop("lt", None)
-    if p.upper < most or tangent:
-        told["lt"] = of.high
-    said = {"gt": "above", "ge": "at least", "lt": "below"}
-    words = " and ".join(f"{said[k]} {v:g}" for k, v in told.items())
+    words = _bounds_in_words(p, of)
     one, many = (" ".join(filter(None, [n, words, unit and f"({unit})"])) for n in ("a number", "a list of numbers"))
-    allowed = {"list": many, "series": f"{one}, or {many}"}.get(p.kind, one)
-    return Key(p.name, title, allowed, required, p.kind, of)
+    forms = {
+        "list": many,
+        "series": f"{one}, or {many}",
+        "line": "a height (m), or a list of two points or more, [[x, y], [x, y], ...] (m)",
+        "load": f"{one}, or two of them, [left, right]",
+    }
+    return Key(p.name, title, forms.get(p.kind, one), required, p.kind, of)
+
+
+def _bounds_in_words(p: Parameter, number: Number) -> str:
+    """The bounds of a parameter in the file's unit; of those that only a wrong unit passes the sign."""
+    least, most = ARC_BOUNDS[p.name][:2] if p.name in ARC_BOUNDS else LIMITS.get(p.unit, (0.0, INFINITY))
+    most = min(most, _MOST.get(p.unit, INFINITY))
+    bounds = dict(number.limits)
+    if p.lower in (least, -most):
+        bounds = {"gt": 0.0} if p.lower > 0.0 else {}
+    bounds.pop("lt", None)
+    if p.upper < most or number.tangent:
+        bounds["lt"] = number.high
+    comparisons = {"gt": "above", "ge": "at least", "lt": "below"}
+    return " and ".join(f"{comparisons[k]} {v:g}" for k, v in bounds.items())
 
 
 def _keys(p: Parameter) -> dict[str, Key]:
@@ -200,11 +215,12 @@ def _keys(p: Parameter) -> dict[str, Key]:
     unit = p.unit
     if p.per_unit != 1.0:  # the key tells it, such as kN_m3 for N/m^3, but not what stands between
         between = iter(re.findall("[/ ]", p.unit))
-        unit = re.sub("_", lambda _: next(between, " "), p.key.removeprefix(f"{p.name}_"))
+        tail = p.key.removeprefix(f"{p.name}_")
+        unit = _UNITS.get(p.unit) or re.sub("_", lambda _: next(between, " "), tail)
     return {p.key: _number(p, p.help, unit, not p.optional)}
 
 
-def _table(
+def table_of(
     title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}, any_of: tuple[str, ...] = ()
 ) -> Table:
     keys = {p: _keys(p) for p in parameters}
@@ -215,118 +231,17 @@ def _table(
 
 def law_table(name: str, known: tuple[str, ...] = tuple(LAWS)) -> Table:
     law = Key("law", "friction law", f"one of {', '.join(known)}", name != "constant", name)
-    return _table(LAWS[name].help, LAWS[name].parameters, {"law": law})
+    return table_of(LAWS[name].help, LAWS[name].parameters, {"law": law})
 
 
 def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
     """Every table that a scene file may have, by its path."""
     by_rate = {"friction.rate": law_table(rate, RATE_LAWS)._replace(title="law of speed that multiplies that of slip")}
     return {
-        "": _table("a scene of slipcircle", _TOP, _TEXT),
-        "arc": _table("the failed section", _ARC)._replace(required=True),
-        "arc.given": _table("coefficients of the equation of motion, taken as they are", _GIVEN),
+        "": table_of("a scene of slipcircle", _TOP, _TEXT),
+        "arc": table_of("the failed section", ARC)._replace(required=True),
+        "arc.given": table_of("coefficients of the equation of motion, used instead of computed ones", _GIVEN),
         "friction": law_table(law)._replace(title="friction on the slip surface", required=True),
         **(by_rate if may_have_rate(law) else {}),
-        **{name: _table(effect.help, effect.parameters, any_of=effect.any_of) for name, effect in EFFECTS.items()},
+        **{name: table_of(effect.help, effect.parameters, any_of=effect.any_of) for name, effect in EFFECTS.items()},
     }
-
-
-# --- real slopes -----------------------------------------------------------------------------------------------------
-
-
-def _length(name: str, help: str, lower: float = 0.0) -> Parameter:
-    return _declare(name, f"{name}_m", "m", help, lower, LIMITS["m"][1], 1.0, True, "fixed")
-
-
-def _weight(help: str, optional: bool = False) -> Parameter:
-    return _declare("unit_weight", "unit_weight_kN_m3", "N/m^3", help, 0.0, 1e5, 1e3, optional, "fixed")
-
-
-def _points(name: str, title: str) -> dict[str, Key]:
-    key = "points_m" if name == "ground" else f"{name}_m"
-    return {key: Key(name, title, "a list of two points or more, [[x, y], [x, y], ...] (m)", kind="points")}
-
-
-def _pair(name: str, title: str, form: str = "[least, greatest]") -> dict[str, Key]:
-    return {f"{name}_m": Key(name, title, f"two numbers, {form} (m)", kind="pair")}
-
-
-_UPRIGHT = _declare(
-    "angle",
-    "angle_deg",
-    "rad",
-    "its angle, at most 90",
-    0.0,
-    math.nextafter(math.pi / 2, 2.0),
-    math.pi / 180,
-    True,
-    "fixed",
-)
-SLOPING: Mapping[str, Table] = {  # in place of an arc
-    "ground": _table(
-        "a real slope, in place of [arc]",
-        [
-            _length(
-                "height",
-                "height of a simple slope between level ground; it falls to the right to its toe at x = 0, y = 0",
-            ),
-            _UPRIGHT,
-            _length("run", "its horizontal length", -5e-324),
-            _weight("unit weight of the soil"),
-            *(replace(p, kind="fixed") for p in _ARC[-2:]),
-            _length("base", "y of a firm layer below which no circle goes", -INFINITY),
-        ],
-        _points("ground", "points of the surface from left to right"),
-    )._replace(required=True, sets=(("points_m",), ("height_m", "angle_deg"), ("height_m", "run_m"))),
-    "circle": _table(
-        'its slip circle: given, or looked for by critical = "bishop"',
-        [
-            _length("radius", "radius"),
-            _length("depth", "depth of the circle below the chord of these points"),
-            _length("touching", "y of the level that the circle through these points touches", -INFINITY),
-        ],
-        _pair("centre", "centre of the circle", "[x, y]")
-        | _points("through", "two points of the circle")
-        | _pair("between", "x between which the stretch of ground lies that is meant")
-        | {
-            "critical": Key(
-                "critical",
-                "method by which the critical circle is looked for",
-                f"one of {', '.join(METHODS)}",
-                kind="|".join(METHODS),
-            )
-        },
-    )._replace(
-        required=True,
-        sets=(
-            ("centre_m", "radius_m"),
-            ("through_m", "radius_m"),
-            ("through_m", "depth_m"),
-            ("through_m", "touching_m"),
-            ("critical",),
-        ),
-    ),
-    "water": _table(
-        "its water level, in place of r_u",
-        [_weight("unit weight of water, by default 9.81", True)],
-        _points("level", "points of the level from left to right"),
-    ),
-    "search": _table(
-        "what limits the search for the critical circle",
-        [
-            _length("depth", "least thickness of the mass, against skins", -5e-324),
-            _declare(
-                "k_h",
-                "k_h",
-                "",
-                "horizontal acceleration as a share of g, positive down-slope",
-                -1.0,
-                1.0,
-                1.0,
-                True,
-                "fixed",
-            ),
-        ],
-        _pair("entry", "x of the upper end") | _pair("exit", "x of the lower end"),
-    ),
-}

@@ -20,9 +20,12 @@ class SlopeScene(Scene[Numbers]):
     ----------
     stability : Critical, optional
         Factors of safety of the section's circle, and how it was found.
+    remarks : tuple of str
+        What the reader of its file made of it that may not be meant.
     """
 
     stability: Critical | None = None
+    remarks: tuple[str, ...] = ()
 
 
 def stability_of(scene: Scene) -> Critical | None:
@@ -32,6 +35,8 @@ def stability_of(scene: Scene) -> Critical | None:
 
 def warnings_of(motion: Motion) -> tuple[str, ...]:
     """What a user should know of a single motion, and of the circle along which it goes."""
-    stability = stability_of(motion.plan.scene)
+    scene = motion.plan.scene
+    stability = stability_of(scene)
     of_circle = [stability.warning] if stability and stability.warning else []
-    return (*of_circle, *motion.warnings)
+    of_file = scene.remarks if isinstance(scene, SlopeScene) else ()
+    return (*of_file, *of_circle, *motion.warnings)

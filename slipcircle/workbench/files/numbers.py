@@ -15,10 +15,11 @@ import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
-from slipcircle.core import Scene, arc_numbers, law_names, parameters
+from slipcircle.core import LayeredSection, Scene, arc_numbers, law_names, parameters
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
+from slipcircle.workbench.files.keys import VARYING, Table, tables_of
 from slipcircle.workbench.files.keys import Number as Number
-from slipcircle.workbench.files.keys import Table, tables_of
+from slipcircle.workbench.files.slopekeys import NOT_WITH_LAYERS, layered_tables
 
 
 def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
@@ -26,9 +27,10 @@ def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
     found = {}
     for path, table in tables.items():
         for k, key in table.keys.items():
-            if key.kind in ("number", "series"):
-                constant = (path, key.name) == ("friction", "coefficient")
-                name = key.name if path in ("", "arc") else "friction" if constant else f"{path}.{key.name}"
+            if key.kind in VARYING:
+                constant = path.endswith("friction") and key.name == "coefficient"
+                within = path.removeprefix("slip.")
+                name = key.name if path in ("", "arc") else path if constant else f"{within}.{key.name}"
                 shown = f"{path}.{k}".lstrip(".")
                 found[shown] = replace(key.number, key=shown, name=name)
     return found
@@ -49,7 +51,12 @@ def lengths(arc: Any) -> set[str]:
 def by_key(scene: Any) -> dict[str, Number]:
     """The numbers that a scene with its friction and arc may have, by their keys."""
     arc, (law, *rate) = scene.arc, law_names(scene.friction)
-    known = numbers(tables_of("constant" if law == "callable" else law, *rate))
+    tables = tables_of("constant" if law == "callable" else law, *rate)
+    if isinstance(arc, LayeredSection):
+        laws = {soil.name: law_names(soil.friction)[0] for soil in arc.soils}
+        tables = {path: table for path, table in tables.items() if path.partition(".")[0] not in NOT_WITH_LAYERS}
+        tables |= layered_tables(laws, len(arc.layers), *rate)
+    known = numbers(tables)
     if law == "callable":
         known = {k: n for k, n in known.items() if not n.name.startswith("friction")}
     if "ground" not in arc.quantities:
@@ -71,7 +78,7 @@ def by_key(scene: Any) -> dict[str, Number]:
 def by_name(scene: Any) -> dict[str, Number]:
     """The same by their names: of two keys, as friction has, the angle's, but of what multiplies it the number's."""
     found = reversed(by_key(scene).values())
-    return {n.name: n for n in found if not (n.tangent and n.name.startswith("friction.rate."))}
+    return {n.name: n for n in found if not (n.tangent and n.name.startswith(("friction.rate.", "rate.")))}
 
 
 def number_in(scene: Any, path: str) -> Number:

@@ -2,28 +2,31 @@
 
 import os
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 from importlib import resources
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.effects import EFFECTS, LAWS
+from generated.effects import EFFECTS
 from slipcircle.base.checks import InputError, Message
-from slipcircle.core import RATE_LAWS, Arc, Scene, Section, circle_through, circle_touching, law_mistakes, simple_slope
+from slipcircle.core import Arc, Scene, Section, law_mistakes
 from slipcircle.workbench.files.document import Document
-from slipcircle.workbench.files.keys import SLOPING, Table, tables_of
+from slipcircle.workbench.files.keys import Table
+from slipcircle.workbench.files.layout import Layout, layout_of
 from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import uncertain_numbers
+from slipcircle.workbench.files.profile import profile, surcharges
+from slipcircle.workbench.files.slope import SlopeInput, motion_mistakes
+from slipcircle.workbench.files.slopekeys import LOADS, SLOPING
 from slipcircle.workbench.records.forcing import with_records
-from slipcircle.workbench.stability.search import Critical, at_circle, critical
-from slipcircle.workbench.stability.stability import Slope, require_drive, soil
+from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.stability import soil
 
-_MOST_COHESION = 1e5  # kPa, of any soil: more was in Pa
 _FOLDER = resources.files("slipcircle") / "scenes"
 
 
@@ -33,22 +36,22 @@ def shipped() -> tuple[str, ...]:
 
 
 def load(name: str | PathLike[str]) -> Scene[float]:
-    """A scene that ships, by name, or one's own, by the path of its TOML file.
+    """Load a scene that ships, by name, or one from a TOML file, by its path.
 
     Raises
     ------
     ValueError
-        If it cannot be read; lists every mistake, each with its path in the file, its value and what is allowed.
+        If it cannot be read; lists every mistake, with its path in the file, its value and what is allowed.
     """
     source = find(name)
     file = str(source)
     parts, keys = _parts(_content(source, file), file)
-    stability = parts.pop("stability")
+    stability, remarks = parts.pop("stability"), parts.pop("remarks")
     try:
         gravity = float(np.asarray(parts["arc"].gravity))
         parts["effects"] = with_records(parts["effects"], gravity, parts["uncertain"])
         if stability:
-            scene: Scene[float] = SlopeScene(**parts, stability=stability.without_map())
+            scene: Scene[float] = SlopeScene(**parts, stability=stability.without_map(), remarks=remarks)
         else:
             scene = Scene(**parts)
         return replace(scene, uncertain=uncertain_numbers(scene)) if scene.uncertain else scene
@@ -84,17 +87,19 @@ def critical_of_file(
     source = find(name)
     file = str(source)
     content = _content(source, file)
-    if "ground" not in content:
+    if "arc" in content and "ground" not in content:
         raise ValueError(f"{file}: arc: says nothing of the ground beside it; a search needs [ground] in its place")
     circle = content.setdefault("circle", {"critical": "bishop"})
     if method and isinstance(circle, dict) and "critical" in circle:
         circle["critical"] = method
     stem = Path(file).stem
-    parts, _ = _parts(content, file, lambda line: tell(f"{content.get('name', stem)}: {line}"))
+    parts, _ = _parts(content, file, lambda line: tell(f"{content.get('name', stem)}: {line}"), moving=False)
     if parts["stability"] is None:
         raise ValueError(
             f"{file}: circle: has no factors of safety: the soil has no strength, or a pore pressure from a record"
         )
+    for remark in parts["remarks"]:
+        tell(f"{parts['name']}: {remark}")
     if parts["uncertain"]:
         tell(f"{parts['name']}: at the median of {', '.join(parts['uncertain'])}")
     return parts["name"], parts.get("note", ""), parts["stability"]
@@ -112,53 +117,86 @@ def _content(source: Any, file: str) -> dict[str, Any]:
         raise ValueError(f"{file}: is not TOML: {error}") from error
 
 
-def _parts(
-    content: dict[str, Any], file: str, tell: Callable[[str], None] = lambda _: None
-) -> tuple[dict[str, Any], Callable[[str], str]]:
-    """The fields of a scene and its stability, and what its file calls an argument; every mistake listed."""
-    law, rate = _laws(content.get("friction"))
-    on_slope = "ground" in content
-    tables = _tables(law or "constant", rate or RATE_LAWS[0], on_slope)
-    document = _document(content, tables, law)
-    given, keys = document.arguments, _keys(tables, document.typed)
-    mistakes = document.mistakes
-    arc: Arc | Section | None = None
-    stability = None
-    if not on_slope and "arc" not in document.wrong:
+class _Input(NamedTuple):
+    """What stands in a file: its arc or its slope, its friction, what it calls an argument, and what is wrong."""
+
+    document: Document
+    keys: Callable[[str], str]
+    arc: Arc | None
+    slope: SlopeInput | None
+    friction: dict[str, Any] | None
+    mistakes: list[str]
+
+
+def _read(content: Mapping[str, Any], moving: bool) -> _Input:
+    """What stands in a file; without ``moving`` what only factors of safety know is allowed."""
+    layout = layout_of(content)
+    document = Document(layout.content, layout.tables)
+    given, keys = document.arguments, _keys(layout.tables, document.typed)
+    arc, slope = None, None
+    wrong: list[str] = []
+    if layout.on_slope:
+        slope, wrong = _slope_input(given, layout, document.wrong, keys, moving)
+    elif "arc" not in document.wrong:
         arc, wrong = _arc(given, keys)
-        mistakes += wrong
-    friction = _friction(given, law, rate)
-    if "friction" not in document.wrong:
-        mistakes += [Message.of(mistake).worded(keys) for mistake in law_mistakes(friction)]
-    effects = {} if mistakes else _effects(given, Path(file).parent)
-    if on_slope and not mistakes:
-        arc, stability = _along_slope(given, soil(friction, effects), tell, file)
+    friction = None if layout.layered else _friction(given, layout)
+    of_law = [] if friction is None or "friction" in document.wrong else law_mistakes(friction)
+    wrong += [Message.of(mistake).worded(keys) for mistake in of_law]
+    return _Input(document, keys, arc, slope, friction, [*layout.mistakes, *document.mistakes, *wrong])
+
+
+def _parts(
+    content: dict[str, Any], file: str, tell: Callable[[str], None] = lambda _: None, moving: bool = True
+) -> tuple[dict[str, Any], Callable[[str], str]]:
+    """The fields of a scene and its stability, and what its file calls an argument; every mistake listed.
+
+    Without ``moving`` what only factors of safety know is allowed, and there is no arc of a slope.
+    """
+    document, keys, arc, slope, friction, mistakes = _read(content, moving)
     if mistakes:
         raise ValueError("\n".join(f"{file}: {mistake}" for mistake in mistakes))
-    plain_friction = friction["coefficient"] if law == "constant" and not rate else friction
-    parts = {"arc": arc, "friction": plain_friction, "effects": effects, "uncertain": document.uncertain}
-    return {**parts, "stability": stability, "name": Path(file).stem, **given[""]}, keys
+    effects = _effects(document.arguments, Path(file).parent)
+    parts = {"arc": arc, "friction": _short(friction), "effects": effects, "uncertain": document.uncertain}
+    parts |= {"stability": None, "remarks": (), "name": Path(file).stem}
+    if slope is not None:
+        strength = {} if friction is None else soil(friction, effects)
+        parts["arc"], parts["stability"] = _along_slope(replace(slope, strength=strength), keys, tell, file, moving)
+        parts["remarks"] = tuple(slope.profile.remarks) if slope.profile else ()
+    return parts | document.arguments[""], keys
+
+
+def _short(friction: Mapping[str, Any] | None) -> Any:
+    """A friction, of one that does not change the coefficient alone."""
+    constant = friction is not None and friction["law"] == "constant" and "rate" not in friction
+    return friction["coefficient"] if friction is not None and constant else friction
+
+
+def _slope_input(
+    given: Mapping[str, dict[str, Any]],
+    layout: Layout,
+    wrong: Collection[str],
+    keys: Callable[[str], str],
+    moving: bool,
+) -> tuple[SlopeInput, list[str]]:
+    """What a file says of a slope, but for the strength of one soil, and what is wrong with it between tables."""
+    mistakes = motion_mistakes(given, layout.layered) if moving else []
+    layers = None
+    if layout.layered:
+        readable = not {"soils", "layers", "slip"} & {*wrong}
+        layers = profile(given, keys, _rate(given.get("slip.rate"), layout.rate), readable)
+        mistakes += layers.mistakes
+    loads, of_loads = surcharges(given)
+    return SlopeInput(given, {}, layers, loads), mistakes + of_loads
 
 
 def _along_slope(
-    given: Mapping[str, dict[str, Any]], strength: Mapping[str, float], tell: Callable[[str], None], file: str
-) -> tuple[Section, Critical | None]:
+    slope: SlopeInput, keys: Callable[[str], str], tell: Callable[[str], None], file: str, moving: bool
+) -> tuple[Section | None, Critical | None]:
     """The section of a slope and its stability; an error names the keys of the file."""
     try:
-        return _section(given, strength, tell)
+        return slope.moving(tell) if moving else (None, slope.stability(tell)[1])
     except InputError as error:
-        raise ValueError(f"{file}: {_slope_message(error)}") from error
-
-
-def _document(content: Mapping[str, Any], tables: Mapping[str, Table], law: str) -> Document:
-    """What a file says, but for an arc beside a ground, and for the parameters of a law that is anybody's guess."""
-    known = {table: value for table, value in content.items() if table != "arc" or "ground" not in content}
-    if not law:
-        known["friction"] = {"law": content["friction"]["law"], "coefficient": 0.0}
-    document = Document(known, tables)
-    if len(known) < len(content):
-        document.mistakes.insert(0, "arc: and ground exclude each other; leave one out")
-    return document
+        raise ValueError(f"{file}: {_slope_message(error, keys)}") from error
 
 
 def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tuple[Arc | None, list[str]]:
@@ -169,35 +207,16 @@ def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tup
         return None, ["; ".join(message.within("arc").worded(keys) for message in error.messages)]
 
 
-def _friction(given: Mapping[str, dict[str, Any]], law: str, rate: str) -> dict[str, Any]:
+def _friction(given: Mapping[str, dict[str, Any]], layout: Layout) -> dict[str, Any]:
     """The law of slip of a file, with that of speed which multiplies it."""
-    friction: dict[str, Any] = {"law": law} | given.get("friction", {})
-    if rate:
-        friction["rate"] = {"law": rate} | given.get("friction.rate", {})
-    return friction
+    friction: dict[str, Any] = {"law": layout.law} | given.get("friction", {})
+    rate = _rate(given.get("friction.rate"), layout.rate)
+    return friction | ({"rate": rate} if rate is not None else {})
 
 
-def _laws(friction: Any) -> tuple[str, str]:
-    """The law of slip that a table of friction asks for, and that of speed beside it; "" for none like any."""
-    if not isinstance(friction, dict):
-        return "constant", ""
-    law = "".join(get_close_matches(str(friction.get("law", "constant")), LAWS, 1))  # itself, where it is known
-    if "rate" not in friction:
-        return law, ""
-    rate = friction["rate"].get("law", "") if isinstance(friction["rate"], dict) else ""
-    return law, "".join(get_close_matches(str(rate), RATE_LAWS, 1)) or RATE_LAWS[0]
-
-
-def _tables(law: str, rate: str, on_slope: bool) -> dict[str, Table]:
-    """The tables that a file may have: on a slope those of the ground in place of the arc's."""
-    tables = tables_of(law, rate)
-    if not on_slope:
-        return tables
-    tables = {path: table for path, table in tables.items() if not path.startswith("arc")} | dict(SLOPING)
-    cohesion = tables["cohesion"].keys["cohesion_kPa"]
-    plausible = cohesion._replace(number=replace(cohesion.number, high=_MOST_COHESION))
-    tables["cohesion"] = tables["cohesion"]._replace(keys={"cohesion_kPa": plausible})
-    return tables
+def _rate(given: Mapping[str, Any] | None, law: str) -> dict[str, Any] | None:
+    """The law of speed of a file, where there is one."""
+    return {"law": law} | dict(given or {}) if law else None
 
 
 def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Callable[[str], str]:
@@ -217,49 +236,13 @@ def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dic
     return effects
 
 
-def _slope_message(error: InputError) -> str:
+def _slope_message(error: InputError, keys: Callable[[str], str]) -> str:
     """What is wrong with a slope, a section or a search, by the keys of its file."""
-    tables = ("search",) if error.what == "critical" else ("ground", "circle", "water")
-    keys = {key.name: f"{table}.{k}" for table in tables for k, key in SLOPING[table].keys.items()}
-    keys |= {"pore_ratio": "pore_pressure.ratio", "pressure": "pore_pressure.pressure_kPa"}
-    keys |= {"friction": "friction.coefficient", "cohesion": "cohesion.cohesion_kPa"}
-    text = error.worded(lambda name: keys.get(name, name))
+    tables: dict[str, Table] = {**SLOPING, **LOADS}
+    about = ("search",) if error.what == "critical" else ("ground", "circle", "water", "tension_crack", "pond")
+    of_slope = {key.name: f"{t}.{k}" for t in about for k, key in tables[t].keys.items()}
+    of_slope |= {"pore_ratio": "pore_pressure.ratio", "pressure": "pore_pressure.pressure_kPa"}
+    of_slope |= {"friction": "friction.coefficient", "cohesion": "cohesion.cohesion_kPa"}
+    of_slope["pond"] = "[pond]"
+    text = error.worded(lambda name: of_slope.get(name, keys(name)))
     return f"critical: {text}" if error.what == "critical" else text
-
-
-def _section(
-    given: Mapping[str, dict[str, Any]], strength: Mapping[str, float], tell: Callable[[str], None]
-) -> tuple[Section, Critical | None]:
-    """The section of the circle that is given, or of the critical one; and its stability, where the soil has any."""
-    ground, circle, water, limits = (dict(given.get(table, {})) for table in SLOPING)
-    if simple := {n: ground.pop(n) for n in ("height", "angle", "run") if n in ground}:
-        ground["ground"] = simple_slope(**simple)
-    ground |= {n if n == "level" else "water_unit_weight": v for n, v in water.items()}
-    of_slope = {n: v for n, v in ground.items() if n not in ("gravity", "width")}
-    of_slope |= {"k_h": limits.pop("k_h", 0.0), **strength}
-    if "critical" in circle:
-        if not strength:
-            needs = "circle.critical: needs friction or cohesion, and a pore pressure that is no record"
-            raise InputError("critical", [needs])
-        found = critical(Slope(**of_slope), circle["critical"], **limits, tell=tell)
-        return Section(**ground, centre=found.centre, radius=found.radius, between=found.between), found
-    body = Section(**ground, **_circle(circle))
-    if "shaking" not in given and not given[""].get("initial_velocity"):
-        require_drive(body)
-    # The circle is known to be above the base, which may lie higher than ground beside it.
-    return body, at_circle(Slope(**of_slope | {"base": None}), body) if strength else None
-
-
-def _circle(circle: dict[str, Any]) -> dict[str, Any]:
-    """Centre, radius and stretch of a circle, however it is given."""
-    if "through" not in circle:
-        return circle
-    points = circle.pop("through")
-    if len(points) != 2:
-        raise InputError("circle_through", ["{through}: must be two points, [[x, y], [x, y]]"])
-    between = circle.pop("between", None)
-    if "touching" in circle:
-        centre, radius = circle_touching(points[0], points[1], circle["touching"])
-    else:
-        centre, radius = circle_through(*points, **circle)
-    return {"centre": centre, "radius": radius, "between": between}

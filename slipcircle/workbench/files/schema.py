@@ -1,19 +1,45 @@
 """The JSON Schema of a scene file, for editors: which tables and keys there are, and what each may hold."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.core import RATE_LAWS, may_have_rate
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
-from slipcircle.workbench.files.keys import SLOPING, Key, Table, law_table, tables_of
+from slipcircle.workbench.files.keys import Key, Table, law_table, tables_of
+from slipcircle.workbench.files.slopekeys import (
+    LOADS,
+    NOT_WITH_LAYERS,
+    SLOPING,
+    SOIL_LAWS,
+    layered_tables,
+    soil_friction,
+)
+
+
+def _any_of(*names: str) -> list[dict[str, list[str]]]:
+    return [{"required": [name]} for name in names]
+
 
 _LIMITS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum"}
+_WEIGHT = {"required": ["unit_weight_kN_m3"]}
+_OF_LAYERS = ("soils", "layers", "slip")
+_WITH_ARC = {"required": ["arc", "friction"], "not": {"anyOf": _any_of(*SLOPING, *LOADS, *_OF_LAYERS)}}
+_WITH_ONE_SOIL = {
+    "required": ["ground", "circle", "friction"],
+    "properties": {"ground": _WEIGHT},
+    "not": {"anyOf": _any_of("arc", *_OF_LAYERS)},
+}
+_WITH_LAYERS = {
+    "required": ["ground", "circle", "soils", "layers"],
+    "properties": {"ground": {"not": _WEIGHT}},
+    "not": {"anyOf": _any_of("arc", *NOT_WITH_LAYERS)},
+}
 _DISTRIBUTIONS = [{"$ref": f"#/$defs/{name}"} for name in DISTRIBUTIONS]
 
 
 def schema() -> dict[str, Any]:
-    """The JSON Schema (draft 2020-12) of a scene file: with an arc, or with a ground and a circle in its place."""
+    """The JSON Schema (draft 2020-12) of a scene file: with an arc, or in its place with a ground and a circle."""
     tables = tables_of("constant")
     defs = {
         name: _object(
@@ -33,14 +59,30 @@ def schema() -> dict[str, Any]:
     laws = [defined(f"friction_{law}", law_table(law), {"rate": rates} if may_have_rate(law) else {}) for law in LAWS]
     inner = {"arc": defined("arc", tables["arc"], {"given": given}), "friction": {"anyOf": laws}}
     inner |= {name: defined(name, tables[name]) for name in EFFECTS}
-    inner |= {name: _schema_of_table(table) for name, table in SLOPING.items()}
+    inner |= _of_slopes(defined)
     found = _schema_of_table(tables[""], inner)
-    found["required"] = ["friction"]
-    found["oneOf"] = [
-        {"required": ["arc"], "not": {"anyOf": [{"required": [t]} for t in SLOPING]}},
-        {"required": ["ground", "circle"], "not": {"required": ["arc"]}},
-    ]
+    found["required"] = []
+    found["oneOf"] = [_WITH_ARC, _WITH_ONE_SOIL, _WITH_LAYERS]
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **found, "$defs": defs}
+
+
+def _of_slopes(defined: Callable[..., dict[str, Any]]) -> dict[str, Any]:
+    """The tables of slopes by their names; ``defined`` puts one among the definitions."""
+    ground = SLOPING["ground"]
+    keys = {k: key._replace(required=False) for k, key in ground.keys.items()}
+    inner = {name: _schema_of_table(table) for name, table in SLOPING.items()}
+    inner |= {"ground": _schema_of_table(ground._replace(keys=keys))}
+    inner |= {name: _schema_of_table(table) for name, table in LOADS.items()}
+    inner["surcharge"] = {"type": "array", "items": inner["surcharge"]}
+    layered = layered_tables({"NAME": "constant"}, 1)
+    laws = {"anyOf": [defined(f"soil_friction_{law}", soil_friction(law)) for law in SOIL_LAWS]}
+    soil = defined("soil", layered["soils.NAME"], {"friction": laws})
+    rates = {"anyOf": [{"$ref": f"#/$defs/rate_{law}"} for law in RATE_LAWS]}
+    return inner | {
+        "soils": {"type": "object", "title": layered["soils"].title, "additionalProperties": soil},
+        "layers": {"type": "array", "title": layered["layers"].title, "items": defined("layer", layered["layers.1"])},
+        "slip": _schema_of_table(layered["slip"], {"rate": rates}),
+    }
 
 
 def _schema_of_table(table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
@@ -67,6 +109,7 @@ def _schema_of_key(key: Key) -> dict[str, Any]:
     number: dict[str, Any] = {"type": "number"} | {_LIMITS[k]: v for k, v in key.number.limits.items()}
     many = {"type": "array", "items": number}
     pair = many | {"minItems": 2, "maxItems": 2}
+    points = {"type": "array", "items": pair, "minItems": 2}
     either = [number, *_DISTRIBUTIONS]
     kinds: dict[str, dict[str, Any]] = {
         "text": {"type": "string"},
@@ -76,7 +119,9 @@ def _schema_of_key(key: Key) -> dict[str, Any]:
         "list": many,
         "series": {"anyOf": [*either, many]},
         "pair": pair,
-        "points": {"type": "array", "items": pair, "minItems": 2},
+        "points": points,
+        "line": {"anyOf": [*either, points]},
+        "load": {"anyOf": [number, pair]},
     }
     words = key.kind.split("|")
     choice = {"const": key.kind} if len(words) == 1 else {"enum": words}

@@ -1,10 +1,12 @@
 """Scenes derived from others: along the critical circle of the means, and shaken the other way around."""
 
-from dataclasses import fields, replace
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
-from slipcircle.core import Scene, Section, with_parameters
+from slipcircle.core import LayeredSection, Scene, Section, with_parameters
 from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.stability.search import critical
@@ -30,11 +32,23 @@ def along_means(scene: Scene) -> Scene:
     mean = with_parameters(scene, {n: float(u.number.to_si(u.moments[0])) for n, u in drawn.items()})
     assert isinstance(mean.arc, Section)
     assert isinstance(scene.arc, Section)
-    now, weight = soil(mean.friction, mean.called), float(np.asarray(mean.arc.unit_weight))
-    slope = replace(found.slope, ground=mean.arc.ground, level=mean.arc.level, unit_weight=weight, **now)
-    pairs = [(getattr(slope, f.name), getattr(found.slope, f.name)) for f in fields(slope)]
+    if isinstance(mean.arc, LayeredSection):
+        soils: dict[str, Any] = {"layers": mean.arc.layers}
+    else:
+        soils = soil(mean.friction, mean.called) | {"unit_weight": float(np.asarray(mean.arc.unit_weight))}
+    slope = replace(found.slope, ground=mean.arc.ground, level=mean.arc.level, **soils)
+    pairs = zip(_leaves(slope.arrays()), _leaves(found.slope.arrays()), strict=True)
     if all(one is other or np.allclose(one, other, rtol=1e-12, atol=0.0) for one, other in pairs):
         return scene
     found = critical(slope, found.method, **found.limits)
     section = replace(scene.arc, centre=found.centre, radius=found.radius, between=found.between)
     return replace(scene, arc=section, stability=found.without_map())
+
+
+def _leaves(value: Any) -> Iterator[Any]:
+    """Arrays and numbers of nested tuples."""
+    if isinstance(value, tuple):
+        for part in value:
+            yield from _leaves(part)
+    else:
+        yield value

@@ -6,8 +6,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.core import Motion
-from slipcircle.workbench.outputs.plotstyle import AREAS
-from slipcircle.workbench.outputs.sectionplot import magnified, mass_of, section
+from slipcircle.workbench.outputs.plotstyle import AREAS, axis, number
+from slipcircle.workbench.outputs.sectionplot import set_stage
 from slipcircle.workbench.outputs.trace import Floats
 
 
@@ -25,17 +25,25 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
     """The section with the mass where it is at even times, which are shown in so many seconds; at rest one frame."""
     from matplotlib.patches import Polygon
 
-    ax, soil = section(motion, None if figure is None else figure.add_subplot()), motion.plan.scene.arc
-    mass, turn_per_rotation = mass_of(soil, soil), magnified(motion) * float(soil.facing)
+    ax, facing = axis(None if figure is None else figure.add_subplot()), float(motion.plan.scene.arc.facing)
+    stage = set_stage(motion, ax)
+    mass, turn_per_rotation = stage.mass, stage.magnification * facing
+    ax.add_patch(Polygon(mass.outline(), closed=True, zorder=2, **AREAS["start"]))
     body = ax.add_patch(Polygon(mass.outline(), closed=True, zorder=4, **AREAS["moving"]))
     times = np.linspace(0.0, motion.duration, frames if motion.moves else 1)
     states = motion.at(times)
-    pace = f", shown {motion.duration / seconds:.2g} times as fast" if motion.moves else ""
+    pace = ""
+    if motion.moves:
+        speed_up = motion.duration / seconds
+        pace = f"; {speed_up:.2g} times as fast" if speed_up > 1.0 else f"; {1.0 / speed_up:.2g} times slower"
+    if stage.magnification > 1.0:
+        pace += f", displacements {number(stage.magnification)} times as large"
     title = ax.figure.suptitle(" ", fontsize="medium")
 
     def draw(frame: int) -> tuple[Any, ...]:
         body.set_xy(mass.outline(turn_per_rotation * float(states.rotation[frame])))
-        title.set_text(f"{times[frame]:.2f} s, {abs(float(states.velocity[frame])):.2f} m/s{pace}")
+        time, speed, way = times[frame], abs(float(states.velocity[frame])), float(states.displacement[frame])
+        title.set_text(f"{time:.2f} s: {way:.2f} m, {speed:.2f} m/s{pace}")
         return body, title
 
     draw(0)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.core import Motion
-from slipcircle.workbench.outputs.plotstyle import FORCES, beside
+from slipcircle.workbench.outputs.plotstyle import FORCES, beside, label
 from slipcircle.workbench.outputs.trace import Floats
 
 _ARROWS = (-0.6, -0.2, 0.2, 0.6)  # where on the arc reactions are drawn, over alpha
@@ -30,6 +30,7 @@ def _reactions(ax: Any, motion: Motion, places: Floats, length: float) -> None:
     symbols = {"normal": "dN"}
     if float(motion.friction_at(0.0)) > 0.0 or "cohesion" in motion.plan.effects:
         symbols["tangential"] = "dT"
+    feet = []
     for at in places:
         outward = at / np.hypot(*at)
         x, y = outward
@@ -37,9 +38,11 @@ def _reactions(ax: Any, motion: Motion, places: Floats, length: float) -> None:
         _arrow(ax, at + 0.7 * length * outward, at, "normal", 1.6)
         if "tangential" in symbols:
             foot = at + 0.06 * length * outward
+            feet.append(foot - 0.3 * length * along)
             _arrow(ax, foot, foot - 0.55 * length * along, "tangential", 1.6)
+    anchors = {"normal": places * (1.0 + 0.5 * length / np.hypot(*places[0])), "tangential": feet}
     for force, symbol in symbols.items():
-        ax.plot([], [], color=FORCES[force], lw=1.6, marker=">", ms=5, label=f"{force} reaction ${symbol}$")
+        label(ax, f"{force} reaction ${symbol}$", anchors[force], FORCES[force])
 
 
 def _centroid_radius(alpha: float) -> float:

@@ -5,21 +5,24 @@ from collections.abc import Iterator
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
-from slipcircle.workbench.files.keys import SLOPING, Table, tables_of
+from slipcircle.workbench.files.keys import Table, tables_of
+from slipcircle.workbench.files.slopekeys import LOADS, SLOPING, SOIL_LAWS, layered_tables
 from slipcircle.workbench.stability.stability import COMPARED, METHODS
 
+_PLACES = ("arc", "arc.given", *SLOPING)
 WIDTH, INDENT = 100, 28
 HEAD = """\
 A scene is a TOML file. A key ends in the unit of its number: _deg, _m, _kPa, _kN_m3, ... [arc] and
 [friction] are needed. Adding a table, even an empty one, enables its effect; an effect without a
-table is not computed and costs nothing. In place of [arc], [ground] and [circle] give a real slope,
-[water] its water level; Vaiont has an [arc], as no citable profile is available.
+table is not computed and costs nothing. In place of [arc], [ground] and [circle] describe a real
+slope, [water] its water level, [soils.NAME] and [[layers]] its soils, then without [friction],
+[cohesion] and [pore_pressure]. Vaiont has an [arc], as no citable profile is available.
 
-The balance of momentum, dimensionless (times over sqrt(R/g), stresses over sigma_ref, which is
-unit weight R (1 - cos alpha); numbers in brackets are the paper's equations and figures):
+The dimensionless balance of momentum (times over sqrt(R/g), stresses over sigma_ref = unit weight
+R (1 - cos alpha); numbers in brackets are equations and figures of the paper):
 
   Theta domega/dt = J_theta - sign(omega) (resistance + lambda mu sigma'),
-  sigma' = max(0, sigma - u); without effects sigma = J_r/lambda, u = resistance = 0
+  sigma' = max(0, sigma - u);  without effects: sigma = J_r/lambda, u = resistance = 0
 
 alpha is half the opening angle, psi the dip of the chord, Theta the moment of inertia, J_r the
 radial weight and J_theta the moment of the weight; A and lambda are (2.24) and (3.14). An effect
@@ -31,11 +34,15 @@ def guide() -> str:
     """The text, at most 100 columns wide."""
     tables = tables_of("constant")
     lines = [HEAD, "Above the first table", *_keys(tables[""])]
-    for path, table in ({p: tables[p] for p in ("arc", "arc.given")} | dict(SLOPING)).items():
-        lines += ["", *_title(f"[{path}]", table.title), *_keys(table)]
+    by_head = {f"[{path}]": table for path, table in (tables | dict(SLOPING)).items() if path in _PLACES} | _of_layers()
+    for head, table in by_head.items():
+        lines += ["", *_title(head, table.title), *_keys(table)]
     lines += ["", *_title("factors of safety", f"of a circle of a slope, by three methods. {COMPARED}")]
     lines += [line for m, (name, said) in METHODS.items() for line in _title(f"  {m}", f"{name}: {said}")]
-    lines += ["", *_title("[friction]", "mu on the slip surface, by one of these laws")]
+    lines += [
+        "",
+        *_title("[friction]", "mu on the slip surface, by one of these laws; of layers [soils.NAME.friction]"),
+    ]
     for name, law in LAWS.items():
         lines += ["", *_title(f'  law = "{name}"', f"{law.help} ({law.equation})"), *_keys(tables_of(name)["friction"])]
     lines += ["", *_title("[friction.rate]", "a law of speed that multiplies one of slip, with the keys of that law")]
@@ -52,6 +59,22 @@ def guide() -> str:
         ),
     ]
     return "\n".join(lines)
+
+
+def _of_layers() -> dict[str, Table]:
+    """The tables of soils, layers and loads by how they begin in a file."""
+    tables = layered_tables({"NAME": "constant"}, 1)
+    laws = f"friction of the soil, none by default: with the keys of [friction], law one of {', '.join(SOIL_LAWS)}"
+    rate = tables["slip.rate"]
+    found = {
+        "[soils.NAME]": tables["soils.NAME"],
+        "[soils.NAME.friction]": Table(laws, {}),
+        "[[layers]]": tables["layers.1"]._replace(title=tables["layers"].title),
+        "[slip]": tables["slip"],
+        "[slip.rate]": Table(f"a {rate.title}, with its keys", {}),
+    }
+    loads = {f"[[{path}]]" if table.repeats else f"[{path}]": table for path, table in LOADS.items()}
+    return found | loads
 
 
 def _title(head: str, words: str) -> list[str]:

@@ -11,7 +11,8 @@ import numpy as np
 
 from slipcircle.core import Arc, LayeredSection, Motion
 from slipcircle.workbench.common.markup import Raw, escaped
-from slipcircle.workbench.outputs.sectionplot import Mass, View, magnified, mass_of
+from slipcircle.workbench.outputs.sectionplot import magnified
+from slipcircle.workbench.outputs.shapes import Mass, View, mass_of
 from slipcircle.workbench.outputs.trace import Floats
 
 WIDTH = 1000.0  # of the drawing, in its own unit

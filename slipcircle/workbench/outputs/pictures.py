@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from slipcircle.workbench.outputs.film import Film
 
 _KINDS = ("png", "svg", "pdf", "jpg")
-_MOST = 20  # scenes in one picture
 _FRAMES = 60  # of an animation
 _HOLD, _COLOURS = 2000, 64  # milliseconds that its last frame is held; colours of each frame
 
@@ -29,9 +28,8 @@ def check(command: str, path: str = "", scenes: int = 1) -> None:
     kind, known = Path(path).suffix[1:].lower(), (*_KINDS, *["gif"] * (command == "run"))
     if path and kind not in known:
         raise ValueError(f"{command}: --plot {path}: must end in one of .{', .'.join(known)}")
-    if path and scenes > (1 if kind == "gif" else _MOST):
-        most = "moves one scene" if kind == "gif" else f"shows at most {_MOST} scenes"
-        raise ValueError(f"{command}: --plot {path}: {most}; --report has room for all {scenes}")
+    if kind == "gif" and scenes > 1:
+        raise ValueError(f"{command}: --plot {path}: moves one scene; .png shows all {scenes}")
 
 
 def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> bytes:
@@ -45,7 +43,7 @@ def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> 
     kind = path.rpartition(".")[2].lower()
     # Also the names within an SVG, and its metadata, are to be the same every time.
     with style.context("default"), rc_context({"svg.hashsalt": "slipcircle"}):
-        figure = Figure(figsize=size, dpi=90 if kind == "gif" else 120, layout="constrained")
+        figure = Figure(figsize=size, dpi=90 if kind == "gif" else 150, layout="constrained")
         film = draw(figure)
         content = io.BytesIO()
         metadata = {
@@ -87,14 +85,17 @@ def _played(film: "Film") -> bytes:
     return content.getvalue()
 
 
-def _stacked(motions: Sequence[Motion], figure: Any) -> None:
-    """The overviews of motions, one above the other."""
-    from slipcircle.workbench.outputs import plots
+def _motions(motions: Sequence[Motion], figure: Any) -> Any:
+    """The overview of a motion, or several motions side by side."""
+    from slipcircle.workbench.outputs import comparison, plots
 
-    heights = [plots.size(motion)[1] for motion in motions]
-    parts = figure.subfigures(len(motions), 1, squeeze=False, height_ratios=heights)
-    for motion, part in zip(motions, parts[:, 0], strict=True):
-        plots.overview(motion, part)
+    return plots.overview(motions[0], figure) if len(motions) == 1 else comparison.overview(motions, figure)
+
+
+def _motions_size(motions: Sequence[Motion]) -> tuple[float, float]:
+    from slipcircle.workbench.outputs import comparison, plots
+
+    return plots.size(motions[0]) if len(motions) == 1 else comparison.size(motions)
 
 
 def _on_axis(draw: Callable[..., Any]) -> Callable[[Any, Any], Any]:
@@ -104,22 +105,22 @@ def _on_axis(draw: Callable[..., Any]) -> Callable[[Any, Any], Any]:
 
 def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
     """What draws which result on an empty figure, and its inches; loaded only where something is drawn."""
-    from slipcircle.workbench.outputs import plots, sectionplot, studyplots
+    from slipcircle.workbench.outputs import plots, searchplot, studyplots, tornado
 
     return {
-        "motions": (_stacked, lambda motions: (14.0, sum(plots.size(motion)[1] for motion in motions))),
-        "section": (_on_axis(plots.section), lambda _: (8.0, 6.0)),
+        "motions": (_motions, _motions_size),
+        "section": (_on_axis(plots.section), lambda _: (8.6, 5.0)),
         "histories": (
             lambda motion, figure: plots.histories(motion, figure.subplots(2, 2).T.flat),
-            lambda _: (11, 6.5),
+            lambda _: (8.6, 5.2),
         ),
-        "phase plane": (_on_axis(plots.phase_plane), lambda _: (8.0, 5.0)),
-        "shaking": (_on_axis(plots.shaking), lambda _: (8.0, 3.0)),
+        "phase plane": (_on_axis(plots.phase_plane), lambda _: (8.6, 4.0)),
+        "shaking": (_on_axis(plots.shaking), lambda _: (8.6, 3.0)),
         "study": (studyplots.overview, studyplots.size),
-        "sensitivity": (studyplots.tornados, lambda x: (8.0, len(x.distinct) * (1.6 + 0.3 * len(x.parameters)))),
-        "backanalysis": (studyplots.explained, lambda x: (2.0 + 4.5 * len(x.units), 0.6 + 3.4 * len(x.observed))),
-        "search": (sectionplot.critical_circle, lambda _: (9.0, 6.0)),
-        "ladder": (_on_axis(plots.ladder), lambda rungs: (9.0, 1.5 + 0.5 * len(rungs))),
+        "sensitivity": (tornado.panels, tornado.size),
+        "backanalysis": (studyplots.explained, studyplots.explained_size),
+        "search": (searchplot.critical_circle, lambda _: (8.6, 7.0)),
+        "ladder": (_on_axis(plots.ladder), lambda rungs: (8.6, 1.2 + 0.4 * len(rungs))),
     }
 
 

@@ -1,30 +1,35 @@
 """Pictures of motions. Every function draws on a given matplotlib axis, or on one of its own, and returns it.
 
-Matplotlib is loaded when the first picture is drawn. Texts that depend on a motion stand in a legend above the axis,
-where no curve can run into them.
+Matplotlib is loaded when the first picture is drawn. Words stand beside what they name, in its colour.
 """
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
+from itertools import pairwise
 from textwrap import shorten
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.core import Motion, in_time
-from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, Quantity, prefixed
+from slipcircle.base.text import shown
+from slipcircle.core import LayeredSection, Motion, in_time
+from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
 from slipcircle.workbench.outputs.film import animate
+from slipcircle.workbench.outputs.layerplot import normal_stress_along
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
+    WIDTH,
     axis,
     empty,
     ending,
     known,
-    legend,
+    label,
+    letter,
     lines,
     mark,
+    note,
     number,
     still,
     width,
@@ -59,7 +64,9 @@ HISTORIES: Mapping[str, tuple[str, tuple[Curve, ...]]] = {
         (Curve("normal_stress", "main", "total $\\sigma_n$"), Curve("effective_stress", "other", "effective")),
     ),
 }
+_MOST_KINKS = 4  # that are explained one by one
 _TALL = 3.0  # times the greatest mobilised friction, up to which that required for equilibrium is in view
+_SECTION, _PANEL = 4.3, 2.3  # inches, how high the section and a row of panels are
 OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 
 
@@ -75,23 +82,34 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     times, values = columns["time"], columns[what]
     curves = [curve for curve in every if curve.column == what or _differs(columns[curve.column], values)]
     factor, unit = _unit(quantity, [columns[curve.column] for curve in curves])
+    drawn_values = [factor * columns[curve.column] for curve in curves]
     ax.set(xlabel="time $t$ (s)", ylabel=f"{quantity.label}{symbol} ({unit or '–'})")
     if not motion.moves:
         return still(motion, ax)
-    for curve in curves:
-        label = curve.label if len(curves) > 1 else None
-        ax.plot(times, factor * columns[curve.column], label=label, **LINES[curve.line])
-    ax.margins(y=0.08)
+    for curve, heights in zip(curves, drawn_values, strict=True):
+        ax.plot(times, heights, **LINES[curve.line])
+    _limit(ax, motion, what, drawn_values)
+    _mark_times(ax, motion, (times, drawn_values[0]), unit, what == "displacement", brief)
+    if len(curves) > 1:
+        for curve, heights in zip(curves, drawn_values, strict=True):
+            label(ax, curve.label, _in_view(ax, times, heights), LINES[curve.line]["color"])
+    if what == "friction":
+        _explain_zeros(ax, columns, len(curves) > 1)
+    _explain_kinks(ax, motion, brief)
+    if what == "displacement":
+        _rotation_axis(ax, motion)
+    return ax
+
+
+def _limit(ax: Any, motion: Motion, what: str, curves: Sequence[Floats]) -> None:
+    """Show all of the time, and curves with room for words; friction and what does not change from zero."""
+    values = curves[0]
     is_level = np.ptp(values) <= 1e-9 * np.max(np.abs(values))
+    ax.margins(y=0.16)
     if what == "friction" or is_level:
-        _from_zero(ax, [factor * columns[curve.column] for curve in curves])
-    _mark_times(ax, motion, (times, factor * values), unit, what == "displacement", brief)
+        _from_zero(ax, curves)
     ax.grid(alpha=0.3)
     ax.set_xlim(0.0, motion.duration)
-    legend(ax)
-    if what == "displacement":
-        _rotation_axis(ax, float(np.asarray(motion.plan.scene.arc.radius)))
-    return ax
 
 
 def _unit(quantity: Quantity, curves: Sequence[Floats]) -> tuple[float, str]:
@@ -105,11 +123,53 @@ def _mark_times(
     """Marks on a curve over time, each with its value, and unless it is a brief one with its name and its time."""
     for role, time, name in _marks(motion, with_reach):
         value = _read(time, *curve)
-        label = f"{number(value)} {unit}".rstrip()
+        words = f"{number(value)} {unit}".rstrip()
         if not brief or role == "reach":
-            label = f"{name}: {label} at {number(time)} s"
+            words = f"{name}: {words}\nat {number(time)} s" if value else f"{name}\nafter {number(time)} s"
         ax.axvline(time, **LINES["help"])
-        mark(ax, time, value, role, label)
+        mark(ax, time, value, role, words)
+
+
+def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
+    """Points of a curve where its name may stand: in the middle of the time, and in view."""
+    points = np.column_stack([times, values])
+    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    width = right - left
+    inside = (left + 0.1 * width < times) & (times < right - 0.1 * width) & (low < values) & (values < high)
+    points = points[inside] if np.any(inside) else points
+    return points[:: max(1, len(points) // 12)]
+
+
+def _explain_kinks(ax: Any, motion: Motion, brief: bool) -> None:
+    """Lines at standstills and at the end of the shaking, unless brief with what happens; their number if many."""
+    kinks = [
+        (phase.start, "turns back" if phase.start == before.end else "starts again")
+        for before, phase in pairwise(motion.phases)
+    ]
+    if len(kinks) > _MOST_KINKS:
+        if not brief:
+            note(ax, [f"stops {len(kinks)} times before"])
+        kinks = []
+    shaken = [f for name, f in in_time(motion.plan.scene.called).items() if name.startswith("shaking.")]
+    shaking_ends = max((float(np.max(function.kinks)) for function in shaken), default=math.inf)
+    if shaking_ends < motion.duration:
+        kinks.append((shaking_ends, "shaking ends"))
+    low, high = ax.get_ylim()
+    for time, words in kinks:
+        ax.axvline(time, **LINES["help"])
+        if not brief:
+            label(ax, words, [(time, low + share * (high - low)) for share in (0.1, 0.3, 0.5, 0.7, 0.9)], "0.3")
+
+
+def _explain_zeros(ax: Any, columns: Mapping[str, Floats], with_required: bool) -> None:
+    """Words where friction drops to zero, and where that required for equilibrium touches it, as it has no sign."""
+    times, required, friction = columns["time"], columns["holding_friction"], columns["friction"]
+    least = int(np.nanargmin(required)) if with_required else 0
+    if 0 < least < len(times) - 1 and required[least] < 0.02 * np.nanmax(required):
+        label(ax, "in balance\nwithout friction", (times[least], required[least]), LINES["other"]["color"])
+    lost = np.flatnonzero((friction[1:] == 0.0) & (friction[:-1] > 0.0))
+    if lost.size:
+        label(ax, "no effective stress", (times[lost[0] + 1], friction[lost[0]] / 2), LINES["main"]["color"])
 
 
 def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
@@ -122,9 +182,9 @@ def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
     ax.set_ylim(-0.08 * top, 1.16 * top or 1.0)
 
 
-def _rotation_axis(ax: Any, radius: float) -> None:
+def _rotation_axis(ax: Any, motion: Motion) -> None:
     """The rotation on the right of an axis of displacements."""
-    degrees = math.degrees(1.0 / radius)
+    degrees = math.degrees(1.0 / float(np.asarray(motion.plan.scene.arc.radius)))
     side = ax.secondary_yaxis(
         "right", functions=(lambda s: np.multiply(s, degrees), lambda phi: np.divide(phi, degrees))
     )
@@ -132,12 +192,9 @@ def _rotation_axis(ax: Any, radius: float) -> None:
 
 
 def histories(motion: Motion, axes: Iterable[Any]) -> None:
-    """All of `OVERVIEW`, of which the first says what the marks are, and the lowest that time runs to the right."""
+    """All of `OVERVIEW`, of which the first says what the marks are."""
     for k, (what, ax) in enumerate(zip(OVERVIEW, axes, strict=True)):
         history(motion, what, ax, brief=k > 0)
-        if motion.moves and not ax.get_subplotspec().is_last_row():
-            ax.set_xlabel("")
-            ax.tick_params(labelbottom=False)
 
 
 def _marks(motion: Motion, with_reach: bool = False) -> list[tuple[str, float, str]]:
@@ -178,15 +235,13 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     ax.set_xlim(0.0, farthest)  # to the left too the way is drawn from left to right
     right = ax.twinx()
     speed = np.abs(columns["velocity"])
-    right.plot(along, speed, label="speed", **LINES["main"])
+    right.plot(along, speed, **LINES["main"])
+    right.set_ylabel("speed $|v|$ (m/s)", color=LINES["main"]["color"])
+    right.set_ylim(0.0, 1.2 * float(np.max(speed)))
     for role, time, words in _marks(motion):
         place, height = (_read(time, columns["time"], column) for column in (along, speed))
-        mark(right, place, height, role, f"{words}: {number(height)} m/s at {number(place)} m")
-    right.set_ylabel("speed $|v|$ (m/s)")
-    right.set_ylim(0.0, 1.05 * float(np.max(speed)))
-    entries = [side.get_legend_handles_labels() for side in (ax, right)]
-    handles, labels = (left + right for left, right in zip(*entries, strict=True))
-    legend(ax, columns=3, handles=handles, labels=labels)
+        mark(right, place, height, role, f"{words}:\n{number(height)} m/s at {number(place)} m" if height else "")
+    label(right, "speed", _in_view(right, along * farthest / abs(farthest), speed), LINES["main"]["color"])
     return ax
 
 
@@ -199,11 +254,16 @@ def _energies(motion: Motion, ax: Any, along: Floats) -> str:
     if motion.moves:
         dissipation = factor * columns["dissipation"]
         total = dissipation + factor * columns["kinetic_energy"]
-        ax.fill_between(along, 0.0, dissipation, label="dissipation", **AREAS["dissipation"])
-        ax.fill_between(along, dissipation, total, label="kinetic energy", **AREAS["kinetic"])
+        ax.fill_between(along, 0.0, dissipation, **AREAS["dissipation"])
+        ax.fill_between(along, dissipation, total, **AREAS["kinetic"])
+        ax.plot(along, factor * supplied, **LINES["total"])
+        ax.set_ylim(0.0, 1.2 * float(np.max(total)))
         words = work(motion) + (" and first kinetic energy" if at_start else "")
-        ax.plot(along, factor * supplied, label=words, **LINES["total"])
-        ax.set_ylim(0.0, 1.05 * float(np.max(total)))
+        middle = slice(len(along) // 4, None, max(1, len(along) // 24))
+        label(ax, words, np.column_stack([along, factor * supplied])[middle], LINES["total"]["color"])
+        label(ax, "dissipation", np.column_stack([along, dissipation / 2])[middle], "0.25", inside=True)
+        thickest = int(np.argmax(total - dissipation))
+        label(ax, "kinetic energy", (along[thickest], (total + dissipation)[thickest] / 2), "0.25")
     return unit
 
 
@@ -224,34 +284,36 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     else:
         last = float(np.max(np.concatenate(kinks)))
         times = np.unique(np.concatenate([np.linspace(0, last, 401), *kinks]))
-    for way, label, line in (
+    for way, words, line in (
         ("horizontal", "down-slope $k_h$", "main"),
         ("vertical", "vertical $k_v$, reduces the weight", "other"),
     ):
         if (function := functions.get(f"shaking.{way}")) is not None:
-            ax.plot(times, function(times), label=label, **{**LINES[line], "lw": 1.2})
+            ax.plot(times, function(times), **{**LINES[line], "lw": 1.2})
+            label(
+                ax, words, np.column_stack([times, function(times)])[:: max(1, len(times) // 40)], LINES[line]["color"]
+            )
     yields = motion.yield_coefficient
-    ax.axhline(yields, label=f"yields at the start: $k_y$ = {number(yields)}", **{**LINES["total"], "lw": 1.2})
+    ax.axhline(yields, **{**LINES["total"], "lw": 1.2})
     ax.set_xlim(0.0, last)
+    ax.margins(y=0.25)
+    words = f"yields at the start: $k_y$ = {number(yields)}"
+    label(ax, words, [(share * last, yields) for share in (0.1, 0.3, 0.5, 0.7, 0.9)])
     ax.grid(alpha=0.3)
-    legend(ax, columns=3)
     return ax
 
 
 def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
     """The run-out as the effects of a scene are added one by one, beside that of the whole scene."""
     ax, rungs = axis(ax, (9.0, 3.5)), list(rungs)
-    lines(ax, [f"+ {r.added}" if r.added else "no effect" for r in rungs])
-    unexplained = {"rests": "comes to rest", "moves on": "does not come to rest"}
+    lines(ax, [f"+ {r.added.replace('_', ' ')}" if r.added else "no effect" for r in rungs])
     for place, r in enumerate(rungs):
-        role = "rests" if r.arrested else "moves on"
-        ax.barh(place, r.run_out, height=0.62, label=unexplained.pop(role, None), **AREAS[role])
-    ax.axvline(rungs[-1].run_out, label=f"with all effects: {number(rungs[-1].run_out)} m", **LINES["help"])
-    ax.set_xlabel("run-out along the arc (m)")
+        ax.barh(place, r.run_out, height=0.62, **AREAS["rests" if r.arrested else "moves on"])
+    ax.axvline(rungs[-1].run_out, **LINES["help"])
+    ax.set_xlabel(f"run-out along the arc (m); dotted: with all effects, {number(rungs[-1].run_out)} m")
     side = ax.secondary_yaxis("right")
     side.set_yticks(range(len(rungs)), [_rung_words(r) for r in rungs])
-    side.tick_params(length=0)
-    legend(ax, columns=3)
+    side.tick_params(length=0, labelsize="small")
     return ax
 
 
@@ -264,31 +326,45 @@ def _rung_words(rung: Rung) -> str:
 
 
 def overview(motion: Motion, figure: Any) -> Any:
-    """The section, the phase plane and the histories on an empty figure or subfigure of `size`, which it returns."""
-    shaken = "shaking" in motion.plan.effects
-    if motion.moves:
-        left, right = figure.add_gridspec(1, 2, width_ratios=(1.15, 1.0))
-        top, bottom = left.subgridspec(2, 1, height_ratios=(1.2, 1.0)).subplots()
-        axes = right.subgridspec(len(OVERVIEW) + shaken, 1).subplots()
-        phase_plane(motion, bottom)
-        histories(motion, axes[: len(OVERVIEW)])
-    else:
-        heights = (3, 1)[: 1 + shaken]
-        top, *axes = figure.subplots(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0]
-    section(motion, top)
-    if shaken:
-        shaking(motion, axes[-1])
-    figure.suptitle(_title(motion), parse_math=False, fontweight="bold")
+    """The section and below it the other panels, on an empty figure or subfigure of `size`, which it returns."""
+    panels = _panels(motion)
+    rows = math.ceil(len(panels) / 2)
+    grid = figure.add_gridspec(1 + rows, 2, height_ratios=(_SECTION, *[_PANEL] * rows))
+    axes = [section(motion, figure.add_subplot(grid[0, :]))]
+    for k, draw in enumerate(panels):
+        is_alone = k % 2 == 0 and k + 1 == len(panels)
+        place = grid[1 + k // 2, :] if is_alone else grid[1 + k // 2, k % 2]
+        axes.append(draw(motion, ax=figure.add_subplot(place)))
+    letter(axes)
+    figure.suptitle(title(motion), parse_math=False, fontweight="bold")
     return figure
 
 
-def _title(motion: Motion) -> str:
-    """A scene's name and what happened."""
+def _panels(motion: Motion) -> list[Callable[..., Any]]:
+    """What draws the panels below the section, in their order."""
+    panels: list[Callable[..., Any]] = []
+    if motion.moves:
+        panels = [partial(history, what=what, brief=what != OVERVIEW[0]) for what in OVERVIEW]
+        panels.append(phase_plane)
+    if "shaking" in motion.plan.effects:
+        panels.append(shaking)
+    if isinstance(motion.plan.scene.arc, LayeredSection):
+        panels.append(lambda motion, ax: normal_stress_along(motion.plan.scene.arc, ax))
+    return panels
+
+
+def title(motion: Motion) -> str:
+    """A scene's name and what happened, to three digits."""
+    name = shorten(motion.plan.scene.name, 80)
     outcome = "does not move"
     if motion.moves:
-        run_out, duration = (OUTCOMES[name].text(motion) for name in ("run_out", "duration"))
-        outcome = f"{run_out} in {duration}, {ending(motion)}"
-    return ": ".join(filter(None, (shorten(motion.plan.scene.name, 80), outcome)))
+        outcome = f"{_rounded(motion.run_out)} m in {_rounded(motion.duration)} s, {ending(motion)}"
+    return ": ".join(filter(None, (name[:1].upper() + name[1:], outcome)))
+
+
+def _rounded(value: float) -> str:
+    """Three significant digits."""
+    return shown(float(f"{value:.3g}"))
 
 
 # What `Motion.plot` draws besides the overview.
@@ -301,5 +377,5 @@ PANELS: Mapping[str, Callable[..., Any]] = {
 
 
 def size(motion: Motion) -> tuple[float, float]:
-    """Inches of the overview."""
-    return 14.0, 12.0 if "shaking" in motion.plan.effects else 10.0
+    """Inches of the overview: as wide as a page shows it, so that its texts keep their size."""
+    return WIDTH, _SECTION + _PANEL * math.ceil(len(_panels(motion)) / 2)

@@ -1,12 +1,16 @@
-"""What all pictures share: the palette, numbers and units as they are shown, the legend above the axis."""
+"""What all pictures share: the palette, numbers and units as they are shown, words beside what they name."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from slipcircle.base.text import shown
 from slipcircle.core import Motion
+from slipcircle.workbench.files.numbers import Number
+
+WIDTH = 8.6  # inches of a picture of several panels, about what a page shows: texts have 8 points and more there
 
 # The one palette, by role: colour (Okabe and Ito's, which the colour-blind tell apart) with dashes, a marker or a
 # hatch, which greys leave apart.
@@ -15,7 +19,7 @@ LINES: Mapping[str, Mapping[str, Any]] = {
     "other": {"color": "#D55E00", "ls": (0, (5, 2)), "lw": 1.6},
     "total": {"color": "black", "ls": (0, (1, 1.2)), "lw": 1.8},
     "radius": {"color": "0.45", "ls": (0, (6, 1.5, 1, 1.5)), "lw": 0.8},
-    "help": {"color": "0.45", "ls": (0, (1, 2)), "lw": 1.0},
+    "help": {"color": "0.45", "ls": (0, (1, 2)), "lw": 1.0, "zorder": 1},
 }
 MARKS: Mapping[str, Mapping[str, Any]] = {
     "start": {"marker": "o", "color": "black", "mfc": "white", "ms": 6},
@@ -34,6 +38,27 @@ AREAS: Mapping[str, Mapping[str, Any]] = {
     "dissipation": {"facecolor": "#F6DCA0", "edgecolor": "0.25", "lw": 0.6},
     "band": {"facecolor": "0.82", "edgecolor": "0.55", "lw": 0.6},
 }
+# Of a family of curves: colours that the colour-blind tell apart, dashes and markers that greys leave apart.
+SERIES: Sequence[tuple[str, Any, str]] = (
+    ("#0072B2", "-", "o"),
+    ("#D55E00", (0, (5, 2)), "s"),
+    ("black", (0, (1, 1.2)), "^"),
+    ("#00805D", (0, (6, 1.5, 1, 1.5)), "D"),
+    ("#A8487F", "-", "x"),
+    ("#9C6F00", (0, (3, 1)), "v"),
+    ("#3A8FC4", (0, (8, 2)), "P"),
+    ("0.35", (0, (2, 2)), "*"),
+)
+REST: tuple[str, Any, str] = ("0.75", "-", ".")  # of the others
+# Of soils, from the ground down: their bands, and the stretches of the arc in them.
+SOILS: Sequence[tuple[str, str]] = (
+    ("#F5E8C4", "#9C6F00"),
+    ("#D3E6F4", "#0072B2"),
+    ("#F8DCCB", "#D55E00"),
+    ("#D3EEE3", "#00805D"),
+    ("#F1DDE9", "#A8487F"),
+    ("#E2E2E2", "#4D4D4D"),
+)
 SCENERY: Mapping[str, Mapping[str, Any]] = {
     "ground": {"color": "black", "lw": 1.4, "zorder": 3},
     "soil": {"color": "#EFE6D2", "lw": 0, "zorder": 1},
@@ -43,7 +68,6 @@ SCENERY: Mapping[str, Mapping[str, Any]] = {
     "centre": {"color": "black", "marker": "+", "ls": "", "ms": 9, "mew": 1.5, "zorder": 5},
 }
 FORCES: Mapping[str, str] = {"weight": "black", "normal": "#009E73", "tangential": "#CC79A7"}
-HALO = 2.5  # points of white around a text that stands on lines
 
 
 def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
@@ -93,16 +117,69 @@ def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
     )
 
 
-def finish(ax: Any, across: str, up: str) -> None:
-    """Make a section of what is drawn: to scale, with a grid and the legend."""
-    ax.set(xlabel=across, ylabel=up, aspect="equal")
+def label(ax: Any, words: str, anchors: Any, colour: str = "black", inside: bool = False, **more: Any) -> None:
+    """Words beside one of some points of what they name, in its colour, where they cover least."""
+    from slipcircle.workbench.outputs.labels import Label
+
+    Label(ax, words, anchors, colour, inside, **more)
+
+
+def note(ax: Any, words: Iterable[str]) -> None:
+    """Lines of words in the emptiest place of an axis."""
+    (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
+    x, y = np.meshgrid(np.linspace(left, right, 15)[1:-1], np.linspace(bottom, top, 15)[1:-1])
+    label(ax, "\n".join(words), np.stack([x, y], axis=-1), "0.25", inside=True)
+
+
+def quantity_words(quantity: Number) -> str:
+    """A number of a scene in words: ``friction.angle_deg`` is the friction angle."""
+    *groups, last = quantity.name.replace("_", " ").split(".")
+    if groups and groups[-1].isdigit():  # a point of a line, or a layer
+        place = int(groups[-1])
+        return f"top of layer {place}" if last == "top" else f"{last} of {groups[0]} point {place}"
+    if groups[:1] == ["soils"]:
+        return f"{groups[1]}: {quantity_words(replace(quantity, name='.'.join([*groups[2:], last])))}"
+    if quantity.tangent:
+        last = "angle" if last == "friction" else f"{last} angle"
+        groups = groups or ["friction"]
+    if groups == ["centre"]:
+        return f"{last} of the centre"
+    named = [group for group in groups if group not in last]
+    adjective, _, noun = last.partition(" ")
+    if adjective in ("peak", "residual"):  # the peak friction angle
+        return " ".join(filter(None, [adjective, *named, noun]))
+    return " ".join([*named, last])
+
+
+def unit_of(quantity: Number) -> str:
+    """The unit in which a number is named, as a picture shows it."""
+    unit = quantity.unit or ("$g$" if quantity.key.endswith("_g") else "")
+    return unit.replace("m3", "m³").replace("^2", "²")
+
+
+def axis_words(quantity: Number) -> str:
+    """A number of a scene as the name of an axis."""
+    return f"{quantity_words(quantity)} ({unit_of(quantity) or '–'})"
+
+
+def to_scale(ax: Any, across: str, up: str) -> None:
+    """Make a section of what is drawn, which fills its axis."""
+    ax.set(xlabel=across, ylabel=up)
+    ax.set_aspect("equal", adjustable="datalim")
     ax.grid(alpha=0.3)
-    legend(ax)
 
 
-def mark(ax: Any, x: Any, y: Any, role: str, label: str) -> None:
-    """One of `MARKS` at a place, also on the edge."""
-    ax.plot(x, y, ls="", clip_on=False, zorder=4, label=label, **MARKS[role])
+def letter(axes: Iterable[Any]) -> None:
+    """A letter above each panel of a figure."""
+    for ax, name in zip(axes, "abcdefghijklmnopqrstuvwxyz", strict=False):
+        ax.set_title(name, loc="left", fontweight="bold", fontsize="medium")
+
+
+def mark(ax: Any, x: Any, y: Any, role: str, words: str = "") -> None:
+    """One of `MARKS` at a place, also on the edge, with words beside it."""
+    ax.plot(x, y, ls="", clip_on=False, zorder=5, **MARKS[role])
+    if words:
+        label(ax, words, (x, y), "black")
 
 
 def lines(ax: Any, names: Sequence[str]) -> None:
@@ -120,11 +197,12 @@ def empty(words: str, ax: Any, *sides: str) -> Any:
 
 
 def described(figure: Any) -> list[str]:
-    """What titles, axes and legends of a figure say; not the texts at points, which may hold measured times."""
+    """What titles, axes, legends and labels of a figure say; not other texts at points, which may be measured."""
     texts = [part.get_suptitle() for part in (figure, *figure.subfigs)]
     legends = list(figure.legends)
     for ax in figure.axes:
         texts += [ax.get_title(), ax.get_title("left"), ax.get_xlabel(), ax.get_ylabel()]
+        texts += [" ".join(text.get_text().split()) for text in ax.texts if hasattr(text, "anchors")]
         legends += filter(None, [ax.get_legend()])
     for explained in legends:
         texts += [text.get_text() for text in explained.get_texts()]
@@ -154,24 +232,7 @@ def still(motion: Motion, ax: Any) -> Any:
     return empty(f"does not move\nfactor of safety {number(motion.factor_of_safety)}", ax, "x", "y")
 
 
-def name_beside(ax: Any, words: str, at: Any, offset: Any, colour: str, **more: Any) -> None:
-    """Words beside what they name, in its colour."""
-    from matplotlib.patheffects import withStroke
-
-    ax.annotate(
-        words,
-        at,
-        offset,
-        textcoords="offset points",
-        color=colour,
-        fontsize="small",
-        zorder=6,
-        path_effects=[withStroke(linewidth=HALO, foreground="white")],
-        **more,
-    )
-
-
 def beside(ax: Any, words: str, at: Any, away: Any, **more: Any) -> None:
     """Words beside a point, in a direction from it."""
     offset = 12 * np.divide(away, np.hypot(*away))
-    name_beside(ax, words, at, offset, "black", ha="center", va="center", **more)
+    ax.annotate(words, at, offset, textcoords="offset points", ha="center", va="center", fontsize="small", **more)

@@ -2,6 +2,7 @@
 
 import re
 import tomllib
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
@@ -9,9 +10,13 @@ import numpy as np
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.series import Pulse, Series
-from slipcircle.core import RATE_LAWS, Scene, arc_numbers, law_parts
-from slipcircle.workbench.files.keys import SLOPING, Key, tables_of
+from slipcircle.core import Scene, arc_numbers, law_parts
+from slipcircle.workbench.files.keys import Key
+from slipcircle.workbench.files.layout import layout_of
 from slipcircle.workbench.files.numbers import by_name, uncertain_numbers
+
+# A table's head or a key with its value, and a comment.
+_LINE = r"""\s*(?:\[{1,2}([^\[\]]+)\]{1,2}|([\w-]+)\s*=\s*(?:[^"'#]|"(?:[^"\\]|\\.)*"|'[^']*')*)\s*(?:#(.*))?$"""
 
 
 class Input(NamedTuple):
@@ -43,11 +48,8 @@ def inputs(scene: Scene, file: str | None = None) -> list[Input]:
 
 def _of_file(file: str) -> Iterator[Input]:
     """The inputs of a file, table by table, and the defaults of what is not in it."""
-    document = tomllib.loads(file)
-    law = document.get("friction", {})
-    rate = law.get("rate", {}).get("law", RATE_LAWS[0])
-    tables = tables_of(law.get("law", "constant"), rate) | dict(SLOPING)
-    yield from _of_table(tables, comments(file), "", document)
+    layout = layout_of(tomllib.loads(file))
+    yield from _of_table(layout.tables, comments(file), "", layout.content)
 
 
 def _of_table(
@@ -78,15 +80,20 @@ def _unit(key: Key) -> str:
 
 
 def comments(file: str) -> dict[str, str]:
-    """The comments at the ends of a TOML file's lines, by the path of the key or table that stands there."""
+    """The comments at the ends of a TOML file's lines, by the path of the key or table that stands there.
+
+    Tables in a list have their numbers from 1, quoted names no quotes.
+    """
     found, table = {}, ""
+    counts: Counter[str] = Counter()
     for line in file.splitlines():
-        what = re.match(
-            r"""\s*(?:\[([^\[\]]+)\]|([\w-]+)\s*=\s*(?:[^"'#]|"(?:[^"\\]|\\.)*"|'[^']*')*)\s*(?:#(.*))?$""", line
-        )
+        what = re.match(_LINE, line)
         if what is None:
             continue
-        table = (what[1] or table).strip()
+        table = (what[1] or table).replace('"', "").strip()
+        if what[1] and line.strip().startswith("[["):
+            counts[table] += 1
+            table = f"{table}.{counts[table]}"
         path = table if what[1] else f"{table}.{what[2]}".lstrip(".")
         if what[3]:
             found[path] = what[3].strip()

@@ -33,7 +33,7 @@ from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
 from slipcircle.workbench.outputs.provenance import inputs
-from slipcircle.workbench.outputs.tables import Part, interval, motion_column
+from slipcircle.workbench.outputs.tables import Part, interval, motion_column, stretches_part
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
@@ -190,6 +190,8 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     for label, text in motion_column(motion).items():
         rows.append([label, _value(quantities[label], motion, text) if label in quantities else text])
     yield Part([], rows, "Key results")
+    if layered := stretches_part(motion):
+        yield layered._replace(title="Soils along the slip surface")
     yield tag("h3", "Pictures")
     for what, caption in _captions(motion).items():
         yield _figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
@@ -197,7 +199,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     error = motion.error_estimate
     method = [
         ["program of", ", ".join(plan.fragments)],
-        ["relative error asked for", _number(plan.accuracy)],
+        ["requested relative error", _number(plan.accuracy)],
         ["relative error estimated, of peak, run-out and duration", _data(error, _number(error))],
         ["warnings", "; ".join(warnings_of(motion)) or "none"],
     ]
@@ -349,7 +351,7 @@ def _of_study(study: Study, way: Plan, file: bytes | None) -> Iterable[Part | Ra
         ["seed", str(study.seed)],
         ["samples of a block", str(study.size)],
         ["samples by how they ended", ", ".join(ends)],
-        ["relative error asked for, of each solution", _number(design.accuracy)],
+        ["requested relative error of each solution", _number(design.accuracy)],
         ["relative error of quantiles from bins", "none: samples were kept" if study.samples else _number(BIN_ERROR)],
     ]
     yield Part([], method, "Method and accuracy")

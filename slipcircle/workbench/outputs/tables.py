@@ -12,7 +12,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from generated.effects import EFFECTS
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan, step_operations
-from slipcircle.workbench.common.quantities import OUTCOMES, end_words, results, summary, time_text, to_error, words
+from slipcircle.workbench.common.quantities import (
+    OUTCOMES,
+    end_words,
+    results,
+    stretch_records,
+    summary,
+    time_text,
+    to_error,
+    words,
+)
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
@@ -59,8 +68,8 @@ COEFFICIENTS = {
 
 
 DIFFERENCE = (
-    "Bishop's method, which engineers quote, lets slices push each other horizontally, which presses steep bases more; "
-    "the paper's has the mean normal stress under the weight alone and is lower, by 4 to 14 % on common circles"
+    "Bishop's method includes horizontal forces between slices, which increase the normal stress on steep bases; the "
+    "paper's method uses the mean normal stress under the weight and gives a lower factor, by 4 to 14 % typically"
 )
 
 
@@ -112,6 +121,25 @@ def motion_column(motion: Motion) -> dict[str, str]:
         "estimated error": f"{motion.error_estimate:.1e}",
         **{symbol: f"{float(getattr(coefficients, name)):z.5f}" for symbol, name in COEFFICIENTS.items()},
     }
+
+
+def stretches_part(motion: Motion) -> Part | None:
+    """Soils along a layered arc from its upper end: length, weight above, mean stresses and strength at the start."""
+    records = stretch_records(motion)
+    if not records:
+        return None
+    length = sum(record["length"] for record in records)
+    stresses = ("normal_stress", "pore_pressure", "strength")
+    whole = {"soil": "whole arc", "length": length, "weight_share": 1.0}
+    for name in stresses:
+        whole[name] = sum(record["length"] * record[name] for record in records) / length
+    rows = []
+    for record in (*records, whole):
+        in_kilopascal = [shown(record[name] / 1e3) for name in stresses]
+        rows.append([record["soil"], shown(record["length"]), f"{100 * record['weight_share']:.1f}", *in_kilopascal])
+    head = ["soil", "length (m)", "weight (%)", *(f"{words(name)} (kPa)" for name in stresses)]
+    note = "From the upper end down: the share of the weight above each stretch, and means along it at the start."
+    return Part(head, rows, f"{motion.plan.scene.name}: soils along the slip surface", note)
 
 
 def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
@@ -171,7 +199,7 @@ def plan_part(plan: Plan) -> Part:
         "program of": ", ".join(plan.fragments),
         "a step's operations": plan.operations,
         "expected cost": f"about {plan.cost} floating-point operations",
-        "accuracy asked for": f"{plan.accuracy:.1e}",
+        "requested accuracy": f"{plan.accuracy:.1e}",
     }
     return Part(["", plan.scene.name], [row for row in rows.items() if row[1]])
 

@@ -46,23 +46,22 @@ def read_record(
     ----------
     path : str or path-like
     holds : {"ground", "driving"}
-        What the file holds. Positive is down-slope, whichever way the slope faces, and upwards for a vertical record;
-        what ground acceleration does to the mass is the opposite, so the values change their sign.
+        What the file contains. Positive is down-slope, whichever way the slope faces, and upwards for a vertical
+        record; the acceleration of the ground acts on the mass with the opposite sign, so the values change their sign.
     units : {"g", "%g", "m/s2", "cm/s2", "gal", "mm/s2"}, optional
-        Needed where the file does not say it.
+        Required if the file does not give it.
     column : int or str, optional
-        Which column holds the acceleration: its name in the header, or its number, from 1. Needed where there is a
-        choice.
+        Column of the acceleration: its name in the header, or its number, from 1. Required if there are several.
     step : float, optional
-        s between samples, for a file without times.
+        Time between samples, s, for a file without times.
     start : float, optional
         Time of the first sample, s; by default the file's own, or 0.
     gravity : float, optional
-        m/s^2, over which accelerations in other units than g are taken.
+        By which accelerations in other units than g are divided, m/s^2.
     gaps : {"refuse", "linear"}, optional
-        What happens where samples are missing from an evenly sampled record: an error, or a straight line.
+        Treatment of samples missing from an evenly sampled record: an error, or linear interpolation.
     scaled : bool, optional
-        Whether a factor follows, so that the values may be of any size; without one they must be below 5 g.
+        Whether the values are scaled later, so that they may be of any size; otherwise they must be below 5 g.
 
     Returns
     -------
@@ -71,7 +70,7 @@ def read_record(
     Raises
     ------
     ValueError
-        Names the file, the line, the value, what is allowed and what to do.
+        Names the file, the line, the value, what is allowed, and the remedy.
     """
     if holds not in ("ground", "driving"):
         raise ValueError(
@@ -85,27 +84,28 @@ def read_record(
 
 
 class Record(Series):
-    """A measured acceleration of arrays or of a file, as shaking: over gravity, zero before and after.
+    """A measured acceleration, from arrays or a file, as shaking: over gravity, zero before and after.
 
-    ``Record(t, a)`` has its times, ``Record(a, dt=0.01)`` a step from 0: ``{"shaking": {"horizontal": Record(t, a)}}``.
+    ``Record(t, a)`` takes times, ``Record(a, dt=0.01)`` a time step, from 0: ``{"shaking": {"horizontal": Record(t,
+    a)}}``.
 
     Parameters
     ----------
     samples : array_like
         Times in s and accelerations, or accelerations alone.
     dt : float, optional
-        s between samples, in place of times.
+        Time between samples, s, in place of times.
     units : {"g", "%g", "m/s2", "cm/s2", "gal", "mm/s2"}, optional
     holds : {"driving", "ground"}, optional
-        Positive is down-slope, whichever way the slope faces. "driving" pushes the mass that way; "ground" is the
-        acceleration of the ground, whose opposite the mass feels.
+        Positive is down-slope, whichever way the slope faces. "driving" is the acceleration that acts on the mass;
+        "ground" is that of the ground, which acts on the mass with the opposite sign.
     gravity : float, optional
-        m/s^2, over which accelerations in other units than g are taken.
+        By which accelerations in other units than g are divided, m/s^2.
 
     Raises
     ------
     ValueError
-        Says which sample or argument is wrong; for values beyond 5 g, which unit they may be in.
+        Names the sample or argument; for values beyond 5 g, also the unit they may be in.
     """
 
     def __init__(
@@ -182,7 +182,7 @@ def read_pore_pressure(
     Raises
     ------
     ValueError
-        Names the file, the line, the value, what is allowed and what to do.
+        Names the file, the line, the value, what is allowed, and the remedy.
     """
     found = _read(PORE_PRESSURE, path, units, column, step, start, gaps)
     is_ratio = found.units == "ratio"

@@ -44,6 +44,7 @@ class SlopeArrays(NamedTuple):
     surcharge: Any = ()  # from x1 to x2, q1 and q2
     crack: Any = 0.0
     crack_water: Any = 0.0
+    k_h_on_surcharge: bool = False
 
     def only(self, lanes: Any) -> SlopeArrays:
         """Some of n slopes."""

@@ -20,33 +20,33 @@ Range = tuple[float, float]
 
 @dataclass(frozen=True)
 class Critical:
-    """A circle with its factors of safety, and what it took to find it.
+    """A circle with its factors of safety, and data of the search.
 
     Attributes
     ----------
     slope : Slope
     factor_of_safety : dict
-        By method, with the slope's k_h; None where a method refuses the circle.
+        By method, with the k_h of the slope; None where a method does not apply to the circle.
     factor_of_safety_without_k_h : dict or None
-        The same without, from which a motion starts; None where the slope has no k_h.
+        Without k_h, from which a motion starts; None if the slope has no k_h.
     centre, radius : tuple of float, float
         m.
     entry, exit : tuple of float
         Upper and lower end of the slip surface, m.
     facing : int
-        1 where the mass slides to the right, -1 to the left, 0 where nothing drives it.
+        1 if the mass slides to the right, -1 if to the left, 0 if nothing drives it.
     negative : float
         Share of the arc under negative effective normal stress, by the ordinary method or by Bishop's, if greater.
     warning : str
-        That a fifth of the arc and more is under negative stress, or that the circle reaches an end of the ground or a
-        limit of the search, beyond which a lesser factor may lie.
+        If a fifth of the arc or more is under negative stress, or the circle reaches an end of the ground or a limit of
+        the search, beyond which the factor may be lower.
     method, limits : str, mapping
-        Whose factor is the least, and what limited the search; empty for a circle that was given.
+        Method that was minimised, and limits of the search; empty for a given circle.
     tried, refused : int
-        Circles, and those of them without a factor: off the ground, too shallow, overhanging, or with m_alpha below
-        0.05.
+        Number of circles evaluated, and of those without a factor: off the ground, too shallow, overhanging, or with
+        m_alpha below 0.05.
     centres, values : ndarray
-        Of every circle that was tried: its centre, (tried, 2), and its factor or NaN; for a map.
+        Centre of every circle evaluated, (tried, 2), and its factor or NaN, for a map.
     """
 
     slope: Slope = field(repr=False, compare=False)
@@ -68,11 +68,11 @@ class Critical:
 
     @property
     def between(self) -> tuple[float, float]:
-        """x of both ends, from left to right: which of the circle's stretches it is."""
+        """x of both ends, from left to right, which selects one of the masses that the circle cuts off."""
         return min(self.entry[0], self.exit[0]), max(self.entry[0], self.exit[0])
 
     def without_map(self) -> "Critical":
-        """The same without the circles that were tried, which are many."""
+        """A copy without the circles that were evaluated."""
         return replace(self, centres=self.centres[:0], values=self.values[:0])
 
     def record(self) -> dict[str, Any]:
@@ -98,7 +98,7 @@ def critical(
     depth: float = 0.0,
     tell: Callable[[str], None] = lambda _: None,
 ) -> Critical:
-    """The circle of the least factor of safety.
+    """Search the circle of least factor of safety.
 
     Parameters
     ----------
@@ -106,24 +106,24 @@ def critical(
     method : str
         paper, ordinary or bishop.
     entry, exit : pair of float, optional
-        Least and greatest x of the upper and the lower end, m; both may be equal.
+        Least and greatest x of the upper and of the lower end, m; they may be equal.
     depth : float
-        Least thickness of the mass, along the radius, m: keeps skins out.
+        Least thickness of the mass along a radius, m, which excludes shallow slips.
     tell : callable, optional
-        Takes a line of progress.
+        Called with lines of progress.
 
     Raises
     ------
     ValueError
-        If the slope has no critical circle (level ground, c = 0 without a least depth, phi = 0 without a base where
-        deeper is ever worse), or no circle is left by what is asked for.
+        If the slope has no critical circle (level ground; c = 0 without a least depth; phi = 0 without a base, where
+        deeper circles are always more critical), or no circle satisfies the limits.
 
     Notes
     -----
-    Each circle leads from one point of the ground to another, and is judged by what it cuts off between them: ground
-    vertices are always among these points (of a ground of more than 48, evenly chosen ones), and circles open up to
-    the one that is upright at an end or touches the base. The best valleys of this coarse family are followed to 1e-5
-    of its spacing. Deterministic.
+    Each circle connects two points of the ground and is evaluated for the mass that it cuts off between them. Ground
+    vertices are always among these points (evenly chosen ones if there are more than 48), and circles deepen up to the
+    one that is vertical at an end or touches the base. The best valleys of this coarse family are refined to 1e-5 of
+    its spacing. Deterministic.
     """
     raise_all("critical", _mistakes(slope, method, {"entry": entry, "exit": exit}, depth))
     search = Search(slope, method, entry, exit, depth)

@@ -48,6 +48,7 @@ class _Slices(NamedTuple):
     cohesion: Floats
     friction: Floats  # of each interval, as the next
     k_h: Floats
+    k_h_on_load: Floats
 
     def sum_of_surfaces(self, values: Any) -> Floats:
         """Of values for each surface."""
@@ -57,15 +58,17 @@ class _Slices(NamedTuple):
         """k_h of each surface, (surfaces, 1, intervals)."""
         return self.shaken[:, None, None] * self.k_h
 
-    def driving_moment(self, k_h: Any) -> Floats:
-        """About the centre, over each point's angle."""
+    def driving_moment(self, k_h: Any, k_h_on_load: Any) -> Floats:
+        """About the centre, over each point's angle; k_h times a load acts at the ground."""
         by_surface = slopes.drive(self.sine, self.cosine, self.tops + self.cosine, k_h)
-        return self.sum_of_surfaces(by_surface) + slopes.drive(self.sine, self.cosine, self.load, 0.0)
+        of_load = slopes.drive(self.sine, self.cosine, self.load, 0.0)
+        return self.sum_of_surfaces(by_surface) + of_load - k_h_on_load * self.load * self.cosine * self.ground
 
     def ordinary_normal(self) -> Floats:
         """Effective normal stress of the ordinary method."""
         by_surface = slopes.ordinary_normal(self.sine, self.cosine, self.tops + self.cosine, 0.0, self.coefficients())
-        return self.sum_of_surfaces(by_surface) + self.load * self.cosine**2 - self.uplift
+        of_load = self.load * self.cosine * (self.cosine + self.k_h_on_load * self.sine)
+        return self.sum_of_surfaces(by_surface) + of_load - self.uplift
 
     def radial_normal(self) -> Floats:
         """Effective normal stress of the paper's method by strips: the weights of (2.23) straight above."""
@@ -74,7 +77,8 @@ class _Slices(NamedTuple):
         if np.any(self.k_h):
             tilt = slopes.radial_tilt(self.sine, self.cosine, self.tops + self.cosine, distance)
             by_surface = by_surface + self.coefficients() * tilt
-        on_ground = self.load * self.cosine * -self.ground / np.hypot(self.sine, self.ground)
+        towards_arc = (self.k_h_on_load * self.sine - self.ground) / np.hypot(self.sine, self.ground)
+        on_ground = self.load * self.cosine * towards_arc
         return self.sum_of_surfaces(by_surface) + on_ground - self.uplift
 
     def bishop_normal(self, factor: Floats) -> Floats:
@@ -122,8 +126,8 @@ def circle_factors(
     Returns
     -------
     dict of ndarray
-        Factors by method, NaN where it refuses the circle. ``facing``: 1 where the mass slides to the right, -1 to the
-        left, 0 where nothing drives it. ``negative``: share of the arc under negative effective normal stress, by the
+        Factors by method, NaN where it refuses the circle. ``facing``: 1 if the mass slides to the right, -1 if to the
+        left, 0 if nothing drives it. ``negative``: share of the arc under negative effective normal stress, by the
         ordinary method or by Bishop's, if greater.
 
     Notes
@@ -141,7 +145,7 @@ def circle_factors(
         first, last, valid = _cracked(slope, centre, radius, first, last, facing, valid)
         slices = _slices(slope, points_along(slope, centre, radius, first, last, valid, pieces))
     slices = slices.facing(facing)
-    driving = slices.integral(slices.driving_moment(slices.coefficients()))
+    driving = slices.integral(slices.driving_moment(slices.coefficients(), slices.k_h_on_load))
     driving += _crack_water(slope, radius, np.where(facing > 0.0, first, last))
     driving = np.where(valid & (facing != 0.0) & (driving > negligible), driving, np.nan)
     length = np.where(valid, last - first, np.nan)
@@ -171,7 +175,7 @@ def _below_ground(slope: SlopeArrays, centre: Floats, first: Floats, last: Float
 
 def _facing(slices: _Slices) -> tuple[Floats, Floats]:
     """Which way gravity drives each arc, 0 where it does not, and the moment that is as good as none."""
-    by_gravity = slices.integral(slices.driving_moment(0.0))
+    by_gravity = slices.integral(slices.driving_moment(0.0, 0.0))
     negligible = 1e-9 * slices.integral(slices.cosine * slices.vertical)
     return np.where(np.abs(by_gravity) > negligible, np.sign(by_gravity), 0.0), negligible
 
@@ -310,6 +314,7 @@ def _slices(slope: SlopeArrays, points: Points) -> _Slices:
         cohesion=_cohesion(slope, points, layers),
         friction=layers.at_base(points.of_layers([soil.friction for soil in slope.soils])),
         k_h=points.of_interval(slope.k_h),
+        k_h_on_load=points.of_interval(slope.k_h) * slope.k_h_on_surcharge,
     )
 
 

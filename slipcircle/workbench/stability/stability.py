@@ -24,35 +24,35 @@ METHODS: Mapping[str, tuple[str, str]] = {
     "paper": (
         "the paper's method (mean normal stress)",
         "c + mu max(0, s), s the mean of the effective normal stress "
-        "over the arc, to which every point of the mass gives its weight times the cosine of its own direction "
+        "over the arc: every point of the mass contributes its weight times the cosine of its direction "
         "from the centre (2.23)",
     ),
     "ordinary": (
         "the ordinary method (Fellenius)",
-        "c + mu (W cos a - k_h W sin a - u l)/l: the cosine is that of the "
-        "base below the point, which is the larger one",
+        "c + mu (W cos a - k_h W sin a - u l)/l: a is the dip of the "
+        "base below the point, so that the cosine is the larger one",
     ),
     "bishop": (
         "Bishop's simplified method",
-        "[c + mu (W/b - u)] cos a/m_alpha, m_alpha = cos a + sin a mu/F: slices "
-        "push each other horizontally, which presses steep bases more",
+        "[c + mu (W/b - u)] cos a/m_alpha, m_alpha = cos a + sin a mu/F: horizontal "
+        "forces between slices increase the normal stress on steep bases",
     ),
 }
 COMPARED = """\
-The factor is the moment of that strength about the centre over that of the weight, and of k_h times the weight at \
-half the slices' height. The three agree where mu = 0, and nearly where the arc hardly turns below the mass. On the \
-circle of real-slope they are 0.942, 0.950 and 0.985; with r_u = 0.5 and its own circle 0.431, 0.443 and 0.499: the \
-paper's is the least, by 4 % and by 14 % of Bishop's, as water takes from steep bases what is added there. It is what \
-the motion starts from, so that a slope may stand by Bishop's factor and slide by the paper's. Below a water \
-level the paper's is least on circles that open up to half discs, where Bishop's is twice and three times that: look \
-for Bishop's, or give a base. An [arc] has the paper's alone, as nothing is known of the ground beside its chord. A \
-pressure in kPa is the same along the arc.
+The factor is the moment of this strength about the centre, divided by that of the weight and of k_h times the weight \
+at half the height of the slices. The three agree for mu = 0, and nearly for flat arcs. On the circle of real-slope \
+they are 0.942, 0.950 and 0.985; with r_u = 0.5, on the circle that is then critical, 0.431, 0.443 and 0.499. The \
+paper's factor is the lowest, by 4 % and by 14 % of Bishop's, which counts on more normal stress on steep bases. The \
+motion starts from the paper's factor, so that a slope may be stable by Bishop's and slide. Below a water level the \
+paper's factor is least on circles close to half discs, where Bishop's is two to three times as high: minimise \
+Bishop's, or give a base. An [arc] has the paper's factor only, as its ground is not known. A pressure in kPa is \
+uniform along the arc.
 
-Near the top of steep slopes, and where much water presses, Bishop's slices and Fellenius' hang on the base: their \
-effective normal stress is negative, and friction works against the slope. The share of such arc is told, and warned \
-of from a fifth on. Beside Taylor's friction circles Bishop's least factor is right to 1 % below a share of 14 %, and \
-2 % too small at 25 %, 5 % at 34 % and 9 % at 48 %, on vertical cuts with friction; with those stresses set to 0 it \
-would be 4 to 23 % too great there. With mu = 0 the share is without meaning."""
+Near the top of steep slopes, and under high water pressure, the effective normal stress of slices is negative by \
+Bishop's and by the ordinary method, and friction acts against stability. The share of such arc is printed, with a \
+warning from 20 % on. Compared with Taylor's friction circles on vertical cuts with friction, Bishop's least factor is \
+accurate to 1 % for a share below 14 %, and 2 % too low at 25 %, 5 % at 34 % and 9 % at 48 %; with those stresses set \
+to 0 it would be 4 to 23 % too high. For mu = 0 the share has no meaning."""
 _BLOCK = 1 << 10  # sections at a time: their slices stay in the caches
 
 
@@ -71,26 +71,28 @@ class Slope:
     unit_weight : float
         gamma, N/m^3.
     level : array_like, optional
-        Points of the water level from left to right, (W, 2), m; beyond its ends it goes on horizontally.
+        Points of the water level from left to right, (W, 2), m; it continues horizontally beyond them.
     water_unit_weight : float
         N/m^3.
     pore_ratio : float
         r_u, pore pressure over gamma h, h the height of the ground above the arc; not with a level.
     pressure : float
-        Pore pressure all along the arc, Pa, beside that of level or ratio.
+        Uniform pore pressure along the arc, Pa, in addition to that of level or ratio.
     k_h : float
         Horizontal acceleration over g, positive down-slope.
     base : float, optional
         y of a firm layer, m: no circle goes below.
     layers : sequence of pairs, optional
-        Soils from the ground down, each with its top, as of a `LayeredSection`; in the place of cohesion, friction,
-        unit weight and pore ratio.
+        Soils from the ground down, each with its top, as for a `LayeredSection`; in place of cohesion, friction, unit
+        weight and pore ratio.
     surcharge : sequence of (x1, x2, q1, q2)
-        Pressures on the ground, Pa, linear from x1 to x2; k_h does not act on them.
+        Pressures on the ground, Pa, linear from x1 to x2.
     pond : float, optional
-        Level of standing water, m. Without a water level it is that of the ground water too.
+        Level of standing water, m; without a water level also that of the ground water.
     crack, crack_water : float
-        Depth of a tension crack at the upper end of an arc, and how high water stands in it, m.
+        Depth of a tension crack at the upper end of an arc, and height of the water in it, m.
+    k_h_on_surcharge : bool
+        Whether k_h acts on the surcharges, at the ground.
 
     Raises
     ------
@@ -113,6 +115,7 @@ class Slope:
     pond: float | None = None
     crack: float = 0.0
     crack_water: float = 0.0
+    k_h_on_surcharge: bool = False
 
     def __post_init__(self) -> None:
         given = {name: value for name, value in vars(self).items() if name not in _LAYERED}
@@ -143,7 +146,7 @@ class Slope:
 
     def arrays(self) -> SlopeArrays:
         """For `circle_factors`."""
-        names = ("water_unit_weight", "pressure", "k_h", "pond", "crack", "crack_water")
+        names = ("water_unit_weight", "pressure", "k_h", "pond", "crack", "crack_water", "k_h_on_surcharge")
         numbers: dict[str, Any] = {n: getattr(self, n) for n in names}
         ground = np.asarray(self.ground)[None]
         level = None if self.level is None else np.asarray(self.level)[None]
@@ -158,7 +161,7 @@ class Slope:
         return SlopeArrays(ground, soils, tops, level, surcharge=self.surcharge, **numbers)
 
 
-_LAYERED = ("layers", "surcharge", "pond", "crack", "crack_water")
+_LAYERED = ("layers", "surcharge", "pond", "crack", "crack_water", "k_h_on_surcharge")
 _OF_ONE_SOIL = ("cohesion", "friction", "unit_weight", "pore_ratio")
 
 

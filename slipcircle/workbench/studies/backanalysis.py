@@ -30,13 +30,12 @@ _AT_END = 1e-6  # of a range
 
 
 class Unattainable(ValueError):
-    """No value of the field gives what was observed.
+    """No value of the field gives the observation.
 
     Attributes
     ----------
     attainable : dict
-        Of the observed output its lowest and its highest value, each with the value of the field there; empty where
-        several fields were searched.
+        Lowest and highest value of the observed output, each with the value of the field; empty for several fields.
     """
 
     def __init__(self, message: str, attainable: dict[str, tuple[tuple[float, float], tuple[float, float]]]) -> None:
@@ -100,19 +99,19 @@ class Solution:
 
 @dataclass(frozen=True)
 class BackAnalysis:
-    """Which numbers of a scene explain observations.
+    """Numbers of a scene that explain observations.
 
     Attributes
     ----------
     units : dict of str
-        Unit of each field, as its key in a scene file has it.
+        Unit of each field, that of its key in a scene file.
     observed : dict
         Value and standard error (None if not given) of each observation.
     solutions : tuple of Solution
-        The fewest swings first, or, for a fit, the best one first.
+        Ordered by the number of swings, or, for a fit, the best one first.
     method : str
     warnings : tuple of str
-        What to know before the values are used.
+        Warnings about the results.
     """
 
     units: dict[str, str]
@@ -123,7 +122,7 @@ class BackAnalysis:
 
     @property
     def value(self) -> float:
-        """Of the first solution and field."""
+        """Value of the first solution and field."""
         return self.solutions[0].value
 
     @property
@@ -133,7 +132,7 @@ class BackAnalysis:
 
     @property
     def standard_error(self) -> float | None:
-        """Of the first solution and field."""
+        """Value of the first solution and field."""
         return self.solutions[0].standard_error
 
     @property
@@ -152,37 +151,37 @@ def backanalyse(
     field: str | Sequence[str] | None = None,
     bounds: Bounds | Mapping[str, Bounds] | None = None,
 ) -> BackAnalysis:
-    """Find the values of one field, or of several, with which the scene moves as observed.
+    """Find the values of one or several fields with which the scene moves as observed.
 
     Parameters
     ----------
     scene : Scene
-        Its own values of the fields do not count.
+        Its values of the fields are ignored.
     reach, run_out, peak_velocity, duration : float or tuple of float, optional
-        Observed value, or value and standard error; m, m, m/s, s; signed as `Motion` gives them. One at least. One
-        alone is met exactly by one field, several in the sense of least squares.
+        Observed value, or value and standard error; m, m, m/s, s; signs as in `Motion`. At least one. A single
+        observation is met exactly by one field, several in the sense of least squares.
     field : str or sequence of str, optional
         Numbers by their keys in a scene file, ``friction.angle_deg`` (by default, where the law has one angle),
-        ``cohesion.cohesion_kPa``, whether the scene has a value of them or not; or in SI units by their names,
-        ``friction``; an effect's name where it has one number. ``arc.dip_deg`` or ``dip`` turns both ends of the arc; a
-        section's coordinates are ``circle.centre_m.x``, ``ground.points_m.3.y`` or ``water.level_m.0.y``, points by
-        their number from 0. Several need as many observations at least.
+        ``cohesion.cohesion_kPa``, whether or not the scene has a value of them; or in SI units by their names,
+        ``friction``; or the name of an effect with a single number. ``arc.dip_deg`` or ``dip`` turns both ends of the
+        arc; coordinates of a section are ``circle.centre_m.x``, ``ground.points_m.3.y`` or ``water.level_m.0.y``,
+        points by their number from 0. Several fields need at least as many observations.
     bounds : tuple of float, or mapping of such by field, optional
-        Where to search, in the field's unit; by default a range wide enough for it.
+        Range to search, in the unit of the field; by default a wide one.
 
     Raises
     ------
     Unattainable
-        If no value in the range explains the observation: says what is attainable, and at which values.
+        If no value in the range explains the observation; names the attainable range and its values.
     ValueError
-        For mistakes in the arguments, and where the observations cannot tell the fields apart.
+        For mistakes in the arguments, and if the observations cannot distinguish the fields.
 
     Notes
     -----
-    Run-out and peak velocity fall with friction as long as the mass does not turn back: E(x) does, at every x. Weak
-    friction lets it swing, and the same run-out then has several solutions; motions that turn back more than 12 times
-    are left out. Of several fields all different minima that are found, and fit about as well as the best one, are
-    given. There may be others.
+    Run-out and peak velocity decrease with friction as long as the mass does not turn back. With low friction it
+    swings, and the same run-out then has several solutions; motions that turn back more than 12 times are not
+    considered. For several fields, all distinct minima that fit about as well as the best one are given. There may be
+    others.
 
     Examples
     --------

@@ -81,30 +81,30 @@ def ensemble(
     progress: IO[str] | None = None,
     correlation: Mapping[tuple[str, str], float] | None = None,
 ) -> Study:
-    """Study a scene: solve it for samples of its uncertain numbers.
+    """Solve a scene for samples of its uncertain numbers.
 
     Parameters
     ----------
     scene, n : Scene and int
-        With ``uncertain`` numbers, independent but for ``correlation``; how many samples.
+        A scene with ``uncertain`` numbers, independent except for ``correlation``, and the number of samples.
     rng : int, SeedSequence or Generator, optional
-        The seed, or what one is drawn from; the same seed gives the same bits with any executor.
+        Seed, or source of one; the same seed gives bitwise the same results with any executor.
     executor : concurrent.futures.Executor or dask.distributed.Client, optional
-        Where blocks are computed; by default in threads, one for each processor.
+        Where blocks are computed; by default one thread per processor.
     method : str, optional
         "monte-carlo"; "sobol": 16 independently scrambled sequences, whose spread gives the intervals; or
-        "latin-hypercube", in memory, whose intervals are those of Monte Carlo: too wide.
+        "latin-hypercube", in memory, whose intervals are those of Monte Carlo and therefore too wide.
     sensitivity : int, optional
-        Base points of the sensitivity indices, of as many scenes each as there are inputs and 2; at most 16384 and n.
+        Base points of the sensitivity indices, each with (inputs + 2) scenes; by default n, at most 16384.
     keep, size : bool and int, optional
-        Whether to keep the samples, by default up to 2**20, or to count them in bins, 1/1024 wide; samples of a block,
-        a power of two, by default so that there are eight blocks at least.
+        Whether to keep the samples (by default up to 2**20 of them) or to count them in bins of relative width 1/1024;
+        samples of a block, a power of two, by default for at least eight blocks.
     confidence, accuracy : float, optional
-        Of all intervals; relative error asked for of each solution, by default the scene's own, or 1e-9.
+        Confidence of all intervals; requested relative error of each solution, by default that of the scene, or 1e-9.
     folder, progress : path and stream, optional
-        Where finished blocks are kept, and found by a later call that continues; where the rate is shown.
+        Folder of finished blocks, from which a later call continues; stream for the progress.
     correlation : mapping, optional
-        Of the normal scores of two uncertain numbers (a Gaussian copula), by a pair of their keys.
+        Correlation of the normal scores of two uncertain numbers (a Gaussian copula), by a pair of their keys.
 
     Examples
     --------
@@ -214,7 +214,7 @@ def grid(
     folder: str | os.PathLike[str] | None = None,
     progress: IO[str] | None = None,
 ) -> Study:
-    """Solve a scene at every combination of given values; ``samples`` has them, the last key's fastest.
+    """Solve a scene at every combination of given values; in ``samples`` the last key varies fastest.
 
     Parameters
     ----------

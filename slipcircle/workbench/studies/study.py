@@ -57,20 +57,20 @@ class Convergence(NamedTuple):
 
 
 class Study(Pictured):
-    """Statistics of solved samples; intervals hold with the confidence at each place, not everywhere at once.
+    """Statistics of solved samples; the confidence of intervals is pointwise, not simultaneous.
 
     Attributes
     ----------
     design : Design
     seed, size : int
-        With which the same numbers come again.
+        Repeat the same samples.
     confidence : float
     sensitivity : mapping
-        `Indices` of each output, and of whether the mass moves, where there is more than one input.
+        `Indices` of each output, and of whether the mass moves, if there is more than one input.
     convergence : list of Convergence
-        Of the reach: its median and its 95 % quantile.
+        Convergence of the median and of the 95 % quantile of the reach.
     samples : mapping
-        Inputs by key, in the key's unit, outputs and status, where they were kept.
+        Inputs by key, in the unit of the key, outputs and status, if they were kept.
     """
 
     def __init__(self, design: Design, confidence: float, results: Iterable[Result]) -> None:
@@ -128,7 +128,7 @@ class Study(Pictured):
 
     @property
     def scene(self) -> Scene:
-        """Whose numbers vary."""
+        """The scene whose numbers vary."""
         return self.design.scene
 
     # -- tables -------------------------------------------------------------------------------------------------------
@@ -169,9 +169,8 @@ class Study(Pictured):
         return self.samples
 
     def to_dict(self) -> dict[str, Any]:
-        """What JSON holds of it: statistics, curves, indices; SI units but for inputs.
-
-        None for what cannot be said, "beyond" for a quantile among samples that slide to no known end.
+        """Statistics, curves and indices for JSON, in SI units except for inputs. None if undefined, "beyond" for a
+        quantile among samples that move without a result.
         """
         return export.record(self)
 
@@ -207,7 +206,7 @@ class Study(Pictured):
 
     @property
     def n(self) -> int:
-        """Samples that are scenes, of which all statistics are."""
+        """Number of valid samples, to which all statistics refer."""
         return int(self._valid.sum())
 
     @property
@@ -217,7 +216,7 @@ class Study(Pictured):
 
     @property
     def without_result(self) -> int:
-        """Samples that slide, but not to a known end: they move, and exceed every threshold."""
+        """Samples that move but have no result; they count as exceeding every threshold."""
         return int(self.counts[[*NO_RESULT]].sum())
 
     @property
@@ -230,7 +229,7 @@ class Study(Pictured):
     def failure(self) -> Mapping[str, Estimate]:
         """Probability that the factor of safety at the start is below 1, by method.
 
-        Where some samples have no such factor its value is NaN, and its interval holds whatever they were.
+        If some samples have no such factor the value is NaN, and the interval covers all possibilities.
         """
         found = {}
         for method, counts in self._failing.items():
@@ -264,9 +263,9 @@ class Study(Pictured):
     # -- statistics of outputs ----------------------------------------------------------------------------------------
 
     def quantile(self, output: str, p: float) -> Estimate:
-        """A quantile of an output; its value is a sample's where they were kept, else within `BIN_ERROR` of it.
+        """A quantile of an output; the value of a sample if they were kept, otherwise within `BIN_ERROR` of it.
 
-        Infinite where it lies among the samples that slide to no known end.
+        Infinite if it lies among the samples that move without a result.
         """
         if not self.n:
             return NOT_GIVEN
@@ -297,11 +296,11 @@ class Study(Pictured):
         return np.sort(self.samples[output][~np.isin(status, [*NO_RESULT, Status.INVALID])])
 
     def mean(self, output: str) -> Estimate:
-        """Mean of an output; what does not move counts as 0. Not given where some slide to no known end."""
+        """Mean of an output; samples that do not move count as 0. None if some samples move without a result."""
         return self._interval(*self._sampled(output)[:2])
 
     def std(self, output: str) -> Estimate:
-        """Standard deviation of an output; what does not move counts as 0."""
+        """Standard deviation of an output; samples that do not move count as 0."""
         return self._interval(*self._sampled(output)[2:])
 
     def _sampled(self, output: str) -> Spread:
@@ -315,7 +314,7 @@ class Study(Pictured):
 
     @property
     def linear(self) -> Mapping[str, Linear]:
-        """Mean and standard deviation of each output by linear propagation; empty where there is no derivative."""
+        """Mean and standard deviation of each output by linear propagation; empty if there is no derivative."""
         return self._linear[0]
 
     @property
@@ -333,21 +332,21 @@ class Study(Pictured):
             return {}, str(error)
 
     def exceedance(self, output: str, points: int = 101) -> Exceedance:
-        """Probability that an output is at least so large, at edges of bins, where it has no bin error."""
+        """Exceedance probability of an output at the edges of bins, where there is no bin error."""
         if not self.n:
             return Exceedance(*np.empty((4, 0)))
         at, counts = self._tallies[output].exceeding(points)
         return Exceedance(at, *self._probability(counts))
 
     def bins(self, output: str) -> Floats:
-        """The histogram of an output: from, to and how many, in rows; only bins that hold any, infinity the last."""
+        """Histogram of an output: rows of from, to and count, for bins that are not empty; the last may be infinite."""
         return self._tallies[output].table()
 
     # -- what to know -------------------------------------------------------------------------------------------------
 
     @property
     def warnings(self) -> list[str]:
-        """What to know before the numbers are used."""
+        """Warnings about the results."""
         found = self._circle_warnings()
         is_grid, total = self.design.method == "grid", int(self.counts.sum())
         scenes = "scenes" if is_grid else "samples"

@@ -1,0 +1,176 @@
+"""What a mass weighs on its arc, direction by direction: integrals along the arc of the material straight above it.
+
+The strip above a direction beta of the arc presses with A(beta) cos(phi) - B(beta) sin(phi) + P(beta) omega^2 once it
+has turned by phi (`derive.algebra.slopes` proves it). With y its top over R from the centre, x = sin(beta),
+c = cos(beta), rho^2 = x^2 + y^2, and dx = c dbeta, the integrals over y from the arc at -c to the top are
+
+    of 1, rho, rho^2, x/rho, y/rho, x, y:  h,  (y rho + c + x^2 L)/2,  x^2 h + (y^3 + c^3)/3,  x L,  rho - 1,  x h,
+    (y^2 - c^2)/2,  where h = y + c and L = ln((1 + c)/(rho - y)).
+
+Written with h and 1 - rho^2 = h (2 c - h) nothing cancels in thin masses. They are smooth between the edges of strips;
+there they are integrated as series of Chebyshev, in pieces that are halved until the series have converged.
+"""
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.core.scene.strips import Strips
+
+Floats = NDArray[np.float64]
+AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y, HEAD = range(8)  # rows; the head is over beta, not x
+MOMENTS = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
+_COUNT = 14  # of the coefficients of a piece
+_NODES = np.cos(np.pi * (np.arange(_COUNT) + 0.5) / _COUNT)
+_ACCURACY = 1e-15
+_SHORTEST = 1e-4  # width of a piece, rad
+
+
+def _integrating() -> Floats:
+    """From values at the nodes to the coefficients of the integral from the left end, (`_COUNT` + 1, `_COUNT`)."""
+    basis = np.polynomial.chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0)
+    return np.asarray(basis @ _TO_CHEBYSHEV)
+
+
+_TO_CHEBYSHEV = np.linalg.inv(np.polynomial.chebyshev.chebvander(_NODES, _COUNT - 1))
+_INTEGRAL = _integrating()
+
+
+class Profile(NamedTuple):
+    """Integrals along arcs from their left ends, in pieces.
+
+    Attributes
+    ----------
+    edges : ndarray
+        Directions at which pieces begin, and the right end, (pieces + 1, circles).
+    before : ndarray
+        The integrals up to there, (pieces + 1, integrals, surfaces, circles).
+    series : ndarray
+        Coefficients of Chebyshev of the integral within each piece, (pieces, terms, integrals, surfaces, circles).
+    """
+
+    edges: Floats
+    before: Floats
+    series: Floats
+
+    def up_to(self, beta: Floats) -> Floats:
+        """The integrals up to directions (M, circles) within the arcs, (integrals, surfaces, M, circles)."""
+        inside = np.clip(beta, self.edges[0], self.edges[-1])
+        piece = np.zeros(inside.shape, dtype=np.intp)
+        for edge in self.edges[1:-1]:
+            piece += inside.real >= edge.real
+        circle = np.arange(inside.shape[1])
+        first = self.edges[piece, circle]
+        width = self.edges[piece + 1, circle] - first
+        share = (inside - first) / np.where(width != 0.0, width, 1.0)
+        place = (4.0 * share - 2.0)[:, :, None, None]  # twice what series of Chebyshev are of
+        ahead = np.zeros((*inside.shape, *self.before.shape[1:3]), dtype=self.series.dtype)
+        after = ahead
+        for k in range(self.series.shape[1] - 1, 0, -1):  # Clenshaw's recurrence
+            ahead, after = self.series[piece, k, :, :, circle] + place * ahead - after, ahead
+        total = self.before[piece, :, :, circle] + self.series[piece, 0, :, :, circle] + place / 2 * ahead - after
+        return np.moveaxis(total, (2, 3), (0, 1))
+
+    @property
+    def whole(self) -> Floats:
+        """The integrals over the whole arcs, (integrals, surfaces, circles)."""
+        return np.asarray(self.before[-1])
+
+    def of(self, rows: Sequence[int]) -> "Profile":
+        """Some of the integrals."""
+        return Profile(self.edges, self.before[:, rows], self.series[:, :, rows])
+
+    def combined(self, steps: Floats) -> "Profile":
+        """Of one surface that stands for all: their sum with steps of the unit weight, (surfaces,)."""
+        before = np.einsum("kisc,s->kic", self.before, steps)[:, :, None]
+        series = np.einsum("ktisc,s->ktic", self.series, steps)[:, :, :, None]
+        return Profile(self.edges, before, series)
+
+
+class _Piece(NamedTuple):
+    """A part of the arcs: its ends, (circles,), and the series of its integrals."""
+
+    first: Floats
+    last: Floats
+    series: Floats
+
+
+def profile_of(strips: Strips) -> Profile:
+    """The integrals along the arcs of masses in strips, of a unit weight below each surface.
+
+    Where there are loads they are the last surface, and their mass lies on the ground.
+    """
+    pieces = sorted(_converged(strips), key=lambda piece: float((piece.first + piece.last).real.sum()))
+    firsts, lasts, series = (np.stack(column) for column in zip(*pieces, strict=True))
+    each = series.sum(axis=1)  # at the right end every polynomial of Chebyshev is 1
+    before = np.concatenate([np.zeros_like(each[:1]), np.cumsum(each, axis=0)])
+    return Profile(np.concatenate([firsts, lasts[-1:]]), before, series)
+
+
+def _converged(strips: Strips) -> list[_Piece]:
+    """Pieces in which the series have converged: strips, or parts of them."""
+    beta = strips.beta.T
+    first, last = beta[:-1], beta[1:]
+    strip = np.arange(len(first))
+    done = list[_Piece]()
+    scale = 0.0
+    while len(strip):
+        half = (last - first) / 2
+        nodes = first + half * (1.0 + _NODES[:, None, None])
+        values = half * _integrands(strips, strip, nodes)
+        chebyshev = np.tensordot(_TO_CHEBYSHEV, values, (1, 2))  # terms, integrals, surfaces, pieces, circles
+        scale = max(scale, float(np.abs(chebyshev).max(initial=0.0)))
+        tail = np.abs(chebyshev[-2:]).max(axis=(0, 1, 2))
+        rough = (tail > _ACCURACY * scale).any(axis=1) & (2 * half.real > _SHORTEST).any(axis=1)
+        series = np.tensordot(_INTEGRAL, values[:, :, :, ~rough], (1, 2)).transpose(3, 0, 1, 2, 4)
+        done += map(_Piece, first[~rough], last[~rough], series)
+        middle = (first + last)[rough] / 2
+        first, last = np.concatenate([first[rough], middle]), np.concatenate([middle, last[rough]])
+        strip = np.concatenate([strip[rough], strip[rough]])
+    return done
+
+
+def _integrands(strips: Strips, strip: NDArray[np.intp], beta: Floats) -> Floats:
+    """What is integrated, at directions (nodes, pieces, circles) in strips: (integrals, surfaces, nodes, ...)."""
+    x = np.sin(beta)
+    c = np.cos(beta)
+    beyond = x - strips.x.T[strip]
+    y = _by_strip(strips.y, strip) + _by_strip(strips.slope, strip) * beyond
+    h = np.where(_by_strip(strips.above, strip) & (y + c > 0.0), y + c, 0.0)
+    columns = _over_height(x, c, h)
+    if strips.loads:
+        middle = (strips.x.T[strip] + strips.x.T[strip + 1]) / 2
+        on_ground = strips.y[0].T[strip] + strips.slope[0].T[strip] * beyond
+        columns = np.concatenate([columns, _of_loads(strips, x, on_ground, middle)[:, None]], axis=1)
+    return np.asarray(columns * c)
+
+
+def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
+    """The integrals over y from the arc up to a height h above it; the last one, by beta, over c."""
+    gap = h * (2.0 * c - h)  # 1 - rho^2
+    rho = np.sqrt(1.0 - gap)
+    inward = gap / (1.0 + rho)  # 1 - rho
+    log = np.log1p((inward + h) / (rho + c - h))
+    square = x * x
+    polar = (h * rho + c * inward + square * log) / 2
+    inertia = h * (square + (h * h - 3.0 * c * h) / 3 + c * c)
+    return np.stack([h, polar, inertia, x * log, -inward, x * h, h * (h - 2.0 * c) / 2, h / c])
+
+
+def _by_strip(values: Any, strip: NDArray[np.intp]) -> Any:
+    """Of (surfaces, circles, strips) those of some strips, (surfaces, 1, pieces, circles)."""
+    return values[:, :, strip].transpose(0, 2, 1)[:, None]
+
+
+def _of_loads(strips: Strips, x: Floats, y: Floats, middle: Floats) -> Floats:
+    """The same of the loads on the ground at (x, y), over x: their pressures, times 1, rho, ... there."""
+    pressure = np.zeros_like(x)
+    for first, last, q_first, q_last in strips.loads:
+        share = (x - first[:, 0]) / (last[:, 0] - first[:, 0])
+        under = (middle > first[:, 0]) & (middle < last[:, 0])
+        pressure = pressure + np.where(under, q_first[:, 0] + share * (q_last - q_first)[:, 0], 0.0)
+    rho = np.sqrt(x * x + y * y)
+    values = np.stack(np.broadcast_arrays(1.0, rho, rho * rho, x / rho, y / rho, x, y, 0.0))
+    return np.asarray(values * pressure)

@@ -1,0 +1,127 @@
+"""The arc of a layered section by soils: length, weight above, stress and strength of each stretch at the start.
+
+Stresses are those of the closure of `slipcircle.core.scene.layers`: a stretch carries the weights of (2.23) of the
+material straight above it.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from slipcircle.core.scene.layers import LayeredSection
+from slipcircle.core.scene.profile import AREA, HEAD, RADIAL_Y, Floats
+from slipcircle.core.scene.soils import Soil
+
+_SHORT = 1e-9  # rad: shorter stretches are rounding
+
+
+class Stretch(NamedTuple):
+    """A stretch of the arc in one soil, before the mass moves.
+
+    Attributes
+    ----------
+    soil : Soil
+    start, end : float
+        Directions of its ends from the centre, rad from straight below, positive down-slope.
+    length : float
+        m.
+    weight_share : float
+        Of the material straight above it, over the weight of the mass.
+    normal_stress, pore_pressure : float
+        Their means along it, Pa; total stress.
+    strength : float
+        Mean of c + tan(phi) (sigma - u) with the peak friction, Pa.
+    """
+
+    soil: Soil
+    start: float
+    end: float
+    length: float
+    weight_share: float
+    normal_stress: float
+    pore_pressure: float
+    strength: float
+
+
+def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
+    """Stretches from the entry to the exit, of a single section.
+
+    Raises
+    ------
+    ValueError
+        If the section has lanes.
+    """
+    _one_lane(section)
+    layers, ends = _layers_along(section)
+    weight = _from_entry(section, AREA, ends)
+    shares = np.diff(weight) / weight[-1]
+    normal = mean_normal_stress(section, ends)
+    vertical = np.diff(_from_entry(section, HEAD, ends)) / np.diff(ends) * _radius(section)
+    growth = np.diff(section.arc_strength._growth(ends[:, None])[..., 0], axis=1) * _radius(section) / np.diff(ends)
+    rows = []
+    for k, layer in enumerate(layers):
+        soil = section.layers[layer][0]
+        ratio = float(np.asarray(soil.pore_ratio))
+        pressure = ratio * vertical[k] if ratio else _head(section, ends[k], ends[k + 1])
+        cohesion = np.asarray(soil.cohesion) + np.asarray(soil.cohesion_gradient) * growth[layer, k]
+        strength = float(cohesion + np.asarray(soil.peak) * (normal[k] - pressure))
+        start, end = float(ends[k]), float(ends[k + 1])
+        length = _radius(section) * (end - start)
+        rows.append(Stretch(soil, start, end, length, float(shares[k]), float(normal[k]), float(pressure), strength))
+    return tuple(rows)
+
+
+def mean_normal_stress(section: LayeredSection, directions: ArrayLike) -> Floats:
+    """Mean total normal stress between neighbouring directions, at the start, Pa; (M - 1,) of (M,).
+
+    Directions as in `Stretch`, increasing.
+    """
+    _one_lane(section)
+    ends = np.asarray(directions, dtype=np.float64)
+    force = -_from_entry(section, RADIAL_Y, ends)
+    return np.asarray(np.diff(force) / np.diff(ends) * _radius(section))
+
+
+def _one_lane(section: LayeredSection) -> None:
+    if section.lanes_shape or section.shape:
+        raise ValueError("stretches: of one section; this one has lanes")
+
+
+def _radius(section: LayeredSection) -> float:
+    return float(np.asarray(section.radius))
+
+
+def _layers_along(section: LayeredSection) -> tuple[list[int], Floats]:
+    """The layer of each stretch, and the directions of their ends, one more."""
+    (first,), (last,) = section.arc_strength.span
+    joints = section.arc_strength.stretches
+    layers, ends = [int(joints.first[0])], [float(first)]
+    for joint, after in zip(joints.joint[0], joints.after[0], strict=True):
+        if last - joint < _SHORT:
+            break
+        if joint - ends[-1] < _SHORT:
+            layers[-1] = int(after)
+        elif after != layers[-1]:
+            layers.append(int(after))
+            ends.append(float(joint))
+    return layers, np.array([*ends, last])
+
+
+def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> Floats:
+    """An integral of the weights from the entry to directions, over R or R^2, (M,)."""
+    (facing,), profile = section._facing, section.profile
+    up_to = profile.up_to(facing * directions[:, None])[integral, :, :, 0]
+    if facing < 0.0:
+        up_to = profile.whole[integral] - up_to
+    return np.asarray((up_to * section.weight_steps).sum(axis=0))
+
+
+def _head(section: LayeredSection, start: float, end: float) -> float:
+    """Mean pressure of the water level between two directions, Pa."""
+    if section.level is None:
+        return 0.0
+    (facing,) = section._facing
+    low, high = sorted((facing * start, facing * end))
+    height = float(section.heads_between(np.array([low]), np.array([high]))[0]) / (high - low)
+    return height * _radius(section) * float(np.asarray(section.water_unit_weight))

@@ -1,0 +1,219 @@
+"""The stretches of an arc along which soils lie, and what they carry after a rotation, for a unit weight.
+
+A quantity q of the soils summed over the stretches, with a cumulative integral C from the entry, is
+
+    q_last C(exit) + sum over the joints of stretches of (q_before - q_after) C(joint),
+
+so that only C at the joints depends on the rotation, and only the differences on the numbers of the soils.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.core.scene.profile import HEAD, POLAR, RADIAL_X, RADIAL_Y, Floats, Profile
+
+# What sections that differ in numbers of soils alone have in common.
+OF_GEOMETRY = ("stretches", "span", "rotation_kinks", "incidence")
+_PRESSING = (RADIAL_Y, RADIAL_X, POLAR, HEAD)  # the integrals that strength takes
+
+
+class Stretches(NamedTuple):
+    """Where the soil at the base changes along the arc: (circles, J) directions, and the soils above and below."""
+
+    joint: Floats
+    before: NDArray[np.intp]
+    after: NDArray[np.intp]
+    first: NDArray[np.intp]
+    last: NDArray[np.intp]
+
+    def incidence(self, soils: int) -> Floats:
+        """(q_before - q_after) at joints, q_last and -q_first of a quantity q of the soils, (J + 2, soils, circles).
+
+        Summed over the stretches with a cumulative integral C from the entry, q is q_last C(exit) + sum_j (q_before -
+        q_after)_j C(b_j); of an integral from elsewhere the last row takes what is at the entry.
+        """
+        rows = np.concatenate([self.before.T, self.last[None], self.first[None]])
+        one = np.eye(soils)[rows].transpose(0, 2, 1)
+        one[:-2] -= np.eye(soils)[self.after.T].transpose(0, 2, 1)
+        one[-1] *= -1.0
+        return np.asarray(one)
+
+
+@dataclass(frozen=True, eq=False)
+class StretchIntegrals:
+    """Integrals over the stretches of the soils along an arc as functions of the rotation: of the geometry alone.
+
+    ``section`` is a `slipcircle.core.scene.layers.LayeredSection`.
+    """
+
+    section: Any
+
+    @cached_property
+    def stretches(self) -> Stretches:
+        """Where the soil at the base changes, from the entry to the exit; a foreland's comes in at the exit."""
+        strips, down = self.section._strips, self.section._facing[:, None] > 0.0
+        base = np.where(down, strips.base, strips.base[:, ::-1])
+        edges = np.where(down, strips.beta, -strips.beta[:, ::-1])
+        before, after, joint = base[:, :-1], base[:, 1:], edges[:, 1:-1]
+        last = base[:, -1]
+        if self.section.foreland is not None:
+            last = np.full_like(last, len(self.section.layers))
+            before = np.concatenate([before, base[:, -1:]], axis=1)
+            after = np.concatenate([after, last[:, None]], axis=1)
+            joint = np.concatenate([joint, edges[:, -1:]], axis=1)
+        changes = np.any(before != after, axis=0)
+        return Stretches(joint[:, changes], before[:, changes], after[:, changes], base[:, 0], last)
+
+    @cached_property
+    def span(self) -> tuple[Floats, Floats]:
+        """Directions of the entry and of the exit, (circles,)."""
+        left, right = self.section._angles
+        down = self.section._facing > 0.0
+        return np.where(down, left, -right), np.where(down, right, -left)
+
+    def _joints_met(self, rotation: Floats) -> Floats:
+        """Where the mass meets the joints, and its exit, after rotations (M, circles), (J + 1, M, circles).
+
+        In directions of the mass at the start. Joints of the base stay behind as the mass moves on.
+        """
+        first, last = self.span
+        moved = rotation if self.section.strength == "base" else np.zeros_like(rotation)
+        joints = [np.clip(j - moved, first, last) for j in self.stretches.joint.T]
+        return np.stack([*joints, np.broadcast_to(last, rotation.shape)])
+
+    @cached_property
+    def _surfaces(self) -> tuple[Profile, Floats]:
+        """The profile of what presses, and the unit weight below each of its surfaces over the mean, (surfaces, lanes).
+
+        One surface stands for all where lanes differ in strength alone.
+        """
+        profile = self.section.profile.of(_PRESSING)
+        steps = self.section.weight_steps
+        if profile.edges.shape[1] == 1 and np.all(steps == steps[:, :1]):
+            profile, steps = profile.combined(steps[:, 0]), np.ones((1, 1))
+        return profile, steps / self.section._weights_per_area
+
+    def _pressing(self, rotation: Floats) -> Floats:
+        """Integrals of unit weights below surfaces up to where joints are met, (4, J + 1, surfaces, M, circles).
+
+        From the entry; of x down-slope.
+        """
+        profile, _ = self._surfaces
+        facing = self.section._facing
+        met = self._joints_met(rotation)
+        at = profile.up_to(facing * met.reshape(-1, met.shape[-1]))
+        at = np.where(facing > 0.0, at, profile.whole[:, :, None] - at)
+        at[1] *= facing
+        by_joint = at.reshape(*at.shape[:2], *met.shape)
+        return np.moveaxis(by_joint, 1, 2)
+
+    def parts(self, rotation: Floats, names: Any) -> dict[str, Floats]:
+        """Parts by their names, of what presses all at once."""
+        of_weight = {"normal", "tilt", "inertia", "overburden"}
+        every: dict[str, Floats] = {name: getattr(self, name)(rotation) for name in {*names} - of_weight}
+        if of_weight & {*names}:
+            radial_y, radial_x, polar, overburden = self._pressing(rotation).reshape(4, -1, *rotation.shape)
+            cosine, sine = np.cos(rotation), np.sin(rotation)
+            # J(psi - phi) = J cos(phi) - J' sin(phi), and its derivative by psi
+            every["normal"] = -radial_y * cosine - radial_x * sine
+            every["tilt"] = radial_x * cosine - radial_y * sine
+            every["inertia"] = polar
+            every["overburden"] = overburden
+        return every
+
+    def space(self, rotation: Floats) -> Floats:
+        """Directions in space of the joints, the exit and the entry after rotations, (J + 2, M, circles)."""
+        first, last = self.span
+        start, end = first + rotation, last + rotation
+        joints = self.stretches.joint.T
+        there = [np.clip(j, start, end) if self.section.strength == "base" else j + rotation for j in joints]
+        return np.stack([*there, end, start])
+
+    def heads(self, rotation: Floats) -> Floats:
+        """Integrals of the head of the water level from the entry to these directions, (J + 2, M, circles)."""
+        there = self.section._facing * self.space(rotation)
+        entry = np.broadcast_to(there[-1], there.shape)
+        return self.section.heads_between(np.minimum(entry, there), np.maximum(entry, there))
+
+    def _growth(self, b: Floats) -> Floats:
+        """Integral over the arc, from its entry to directions b, of the depth below each soil's datum, over R.
+
+        (soils, ..., circles); 0 above the datum and of soils without one.
+        """
+        _, centre, radius = self.section._circle
+        first, _ = self.span
+        rows = []
+        for soil in self.section.soils:
+            if soil.datum is None:
+                rows.append(np.zeros_like(b))
+                continue
+            level = (soil.datum - centre[:, 1]) / radius  # of the datum above the centre
+            reach = np.arccos(np.clip(-level, -1.0, 1.0))  # the datum crosses the arc at -reach and reach
+            start, end = np.clip(first, -reach, reach), np.clip(b, -reach, reach)
+            rows.append(level * (end - start) + np.sin(end) - np.sin(start))
+        return np.stack(rows)
+
+    def growth(self, rotation: Floats) -> Floats:
+        """Parts of the resistance that grow with depth, of each soil one, (soils, M, circles), over R."""
+        first, last = self.span
+        there = self.space(rotation)
+        if self.section.strength == "mass":
+            there = there - rotation
+        limit = last if self.section.foreland is None else np.inf  # a foreland's own rule goes on beyond the exit
+        growth = self._growth(np.clip(there, first, limit))
+        *joints, exit_, entry = range(len(there))
+        stretches = self.stretches
+        parts = np.zeros((len(self.section.soils), *rotation.shape), dtype=growth.dtype)
+        circle = np.arange(rotation.shape[1])
+        for k in joints:
+            parts[stretches.before[:, k], :, circle] += growth[stretches.before[:, k], k, :, circle]
+            parts[stretches.after[:, k], :, circle] -= growth[stretches.after[:, k], k, :, circle]
+        parts[stretches.last, :, circle] += growth[stretches.last, exit_, :, circle]
+        parts[stretches.first, :, circle] -= growth[stretches.first, entry, :, circle]
+        if self.section.foreland is None:
+            parts += self._held_value(stretches.last, last, np.maximum(there[exit_] - last, 0.0))
+        return parts + self._held_value(stretches.first, first, np.maximum(first - there[entry], 0.0))
+
+    def _held_value(self, soil: NDArray[np.intp], direction: Floats, length: Floats) -> Floats:
+        """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
+        _, centre, radius = self.section._circle
+        parts = np.zeros((len(self.section.soils), *length.shape), dtype=length.dtype)
+        for k, s in enumerate(self.section.soils):
+            if s.datum is not None:
+                depth = np.maximum((s.datum - centre[:, 1]) / radius + np.cos(direction), 0.0)
+                parts[k] = np.where(soil == k, depth * length, 0.0)
+        return parts
+
+    @cached_property
+    def rotation_kinks(self) -> Floats:
+        """Rotations at which one of these functions is not smooth, (kinks, circles), sorted."""
+        section = self.section
+        ends = np.stack(self.span, axis=1).real
+        joints = self.stretches.joint.real
+        down = section._facing[:, None]
+        kinks = [ends[:, 1:] - ends[:, :1]]
+        if section.level is not None:
+            turning = ends if section.strength == "base" else np.concatenate([ends, joints], axis=1)
+            kinks.append(_differences(section._water.kinks * down, turning))
+        if section.strength == "base":
+            kinks.append(_differences(joints, section._strips.beta.real * down))
+            _, centre, radius = section._circle
+            for s in section.soils:
+                if s.datum is not None:
+                    reach = np.arccos(np.clip((centre[:, 1].real - s.datum) / radius.real, -1.0, 1.0))
+                    kinks.append(_differences(np.stack([reach, -reach], axis=1), ends))
+        return np.sort(np.concatenate(kinks, axis=1), axis=1).T
+
+    @cached_property
+    def incidence(self) -> Floats:
+        """`Stretches.incidence` of the section's soils."""
+        return self.stretches.incidence(len(self.section.soils))
+
+
+def _differences(there: Floats, mass: Floats) -> Floats:
+    """Rotations that bring directions of the mass to directions in space, (circles, N M)."""
+    return (there[:, :, None] - mass[:, None, :]).reshape(len(there), -1)

@@ -1,0 +1,125 @@
+"""Soils, layers and loads of a scene file as the core takes them, with a sentence for each mistake between tables."""
+
+from collections.abc import Callable, Iterator, Mapping
+from difflib import get_close_matches
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.base.checks import InputError
+from slipcircle.core import Soil, layer_mistakes
+from slipcircle.workbench.files.document import shown
+
+Arguments = Mapping[str, dict[str, Any]]
+
+
+class Profile(NamedTuple):
+    """What the layers of a file make up: for a `Slope` or a `LayeredSection`, what is wrong, and what is to be said."""
+
+    layers: list[tuple[Soil, Any]]
+    foreland: Soil | None
+    strength: str
+    rate: Mapping[str, Any] | None  # law of speed of all soils
+    mistakes: list[str]
+    remarks: list[str]
+
+
+def numbered(given: Arguments, name: str) -> list[dict[str, Any]]:
+    """The tables in a list, in their order."""
+    inside = [path for path in given if path.startswith(f"{name}.")]
+    return [given[path] for path in sorted(inside, key=lambda path: int(path.partition(".")[2]))]
+
+
+def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]], list[str]]:
+    """Surcharges as the core takes them, and what is wrong with them."""
+    loads, mistakes = [], []
+    for k, load in enumerate(numbered(given, "surcharge"), 1):
+        left, right, pressure = (load.get(name) for name in ("from", "to", "pressure"))
+        if left is not None and right is not None and not left < right:
+            mistakes.append(f"surcharge.{k}.to_m = {right:g}: must lie to the right of from_m = {left:g}")
+        elif left is not None and right is not None and pressure is not None:
+            loads.append((left, right, *np.broadcast_to(pressure, 2).tolist()))
+    return loads, mistakes
+
+
+def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any] | None, readable: bool) -> Profile:
+    """The layers of a file; where its tables are not ``readable`` by themselves, what is wrong between them alone."""
+    layers, slip = numbered(given, "layers"), given.get("slip", {})
+    names = [path.partition(".")[2] for path in given if path.startswith("soils.") and not path.endswith(".friction")]
+    places = {f"layers.{k}.soil": layer["soil"] for k, layer in enumerate(layers, 1) if layer.get("soil")}
+    places |= {"slip.foreland": slip["foreland"]} if slip.get("foreland") else {}
+    mistakes = [*_unknown_soils(places, names), *_top_mistakes(layers)]
+    soils, wrong = _soils(names if readable else [], given, keys)
+    mistakes += wrong
+    if mistakes or not readable:
+        return Profile([], None, "", None, mistakes, [])
+    pairs = [(soils[layer["soil"]], layer.get("top")) for layer in layers]
+    foreland = soils[slip["foreland"]] if "foreland" in slip else None
+    strength = slip.get("strength", "base")
+    of_slip = {"foreland": "slip.foreland", "strength": "slip.strength"}
+    messages = InputError("", layer_mistakes(pairs, (), strength, foreland)).messages
+    mistakes = [message.worded(lambda name: of_slip.get(name, keys(name))) for message in messages]
+    remarks = [] if mistakes else list(_cut_off(given, pairs))
+    return Profile(pairs, foreland, strength, rate, mistakes, remarks)
+
+
+def _soils(names: list[str], given: Arguments, keys: Callable[[str], str]) -> tuple[dict[str, Soil], list[str]]:
+    """The soils of a file by their names, and what is wrong with them."""
+    soils, mistakes = {}, []
+    for name in names:
+        tops = [layer.get("top") for layer in numbered(given, "layers") if layer["soil"] == name]
+        try:
+            soils[name] = _soil(name, given, tops)
+        except InputError as error:
+            mistakes += [message.within(f"soils.{name}").worded(keys) for message in error.messages]
+    return soils, mistakes
+
+
+def _unknown_soils(places: Mapping[str, str], names: list[str]) -> Iterator[str]:
+    """Layers of soils that are none, and soils that no layer has."""
+    meant = set()
+    for path, soil in places.items():
+        if soil not in names:
+            near = get_close_matches(soil, names, 1)
+            meant.update(near)
+            advice = f"did you mean {near[0]}?" if near else f"known are {', '.join(names)}"
+            yield f"{path} = {shown(soil)}: is no soil of this file; {advice}"
+    for name in names:
+        if name not in places.values() and name not in meant:
+            yield f"soils.{name}: is the soil of no layer; use it in [[layers]], or leave it out"
+
+
+def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:
+    """A first layer with a top, and others without."""
+    if layers and "top" in layers[0]:
+        yield "layers.1.top_m: must be left out, as the top of the first layer is the ground"
+    for k, layer in enumerate(layers[1:], 2):
+        if "top" not in layer:
+            yield f"layers.{k}.top_m: is missing: a height (m), or a list of points"
+
+
+def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
+    """A soil; its cohesion grows below the tops of its layers, where these are one height."""
+    numbers = given[f"soils.{name}"]
+    friction = given.get(f"soils.{name}.friction", {"coefficient": 0.0})
+    one_height = all(np.ndim(top) == 0 and top is not None and top == tops[0] for top in tops)
+    if numbers.get("cohesion_gradient") and "datum" not in numbers:
+        if not one_height:
+            needs = "{datum}: is missing: y below which the cohesion grows, as no one height is the top of its layers"
+            raise InputError("", [needs])
+        numbers = numbers | {"datum": tops[0]}
+    return Soil(name=name, friction=friction.get("coefficient", friction), **numbers)
+
+
+def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
+    """A sentence for each boundary that rises above one before it; that boundaries reach the ground is ordinary."""
+    ground = np.asarray(given["ground"].get("ground", [[0.0, 0.0], [0.0, 0.0]]))
+    ends = ground[[0, -1], 0]
+    lines = [np.asarray(top) if np.ndim(top) else np.column_stack([ends, [top, top]]) for _, top in layers[1:]]
+    for k, (upper, lower) in enumerate(pairwise(lines), 3):
+        x = np.unique(np.concatenate([upper[:, 0], lower[:, 0]]))
+        excess = np.interp(x, *lower.T) - np.interp(x, *upper.T)
+        if excess.max() > 1e-9 * np.ptp(ground):
+            at = x[np.argmax(excess)]
+            yield f"layers.{k}.top_m: rises above the top of layer {k - 1}, at x = {at:.6g}; what is above is cut off"

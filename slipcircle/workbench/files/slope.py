@@ -1,0 +1,155 @@
+"""The slope of a scene file: its circle with factors of safety, and the section that moves along it."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.checks import InputError
+from slipcircle.core import LayeredSection, Section, circle_through, circle_touching, simple_slope
+from slipcircle.workbench.files.profile import Profile, numbered
+from slipcircle.workbench.stability.search import Critical, at_circle, critical
+from slipcircle.workbench.stability.stability import Slope, require_drive
+
+Arguments = Mapping[str, dict[str, Any]]
+_FLATTEST = 1e5  # radius over the size of the ground: beyond it a mass is a skin
+_OF_MOTION = ("gravity", "width")  # in [ground], and of no interest to statics
+
+
+@dataclass(frozen=True)
+class SlopeInput:
+    """What a file says of a slope.
+
+    Attributes
+    ----------
+    given : mapping
+        Arguments by table.
+    strength : mapping
+        Of one soil, with its pore pressure; empty where it has no strength, or layers.
+    profile : Profile, optional
+        Its layers.
+    surcharge : sequence
+    """
+
+    given: Arguments
+    strength: Mapping[str, Any]
+    profile: Profile | None
+    surcharge: list[tuple[float, float, float, float]]
+
+    @property
+    def ground(self) -> dict[str, Any]:
+        """Ground, unit weight where it is one, base; gravity and width."""
+        ground = dict(self.given["ground"])
+        if simple := {n: ground.pop(n) for n in ("height", "angle", "run") if n in ground}:
+            ground["ground"] = simple_slope(**simple)
+        return ground
+
+    @property
+    def water(self) -> dict[str, Any]:
+        """Water level and unit weight of water."""
+        water = self.given.get("water", {})
+        return {name if name == "level" else "water_unit_weight": value for name, value in water.items()}
+
+    @property
+    def limits(self) -> dict[str, Any]:
+        """Of the search, and what shakes it."""
+        return self.given.get("search", {})
+
+    def slope(self) -> Slope:
+        """For factors of safety."""
+        fields = {name: value for name, value in self.ground.items() if name not in _OF_MOTION}
+        fields |= self.water | self.given.get("pond", {}) | self.given.get("tension_crack", {})
+        fields |= {name: self.limits[name] for name in ("k_h", "k_h_on_surcharge") if name in self.limits}
+        soils: Mapping[str, Any] = {"layers": self.profile.layers} if self.profile else self.strength
+        return Slope(**fields, **soils, surcharge=self.surcharge)
+
+    def stability(self, tell: Callable[[str], None]) -> tuple[dict[str, Any], Critical | None]:
+        """The circle that is given, or the critical one, and its factors; none where nothing is known of strength."""
+        circle = dict(self.given.get("circle", {}))
+        known = self.profile is not None or bool(self.strength)
+        if "critical" in circle:
+            if not known:
+                needs = "circle.critical: needs friction or cohesion, and a pore pressure that is no record"
+                raise InputError("critical", [needs])
+            limits = {name: self.limits[name] for name in ("entry", "exit", "depth") if name in self.limits}
+            least = critical(self.slope(), circle["critical"], **limits, tell=tell)
+            if least.radius > _FLATTEST * float(np.ptp(least.slope.ground)):
+                raise InputError("critical", ["{depth}: is missing: the least factor is that of an ever thinner skin"])
+            return {"centre": least.centre, "radius": least.radius, "between": least.between}, least
+        circle = _circle(circle)
+        ground = self.ground
+        geometry = Section(ground["ground"], **circle, unit_weight=1.0, base=ground.get("base"))
+        # The circle is known to be above the base, which may lie higher than ground beside it.
+        found = at_circle(replace(self.slope(), base=None), geometry) if known else None
+        pushed = "shaking" in self.given or self.given[""].get("initial_velocity")
+        if not pushed and not (self.profile and found and found.facing):
+            require_drive(geometry)
+        return circle, found and _deep_enough(found, geometry)
+
+    def section(self, circle: Mapping[str, Any]) -> Section:
+        """The section that moves along a circle."""
+        common = self.ground | self.water | dict(circle)
+        if self.profile is None:
+            return Section(**common)
+        profile = self.profile
+        crack = self.given.get("tension_crack", {}).get("crack")
+        more: dict[str, Any] = {name: value for name, value in {"crack": crack, "rate": profile.rate}.items() if value}
+        if unknown := [name for name in more if name not in LayeredSection.__dataclass_fields__]:
+            raise InputError("Section", [f"{{{name}}}: motions do not know it yet; leave it out" for name in unknown])
+        return LayeredSection(
+            **common,
+            layers=profile.layers,
+            strength=profile.strength,
+            foreland=profile.foreland,
+            surcharge=self.surcharge,
+            **more,
+        )
+
+    def moving(self, tell: Callable[[str], None]) -> tuple[Section, Critical | None]:
+        """The section of a motion, with the factors of its circle."""
+        circle, found = self.stability(tell)
+        return self.section(circle), found
+
+
+def motion_mistakes(given: Arguments, layered: bool) -> list[str]:
+    """What a file has that factors of safety know and motions do not, and why."""
+    alone = "is for factors of safety alone (slipcircle search)"
+    mistakes = []
+    if "pond" in given:
+        why = "a mass that moves through standing water also has its drag and added mass, which are not known"
+        mistakes.append(f"pond: {alone}: {why}; leave it out")
+    if given.get("tension_crack", {}).get("crack_water"):
+        why = "a crack opens and empties as soon as the mass moves"
+        mistakes.append(f"tension_crack.water_m: {alone}: {why}; leave it out")
+    present = {"tension_crack": "tension_crack" in given, "surcharge": bool(numbered(given, "surcharge"))}
+    for name in (name for name, there in present.items() if there and not layered):
+        fix = "put the soil into [soils.NAME], with one [[layers]] of it"
+        mistakes.append(f"{name}: a motion takes it on layered ground alone: {fix}; or leave it out")
+    return mistakes
+
+
+def _deep_enough(found: Critical, section: Section) -> Critical:
+    """The factors of a circle; an error where it has none because a tension crack cuts its mass off."""
+    slope = found.slope
+    if slope.crack and not any(found.factor_of_safety.values()):
+        uncracked = at_circle(replace(slope, crack=0.0, crack_water=0.0), section)
+        if any(uncracked.factor_of_safety.values()):
+            words = f"{{crack}} = {slope.crack:g}: is deeper than the mass, which is {float(section.depth):.4g} m thick"
+            raise InputError("Section", [words])
+    return found
+
+
+def _circle(circle: dict[str, Any]) -> dict[str, Any]:
+    """Centre, radius and stretch of a circle, however it is given."""
+    if "through" not in circle:
+        return circle
+    points = circle.pop("through")
+    if len(points) != 2:
+        raise InputError("circle_through", ["{through}: must be two points, [[x, y], [x, y]]"])
+    between = circle.pop("between", None)
+    if "touching" in circle:
+        centre, radius = circle_touching(points[0], points[1], circle["touching"])
+    else:
+        centre, radius = circle_through(*points, **circle)
+    return {"centre": centre, "radius": radius, "between": between}

@@ -1,0 +1,211 @@
+"""Tables and keys of a scene file along a real slope: ground, circle and water, its soils and layers, loads."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from generated.effects import INFINITY, LAWS, LIMITS, Parameter
+from slipcircle.core import RATE_LAWS, SOIL_BOUNDS
+from slipcircle.workbench.files.keys import ARC, Key, Table, declare, law_table, table_of
+from slipcircle.workbench.stability.stability import METHODS
+
+
+def _length(name: str, help: str, lower: float = 0.0) -> Parameter:
+    return declare(name, f"{name}_m", "m", help, lower, LIMITS["m"][1], 1.0, True, "fixed")
+
+
+def _weight(help: str, optional: bool = False) -> Parameter:
+    return declare("unit_weight", "unit_weight_kN_m3", "N/m^3", help, 0.0, 1e5, 1e3, optional, "fixed")
+
+
+def _points(name: str, title: str) -> dict[str, Key]:
+    key = "points_m" if name == "ground" else f"{name}_m"
+    return {key: Key(name, title, "a list of two points or more, [[x, y], [x, y], ...] (m)", kind="points")}
+
+
+def _pair(name: str, title: str, form: str = "[least, greatest]") -> dict[str, Key]:
+    return {f"{name}_m": Key(name, title, f"two numbers, {form} (m)", kind="pair")}
+
+
+def _names(law: Any) -> list[str]:
+    return [p.name for p in law.parameters]
+
+
+def _place(name: str, help: str) -> Parameter:
+    return replace(_length(name, help, -INFINITY), optional=False)
+
+
+def _of_soil(name: str, key: str, help: str, per_unit: float = 1.0, optional: bool = True) -> Parameter:
+    """A number of a soil, by the name that a `Soil` has for it."""
+    return declare(name, key, SOIL_BOUNDS[name][0], help, *SOIL_BOUNDS[name][1:], per_unit, optional)
+
+
+_PRESSURE = declare(
+    "pressure", "pressure_kPa", "Pa", "the pressure, or at both ends", -5e-324, 1e12, 1e3, False, "load"
+)
+
+_UPRIGHT = declare(
+    "angle",
+    "angle_deg",
+    "rad",
+    "its angle, at most 90",
+    0.0,
+    math.nextafter(math.pi / 2, 2.0),
+    math.pi / 180,
+    True,
+    "fixed",
+)
+SLOPING: Mapping[str, Table] = {  # in place of an arc
+    "ground": table_of(
+        "a real slope, in place of [arc]",
+        [
+            _length(
+                "height",
+                "height of a simple slope between level ground; it falls to the right to its toe at x = 0, y = 0",
+            ),
+            _UPRIGHT,
+            _length("run", "its horizontal length", -5e-324),
+            _weight("unit weight of the soil"),
+            *(replace(p, kind="fixed") for p in ARC[-2:]),
+            _length("base", "y of a firm layer below which no circle goes", -INFINITY),
+        ],
+        _points("ground", "points of the surface from left to right"),
+    )._replace(required=True, sets=(("points_m",), ("height_m", "angle_deg"), ("height_m", "run_m"))),
+    "circle": table_of(
+        'its slip circle: given, or searched with critical = "bishop"',
+        [
+            _length("radius", "radius"),
+            _length("depth", "depth of the circle below the chord of these points"),
+            _length("touching", "y of the level that the circle through these points touches", -INFINITY),
+        ],
+        _pair("centre", "centre of the circle", "[x, y]")
+        | _points("through", "two points of the circle")
+        | _pair("between", "range of x that contains the intended mass, if the circle cuts off several")
+        | {
+            "critical": Key(
+                "critical",
+                "method by which the critical circle is searched",
+                f"one of {', '.join(METHODS)}",
+                kind="|".join(METHODS),
+            )
+        },
+    )._replace(
+        required=True,
+        sets=(
+            ("centre_m", "radius_m"),
+            ("through_m", "radius_m"),
+            ("through_m", "depth_m"),
+            ("through_m", "touching_m"),
+            ("critical",),
+        ),
+    ),
+    "water": table_of(
+        "its water level, in place of r_u, and the weight of water of ponds and cracks too",
+        [_weight("unit weight of water, by default 9.81", True)],
+        _points("level", "points of the level from left to right"),
+    ),
+    "search": table_of(
+        "what limits the search for the critical circle",
+        [
+            _length("depth", "least thickness of the mass, against skins", -5e-324),
+            declare(
+                "k_h",
+                "k_h",
+                "",
+                "horizontal acceleration as a share of g, positive down-slope",
+                -1.0,
+                1.0,
+                1.0,
+                True,
+                "fixed",
+            ),
+        ],
+        _pair("entry", "x of the upper end")
+        | _pair("exit", "x of the lower end")
+        | {
+            "k_h_on_surcharge": Key(
+                "k_h_on_surcharge", "whether k_h acts on surcharges, by default false", "true or false", kind="flag"
+            )
+        },
+    ),
+}
+
+LOADS: Mapping[str, Table] = {  # beside them
+    "tension_crack": table_of(
+        "a tension crack at the upper end of the slip surface",
+        [
+            replace(_length("depth", "its depth"), name="crack", optional=False),
+            replace(_length("water", "height of the water in it, by default 0", -5e-324), name="crack_water"),
+        ],
+    ),
+    "surcharge": table_of(
+        "a pressure on the ground, linear from one x to the other",
+        [_place("from", "x of its left end"), _place("to", "x of its right end"), _PRESSURE],
+    )._replace(repeats="numbered"),
+    "pond": table_of("standing water, for factors of safety", [replace(_place("level", "its level"), name="pond")]),
+}
+
+# --- soils and layers ------------------------------------------------------------------------------------------------
+
+SOIL_LAWS = ("constant", *(n for n, law in LAWS.items() if {"peak", "residual", "length"} <= {*_names(law)}))
+NOT_WITH_LAYERS = ("friction", "cohesion", "pore_pressure")
+_SOIL = table_of(
+    "a soil, by its name",
+    [
+        _of_soil("unit_weight", "unit_weight_kN_m3", "unit weight", 1e3, optional=False),
+        _of_soil("saturated_unit_weight", "saturated_unit_weight_kN_m3", "unit weight below the water level", 1e3),
+        _of_soil("cohesion", "cohesion_kPa", "cohesion, by default 0", 1e3),
+        _of_soil(
+            "cohesion_gradient",
+            "cohesion_per_m_kPa",
+            "growth of the cohesion per metre below datum_m, by default 0",
+            1e3,
+        ),
+        _length("datum", "y below which the cohesion grows, by default the height of the soil's top", -INFINITY),
+        _of_soil("pore_ratio", "pore_pressure_ratio", "r_u, in place of the water level, by default 0"),
+    ],
+)
+_LAYER = table_of(
+    "the soils from the ground down, each by its name and its top",
+    [
+        replace(
+            _of_soil("top", "top_m", "its top, of the first layer the ground; a line varies by its first height"),
+            kind="line",
+        )
+    ],
+    {"soil": Key("soil", "name of the soil", required=True)},
+)
+_SLIP = table_of(
+    "where the strength of the soils goes as the mass slides",
+    [],
+    {
+        "strength": Key(
+            "strength",
+            "whether strength stays with the base, over which the mass slides, by default, or goes with the mass",
+            "one of base, mass",
+            kind="base|mass",
+        ),
+        "foreland": Key("foreland", "name of the soil below the arc beyond its exit, by default that at the exit"),
+    },
+)
+
+
+def soil_friction(law: str) -> Table:
+    """Friction of a soil, by a law with a peak and a residual."""
+    return law_table(law, SOIL_LAWS)._replace(title="friction of the soil, by default none")
+
+
+def layered_tables(laws: Mapping[str, str], layers: int, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
+    """The tables of soils, by their names with the law of each, of so many layers, and of slip."""
+    tables = {
+        "soils": Table("soils by their names", {}, required=True, repeats="named"),
+        "layers": Table(_LAYER.title, {}, required=True, repeats="numbered"),
+        "slip": _SLIP,
+        "slip.rate": law_table(rate, RATE_LAWS)._replace(
+            title="law of speed that multiplies the friction of all soils"
+        ),
+    }
+    for name, law in laws.items():
+        tables |= {f"soils.{name}": _SOIL, f"soils.{name}.friction": soil_friction(law)}
+    return tables | {f"layers.{k}": _LAYER for k in range(1, layers + 1)}

@@ -1,0 +1,133 @@
+"""Several motions in one picture: where their masses come to rest, their velocities and displacements, and how far."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from slipcircle.core import Motion
+from slipcircle.workbench.outputs.plotstyle import (
+    AREAS,
+    REST,
+    SERIES,
+    WIDTH,
+    ending,
+    label,
+    letter,
+    lines,
+    note,
+    number,
+    to_scale,
+)
+from slipcircle.workbench.outputs.sectionplot import scenery
+from slipcircle.workbench.outputs.shapes import View, mass_of
+from slipcircle.workbench.outputs.trace import drawn
+
+_MOST_BARS = 24  # the others are a line of text
+_SECTION, _CURVES, _BAR = 3.6, 2.8, 0.3  # inches
+
+
+def overview(motions: Sequence[Motion], figure: Any) -> Any:
+    """One picture of several motions on an empty figure of `size`, which it returns.
+
+    The first eight motions that move have a colour and a name, the others are grey.
+    """
+    heights = _heights(motions)
+    parts = figure.subfigures(len(heights), 1, height_ratios=heights)
+    axes = [parts[0].add_subplot()] if _same_slope(motions) else []
+    for ax in axes:
+        _sections(motions, ax)
+    curves = parts[-2].subplots(1, 2)
+    _curves(motions, curves[0], "velocity", "velocity $v$ (m/s)")
+    _curves(motions, curves[1], "displacement", "displacement $s$ (m)")
+    bars = parts[-1].add_subplot()
+    _bars(motions, bars)
+    letter([*axes, *curves, bars])
+    moving = sum(motion.moves for motion in motions)
+    figure.suptitle(f"{len(motions)} scenes, of which {moving} move", fontweight="bold")
+    return figure
+
+
+def size(motions: Sequence[Motion]) -> tuple[float, float]:
+    """Inches of the picture."""
+    return WIDTH, sum(_heights(motions)) + 0.4
+
+
+def _heights(motions: Sequence[Motion]) -> list[float]:
+    bars = 0.8 + _BAR * min(len(motions), _MOST_BARS)
+    return [_SECTION] * _same_slope(motions) + [_CURVES, bars]
+
+
+def _same_slope(motions: Sequence[Motion]) -> bool:
+    """Whether all masses are the same at the start."""
+    first, *others = (mass_of(motion.plan.scene.arc, motion.plan.scene.arc).outline() for motion in motions)
+    return all(other.shape == first.shape and np.allclose(other, first, rtol=1e-9) for other in others)
+
+
+def _named(motions: Sequence[Motion]) -> dict[int, tuple[str, Any, str]]:
+    """Styles of the motions that have a colour of their own, by number."""
+    moving = [k for k, motion in enumerate(motions) if motion.moves]
+    return dict(zip(moving, SERIES, strict=False))
+
+
+def _sections(motions: Sequence[Motion], ax: Any) -> None:
+    """The mass at the start, and where each comes to rest."""
+    from matplotlib.patches import Polygon
+
+    soil = motions[0].plan.scene.arc
+    mass, styles = mass_of(soil, soil), _named(motions)
+    turns = [float(motion.end.rotation) * float(soil.facing) if motion.moves else 0.0 for motion in motions]
+    outlines = [mass.outline(turn) for turn in turns]
+    view = View.around(mass.outline(), *outlines)
+    view = scenery(ax, mass, soil, view.grown(0.1 * view.size, 0.1 * view.size))
+    ax.add_patch(Polygon(mass.outline(), closed=True, zorder=2, **AREAS["start"]))
+    for k, outline in enumerate(outlines):
+        colour, dashes, _ = styles.get(k, REST)
+        if motions[k].moves:
+            ax.add_patch(Polygon(outline, closed=True, fill=False, ec=colour, ls=dashes, lw=1.6, zorder=3))
+    label(ax, "start", mass.outline().mean(axis=0), "0.3", inside=True)
+    view.show(ax)
+    to_scale(ax, "$x$ (m)", "$y$ (m)")
+
+
+def _curves(motions: Sequence[Motion], ax: Any, column: str, words: str) -> None:
+    """A quantity over time, of each motion a curve with its name."""
+    styles = _named(motions)
+    for k, motion in enumerate(motions):
+        if motion.moves and k not in styles:
+            colour, dashes, _ = REST
+            ax.plot(drawn(motion)["time"], drawn(motion)[column], color=colour, ls=dashes, lw=0.8)
+    for k, (colour, dashes, _) in styles.items():
+        times, values = drawn(motions[k])["time"], drawn(motions[k])[column]
+        ax.plot(times, values, color=colour, ls=dashes, lw=1.8)
+        points = np.column_stack([times, values])[len(times) // 8 :: max(1, len(times) // 16)]
+        label(ax, motions[k].plan.scene.name, points, colour, parse_math=False)
+    if not styles:
+        note(ax, ["none moves"])
+    ax.set(xlabel="time $t$ (s)", ylabel=words)
+    ax.margins(y=0.12)
+    ax.grid(alpha=0.3)
+
+
+def _bars(motions: Sequence[Motion], ax: Any) -> None:
+    """The run-out of each, with its peak velocity and its duration; the farthest where there are too many."""
+    order = sorted(range(len(motions)), key=lambda k: -abs(motions[k].run_out))
+    shown = sorted(order[:_MOST_BARS])
+    lines(ax, [motions[k].plan.scene.name for k in shown])
+    for place, k in enumerate(shown):
+        motion = motions[k]
+        ax.barh(place, motion.run_out, height=0.62, **AREAS["rests" if motion.arrested else "moves on"])
+    side = ax.secondary_yaxis("right")
+    side.set_yticks(range(len(shown)), [_outcome(motions[k]) for k in shown])
+    side.tick_params(length=0, labelsize="small")
+    hidden = [abs(motions[k].run_out) for k in order[_MOST_BARS:]]
+    rest = f"; {len(hidden)} more, each at most {number(max(hidden))} m" if hidden else ""
+    ax.set_xlabel(f"run-out along the arc (m){rest}")
+
+
+def _outcome(motion: Motion) -> str:
+    """How far, how fast and how long it moves."""
+    if not motion.moves:
+        return "does not move"
+    speed, duration = number(abs(float(motion.peak.velocity))), number(motion.duration)
+    return f"{number(motion.run_out)} m, peak {speed} m/s, {ending(motion)} after {duration} s"

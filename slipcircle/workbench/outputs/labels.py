@@ -1,0 +1,168 @@
+"""Words beside what they name: when a picture is drawn, each is put where it covers least.
+
+A label may stand at any distance and in any direction from any of its anchors. Lines, marks and outlines on the axis
+are points; a place costs what it covers of them, other words, the edge of the axis, and its distance. Labels are placed
+in the order in which they were made, so that the same picture comes out the same.
+"""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.patheffects import withStroke
+from matplotlib.text import Annotation, Text
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+_DISTANCES = (6.0, 14.0, 26.0, 42.0, 62.0, 86.0, 115.0)  # of the words from an anchor, in points
+_NEAR = 15.0  # points, within which words need no line to what they name
+_DIRECTIONS = np.linspace(0.0, 2 * math.pi, 16, endpoint=False)
+_SPACING = 4.0  # of the points that stand for lines, in pixels
+_GAP = 2.0  # about words, in pixels
+# What a place costs: a point covered, a pixel outside of the axis, other words or a line to them, a pixel of distance.
+_COVERED, _OUTSIDE, _WORDS, _FAR = 1.0, 200.0, 400.0, 0.12
+BACK = 1.5  # of `zorder`: what lies further back may be covered
+_HALO = 2.5  # points of white around words
+
+
+class Label(Annotation):
+    """Words beside one of some anchors, in data coordinates; within one of them where ``inside``."""
+
+    def __init__(self, ax: Any, words: str, anchors: Any, colour: str, inside: bool = False, **more: Any) -> None:
+        self.anchors = np.reshape(np.asarray(anchors, dtype=np.float64), (-1, 2))
+        self.inside, self._placed_for = inside, b""
+        line = {"arrowstyle": "-", "lw": 0.8, "color": colour, "shrinkA": 0.0, "shrinkB": 1.0}
+        style: dict[str, Any] = {
+            "color": colour,
+            "fontsize": "small",
+            "ha": "center",
+            "va": "center",
+            "zorder": 6,
+        } | more
+        self.parent: Any = ax
+        super().__init__(words, tuple(self.anchors[0]), (0, 0), textcoords="offset pixels", arrowprops=line, **style)
+        self.set_path_effects([withStroke(linewidth=_HALO, foreground="white")])
+        self.leader: Any = self.arrow_patch
+        self.set_in_layout(False)
+        ax.add_artist(self)
+
+    def update_positions(self, renderer: Any) -> None:
+        """Where matplotlib is about to draw it."""
+        limits = np.column_stack([self.parent.get_xlim(), self.parent.get_ylim()])
+        in_pixels = self.parent.transData.transform(limits)
+        where = np.concatenate([limits, in_pixels]).tobytes()
+        if where != self._placed_for:
+            self._placed_for = where
+            self._place(renderer)
+        super().update_positions(renderer)
+
+    def _place(self, renderer: Any) -> None:
+        """Choose the anchor and the place that cost least."""
+        pixels = renderer.points_to_pixels(1.0)
+        self.leader.set_visible(False)
+        box = Text.get_window_extent(self, renderer)
+        half = np.array([box.width, box.height]) / 2
+        at = self.parent.transData.transform(self.anchors)
+        distances = np.array([0.0] if self.inside else _DISTANCES) * pixels
+        away = np.stack([np.cos(_DIRECTIONS), np.sin(_DIRECTIONS)], axis=1)
+        if self.inside:
+            away = np.zeros((1, 2))
+        offsets = distances[:, None, None] * away + half * away
+        centres = at[:, None, None] + offsets
+        anchors = np.broadcast_to(at[:, None, None], centres.shape).reshape(-1, 2)
+        candidates = centres.reshape(-1, 2)
+        far = np.broadcast_to(distances[None, :, None], centres.shape[:-1]).ravel()
+        cost = self._cost(candidates, half + _GAP, renderer) + _FAR * far + self._leader_cost(candidates, anchors, far)
+        best = int(np.argmin(cost))
+        self.xy = tuple(self.anchors[best // (len(distances) * len(away))])
+        self.set_position(tuple(candidates[best] - anchors[best]))
+        self.leader.set_visible(far[best] > _NEAR * pixels)
+
+    def _cost(self, centres: Floats, half: Floats, renderer: Any) -> Floats:
+        """What words of a half size cost at centres, (candidates, 2) in pixels."""
+        low, high = centres - half, centres + half
+        points = np.concatenate([np.empty((0, 2)), *_obstacles(self.parent)])
+        across = (low[:, :1] < points[:, 0]) & (points[:, 0] < high[:, :1])
+        up = (low[:, 1:] < points[:, 1]) & (points[:, 1] < high[:, 1:])
+        cost = _COVERED * np.count_nonzero(across & up, axis=1)
+        frame = self.parent.bbox
+        outside = np.maximum(frame.min - low, 0.0) + np.maximum(high - frame.max, 0.0)
+        cost = cost + _OUTSIDE * outside.sum(axis=1)
+        for box in self._other_words(renderer):
+            overlap = np.minimum(high, box.max) - np.maximum(low, box.min)
+            cost = cost + _WORDS * np.all(overlap > 0.0, axis=1)
+        return cost
+
+    def _leader_cost(self, centres: Floats, anchors: Floats, far: Floats) -> Floats:
+        """What lines from words to anchors cost that pass through other words."""
+        share = np.linspace(0.1, 0.9, 9)[:, None, None]
+        points = anchors + share * (centres - anchors)
+        cost = np.zeros(len(centres))
+        for box in self._other_words(None):
+            crossed = np.any(np.all((points > box.min) & (points < box.max), axis=-1), axis=0)
+            cost += _WORDS / 4 * (crossed & (far > 0.0))
+        return cost
+
+    def _other_words(self, renderer: Any) -> Iterator[Any]:
+        """Boxes of the words that are there already."""
+        for ax in _beside(self.parent):
+            for text in ax.texts:
+                if text is self:
+                    break
+                if text.get_text() and text.get_visible():
+                    yield Text.get_window_extent(text, renderer)
+
+
+def _beside(ax: Any) -> list[Any]:
+    """The axis with its twins."""
+    return [other for other in ax.figure.axes if other.bbox.bounds == ax.bbox.bounds]
+
+
+def _obstacles(axes: Any) -> Iterator[Floats]:
+    """Points in pixels that stand for lines, marks and outlines on an axis and its twins."""
+    frame = axes.bbox
+    for ax in _beside(axes):
+        for artist in ax.get_children():
+            if not artist.get_visible() or artist is ax.patch or artist.get_zorder() < BACK:
+                continue
+            if isinstance(artist, Line2D):
+                points = artist.get_transform().transform(np.column_stack(artist.get_data(orig=False)))
+                if artist.get_marker() not in ("None", "", None):
+                    yield _about(points, artist.get_markersize())
+                if artist.get_linestyle() != "None":
+                    yield _along(points, frame)
+            elif isinstance(artist, Patch):
+                path = artist.get_path().transformed(artist.get_transform())
+                for polygon in path.to_polygons():
+                    yield _along(np.asarray(polygon, dtype=np.float64), frame)
+                if artist.get_hatch():
+                    yield _inside(path, frame)
+
+
+def _about(points: Floats, size: float) -> Floats:
+    """Points of marks."""
+    offsets = size * np.array([(i, j) for i in (-0.6, 0.0, 0.6) for j in (-0.6, 0.0, 0.6)])
+    return np.asarray(np.repeat((points[:, None] + offsets).reshape(-1, 2), 2, axis=0))
+
+
+def _along(points: Floats, frame: Any) -> Floats:
+    """Points at even distances along a line, as far as they are in the frame."""
+    points = points[np.all(np.isfinite(points), axis=1)]
+    if len(points) < 2:
+        return points
+    points = np.clip(points, frame.min - 50.0, frame.max + 50.0)
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    at = np.arange(0.0, along[-1], _SPACING)
+    return np.column_stack([np.interp(at, along, points[:, 0]), np.interp(at, along, points[:, 1])])
+
+
+def _inside(path: Any, frame: Any) -> Floats:
+    """Points of a hatched area."""
+    low, high = np.maximum(path.get_extents().min, frame.min), np.minimum(path.get_extents().max, frame.max)
+    x, y = (np.arange(*ends, 2.0 * _SPACING) for ends in zip(low, high, strict=True))
+    points = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
+    return points[path.contains_points(points)] if len(points) else points

@@ -1,0 +1,81 @@
+"""The search for a slip circle as a picture: the circle in its slope, and the least factor about each centre."""
+
+from typing import Any
+
+import numpy as np
+
+from slipcircle.workbench.outputs.plotstyle import AREAS, SCENERY, label, note, to_scale
+from slipcircle.workbench.outputs.sectionplot import factors_in_words, name_circle, scenery
+from slipcircle.workbench.outputs.shapes import View, mass_of
+from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.stability import METHODS
+
+_CELLS = 30  # of the map of factors, across
+_VALLEY, _TALL = 0.05, 1.4  # share above the least factor that a map holds, and its height over its width, at most
+
+
+def critical_circle(critical: Critical, figure: Any) -> Any:
+    """The section with the circle, and the least factor that any circle about each centre has, on an empty figure."""
+    from matplotlib.patches import Polygon
+    from matplotlib.patheffects import withStroke
+
+    ax, mass = figure.add_subplot(), mass_of(critical, critical.slope)
+    outline, ground = mass.outline(), mass.ground
+    ax.add_patch(Polygon(outline, closed=True, zorder=2, **AREAS["start"]))
+    width, height = np.ptp(outline[:, 0]), np.ptp(ground[:, 1])
+    reach = max(float(width), 1.2 * float(height))
+    view = View.around(outline, mass.centre).grown(0.8 * reach, 0.4 * reach)
+    first, last = ground[[0, -1], 0]
+    view = view._replace(left=max(view.left, first), right=min(view.right, last))
+    view = scenery(ax, mass, critical.slope, view)
+    view = _map(critical, ax, view)
+    label(ax, "mass", outline.mean(axis=0), "0.3", inside=True)
+    name_circle(ax, mass, critical.slope)
+    if view.holds(mass.centre):
+        (cross,) = ax.plot(*mass.centre, **SCENERY["centre"])
+        cross.set_path_effects([withStroke(linewidth=3.5, foreground="white")])  # it may lie on a dark map
+        label(ax, "centre", mass.centre)
+    view.show(ax)
+    note(ax, [factors_in_words(critical)])
+    to_scale(ax, "$x$ (m)", "$y$ (m)")
+    ax.set_aspect("equal", adjustable="box")
+    return figure
+
+
+def _map(critical: Critical, ax: Any, view: View) -> View:
+    """The least factor of the circles about the centres in each cell, darkest where it is least.
+
+    The frame grows until it holds every centre of a factor up to `_VALLEY` above the least, as far as it is not more
+    than `_TALL` times as high as wide, and is returned; what is shown ends at the least factor of a centre outside.
+    """
+    known = np.isfinite(critical.values)
+    centres, values = critical.centres[known], critical.values[known]
+    if values.size <= 10:
+        return view
+    least = float(values.min())
+    bottom = view.bottom
+    valley = centres[values <= (1.0 + _VALLEY) * least]
+    view = View.around(valley, (view.left, bottom), (view.right, view.top))
+    highest = bottom + _TALL * (view.right - view.left)
+    view = view._replace(top=min(view.top, highest))
+    inside = view.holds(centres)
+    most = min(float(values[~inside].min(initial=np.inf)), 1.5 * least)
+    drawn = inside & (values < most)
+    cell = (view.right - view.left) / _CELLS
+    view = view.grown(cell, cell)._replace(bottom=bottom)  # so that the outermost cells are whole
+    cells = ax.hexbin(
+        *centres[drawn].T,
+        values[drawn],
+        gridsize=_CELLS,
+        reduce_C_function=np.min,
+        extent=(view.left, view.right, view.bottom, view.top),
+        vmin=least,
+        vmax=most,
+        cmap="viridis",
+        lw=0.1,
+        zorder=0,
+    )
+    method = METHODS[critical.method][0]
+    words = f"least factor of safety of the circles about each centre, up to {most:.3g}, by {method}"
+    ax.figure.colorbar(cells, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format="%.2f")
+    return view

@@ -1,0 +1,88 @@
+"""What a section shows, as shapes: the mass on its circle, and the view of it."""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.core import Arc
+from slipcircle.workbench.outputs.trace import Floats
+
+ON_ARC = 200  # points of an outline along the arc, which come first
+
+
+class Mass(NamedTuple):
+    """A slip circle and the mass on it as they are drawn, m and rad."""
+
+    ground: Floats  # of an arc its chord
+    centre: Floats
+    radius: float
+    ends: Any  # polar angles of both ends of its arc, increasing
+
+    def on_circle(self, angles: Any) -> Floats:
+        """Points of the circle at polar angles."""
+        return self.centre + self.radius * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+
+    @property
+    def arc(self) -> Floats:
+        """Points along its arc, left to right."""
+        return self.on_circle(np.linspace(self.ends[0], self.ends[1], ON_ARC))
+
+    def outline(self, turn: float = 0.0) -> Floats:
+        """Points along the arc, left to right, and back along the ground; turned counterclockwise."""
+        arc, x = self.arc, self.ground[:, 0]
+        left, right = arc[0, 0], arc[-1, 0]
+        from_centre = np.hypot(*(self.ground - self.centre).T)
+        over_arc = (x >= left) & (x <= right) & (from_centre < (1 - 1e-9) * self.radius)
+        points = np.concatenate([arc, self.ground[over_arc][::-1]]) - self.centre
+        cos, sin = math.cos(turn), math.sin(turn)
+        rotation = [[cos, sin], [-sin, cos]]
+        return self.centre + points @ rotation
+
+
+class View(NamedTuple):
+    """What of the section is in view, m."""
+
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+    @classmethod
+    def around(cls, *points: Any) -> "View":
+        """The smallest view that holds points, (..., 2)."""
+        every = np.concatenate([np.reshape(some, (-1, 2)) for some in points])
+        return cls(*every.min(axis=0), *every.max(axis=0))
+
+    @property
+    def size(self) -> float:
+        """The greater of width and height."""
+        return max(self.right - self.left, self.top - self.bottom)
+
+    def grown(self, across: float, up: float) -> "View":
+        """With margins."""
+        return View(self.left - across, self.bottom - up, self.right + across, self.top + up)
+
+    def holds(self, points: Any) -> Any:
+        """Which points, (..., 2), are in view."""
+        x, y = np.moveaxis(points, -1, 0)
+        return (self.left <= x) & (x <= self.right) & (self.bottom <= y) & (y <= self.top)
+
+    def show(self, ax: Any) -> None:
+        """Set an axis to it, or to more where the axis has another shape."""
+        ax.set_xlim(self.left, self.right, auto=None)
+        ax.set_ylim(self.bottom, self.top, auto=None)
+
+
+def mass_of(circle: Any, soil: Any) -> Mass:
+    """The mass of an arc, a section, or a critical circle in its slope; of an arc the chord stands for the ground."""
+    radius = float(circle.radius)
+    if isinstance(circle, Arc):
+        ends = np.array([circle.theta_1, circle.theta_2])
+        chord = radius * np.stack([np.cos(ends), np.sin(ends)], axis=-1)
+        return Mass(chord, np.zeros(2), radius, ends)
+    centre = np.asarray(circle.centre, dtype=np.float64)
+    across, up = np.transpose(np.stack([circle.entry, circle.exit]) - centre)
+    from_below = np.arctan2(across, -up)  # counted from straight below, angles do not jump
+    ground = np.asarray(soil.ground, dtype=np.float64)
+    return Mass(ground, centre, radius, np.sort(1.5 * math.pi + from_below))

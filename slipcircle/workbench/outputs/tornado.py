@@ -1,0 +1,117 @@
+"""What a change of each number of a scene changes, as bars to both sides, the widest on top."""
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from slipcircle.workbench.common.quantities import OUTCOMES
+from slipcircle.workbench.files.numbers import Number, by_name, uncertain_numbers
+from slipcircle.workbench.outputs.plotstyle import (
+    AREAS,
+    WIDTH,
+    axis,
+    empty,
+    known,
+    legend,
+    lines,
+    number,
+    quantity_words,
+    unit_of,
+)
+from slipcircle.workbench.studies.motions import scales
+
+if TYPE_CHECKING:
+    from slipcircle.core import Sensitivity
+
+_MOST_BARS = 10  # the others are a line of text
+_SHARE = 0.01  # by which each number changes where the scene does not say how uncertain it is
+
+
+def tornado(
+    table: "Sensitivity",
+    output: str = "run_out",
+    changes: Mapping[str, float] | None = None,
+    ax: Any = None,
+    named: bool = True,
+) -> Any:
+    """How much an output changes, to first order, with a change of each number of a scene; the largest on top.
+
+    ``changes`` is by how much each number changes, in the unit of its key in a scene file,
+    ``{"friction.angle_deg": 2.0}``, and only these are drawn. By default the uncertain numbers of the scene change by
+    one standard deviation; where it has none, all numbers by 1 %, ends of the arc by 1 % of its half angle and points
+    of a section by 1 % of its depth. ``named`` is whether the axis has a legend.
+    """
+    known("tornado: output", output, table.outputs)
+    steps, how = _steps(table, changes)
+    bars = _changes(table, output, steps)
+    if changes is None:
+        bars = [bar for bar in bars if bar[0]]
+    shown, hidden = bars[:_MOST_BARS], bars[_MOST_BARS:]
+    ax = axis(ax, (7.0, 1.6 + 0.4 * max(2, len(shown))))
+    unit, at = table.outputs[output], table.at[output]
+    words = f"change of {OUTCOMES[output].label} from {number(at)} {unit}{how} ({unit})"
+    if hidden:
+        words += f"\n{len(hidden)} more numbers change it by at most {number(abs(hidden[0][0]))} {unit} each"
+    ax.set(xlabel=words)
+    if not at or not shown:
+        return empty("nothing changes it" if at else "does not move", ax, "x", "y")
+    _two_sided_bars(ax, shown)
+    if named:
+        legend(ax)
+    return ax
+
+
+def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Number, float]]) -> list[tuple[float, str]]:
+    """The change of an output with each step, the largest first, and the step in words."""
+    bars = []
+    for name, (key, step) in steps.items():
+        value = float(key.from_si(table.at[name]))
+        change = table.derivative(output, name) * key.slope(value) * step
+        words = f"{quantity_words(key)} {number(value)} ± {step:.3g} {unit_of(key)}"
+        bars.append((change, words.rstrip()))
+    return sorted(bars, key=lambda bar: -abs(bar[0]))
+
+
+def _two_sided_bars(ax: Any, bars: Sequence[tuple[float, str]]) -> None:
+    """A bar to both sides for each change and its text, the widest one first."""
+    changes = np.array([change for change, _ in bars])
+    lines(ax, [text for _, text in bars])
+    places = np.arange(len(bars))
+    ax.barh(places, changes, height=0.62, label="larger", **AREAS["kinetic"])
+    ax.barh(places, -changes, height=0.62, label="smaller", **AREAS["rests"])
+    widest = 1.08 * abs(changes[0])
+    ax.set_xlim(-widest, widest)
+    ax.axvline(0.0, color="0.25", lw=0.8)
+
+
+def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Number, float]], str]:
+    """By how much numbers change, each in the unit of its key, all measured alike; and how, in words."""
+    by_names, uncertain = by_name(table.scene), uncertain_numbers(table.scene)
+    keys = {name: by_names[name] for name in table.parameters}
+    if changes is not None:
+        for changed in changes:
+            known("tornado: changes", changed, [key.key for key in keys.values()])
+        return {name: (key, changes[key.key]) for name, key in keys.items() if changes.get(key.key)}, ""
+    if any(name in keys for name in uncertain):
+        deviations = {name: (u.number, u.moments[1]) for name, u in uncertain.items() if name in keys}
+        return deviations, ", by a standard deviation of each"
+    steps = {}
+    for name, key in keys.items():
+        value = float(key.from_si(table.at[name]))
+        slope = key.slope(value)
+        (size,) = scales(table.scene, {name: value * slope}).tolist()
+        steps[name] = key, _SHARE * size / slope
+    return steps, f", by {100 * _SHARE:g} % of each"
+
+
+def panels(table: "Sensitivity", figure: Any) -> None:
+    """A tornado of each output, one above the other, on an empty figure."""
+    axes = figure.subplots(len(table.distinct), 1)
+    for k, (output, ax) in enumerate(zip(table.distinct, axes, strict=True)):
+        tornado(table, output, ax=ax, named=k == 0)
+
+
+def size(table: "Sensitivity") -> tuple[float, float]:
+    """Inches of the tornados."""
+    return WIDTH, len(table.distinct) * (1.5 + 0.3 * min(_MOST_BARS, len(table.parameters)))
