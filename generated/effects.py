@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: cfdf71dbeee237098560d2b2101fa228615ba8c00d837fed8606a00cded543cf
+# sha256 of the text below: ad47723fe27bd19837eb0202bff0b97486869d329fe7bd3fc9d13cc8c37f7792
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -65,6 +65,9 @@ LIMITS = {'': (1e-12, 1000000000000.0), 'm': (1e-13, 1e+20), 's': (1e-12, 1e+18)
     'm/s^2': (1e-13, 1000000000000000.0), 'N/m^3': (0.001, 1000000000.0), 'Pa': (1e-09, 1000000000000000.0),
     'Pa s': (1e-12, 1e+20), 'Pa/K': (1e-09, 1000000000000000.0), 'J/m^3 K': (0.001,
     1000000000000000.0)}  # between which what has a unit lies
+USUAL = {'N/m^3': (5000.0, 100000.0), 'Pa': (50.0, 100000000.0)}  # ranges that soils have
+OTHER_UNITS = {'N/m^3': {'kN/m^3': 1000.0, 'kg/m^3': 9.81}, 'Pa': {'kPa': 1000.0, 'MPa': 1000000.0}}
+USUAL_FRICTION = (0.0174550649282176, 10.0)
 
 LAWS = {
     'constant': Law('constant', '1.14', (

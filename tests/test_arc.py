@@ -228,7 +228,7 @@ BAD: list[tuple[dict[str, Any], str]] = [
     ({"theta_2": np.deg2rad(395.3)}, "theta_2 - theta_1 = 180.1 deg: must be at most 180"),
     ({"theta_1": np.deg2rad(20.0), "theta_2": np.deg2rad(80.0)}, "theta_1 = 20 deg, theta_2 = 80 deg"),
     ({"theta_1": np.deg2rad(120.0), "theta_2": np.deg2rad(239.999)}, "between 180 and 360 deg"),  # J_r < 0, just
-    ({"theta_1": -0.5, "theta_2": 0.5}, "presses on nothing"),  # J_r = 0 exactly
+    ({"theta_1": -0.5, "theta_2": 0.5}, "no normal load"),  # J_r = 0 exactly
     ({"theta_1": [4.0, 3.8], "theta_2": [3.9, 5.0]}, "theta_2 = 223.4535401 deg: must be above theta_1 = 229.1831181"),
     ({"theta_1": [3.8, 1.0], "theta_2": [5.0, 5.0]}, "theta_2 - theta_1 = 229.1831181 deg"),
     ({"theta_1": [3.8, 3.9], "theta_2": [4.8, 4.9, 5.0]}, "theta_1 (2,), theta_2 (3,)"),

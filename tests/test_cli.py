@@ -130,7 +130,7 @@ def test_what_is_level_stands_or_is_carried(tmp_path: Path, said: Any, asked: An
         return path
 
     told = asked("run", slope(head="accuracy = 1e-30\n"))[2]
-    assert "no result in float64 is sure to less" in told
+    assert "float64 does not allow a smaller error" in told
     assert "friction is next" not in told
     assert columns(said("run", slope(first=260)))["factor of safety"] == ["infinite"]
     assert "after 0 s" not in "".join(asked("run", slope(angle=42))[1:])

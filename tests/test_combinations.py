@@ -43,7 +43,7 @@ def test_every_combination_of_effects(law: str) -> None:
         try:
             motion = check(built(given, law), given)
         except ValueError as refused:
-            if "upright" not in str(refused) and "hang over" not in str(refused):
+            if "vertical" not in str(refused) and "overhang" not in str(refused):
                 raise
             with pytest.raises(taylor.Unfit):
                 taylor.Solution(taylor.Problem(given), 26, 22)

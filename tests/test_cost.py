@@ -23,6 +23,7 @@ from slipcircle.workbench.outputs import pictures, tables
 from tests.campaigns import exact_scenes
 from tests.support import oracle
 from tests.support.outputs import QUICK
+from tests.support.pictures import canvas
 
 SEEN = (1e-100, 1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.nextafter(np.pi / 2, 0)), float(np.pi / 2))
 MEASURED = "weight_moment_amplitude"
@@ -287,8 +288,16 @@ def test_the_picture(rows: list[Row]) -> None:
     both = [*rows, *judged(*RACE[:3])]
     drawn = pictures.render(lambda figure: costplot.overview(both, figure), costplot.size(both), "svg").decode()
     for text in (MEASURED, "best, NumPy", "printed, float64", "ours, worst seen; a bar up to what is proved",
-                 "time of an element at N = 1e4, ns", "alpha, rad", "our good"):  # fmt: skip
+                 "time of an element at N = 1e4, ns", "alpha, rad"):  # fmt: skip
         assert f"<!-- {text} -->" in drawn, text
+    profiled = [row for row in rows if row.function == MEASURED and row.profile is not None]
+    front, named = canvas().subplots(1, 2)
+    assert "our good" in [text.get_text() for text in costplot.frontier(both[-3:], front).texts]
+    costplot.over_alpha(profiled, named)
+    colours = {line.get_label(): line.get_color() for line in named.lines if not str(line.get_label()).startswith("_")}
+    assert len(colours) == 9
+    assert colours[f"{len(profiled) - 8} others"] == "0.75"  # grey, and not of one of the eight
+    assert [*colours.values()].count("0.75") == 1
     place = costplot.both_ends(np.array([0.0, 1e-6, np.pi / 4, np.pi / 2 - 1e-6, np.nextafter(np.pi / 2, 0), 1.571]))
     assert (place[0], place[2]) == (-np.inf, 0.0)
     assert place[3] == pytest.approx(-place[1], abs=1e-9)  # as far from its end, as far from the middle

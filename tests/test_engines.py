@@ -247,7 +247,7 @@ def test_another_record_or_law_is_refused(tmp_path: Path) -> None:
             continue
         with pytest.raises(ValueError, match="another study: numbers, effects differ"):
             grid(two, {"friction": [0.4]}, folder=tmp_path / str(k))
-    with pytest.raises(ValueError, match="needs a name of its own"):
+    with pytest.raises(ValueError, match="needs a name"):
         grid(replace(load("vaiont"), friction=lambda s: 0.2 + 0 * s), {"radius": [1e3]}, folder=tmp_path / "law")
 
 

@@ -178,6 +178,13 @@ def test_what_soils_say_is_not_said_twice() -> None:
         Scene(Section(GROUND, (30, 45), 48.0, 19e3), 0.3, {"layered_strength": {}})
 
 
+def test_numbers_of_soils_of_an_odd_size_are_questioned() -> None:
+    layers = [(Soil(19.0, 5e3, 0.3, name="light"), None), (Soil(19e3, 5e3, 30.0, name="rough"), 2.0)]
+    said = solve(Scene(LayeredSection(GROUND, (30, 45), 48.0, layers=layers))).warnings
+    assert any("soils.light.unit_weight = 19 N/m^3: is that in kN/m^3?" in warning for warning in said)
+    assert any("soils.rough.friction = 30: is that an angle?" in warning for warning in said)
+
+
 # --- layered slopes --------------------------------------------------------------------------------------------------
 
 GIVEN = [case for case in CASES if "circle" in case]

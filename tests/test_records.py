@@ -245,7 +245,7 @@ def test_a_record_of_water_in_a_file_beside_the_scene(tmp_path: Any, monkeypatch
     for more, said in {
         "record = 'data/water.csv'\n": "give column, one of 2 (upper), 3 (lower)",
         "record = 'data/water.csv'\ncolumn = 'lower'\npressure_kPa = 1\n": "pressure_kPa and record exclude",
-        "column = 'lower'\nratio = 0.1\n": "pore_pressure.column: belongs to a record; leave it out, or give record",
+        "column = 'lower'\nratio = 0.1\n": "pore_pressure.column: applies to a record; remove it, or give record",
         "column = 'lower'\n": "ratio or pressure_kPa or record is missing",
         "record = 1\n": "pore_pressure.record = 1: must be text",
     }.items():
@@ -376,13 +376,13 @@ def test_series_is_straight_between_samples_and_held_or_zero_outside() -> None:
 @pytest.mark.parametrize(
     ("kind", "given", "said"),
     [
-        (Series, ([0.0], [1.0]), "1 times and 1 values: must have as many of both, two at least"),
+        (Series, ([0.0], [1.0]), "1 times and 1 values: must have equal numbers of both, two at least"),
         (Series, ([[0.0, 1.0]], [[1.0, 2.0]]), "must be a plain list of numbers"),
         (Series, ([0.0, 1.0, 1.0], [1.0, 2.0, 3.0]), "sample 3: time = 1.0 s repeats"),
         (Series, ([0.0, 1.0], [1.0, math.nan]), "sample 2: value = nan"),
         (Pulse, ("sine", 1.0, -1.0, 1.0), "start = -1: must be a time in s, not before 0"),
         (Pulse, ("sine", 1.0, 0.0, 1.0, 0.0), "cycles = 0: must be a number of waves above 0"),
-        (Pulse, ("half-sine", 1.0, 0.0, 1.0, 2.0), "cycles = 2.0: belongs to a sine only"),
+        (Pulse, ("half-sine", 1.0, 0.0, 1.0, 2.0), "cycles = 2.0: applies to a sine only"),
         (Pulse, ("sine", [1.0, 2.0], 0.0, 1.0), "amplitude = [1.0, 2.0]: must be one number"),
     ],
 )

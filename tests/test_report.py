@@ -87,12 +87,15 @@ def test_it_says_what_is_assumed_and_how_to_repeat_it() -> None:
 def test_it_needs_nothing_else_and_its_figures_are_whole_drawings() -> None:
     """With words for those who do not see them."""
     root = tree(page())
-    assert [e for e in root.iter() if e.tag in ("script", "link", "iframe", "object", "embed", "base")] == []
+    assert [e for e in root.iter() if e.tag in ("link", "iframe", "object", "embed", "base")] == []
+    slide, program = root.iter("script")
+    assert (slide.attrib, program.attrib) == ({"type": "application/json"}, {})
     links = [v for e in root.iter() for k, v in e.attrib.items() if k in ("src", "href", "srcset", "data", "action")]
     assert all(v.startswith(("data:image/svg+xml;base64,", "#")) for v in links)
-    assert not re.search(r"url\(|@import", page())
+    assert not re.search(r"url\((?!#)|@import", page())
     (policy,) = (e.get("content") for e in root.iter("meta") if e.get("http-equiv") == "Content-Security-Policy")
     assert policy.startswith("default-src 'none';")
+    assert "unsafe" not in policy
     images = list(root.iter("img"))
     assert [i.get("alt") for i in images] == [f"{n} of wet-slope" for n in ("Section", "Histories", "Phase plane")]
     for image in images:
@@ -103,7 +106,18 @@ def test_it_needs_nothing_else_and_its_figures_are_whole_drawings() -> None:
         for e in root.iter():
             links = [v for k, v in e.attrib.items() if k.endswith("href")]
             assert all(v.startswith(("#", "data:")) for v in links)
-    assert len(list(tree(page()).iter("figcaption"))) == 3
+    assert len(list(tree(page()).iter("figcaption"))) == 4
+
+
+def test_the_slide_and_the_key_numbers_come_first() -> None:
+    """Below the one heading of the page; wide tables scroll by themselves."""
+    root = tree(page())
+    body = [e for e in root.find("body").iter() if e.tag in ("h1", "h2", "figure", "dl", "img", "table", "h3")]
+    assert [(e.tag, e.get("class")) for e in body[:3]] == [("h1", None), ("figure", "slide"), ("dl", "facts")]
+    assert [e.tag for e in body].index("img") < [e.tag for e in body].index("table")
+    (h1,), (h2,) = root.iter("h1"), root.iter("h2")
+    assert (h1.text, h2.text) == ("wet-slope", "To repeat it")
+    assert len(list(root.iter("table"))) == len([e for e in root.iter("div") if e.get("class") == "scroll"])
 
 
 def test_inputs_have_units_and_sources() -> None:
@@ -129,7 +143,7 @@ def test_texts_of_users_are_no_html() -> None:
     file = "# " + HOSTILE.replace("\x08", "").replace("\ud800", "") + "\n"
     text = report([m, m], [file.encode(), None], f"run {HOSTILE}")
     root = tree(text)
-    assert not list(root.iter("script"))
+    assert len(list(root.iter("script"))) == 3  # the data of two slides, and their program
     clean = HOSTILE.replace("\x08", "\ufffd").replace("\ud800", "\ufffd")
     assert [h.text for h in root.iter("h2")] == [clean, clean, "To repeat it"]
     assert {f"run {clean}", file} <= {pre.text for pre in root.iter("pre")}

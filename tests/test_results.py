@@ -121,7 +121,7 @@ def test_a_lane_is_the_scene_solved_by_itself() -> None:
         motion[2]
     alone = single(10.0, 0.0)
     assert alone
-    for ask, said in ((lambda: len(alone), "not of a scene of arrays"), (lambda: alone[0], "no lanes")):
+    for ask, said in ((lambda: len(alone), "its scene has no arrays"), (lambda: alone[0], "cannot be indexed")):
         with pytest.raises(TypeError, match=said):
             ask()
 
@@ -129,7 +129,7 @@ def test_a_lane_is_the_scene_solved_by_itself() -> None:
 def test_a_failure_has_a_name_and_a_reason() -> None:
     failed = overturned()
     assert failed.to_dict()["status"].tolist() == ["MOVING", "UPRIGHT"]
-    assert failed.reason.tolist() == ["", "the chord stands upright, and the mass would hang over"]
+    assert failed.reason.tolist() == ["", "the chord is vertical, and the mass would overhang"]
     assert np.isnan(failed.run_out[1])
     assert [s for s in Status if not s.reason] == [Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED]
 

@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import brentq
 
 from slipcircle import Arc, Motion, Scene, Section, load, solve
-from slipcircle.workbench.stability.slices import circle_factors
+from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.stability import Slope
 from tests.support.grounds import GROUND
 
@@ -74,7 +74,7 @@ def test_what_is_not_solved_is_told() -> None:
     deep = Section([[-10, 10], [0, 0], [10, 10]], [0.2, 2.0], 4.0, 20e3)
     with pytest.raises(ValueError, match="half a circle"):
         Scene(deep, 0.3)
-    with pytest.raises(AttributeError, match="of a Section only"):
+    with pytest.raises(AttributeError, match="needs a Section"):
         solve(Scene(Arc(60.0, 4.0, 5.0, 2e4), 0.9)).journey  # noqa: B018
 
 
@@ -83,6 +83,20 @@ def test_an_ensemble_of_frictions_on_one_section() -> None:
     one = solve(Scene(body(), 0.2, ["rotation"]))
     assert many.run_out[1] == pytest.approx(one.run_out, rel=1e-9)
     assert many.journey.run_out[1] == pytest.approx(one.journey.run_out, rel=1e-9)
+
+
+def test_a_travel_angle_is_that_of_the_centroids_way(tmp_path: Path, said: Any) -> None:
+    """Of a mass that does not move the limit, and none in words; the slope falls to the left."""
+    section = body()
+    for rotation in (-0.2, 0.3):
+        way = section.placed(section.centroid, rotation) - section.centroid
+        assert section.journey(rotation).travel_angle == pytest.approx(math.atan2(-way[1], -way[0]), rel=1e-12)
+    assert section.journey(0.0).travel_angle == pytest.approx(section.journey(1e-9).travel_angle, rel=1e-8)
+    text = Path("slipcircle/scenes/real-slope.toml").read_text("utf-8").replace("peak_deg = 19.6", "peak_deg = 40")
+    path = tmp_path / "slope.toml"
+    path.write_text(text, "utf-8")
+    (line,) = (line for line in said("run --verbose", path).splitlines() if line.startswith("travel angle"))
+    assert line.split()[-1] == "-"
 
 
 def test_from_a_file_to_the_slide(tmp_path: Path, said: Any, records: Any) -> None:

@@ -146,7 +146,7 @@ def test_the_strength_at_the_start_counts(write: Write, soil: str, friction: flo
 
 def test_the_command_refuses_what_it_cannot_read(write: Write, refused: Any, asked: Any) -> None:
     assert "is that in N/m3" in refused("search", write(ACADS.replace("kN_m3 = 20", "kN_m3 = 19500")))
-    assert "thinner skin" in refused("search", write(ACADS.replace("cohesion_kPa = 3", "cohesion_kPa = 0")))
+    assert "ever thinner masses" in refused("search", write(ACADS.replace("cohesion_kPa = 3", "cohesion_kPa = 0")))
     limits = "[search]\nexit_m = [30, 2]\ndepth_m = 2e5\n"
     for command, text in (("search", ACADS + limits), ("run", SCENE + limits)):
         told = refused(command, write(text))

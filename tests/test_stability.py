@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from slipcircle import Scene
+from slipcircle import LayeredSection, Scene, Soil, solve
 from slipcircle.core.scene import circles
 from slipcircle.core.scene.ground import circle_through
 from slipcircle.core.scene.section import Section
+from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.family import Search
-from slipcircle.workbench.stability.search import critical
-from slipcircle.workbench.stability.slices import circle_factors
+from slipcircle.workbench.stability.search import at_circle, critical
 from slipcircle.workbench.stability.stability import METHODS, Slope, factors_of_safety
 from tests.campaigns import peers_slopes
 
@@ -287,7 +287,7 @@ def test_limits_hold() -> None:
         if "depth" in more:
             assert Section(slope.ground, found.centre, found.radius, 19e3, between=found.between).depth >= 6.0 - 1e-6
         (name,) = more
-        stands = f"the {name} stands on a limit of the search" if name != "depth" else "as thin as the search allows"
+        stands = f"the {name} is at a limit of the search" if name != "depth" else "as thin as the search allows"
         assert stands in found.warning
         assert stands not in free.warning
     again = critical(slope)
@@ -384,12 +384,12 @@ def test_the_least_factor_is_that_of_differential_evolution(seed: int) -> None:
 @pytest.mark.parametrize(
     ("slope", "more", "words"),
     [
-        (replace(ACADS, cohesion=0.0), {}, "ever thinner skin"),
+        (replace(ACADS, cohesion=0.0), {}, "ever thinner masses"),
         (replace(ACADS, friction=0.0, base=None), {}, "infinitely deep, where the factor tends to 0.0828;"),
         (replace(ACADS, friction=0.0, base=None, k_h=0.1), {}, "infinitely deep"),
         (Slope([(0, 0), (50, 0)], 1e3, 0.5, 2e4), {}, "level"),
-        (replace(ACADS, pressure=5e3), {}, "the same along every circle, and lifts the thin ones"),
-        (replace(ACADS, k_h=-0.9), {}, "no circle is left that slides"),
+        (replace(ACADS, pressure=5e3), {}, "uniform along every circle, and lifts thin masses"),
+        (replace(ACADS, k_h=-0.9), {}, "no circle within these limits can slide"),
         (ACADS, {"method": "janbu"}, "must be one of"),
         (ACADS, {"method": ["bishop"]}, "must be one of"),
         (ACADS, {"entry": 3.0}, "entry = 3.0: must be two numbers"),
@@ -399,7 +399,7 @@ def test_the_least_factor_is_that_of_differential_evolution(seed: int) -> None:
         (ACADS, {"entry": (5.0, 1.0)}, "least and the greatest"),
         (ACADS, {"exit": (200.0, 300.0)}, "beside the ground"),
         (ACADS, {"depth": -1.0}, "at least 0"),
-        (ACADS, {"entry": (0.0, 1.0), "exit": (2.0, 3.0)}, "no circle is left"),
+        (ACADS, {"entry": (0.0, 1.0), "exit": (2.0, 3.0)}, "no circle within these limits"),
     ],
 )
 def test_a_search_without_an_answer_says_why(slope: Slope, more: dict[str, object], words: str) -> None:
@@ -429,3 +429,49 @@ def test_slopes_that_are_refused(more: dict[str, object], words: str) -> None:
     given = {"ground": ACADS.ground, "cohesion": 3e3, "friction": 0.35, "unit_weight": 2e4}
     with pytest.raises(ValueError, match=words):
         Slope(**(given | more))  # type: ignore[arg-type]
+
+
+LAYERED = [
+    (Soil(18e3, 2e3, 0.7, name="sand"), None),
+    (Soil(17e3, 35e3, 0.0, cohesion_gradient=1e3, datum=2.0, name="clay"), 2.0),
+    (Soil(19e3, 5e3, 0.4, pore_ratio=0.1, name="till"), [(-60, -4), (0, -3), (60, -5)]),
+]
+GENTLE = [(-60, 8), (-20, 8), (0, 0), (60, 0)]
+LOADED: dict[str, Any] = {"surcharge": [(-40, -22, 10e3, 30e3)], "k_h_on_surcharge": True}
+SHAKEN = [Slope(GENTLE, 12e3, 0.4, 19e3, pore_ratio=0.2, base=-10.0, k_h=0.3),
+          Slope(GENTLE, layers=LAYERED, base=-10.0, **LOADED)]  # fmt: skip
+
+
+@pytest.mark.parametrize("slope", SHAKEN, ids=["one soil", "layers"])
+def test_the_least_yield_coefficient_is_the_k_h_that_makes_the_least_paper_factor_one(slope: Slope) -> None:
+    found = critical(slope, "k_y")
+    k_y = found.yield_coefficient
+    assert k_y is not None
+    assert k_y > 0.0
+    shaken = replace(slope, k_h=k_y)
+    on_it = at_circle(shaken, Section(GENTLE, found.centre, found.radius, 1.0, between=found.between))
+    assert on_it.factor_of_safety["paper"] == pytest.approx(1.0, rel=1e-12)
+    assert critical(shaken, "paper").factor_of_safety["paper"] == pytest.approx(1.0, rel=1e-4)
+    # No circle of a family of its own yields before.
+    rng = np.random.default_rng(3)
+    left = np.stack([rng.uniform(-50, -18, 4000), np.zeros(4000)], axis=1)
+    right = np.stack([rng.uniform(-2, 25, 4000), np.zeros(4000)], axis=1)
+    for ends in (left, right):
+        ends[:, 1] = np.interp(ends[:, 0], *np.array(GENTLE).T)
+    chord = np.hypot(*(right - left).T)
+    centre, radius = circle_through(left, right, depth=rng.uniform(0.05, 0.45, 4000) * chord)
+    above_base = centre[:, 1] - radius >= -10.0
+    every = circle_factors(slope.arrays(), *(values[above_base] for values in (centre, radius, left, right)))["k_y"]
+    assert k_y * (1 - 1e-6) <= np.nanmin(every) < k_y + 0.02
+
+
+def test_the_yield_coefficient_of_a_circle_is_that_of_its_motion() -> None:
+    circle: dict[str, Any] = {"centre": (-6.0, 22.0), "radius": 24.0}
+    scenes: list[tuple[Any, Slope]] = [
+        (Scene(Section(GENTLE, **circle, unit_weight=19e3), 0.4, {"cohesion": {"cohesion": 12e3}}),
+         Slope(GENTLE, 12e3, 0.4, 19e3)),
+        (Scene(LayeredSection(GENTLE, **circle, layers=LAYERED, surcharge=SHAKEN[1].surcharge)),
+         replace(SHAKEN[1], k_h_on_surcharge=False)),
+    ]  # fmt: skip
+    for scene, slope in scenes:
+        assert at_circle(slope, scene.arc).yield_coefficient == pytest.approx(solve(scene).yield_coefficient, rel=1e-9)

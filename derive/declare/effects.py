@@ -36,6 +36,10 @@ LIMITS = {
     "": (1e-12, 1e12), "m": (1e-13, 1e20), "s": (1e-12, 1e18), "m/s": (1e-18, 3e8), "m/s^2": (1e-13, 1e15),
     "N/m^3": (1e-3, 1e9), "Pa": (1e-9, 1e15), "Pa s": (1e-12, 1e20), "Pa/K": (1e-9, 1e15), "J/m^3 K": (1e-3, 1e15),
 }  # fmt: skip
+# Ranges that soils have by unit, and SI values of other units in which a number beyond them may have been meant.
+USUAL = {"N/m^3": (5e3, 1e5), "Pa": (50.0, 1e8)}
+OTHER_UNITS = {"N/m^3": {"kN/m^3": 1e3, "kg/m^3": 9.81}, "Pa": {"kPa": 1e3, "MPa": 1e6}}
+USUAL_FRICTION = (0.0174550649282176, 10.0)  # tan(1 deg): less was an angle in rad; more was one in deg
 
 
 @dataclass(frozen=True)

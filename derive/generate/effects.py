@@ -4,7 +4,20 @@ import re
 
 import sympy as sp
 
-from derive.declare.effects import EFFECTS, LAWS, LIMITS, SECTION_EFFECTS, VALUE, Effect, Law, Parameter, formulas
+from derive.declare.effects import (
+    EFFECTS,
+    LAWS,
+    LIMITS,
+    OTHER_UNITS,
+    SECTION_EFFECTS,
+    USUAL,
+    USUAL_FRICTION,
+    VALUE,
+    Effect,
+    Law,
+    Parameter,
+    formulas,
+)
 
 
 def module() -> str:
@@ -12,6 +25,9 @@ def module() -> str:
     return _EFFECTS_HEAD + "\n".join(
         [
             f"LIMITS = {LIMITS!r}  # between which what has a unit lies",
+            f"USUAL = {USUAL!r}  # ranges that soils have",
+            f"OTHER_UNITS = {OTHER_UNITS!r}",
+            f"USUAL_FRICTION = {USUAL_FRICTION!r}",
             "",
             "LAWS = {",
             *(f"    {law.name!r}: {_effect(law, 'Law')}," for law in LAWS),

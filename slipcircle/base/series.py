@@ -63,7 +63,7 @@ class Series:
             object.__setattr__(self, name, given.astype(np.float64))
         if self.time.shape != self.values.shape or self.time.size < 2:
             raise ValueError(
-                f"Series: has {self.time.size} times and {self.values.size} values: must have as many of both, "
+                f"Series: has {self.time.size} times and {self.values.size} values: must have equal numbers of both, "
                 "two at least"
             )
         fault = bad_sample(self.time, self.values)
@@ -127,7 +127,7 @@ class Pulse:
         }
         faults += mistakes(vars(self), bounds, one=bounds)
         if self.name != "sine" and self.cycles != 1.0:
-            faults.append(f"cycles = {self.cycles!r}: belongs to a sine only; leave it out")
+            faults.append(f"cycles = {self.cycles!r}: applies to a sine only; remove it")
         raise_all("Pulse", faults)
 
     def scaled(self, factor: float) -> "Pulse":

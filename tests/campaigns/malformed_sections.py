@@ -95,13 +95,13 @@ def line(rng: Random, given: Data) -> Wrong:
             return Wrong({name: points}, f"{name}[{k}]", shown(points[k]) + ".*lies left of the point before it")
         case 1:
             points.insert(k, list(points[k - 1]))
-            return Wrong({name: points}, f"{name}[{k}]", shown(points[k]) + ".*is the point before it")
+            return Wrong({name: points}, f"{name}[{k}]", shown(points[k]) + ".*is equal to the point before it")
         case 2:
             points[k][rng.randrange(2)] = rng.choice([NAN, INF, -INF, 1e9, -1e300])
             return Wrong({name: points}, f"{name}[{k}]", shown(points[k]) + ".*within 1e9 m")
         case 3:
-            return Wrong({name: [[points[0][0], y] for _, y in points]}, name, "all points lie above each other|is the "
-                         "point before it", KEYS[name])  # fmt: skip
+            return Wrong({name: [[points[0][0], y] for _, y in points]}, name, "all points have the same x|is equal "
+                         "to the point before it", KEYS[name])  # fmt: skip
         case 4:
             odd: list[Any] = [[], [points[0]], "ground", None, 3.0, True, [1.0, 2.0], [[1.0], [2.0]], points[0],
                               [[1, 2, 3], [4, 5, 6]], [["a", "b"], ["c", "d"]], {"x": 1}, [points[0], [1.0]],
@@ -143,14 +143,14 @@ def several(rng: Random, given: Data) -> Wrong:
     sides = [[c, float(np.interp(c, *points.T))] for c in (cuts[0], cuts[2])]
     inner = [p for p in given["ground"] if not cuts[0] <= p[0] <= cuts[2]]
     ground = sorted([*inner, *sides, [cuts[1], float(floor)]])
-    return Wrong({"ground": ground, "level": None}, "centre", "several stretches.*choose one by .*between")
+    return Wrong({"ground": ground, "level": None}, "centre", "several masses.*choose one by .*between")
 
 
 def between(rng: Random, given: Data) -> Wrong:
     far = given["ground"][-1][0]
     odd: list[Any] = [(5.0, 3.0), (1.0, 1.0), (1.0,), (1.0, 2.0, 3.0), "ab", 3.0, (NAN, 1.0), (far, far + 1),
                       ("a", "b"), {"a": 1}, [(0.0, 1.0), (2.0, 3.0)], True]  # fmt: skip
-    return Wrong({"between": rng.choice(odd)}, "between", "two|no stretch", "circle.")
+    return Wrong({"between": rng.choice(odd)}, "between", "two|no mass there", "circle.")
 
 
 def below_ground(rng: Random, given: Data) -> Wrong:
@@ -188,7 +188,7 @@ def pond(rng: Random, given: Data) -> Wrong:
 def uncovering(rng: Random, given: Data) -> Wrong:
     far = given["ground"][-1][0] + 1.0
     y = min(p[1] for p in given["ground"]) - 1.0
-    return Wrong({"level": [[far, y], [far + 5, y]]}, "level", "beside the ground; it must reach over it")
+    return Wrong({"level": [[far, y], [far + 5, y]]}, "level", "beside the ground; it must extend over it")
 
 
 def shapes(rng: Random, given: Data) -> Wrong:

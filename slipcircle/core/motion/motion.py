@@ -211,7 +211,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         """Position at the end, for a `Section`: toe and its horizontal run-out, drop of the centroid, travel angle."""
         section = self.plan.scene.arc
         if not isinstance(section, Section):
-            raise AttributeError("journey: of a Section only, as an Arc does not say where it lies")
+            raise AttributeError("journey: needs a Section, as an Arc has no position")
         return section.journey(self.end.rotation)
 
     # --- along the way, of a single motion ---------------------------------------------------------------------------
@@ -298,7 +298,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         from slipcircle.core.motion.sensitivity import sensitivity
 
         if self.shape:
-            raise ValueError("sensitivity: takes one scene at a time; solve a lane by itself")
+            raise ValueError("sensitivity: takes a single scene; solve one case of the ensemble")
         if not self.moves and self.limit_friction == self.friction:
             raise ValueError("friction: the scene is exactly at its limit, where the motion has no derivative")
         at: dict[str, Any] = {name: value if self.moves else 0.0 for name, value in self.outcomes.items()}
@@ -308,7 +308,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     def __len__(self) -> int:
         if not self.shape:
-            raise TypeError("a single motion has no len(): it is not of a scene of arrays")
+            raise TypeError("a single motion has no len(): its scene has no arrays")
         return int(self.shape[0])
 
     def __bool__(self) -> bool:
@@ -317,7 +317,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     def __getitem__(self, index: Any) -> Self:
         """The motion of one lane, or of some, by NumPy's indices of the scene's shape."""
         if not self.shape:
-            raise TypeError("a single motion has no lanes: it is not of a scene of arrays")
+            raise TypeError("a single motion cannot be indexed: its scene has no arrays")
         scene = self.plan.scene
         arrays = {name: value for name, value in scene.numbers.items() if np.ndim(value)}
         chosen = {name: np.broadcast_to(value, self.shape)[index] for name, value in arrays.items()}

@@ -50,7 +50,7 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     if any(outputs.values()):
         values[:] = _derivatives(lanes, list(units))
     at = dict(outputs) | {n: float(np.asarray(scene.numbers[n])) for n in units}
-    said = [] if any(outputs.values()) else ["does not move, so that small changes change nothing"]
+    said = [] if any(outputs.values()) else ["does not move, so that small changes have no effect"]
     if isinstance(scene.arc, Section) and through_vertex(scene.arc):
         said.append(
             "the circle passes through a vertex of the ground: derivatives by its coordinates and the circle's "
@@ -81,7 +81,7 @@ def _derivatives(lanes: Lanes, names: Sequence[str]) -> Floats:
         run = _Run(problem, inputs, stiff_step)
         if run.is_smooth:
             return _in_si(lanes, inputs, run)
-    raise ValueError("sensitivity: this motion is too stiff for its derivatives; compare motions of other values")
+    raise ValueError("sensitivity: this motion is too stiff for derivatives; compare motions with other values")
 
 
 def _with_directions(problem: Problem, inputs: InputDerivatives) -> Problem:

@@ -88,7 +88,7 @@ def _refuse(motion: Motion) -> None:
     few_turnings = status == Status.ENDLESS and motion.turnings < 20
     if status == Status.UPRIGHT:
         why = (
-            f"{velocity}, friction: the chord stands upright after {motion.stopped_at:.6g} s and the mass would hang "
+            f"{velocity}, friction: the chord is vertical after {motion.stopped_at:.6g} s and the mass would hang "
             "over, which this method cannot follow; give an earlier {end_time} or a lower velocity"
         )
     elif not turns and (status == Status.ENDLESS or overflows):
@@ -105,7 +105,7 @@ def _refuse(motion: Motion) -> None:
         )
     elif status == Status.ENDLESS:
         times = min(motion.turnings, MOST_TURNS)
-        why = f"{end_time}: this mass turns back {times} times and more without resting; give an earlier end in s"
+        why = f"{end_time}: this mass turns back {times} times or more without coming to rest; give an earlier end in s"
     else:
         why = f"{velocity}, {end_time}: the motion overflows; give a lower velocity or an earlier end"
     raise InputError("", [why])

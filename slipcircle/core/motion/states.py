@@ -44,10 +44,10 @@ _WORDS = {
     "INVALID": "invalid",
 }
 _REASONS = {
-    "UPRIGHT": "the chord stands upright, and the mass would hang over",
+    "UPRIGHT": "the chord is vertical, and the mass would overhang",
     "ENDLESS": "it never rests, or turns back too often",
     "FAILED": "overflow",
-    "INVALID": "its numbers are no scene, such as an angle below its bound, or a circle that misses the ground",
+    "INVALID": "its numbers are not a valid scene: an angle below its bound, say, or a circle that misses the ground",
 }
 
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)

@@ -132,7 +132,7 @@ class Trajectory:
             asked = float(late.flat[0])
             end = "the end of this motion" if self.plan.scene.end_time is None else "the scene's end_time"
             raise ValueError(
-                f"Motion.at: times = {asked!r}: must be at most {end}, {last!r} s, unless the mass rests for good"
+                f"Motion.at: times = {asked!r}: must be at most {end}, {last!r} s, unless the mass stays at rest"
             )
         return time
 

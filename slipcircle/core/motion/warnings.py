@@ -36,14 +36,14 @@ def _conditioning(motion: Any) -> Iterator[str]:
     error, accuracy = motion.error_estimate, motion.plan.accuracy
     if error > accuracy:
         limit = motion.limit_friction
-        cause = "its numbers lie far apart"
+        cause = "its numbers differ by many orders of magnitude"
         if error < FORMAT_LIMIT:
-            cause = "no result in float64 is sure to less"
+            cause = "float64 does not allow a smaller error"
         elif len(motion.phases) > MANY_PHASES:
             cause = "the mass turns back many times"
         elif abs(motion.friction - limit) < NEAR_LIMIT * abs(limit):
             cause = "the friction is next to its limit"
-        missed = f"the estimated error {error:.1e} is above the accuracy asked for, {accuracy:.1e}"
+        missed = f"the estimated error {error:.1e} exceeds the requested accuracy, {accuracy:.1e}"
         yield f"ill-conditioned: {missed}; {cause}"
     elif motion.moves and motion.energy_error_estimate > ENERGY_TOLERANCE:
         yield (

@@ -152,8 +152,8 @@ class Arc(SlidingBody, Generic[Numbers]):
         def unpressed(k: int) -> str:
             one, two = degrees(k)
             return (
-                f"{{theta_1}} = {one:.10g} deg, {{theta_2}} = {two:.10g} deg: it presses on nothing; the middle of the "
-                f"arc must lie between 180 and 360 deg, below its centre{in_degrees()}"
+                f"{{theta_1}} = {one:.10g} deg, {{theta_2}} = {two:.10g} deg: there is no normal load; the middle of "
+                f"the arc must lie between 180 and 360 deg, below its centre{in_degrees()}"
             )
 
         with np.errstate(invalid="ignore"):  # J_r/Theta*: NaN beyond a half disc, and where the ends are no angles

@@ -39,12 +39,12 @@ def _not_one_stretch(section: Any) -> Fault:
             ends = zip(left[lane == k], right[lane == k], strict=True)
             stretches = ", ".join(f"[{a:.6g}, {b:.6g}]" for a, b in ends)
             short = " besides one that an end of the ground cuts short" if held[k] else ""
-            return f"{which}: cuts off several stretches of the ground; choose one by {{between}} = {stretches}{short}"
+            return f"{which}: cuts off several masses; choose one by {{between}} = {stretches}{short}"
         if held[k]:
             beyond = f"x = {x - r:.6g} or {x + r:.6g}"
-            return f"{which}: an end of the ground lies inside the circle; the ground must go on beyond {beyond}"
+            return f"{which}: an end of the ground lies inside the circle; the ground must continue beyond {beyond}"
         if section.between is not None and circles.stretches(section._cut.only([k]))[0].size:
-            return f"{{between}} = {section.between!r}: no stretch of the ground inside the circle lies there"
+            return f"{{between}} = {section.between!r}: the circle cuts off no mass there"
         (first_x, first_y), (last_x, last_y) = line[[0, -1]].tolist()
         reach = f"from [{first_x:.6g}, {first_y:.6g}] to [{last_x:.6g}, {last_y:.6g}]"
         return f"{which}: misses the ground, which reaches {reach}"
@@ -87,5 +87,5 @@ def motion_errors(section: Any) -> Iterator[Fault]:
     )
     yield (
         np.ravel(section.moment_coefficients.normal_load) <= 0.0,
-        lambda _: "the mass presses on nothing: its weight has no component towards the arc",
+        lambda _: "there is no normal load: the weight of the mass has no component towards the arc",
     )

@@ -15,7 +15,7 @@ _FITTING = {  # to each way to say what shakes
 }
 STRONGEST = 5.0  # g, beyond which no ground has shaken
 _OF_RECORDS = ("record", "units", "column", "step", "start", "gaps")
-_IN_FILES = "{{record}}: a file's name belongs into a scene file; in Python give {} = slipcircle.Record.read(path, ...)"
+_IN_FILES = "{{record}}: file names are for scene files; in Python use {} = slipcircle.Record.read(path, ...)"
 
 
 def resolved(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
@@ -65,7 +65,7 @@ def _water(given: Mapping[str, Any]) -> dict[str, Any]:
         raise InputError("", [_IN_FILES.format("pressure")])
     strange = next((k for k in _OF_RECORDS if k in given), None)
     if strange is not None:
-        raise InputError("", [f"{{{strange}}}: belongs to a record; leave it out, or give {{record}}"])
+        raise InputError("", [f"{{{strange}}}: applies to a record; remove it, or give {{record}}"])
     if "time" not in given:  # without it a list is an ensemble
         return rest
     lists = {k: v for k, v in rest.items() if not callable(v) and np.ndim(v) == 1}
@@ -86,13 +86,13 @@ def _as_series(given: Mapping[str, Any]) -> dict[str, Any]:
         raise InputError("", [_IN_FILES.format("horizontal")])
     ways = [w for w in _FITTING if w in given]
     if len(ways) != 1:
-        raise InputError("", [" and ".join(f"{{{w}}}" for w in ways) + " exclude each other; leave one out"])
+        raise InputError("", [" and ".join(f"{{{w}}}" for w in ways) + " exclude each other; remove one"])
     way = ways[0]
     strange = [k for k in given if k not in _FITTING[way] and k not in (way, "two_way")]
     if strange:
         raise InputError("", [f"{{{strange[0]}}} does not belong to a {way}; leave it out"])
     if "scale" in given and "peak" in given:
-        raise InputError("", ["{scale} and {peak} exclude each other; leave one out"])
+        raise InputError("", ["{scale} and {peak} exclude each other; remove one"])
     if way == "horizontal":
         return dict(given)
     missing = [k for k in ("amplitude", "duration") if k not in given]
@@ -113,6 +113,6 @@ def _check_strength(given: Mapping[str, Any]) -> None:
             continue
         peak = float(np.max(np.abs(factor("shaking", given, name)))) * record.greatest
         if peak > STRONGEST:
-            unlikely = f"{{{name}}} reaches {peak:.6g} g, and no ground has shaken with more than {STRONGEST:g} g"
+            unlikely = f"{{{name}}} reaches {peak:.6g} g, more than any recorded ground motion ({STRONGEST:g} g)"
             unit = 'its values are over gravity; in Python give their unit, such as Record(t, a, units="cm/s2")'
             raise InputError("", [f"{unlikely}: {unit}"])

@@ -23,7 +23,7 @@ def law_mistakes(given: Any) -> list[str]:
     faults = _named_faults(given, "friction", tuple(LAWS))
     if not faults and "rate" in given:
         if not may_have_rate(given["law"]):
-            faults.append(f"friction.rate: {given['law']} is no law of slip; leave one out")
+            faults.append(f"friction.rate: {given['law']} is not a law of slip; remove one")
         elif not isinstance(given["rate"], Mapping):
             faults.append(f"friction.rate = {shown(given['rate'])}: must be a law of speed with its parameters")
         else:
@@ -63,7 +63,7 @@ def _table_faults(path: str, name: str, parameters: Mapping[str, Any]) -> list[s
     places, values = (np.asarray(parameters[p.name], dtype=float) for p in LAWS[name].parameters)
     argument = f"{path}.{LAWS[name].parameters[0].name}"
     if places.ndim != 1 or places.shape != values.shape or places.size < 2:
-        return [f"{{{argument}}} and {{{path}.coefficient}}: must be two lists of equal length, two values at least"]
+        return [f"{{{argument}}} and {{{path}.coefficient}}: must be two lists of equal length, at least two values"]
     if name == "tabulated" and (places[0] != 0.0 or np.any(np.diff(places) <= 0.0)):
         return [f"{{{argument}}}: must start at 0 and increase"]
     return [f"{{{argument}}}: must increase"] if np.any(np.diff(places) <= 0.0) else []

@@ -22,11 +22,11 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
         return bad.any(axis=1), lambda k: f"{{{name}}}[{places[k]}] = {lines[k, places[k]].tolist()}: {words}"
 
     yield at(~(np.abs(lines) < FAR).all(axis=2), "must be two finite numbers within 1e9 m")
-    yield at(~step.any(axis=2), "is the point before it; leave one out")
+    yield at(~step.any(axis=2), "is equal to the point before it; remove one")
     yield at(step[..., 0] < 0.0, "lies left of the point before it; order them by x")
     yield (
         lines[:, -1, 0] == lines[:, 0, 0],
-        lambda _: f"{{{name}}}: all points lie above each other; it must reach from left to right",
+        lambda _: f"{{{name}}}: all points have the same x; it must extend from left to right",
     )
 
 
@@ -68,7 +68,7 @@ def pond_errors(grounds: Floats, levels: Floats) -> Fault:
 
     def sentence(k: int) -> str:
         if not both[k].any():
-            return "{level}: lies beside the ground; it must reach over it"
+            return "{level}: lies beside the ground; it must extend over it"
         at = int(np.argmax(excess[k]))
         return (
             f"{{level}}: stands {excess[k, at]:.4g} m above the ground at x = {x[k, at]:.10g}; standing water needs "
@@ -191,7 +191,7 @@ def circle_through(
 def _through_errors(chord: Floats, half: Floats, radius: Any, depth: Any) -> list[str]:
     errors = ["{radius} or {depth}: give one of them"] if (radius is None) == (depth is None) else []
     if np.any(chord[..., 0] == 0.0):
-        errors.append("the two points lie above each other; a slip circle leads from one side to the other")
+        errors.append("the two points have the same x; a slip circle connects two sides")
     elif radius is not None and np.any(np.asarray(radius) < half):
         least = f"at least half the distance of the points, {np.max(half):.10g}"
         errors.append(f"{{radius}} = {np.min(radius):.10g}: must be {least}")
@@ -224,7 +224,7 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     if np.any((low < 0.0) | (high <= 0.0)) or np.any(run == 0.0):
         raise ValueError(
             f"circle_touching: level = {np.max(base):.10g}: must lie below both points or touch the lower one, "
-            "and the points must not lie above each other"
+            "and the points must differ in x"
         )
     between = np.sqrt(high * low * (run**2 + (high - low) ** 2))
     away = high * (run**2 - low * (high - low)) / (high * run + between)

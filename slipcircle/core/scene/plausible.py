@@ -1,22 +1,17 @@
 """Numbers of an unusual size are questioned: a soil's weight, strength or friction that was meant in another unit.
 
-One rule for all parameters, by the unit that is declared for them: a value outside what soils have, which another unit
-would bring inside. Such a scene is solved all the same; `Motion.warnings` asks.
+One rule for all parameters, by what `generated.effects` declares for their unit: a value outside what soils have, which
+another unit would bring inside. Such a scene is solved all the same; `Motion.warnings` asks.
 """
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 import numpy as np
 
+from generated import effects as declared
 from slipcircle.core.scene.parameters import parameters
 from slipcircle.core.scene.scene import Scene
-
-# By SI unit: the range that soils have, and the SI value of other units in which the number may have been meant.
-USUAL: Mapping[str, tuple[float, float]] = {"N/m^3": (5e3, 1e5), "Pa": (50.0, 1e8)}
-MEANT: Mapping[str, Mapping[str, float]] = {"N/m^3": {"kN/m^3": 1e3, "kg/m^3": 9.81}, "Pa": {"kPa": 1e3, "MPa": 1e6}}
-ROUGHEST = 10.0  # friction coefficient that no soil has: more was an angle
-FLATTEST = math.tan(math.radians(1.0))  # friction coefficient that hardly any soil has: less was an angle in radians
 
 
 def questions(scene: Scene) -> Iterator[str]:
@@ -25,7 +20,7 @@ def questions(scene: Scene) -> Iterator[str]:
     for name, values in scene.numbers.items():
         unit = known[name].unit if name in known else ""
         for value in np.unique(np.asarray(values, dtype=np.float64)):
-            if name.partition(".")[0] == "friction" and not unit and not name.startswith("friction.rate"):
+            if "friction" in name.split(".") and not unit and "rate" not in name.split("."):
                 question = _of_friction(float(value))
             else:
                 question = _of_unit(float(value), unit)
@@ -35,21 +30,21 @@ def questions(scene: Scene) -> Iterator[str]:
 
 
 def _of_unit(value: float, unit: str) -> str:
-    least, most = USUAL.get(unit, (-math.inf, math.inf))
+    least, most = declared.USUAL.get(unit, (-math.inf, math.inf))
     if value == 0.0 or least <= value <= most:
         return ""
-    for other, size in MEANT[unit].items():
+    for other, size in declared.OTHER_UNITS[unit].items():
         if least <= value * size <= most:
             return f"is that in {other}? 1 {other} is {size:g} {unit}" + (" under 9.81 m/s^2" if size == 9.81 else "")
     return ""
 
 
 def _of_friction(coefficient: float) -> str:
-    if coefficient > ROUGHEST:
+    if coefficient > declared.USUAL_FRICTION[1]:
         return (
             f"is that an angle? The coefficient of {coefficient:.6g} deg is {math.tan(math.radians(coefficient)):.4g}"
         )
     angle = math.degrees(math.atan(coefficient))
-    if 0.0 < coefficient < FLATTEST and angle > 0.05:
+    if 0.0 < coefficient < declared.USUAL_FRICTION[0] and angle > 0.05:
         return f"an angle of {angle:.3g} deg; was that meant in rad? {angle:.3g} rad are {math.degrees(angle):.3g} deg"
     return ""

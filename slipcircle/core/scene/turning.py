@@ -63,13 +63,17 @@ class TurningMass:
         return np.asarray(self.centre) + np.stack([turned_x, turned_y], axis=-1)
 
     def journey(self, rotation: Any) -> Journey:
-        """Toe, its horizontal run-out, fall of the centroid, and travel angle: of the centroid's way, fall over run."""
+        """Toe, its horizontal run-out, fall of the centroid, and travel angle: of the centroid's way, fall over run.
+
+        The chord of a rotation is the tangent at its half, also of one of zero: there the mass would begin to move.
+        """
         toe = self.placed(self.exit, rotation)
         run_out = (toe - self.exit)[..., 0] * self.facing
-        way = self.placed(self.centroid, rotation) - self.centroid
-        run = way[..., 0] * self.facing
-        fall = -way[..., 1]
-        return Journey(toe, run_out, fall, np.arctan2(fall, run))
+        fall = self.centroid[..., 1] - self.placed(self.centroid, rotation)[..., 1]
+        half_way = self.placed(self.centroid, np.multiply(rotation, 0.5)) - np.asarray(self.centre)
+        sign = np.where(np.less(rotation, 0.0), -1.0, 1.0)
+        travel_angle = np.arctan2(-sign * self.facing * half_way[..., 0], -sign * half_way[..., 1])
+        return Journey(toe, run_out, fall, travel_angle)
 
 
 def _greatest_depth(line: Floats, level: Floats) -> float:

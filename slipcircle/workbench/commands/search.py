@@ -1,11 +1,14 @@
 """`slipcircle search`: the circle along which a slope fails first, and its factors of safety."""
 
 import argparse
+from typing import Any
 
 from slipcircle.workbench.commands.common import add_files
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.outputs import pictures, tables
 from slipcircle.workbench.outputs.tables import Answer, Part, say
+from slipcircle.workbench.stability.factors import YIELD
+from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
 HELP = "the critical circle of a slope, and its factors of safety by three methods"
@@ -16,6 +19,8 @@ def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument("scenes", nargs="+", metavar="SLOPE", help=SLOPE)
     parser.add_argument("--method", choices=METHODS, help="method to minimise; default bishop")
+    least = "what is least on the circle: the factor of safety, or the yield coefficient, the k_h that makes it slide"
+    parser.add_argument("--least", choices=("factor", YIELD), default="factor", help=least)
     add_files(parser, "the section, the circle and the factors over centres")
 
 
@@ -23,7 +28,10 @@ def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     if options.plot and len(options.scenes) > 1:
         raise ValueError(f"search: --plot {options.plot[0]}: shows one slope; search them one by one")
-    searched = [critical_of_file(name, options.method, say) for name in options.scenes]
+    if options.least == YIELD and options.method:
+        raise ValueError(f"search: --method {options.method}: k_y is by the paper's method; leave it out")
+    method = YIELD if options.least == YIELD else options.method
+    searched = [critical_of_file(name, method, say) for name in options.scenes]
     names, notes, circles = zip(*searched, strict=True)
     pictures.write(options.plot, "search", circles[0])
     for name, circle in zip(names, circles, strict=True):
@@ -32,4 +40,9 @@ def run(options: argparse.Namespace) -> Answer:
     columns = [tables.stability_column(circle) for circle in circles]
     note = "; ".join(f"{name}: {text}" for name, text in zip(names, notes, strict=True) if text)
     table = Part(["", *names], tables.beside(columns), note=note)
-    return Answer(lambda: [circle.record() for circle in circles], [table])
+    of_yield = options.least == YIELD
+    return Answer(lambda: [_record(circle, of_yield) for circle in circles], [table])
+
+
+def _record(circle: Critical, of_yield: bool) -> dict[str, Any]:
+    return circle.record() | ({"yield_coefficient": circle.yield_coefficient} if of_yield else {})

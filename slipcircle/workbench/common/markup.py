@@ -30,6 +30,11 @@ def table(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
     return Raw(f"<table>{top}<tbody>\n{body}\n</tbody></table>")
 
 
+def terms(facts: Iterable[tuple[str, str]]) -> Raw:
+    """Names and values, for a list of them."""
+    return Raw("".join(tag("div", Raw(tag("dt", name) + tag("dd", value))) for name, value in facts))
+
+
 def document(title: str, parts: Iterable[str], style: str, script: str = "") -> str:
     """A page that fetches nothing, whatever its texts hold: its policy allows its style, its script, images in it."""
     program = f"//<![CDATA[\n{script}//]]>"  # so that it is XML, whatever the script holds

@@ -52,6 +52,8 @@ class Quantity:
         value = self.read(motion)
         if isinstance(value, bool):
             return "yes" if value else "no"
+        if self.name == "travel_angle" and not motion.moves:
+            return "-"
         if self.point:
             return f"{', '.join(map(shown, np.asarray(value).tolist()))} {self.unit}"
         value, unit = self.seen(value)

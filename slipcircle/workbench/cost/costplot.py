@@ -7,7 +7,7 @@ import numpy as np
 
 from slipcircle.workbench.cost.cost import FRONTIER, Profile, Row
 from slipcircle.workbench.cost.reference import HALF_PI, Floats
-from slipcircle.workbench.outputs.plotstyle import LINES, axis
+from slipcircle.workbench.outputs.plotstyle import LINES, MEASURED, REST, SERIES, WIDTH, axis, label
 
 _BEST, _NONE = 1e-19, 10.0  # the axis of errors ends here; what lies beyond is drawn at its ends
 _DECADES, _BINS = 16.5, 90  # of alpha, towards each end
@@ -16,56 +16,50 @@ _OTHERS = {"marker": "s", "color": LINES["other"]["color"], "mfc": "white"}
 
 
 def overview(rows: Sequence[Row], figure: Any) -> None:
-    """Rows of any functions on an empty figure of `size`."""
+    """Rows of any functions on an empty figure of `size`, of each its frontier above its errors."""
     functions = [[r for r in rows if r.function == name] for name in dict.fromkeys(row.function for row in rows)]
-    lines = figure.subplots(len(functions), 2, squeeze=False)
-    for (left, right), of_function in zip(lines, functions, strict=True):
-        frontier(of_function, left)
-        over_alpha(of_function, right)
+    panels = figure.subplots(2 * len(functions), 1)
+    for above, below, of_function in zip(panels[::2], panels[1::2], functions, strict=True):
+        frontier(of_function, above)
+        over_alpha(of_function, below)
 
 
 def size(rows: Sequence[Row]) -> tuple[float, float]:
     """Inches of the overview."""
-    return 19.0, 6.0 * len({row.function for row in rows})
+    return WIDTH, 9.5 * len({row.function for row in rows})
 
 
 def frontier(rows: Sequence[Row], ax: Any = None) -> Any:
     """Error against time, with the frontier drawn; ways bear their number in the table, those on it names."""
     axes = axis(ax, (9.0, 5.5))
     front = sorted((r for r in rows if r.verdict == FRONTIER), key=lambda r: r.price)
-    axes.step(
-        [r.price for r in front],
-        [_height(r) for r in front],
-        where="post",
-        color="0.75",
-        lw=5,
-        zorder=1,
-        solid_capstyle="round",
-        label="frontier",
-    )
-    for number, r in enumerate(rows, 1):
-        if r.error != r.error:
-            axes.axvline(r.price, color="0.3", ls=":", lw=1.2, label=r.way)
-            continue
-        axes.plot(r.price, _height(r), ls="", **(_OURS if r.ours else _OTHERS))
-        name = r.way if r.verdict == FRONTIER else str(number)
-        axes.annotate(name, (r.price, _height(r)), (6, 4), textcoords="offset points", fontsize=8)
-        if r.bound is not None:
-            axes.plot([r.price] * 2, [_height(r), r.bound], "-_", color=_OURS["color"], lw=1)
+    steps = [r.price for r in front], [_height(r) for r in front]
+    axes.step(*steps, where="post", color="0.75", lw=5, zorder=1, solid_capstyle="round", label="frontier")
+    for number, row in enumerate(rows, 1):
+        _mark(axes, row, number)
     axes.plot([], [], ls="", label="ours, worst seen; a bar up to what is proved", **_OURS)
     axes.plot([], [], ls="", label="others, worst seen", **_OTHERS)
-    axes.set(
-        xscale="log",
-        yscale="log",
-        ylabel="worst relative error",
-        ylim=(None, _NONE * 2),
-        xlabel=f"time of {'an element at N = 1e4' if rows[0].ns_1e4 else 'a solution'}, ns",
-    )
+    per = "an element at N = 1e4" if rows[0].ns_1e4 else "a solution"
+    axes.set(xscale="log", yscale="log", ylim=(None, _NONE * 2))
+    axes.set(xlabel=f"time of {per}, ns", ylabel="worst relative error")
     axes.margins(x=0.2)
     axes.grid(alpha=0.3)
     axes.set_title(rows[0].function, loc="left", fontweight="bold")
-    axes.legend(fontsize=8)
+    axes.legend(fontsize="small")
     return axes
+
+
+def _mark(axes: Any, row: Row, number: int) -> None:
+    """A way at its time and error, by its name where it is on the frontier; one without an error at its time."""
+    if row.error != row.error:
+        axes.axvline(row.price, color="0.3", ls=":", lw=1.2, label=row.way)
+        return
+    height = _height(row)
+    axes.plot(row.price, height, ls="", **(_OURS if row.ours else _OTHERS))
+    name = row.way if row.verdict == FRONTIER else str(number)
+    label(axes, name, (row.price, height), gid=MEASURED)
+    if row.bound is not None:
+        axes.plot([row.price] * 2, [height, row.bound], "-_", color=_OURS["color"], lw=1)
 
 
 def _height(row: Row) -> float:
@@ -90,29 +84,38 @@ def _worst_in_bins(profile: Profile) -> tuple[Floats, Floats]:
 
 
 def over_alpha(rows: Sequence[Row], ax: Any = None) -> Any:
-    """Relative error over alpha, logarithmic towards both ends, with what is proved as a thin line; off if unknown."""
+    """Relative error over alpha, logarithmic towards both ends, with what is proved as a thin line; off if unknown.
+
+    Eight ways have a colour, the printed one and ours first; the others are grey.
+    """
     axes = axis(ax, (9.0, 5.5))
-    known = [(row, row.profile) for row in rows if row.profile is not None]
+    known = [row for row in rows if row.profile is not None]
     if not known:
         axes.set_axis_off()
         return axes
-    for k, (row, profile) in enumerate(known):
-        style = ("-", "--", ":", "-.")[k // 10 % 4]
-        (line,) = axes.plot(*_worst_in_bins(profile), ls=style, lw=2 if row.ours else 1, label=row.way)
-        if row.bound is not None:
-            axes.axhline(row.bound, color=line.get_color(), lw=0.8)
+    # Times do not choose them: another run has the same colours.
+    known.sort(key=lambda row: (not row.way.startswith("printed"), not row.ours, "fused" not in row.way))
+    others = known[len(SERIES) :]
+    for row in others:
+        _draw_profile(axes, row, REST)
+    if others:
+        axes.plot([], [], color=REST[0], label=f"{len(others)} others")
+    for row, style in zip(known, SERIES, strict=False):
+        _draw_profile(axes, row, style, row.way)
     near = {f"$10^{{-{k}}}$": float(both_ends(np.array(10.0**-k))) for k in (16, 12, 8, 4)}
-    axes.set_xticks(
-        [*near.values(), 0, *(-x for x in near.values())],
-        [*near, "$\\pi/4$", *(f"$\\pi/2 -$\n{word}" for word in near)],
-    )
-    axes.set(
-        yscale="log",
-        xlim=(-_DECADES, _DECADES),
-        ylim=(_BEST, _NONE * 2),
-        xlabel="alpha, rad",
-        ylabel="relative error, worst in each bin (thin: proved)",
-    )
+    places = [*near.values(), 0, *(-x for x in near.values())]
+    axes.set_xticks(places, [*near, "$\\pi/4$", *(f"$\\pi/2 -$\n{word}" for word in near)])
+    axes.set(yscale="log", xlim=(-_DECADES, _DECADES), ylim=(_BEST, _NONE * 2))
+    axes.set(xlabel="alpha, rad", ylabel="relative error, worst in each bin (thin: proved)")
     axes.grid(alpha=0.3)
-    axes.legend(fontsize=8, ncols=2)
+    axes.legend(fontsize="small", ncols=2)
     return axes
+
+
+def _draw_profile(axes: Any, row: Row, style: tuple[str, Any, str], label: str | None = None) -> None:
+    """The errors of a way over alpha, and the bound that is proved where it has a colour."""
+    colour, dashes, _ = style
+    if row.profile is not None:
+        axes.plot(*_worst_in_bins(row.profile), color=colour, ls=dashes, lw=2 if row.ours else 1, label=label)
+    if label and row.bound is not None:
+        axes.axhline(row.bound, color=colour, lw=0.8)

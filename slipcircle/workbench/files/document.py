@@ -134,7 +134,7 @@ class Document:
         for choice in filter(None, (*table.one_of, table.any_of)):
             present = [key for key in choice if key in content]
             if choice in table.one_of and len(present) > 1:
-                self._report(path, f"{path}: {' and '.join(present)} exclude each other; leave one out")
+                self._report(path, f"{path}: {' and '.join(present)} exclude each other; remove one")
             elif not present:
                 misspelt = self._meant & {f"{path}.{key}" for key in choice}
                 words = f"{path}: {' or '.join(choice)} is missing: {table.keys[choice[-1]].title}"

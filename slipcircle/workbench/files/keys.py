@@ -11,13 +11,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
+from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, USUAL_FRICTION, Parameter
 from slipcircle.core import ARC_BOUNDS, GIVEN, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
 
 _MOST = {"N/m^3": 1e6, "Pa": 1e12, "Pa/m": 1e12}  # by SI unit, upper bounds that only a wrong unit passes
 VARYING = ("number", "series", "line")  # kinds of keys whose numbers may vary
 _UNITS = {"Pa/m": "kPa/m"}  # of files, where a key does not show it in this order
-ROUGHEST = 10.0  # friction coefficient that no soil has: more was an angle
 
 
 @dataclass(frozen=True)
@@ -176,7 +175,7 @@ def _number(p: Parameter, title: str, unit: str = "", required: bool = False, ta
     closed = p.lower == -5e-324  # bounds are open, and zero is allowed
     of = replace(of, low=0.0 if closed else float(of.from_si(p.lower)), high=float(of.from_si(p.upper)), closed=closed)
     if p.key.endswith("_deg") and not p.unit and not tangent:
-        of = replace(of, high=ROUGHEST)  # which is not told: who meets it gave an angle
+        of = replace(of, high=USUAL_FRICTION[1])  # which is not told: who meets it gave an angle
     words = _bounds_in_words(p, of)
     one, many = (" ".join(filter(None, [n, words, unit and f"({unit})"])) for n in ("a number", "a list of numbers"))
     forms = {

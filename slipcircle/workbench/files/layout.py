@@ -89,7 +89,7 @@ def laws_of(friction: Any, known: Collection[str] = tuple(LAWS)) -> tuple[str, s
 
 def _excluded(on_slope: bool, layered: bool) -> dict[str, str]:
     """Tables that do not go with the others, and why."""
-    of_arc = {"arc": "and ground exclude each other; leave one out"} if on_slope else {}
+    of_arc = {"arc": "and ground exclude each other; remove one"} if on_slope else {}
     of_soils = {name: f"{_BY_SOILS}: {_IN_SOILS[name]}; leave it out" for name in NOT_WITH_LAYERS}
     return of_arc | (of_soils if layered else {})
 

@@ -168,7 +168,7 @@ def uncertain_numbers(scene: Scene) -> dict[str, Uncertain]:
                 "{'distribution': 'normal', 'mean': 10, 'std': 1}"
             )
         if number.name in found:
-            said.append(f"uncertain.{path}: {found[number.name].key} says the same; leave one out")
+            said.append(f"uncertain.{path}: {found[number.name].key} says the same; remove one")
         found[number.name] = Uncertain(number, dict(value) if isinstance(value, Mapping) else value)
     values = scene.numbers
     said += [f"uncertain.{u.key}: the scene has no value of it to vary" for n, u in found.items() if n not in values]

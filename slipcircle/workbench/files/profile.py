@@ -115,6 +115,8 @@ def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
 def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
     """A sentence for each boundary that rises above one before it; that boundaries reach the ground is ordinary."""
     ground = np.asarray(given["ground"].get("ground", [[0.0, 0.0], [0.0, 0.0]]))
+    if ground.ndim != 2:  # a mistake of its own
+        return
     ends = ground[[0, -1], 0]
     lines = [np.asarray(top) if np.ndim(top) else np.column_stack([ends, [top, top]]) for _, top in layers[1:]]
     for k, (upper, lower) in enumerate(pairwise(lines), 3):

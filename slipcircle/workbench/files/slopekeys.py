@@ -8,6 +8,7 @@ from typing import Any
 from generated.effects import INFINITY, LAWS, LIMITS, Parameter
 from slipcircle.core import RATE_LAWS, SOIL_BOUNDS
 from slipcircle.workbench.files.keys import ARC, Key, Table, declare, law_table, table_of
+from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS
 
 
@@ -86,8 +87,8 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
             "critical": Key(
                 "critical",
                 "method by which the critical circle is searched",
-                f"one of {', '.join(METHODS)}",
-                kind="|".join(METHODS),
+                f"one of {', '.join(METHODS)}, or {YIELD}: least yield coefficient",
+                kind="|".join((*METHODS, YIELD)),
             )
         },
     )._replace(

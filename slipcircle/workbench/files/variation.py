@@ -1,7 +1,7 @@
 """Scenes derived from others: along the critical circle of the means, and shaken the other way around."""
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
@@ -9,6 +9,7 @@ import numpy as np
 from slipcircle.core import LayeredSection, Scene, Section, with_parameters
 from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import uncertain_numbers
+from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.search import critical
 from slipcircle.workbench.stability.stability import soil
 
@@ -46,7 +47,9 @@ def along_means(scene: Scene) -> Scene:
 
 
 def _leaves(value: Any) -> Iterator[Any]:
-    """Arrays and numbers of nested tuples."""
+    """Arrays and numbers of a slope as arrays, with its soils."""
+    if isinstance(value, SlopeArrays):
+        value = tuple(getattr(value, field.name) for field in fields(value))
     if isinstance(value, tuple):
         for part in value:
             yield from _leaves(part)

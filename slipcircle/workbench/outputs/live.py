@@ -14,7 +14,7 @@ import numpy as np
 
 from slipcircle.base.text import shown
 from slipcircle.core import ANSWERED, Arc, Motion, Scene, parameter_value, with_parameters
-from slipcircle.workbench.common.markup import Raw, document, escaped, tag
+from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
 from slipcircle.workbench.common.quantities import OUTCOMES, end_words, summary, words
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import Number
@@ -34,14 +34,19 @@ h1 { margin: 0; font: 600 .95rem/1.4 system-ui, sans-serif; color: var(--soft); 
 """
 
 
+def text(name: str) -> str:
+    """A file of the folder `page`."""
+    return (_PAGE / name).read_text("utf-8")
+
+
 def style() -> str:
     """The style of `fragment`."""
-    return (_PAGE / "live.css").read_text("utf-8")
+    return text("live.css")
 
 
 def script() -> str:
     """The program of `fragment`; a page needs it once, at its end."""
-    return (_PAGE / "live.js").read_text("utf-8")
+    return text("live.js")
 
 
 def page(motions: Sequence[Motion], varied: str = "", labels: Sequence[str] = (), first: int = 0) -> str:
@@ -91,7 +96,7 @@ def fragment(motions: Sequence[Motion], name: str, varied: str = "", labels: Seq
         "caption": escaped(" ".join(_caption(motions, histories, magnification))),
         "data": _as_script_data(data),
     }
-    template = Template((_PAGE / "live.html").read_text("utf-8"))
+    template = Template(text("live.html"))
     return Raw(template.substitute(texts | _first_texts(cases[first], data["duration"])))
 
 
@@ -113,14 +118,13 @@ def _data(
 
 def _first_texts(case: Mapping[str, Any], duration: float) -> dict[str, str]:
     """What the page says of the case that is shown first, at its end, until the script runs."""
-    facts = [tag("div", Raw(tag("dt", label) + tag("dd", text))) for label, text in case["facts"]]
     return {
         "headline": escaped(case["headline"]),
         "label": escaped(f"section to scale: {case['headline']}"),
         "time": shown(duration),
         "duration": repr(duration),
         "state": escaped(case["end"]),
-        "facts": "".join(facts),
+        "facts": terms(case["facts"]),
         "warnings": "".join(tag("li", warning) for warning in case["warnings"]),
     }
 

@@ -49,6 +49,7 @@ SERIES: Sequence[tuple[str, Any, str]] = (
     ("#3A8FC4", (0, (8, 2)), "P"),
     ("0.35", (0, (2, 2)), "*"),
 )
+MEASURED = "measured"  # `gid` of labels that say what was measured, which another run says otherwise
 REST: tuple[str, Any, str] = ("0.75", "-", ".")  # of the others
 # Of soils, from the ground down: their bands, and the stretches of the arc in them.
 SOILS: Sequence[tuple[str, str]] = (
@@ -202,11 +203,16 @@ def described(figure: Any) -> list[str]:
     legends = list(figure.legends)
     for ax in figure.axes:
         texts += [ax.get_title(), ax.get_title("left"), ax.get_xlabel(), ax.get_ylabel()]
-        texts += [" ".join(text.get_text().split()) for text in ax.texts if hasattr(text, "anchors")]
+        texts += [" ".join(text.get_text().split()) for text in ax.texts if _is_fixed(text)]
         legends += filter(None, [ax.get_legend()])
     for explained in legends:
         texts += [text.get_text() for text in explained.get_texts()]
     return [text for text in texts if text]
+
+
+def _is_fixed(text: Any) -> bool:
+    """Whether a text is a label, and says nothing measured."""
+    return hasattr(text, "anchors") and text.get_gid() != MEASURED
 
 
 def ending(motion: Motion) -> str:

@@ -15,7 +15,7 @@ import numpy as np
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan, Status, law_names, plan
-from slipcircle.workbench.common.markup import Raw, escaped, table, tag
+from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
 from slipcircle.workbench.common.quantities import (
     OUTCOMES,
     RESULTS,
@@ -29,7 +29,7 @@ from slipcircle.workbench.common.quantities import (
 )
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
-from slipcircle.workbench.outputs import pictures
+from slipcircle.workbench.outputs import live, pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
 from slipcircle.workbench.outputs.provenance import inputs
@@ -47,24 +47,13 @@ ASSUMED = (
 )
 TITLE = "Basic Geodynamics of Landslides: I. The Dynamic Slip Circle Method"
 PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
-_STYLE = """
-body { font: 15px/1.5 sans-serif; color: #111; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
-h1, h2, h3 { line-height: 1.2; } h2 { margin-top: 2.5rem; border-top: 2px solid #111; padding-top: 1rem; }
-table { border-collapse: collapse; margin: 0.6rem 0; } caption { text-align: left; font-style: italic; }
-th, td { text-align: left; vertical-align: top; padding: 0.15rem 1.2rem 0.15rem 0; border-bottom: 1px solid #ccc; }
-pre { background: #f4f4f4; padding: 0.7rem; white-space: pre-wrap; overflow-wrap: anywhere; }
-td { overflow-wrap: break-word; } td code { overflow-wrap: anywhere; } .path { white-space: nowrap; }
-figure { margin: 1rem 0; break-inside: avoid; } img { max-width: 100%; height: auto; }
-.warning { border-left: 5px solid #D55E00; padding-left: 0.8rem; }
-@media print { body { margin: 0; max-width: none; font-size: 10pt; } section + section { break-before: page; } }
-"""
-# Nothing is fetched, whatever a scene's texts may hold.
-_POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 
 # --- pages -----------------------------------------------------------------------------------------------------------
 
 
-def _page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes | None]], command: str) -> str:
+def _page(
+    title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes | None]], command: str, script: str = ""
+) -> str:
     """A page of parts, and how to write it again: the command, scenes' files by name, versions."""
     digests = {f"scene file of {n}": f"sha256 {hashlib.sha256(f).hexdigest()}" for n, f in files if f is not None}
     versions = [[key, Raw(f"<code>{escaped(value)}</code>")] for key, value in (digests | facts()).items()]
@@ -72,15 +61,8 @@ def _page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes | N
     if command:
         body.append(tag("p", "This command, with the versions and files below, writes this report again:"))
         body.append(tag("pre", command))
-    body.append(table(versions))
-    return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8" />\n'
-        f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}" />\n'
-        '<meta name="viewport" content="width=device-width" />\n'
-        f"<title>{escaped(title)}</title>\n<style>{_STYLE}</style>\n</head>\n<body>\n"
-        + "\n".join(body)
-        + "\n</body>\n</html>\n"
-    )
+    body.append(_scrolling(versions))
+    return document(title, body, live.style() + live.text("report.css"), script)
 
 
 def _chapter(
@@ -108,16 +90,21 @@ def _table(part: Part) -> Iterator[Raw]:
     if part.title:
         yield tag("h3", part.title)
     rows = [[_estimate(cell) if isinstance(cell, Estimate) else cell for cell in row] for row in part.rows]
-    yield table(rows, part.head)
+    yield _scrolling(rows, part.head)
     if part.note:
         yield tag("p", part.note)
+
+
+def _scrolling(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
+    """A table that a narrow screen scrolls, also by keyboard."""
+    return Raw(f'<div class="scroll" tabindex="0">{table(rows, head)}</div>')
 
 
 def _figure(name: str, caption: str, drawing: bytes) -> Raw:
     """A picture in the page, an SVG: its name for those who do not see it, and its caption."""
     image = base64.b64encode(drawing).decode()
     return Raw(
-        f'<figure><img alt="{escaped(name)}" src="data:image/svg+xml;base64,{image}" />'
+        f'<figure><div class="picture"><img alt="{escaped(name)}" src="data:image/svg+xml;base64,{image}" /></div>'
         f"<figcaption>{escaped(caption)}</figcaption></figure>"
     )
 
@@ -167,34 +154,37 @@ def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), comman
     """A report on motions as HTML, of each its scene's file, where there is one, and the command that writes it."""
     files = files or [None] * len(motions)
     names = [motion.plan.scene.name or f"scene {number}" for number, motion in enumerate(motions, 1)]
+    several = len(motions) > 1
     parts = []
-    if len(motions) > 1:
+    if several:
         links = [Raw(f'<a href="#scene-{number}">{escaped(name)}</a>') for number, name in enumerate(names, 1)]
         rows = [[quantity.label, *(_value(quantity, motion) for motion in motions)] for quantity in RESULTS]
-        parts.append(table(rows, ["", *links]))
+        parts.append(_scrolling(rows, ["", *links]))
     for number, (motion, name, file) in enumerate(zip(motions, names, files, strict=True), 1):
-        warnings, about = warnings_of(motion), _of_motion(motion, file)
-        chapter = _chapter(motion.plan, warnings, about, record(motion), " in SI units and radians", file)
-        parts += [Raw(f'<section id="scene-{number}">'), tag("h2", name), *chapter, Raw("</section>")]
-    return _page(f"Rotational slide: {', '.join(names)}", parts, zip(names, files, strict=True), command)
+        slide = live.fragment([motion], f"slide-{number}")
+        about = [slide, *_of_motion(motion, file)]
+        chapter = _chapter(motion.plan, (), about, record(motion), " in SI units and radians", file)
+        heading = [tag("h2", name)] if several else []
+        parts += [Raw(f'<section id="scene-{number}">'), *heading, *chapter, Raw("</section>")]
+    return _page(", ".join(names), parts, zip(names, files, strict=True), command, live.script())
 
 
 def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
-    """The chapter of a motion: key results, pictures, inputs, method and accuracy, energy."""
+    """The chapter of a motion below its slide: all results, pictures, inputs, method and accuracy, energy."""
     plan = motion.plan
     if plan.scene.uncertain:
         keys = ", ".join(u.key for u in uncertain_numbers(plan.scene).values())
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
+    yield tag("h3", "Pictures")
+    for what, caption in _captions(motion).items():
+        yield _figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
     quantities = {q.label: q for q in results(motion)}
     rows = []
     for label, text in motion_column(motion).items():
         rows.append([label, _value(quantities[label], motion, text) if label in quantities else text])
-    yield Part([], rows, "Key results")
+    yield Part([], rows, "Results")
     if layered := stretches_part(motion):
         yield layered._replace(title="Soils along the slip surface")
-    yield tag("h3", "Pictures")
-    for what, caption in _captions(motion).items():
-        yield _figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
     yield from _inputs(plan, file)
     error = motion.error_estimate
     method = [
@@ -317,7 +307,7 @@ def _indices(study: Study) -> Part:
 
 def _quantile_notes(study: Study) -> Iterator[str]:
     if study.without_result:
-        yield f"{BEYOND}: among the {study.without_result} samples that slide without a result, so beyond any value"
+        yield f"{BEYOND}: among the {study.without_result} samples that move without a result, so beyond any value"
     if not study.samples:
         yield f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"
 
@@ -334,11 +324,13 @@ def study_report(study: Study, file: bytes | None = None, command: str = "") -> 
 def _of_study(study: Study, way: Plan, file: bytes | None) -> Iterable[Part | Raw]:
     """The chapter of a study: its parts, the picture, inputs and their distributions, method and accuracy."""
     design = study.design
-    yield from parts(study)
-    yield tag("h3", "Pictures")
     caption = "Exceedance probability of greatest displacement and peak velocity"
     caption += "; below, sensitivity indices." if study.sensitivity else "."
     yield _figure(f"Exceedance of {study.scene.name}", caption, pictures.picture("study", study, "svg"))
+    medians = [(f"median {words(name, q.unit)}", study.quantile(name, 0.5)) for name, q in OUTCOMES.items()]
+    numbers = [("probability of moving", study.moving), *medians]
+    yield Raw(f'<dl class="facts">{terms((name, _estimate(estimate)) for name, estimate in numbers)}</dl>')
+    yield from parts(study)
     yield from _inputs(way, file)
     uncertain = []
     for unknown in design.drawn.values():

@@ -7,6 +7,7 @@ import numpy as np
 from slipcircle.workbench.outputs.plotstyle import AREAS, SCENERY, label, note, to_scale
 from slipcircle.workbench.outputs.sectionplot import factors_in_words, name_circle, scenery
 from slipcircle.workbench.outputs.shapes import View, mass_of
+from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
@@ -59,7 +60,7 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
     highest = bottom + _TALL * (view.right - view.left)
     view = view._replace(top=min(view.top, highest))
     inside = view.holds(centres)
-    most = min(float(values[~inside].min(initial=np.inf)), 1.5 * least)
+    most = min(float(values[~inside].min(initial=np.inf)), least + max(0.5 * abs(least), 0.05))
     drawn = inside & (values < most)
     cell = (view.right - view.left) / _CELLS
     view = view.grown(cell, cell)._replace(bottom=bottom)  # so that the outermost cells are whole
@@ -75,7 +76,12 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
         lw=0.1,
         zorder=0,
     )
-    method = METHODS[critical.method][0]
-    words = f"least factor of safety of the circles about each centre, up to {most:.3g}, by {method}"
+    words = _scale_label(critical.method, most)
     ax.figure.colorbar(cells, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format="%.2f")
     return view
+
+
+def _scale_label(method: str, most: float) -> str:
+    quantity = "yield coefficient" if method == YIELD else "factor of safety"
+    whose = METHODS.get(method, METHODS["paper"])[0]
+    return f"least {quantity} of the circles about each centre, up to {most:.3g}, by {whose}"

@@ -111,7 +111,7 @@ def _nothing_to_draw(study: "Study") -> str:
     if not study.n:
         return "no sample is a scene"
     if study.without_result:
-        return f"{study.without_result} of {study.n} samples slide without a result,\nno other moves"
+        return f"{study.without_result} of {study.n} samples move without a result,\nno other moves"
     return "nothing moves"
 
 

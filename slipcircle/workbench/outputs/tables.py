@@ -26,7 +26,7 @@ from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
-from slipcircle.workbench.stability.stability import METHODS
+from slipcircle.workbench.stability.stability import METHODS, least_of
 from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 
@@ -158,13 +158,15 @@ def stability_column(critical: Critical) -> dict[str, str]:
         column |= _factors(critical.factor_of_safety_without_k_h, ", without k_h")
         column["motion starts from"] = "that without k_h by the paper's method"
     column |= {
-        "circle": f"least factor by {critical.method}" if critical.method else "as given",
+        "circle": least_of(critical.method) if critical.method else "as given",
         "centre": _point(critical.centre),
         "radius": f"{shown(critical.radius)} m",
         "entry": _point(critical.entry),
         "exit": _point(critical.exit),
         "circles evaluated, invalid": f"{critical.tried}, {critical.refused}",
     }
+    if critical.yield_coefficient is not None:
+        column["yield coefficient k_y"] = f"{critical.yield_coefficient:.4f}, by the paper's method"
     if not math.isnan(critical.negative):  # as it is of a circle that overhangs
         sides = {1: "right", -1: "left"}
         column["slides to the"] = sides.get(critical.facing, "neither side: nothing drives it")

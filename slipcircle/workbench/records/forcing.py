@@ -46,7 +46,7 @@ def _pore_pressure(given: Mapping[str, Any]) -> dict[str, Any]:
     series = read_pore_pressure(given["record"], **{k: given[k] for k in _OF_WATER if k in given})
     other = next((k for k in ("time", *series) if k in given), None)
     if other is not None:
-        raise InputError("", [f"{{{other}}} and {{record}} exclude each other; leave one out"])
+        raise InputError("", [f"{{{other}}} and {{record}} exclude each other; remove one"])
     return {k: v for k, v in given.items() if k not in ("record", *_OF_WATER)} | series
 
 
@@ -54,7 +54,7 @@ def _shaking(given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
     """k_h(t) and k_v(t) from a record, over gravity."""
     for way in ("horizontal", "pulse"):
         if way in given:
-            raise InputError("", [f"{{{way}}} and {{record}} exclude each other; leave one out"])
+            raise InputError("", [f"{{{way}}} and {{record}} exclude each other; remove one"])
     known = {"record", "column", "vertical_record", "vertical_column", *_OF_RECORDS, *_BESIDE_RECORDS}
     if strange := [k for k in given if k not in known]:
         raise InputError("", [f"{{{strange[0]}}}: does not belong to a record; leave it out"])

@@ -224,7 +224,7 @@ def _read(
     found = parse(quantity, name, Path(path), column, step)
     if found.units and asked and found.units != asked:
         raise ValueError(
-            f"{name}: units = {units!r}, but its header says {found.units}; leave units out, or mend the header"
+            f"{name}: units = {units!r}, but its header says {found.units}; leave units out, or correct the header"
         )
     if not found.units and not asked:
         raise ValueError(f"{name}: units are missing: its header names none; give units, one of {quantity.choice}")

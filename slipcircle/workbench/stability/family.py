@@ -15,7 +15,9 @@ import numpy as np
 from slipcircle.base.checks import InputError
 from slipcircle.base.series import Floats
 from slipcircle.core import circle_through, circle_touching
-from slipcircle.workbench.stability.slices import circle_factors
+from slipcircle.workbench.stability.descent import Descent
+from slipcircle.workbench.stability.factors import YIELD, factors_by
+from slipcircle.workbench.stability.slices import NODES
 from slipcircle.workbench.stability.stability import Slope
 
 _POSITIONS = 40  # of ends, evenly along the ground
@@ -23,16 +25,13 @@ _LEAST_ON_EDGE = 7  # on each edge of a ground of few edges: the slope between w
 _FEW_EDGES = 12
 _MOST_VERTICES = 48  # of a ground; of more, those nearest to even places
 _SHARES = np.array([0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.64, 0.76, 0.88, 1.0])
-_LEAST_SHARE = 0.005
+_COARSE_NODES, _FINE_NODES = 4, 6  # of Gauss' rule
 _VALLEYS = 12  # that are refined
+_VALLEYS_ON_EDGE = 2  # of those that touch an edge of a boundary
 _APART = 2.5  # spacings of the coarse family between valleys
 _STEPS = 150  # of a refinement, at most
-_SHRINK = 0.6
-_FINEST = 1e-5  # step at which a valley is done, over its first
-_HOPELESS = 1.2  # over the least factor, a valley is left
 _KEPT = 3  # of refined valleys
 _TOGETHER = 1 << 13  # ground vertices times circles at a time: what fits into the caches
-_OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, [0.0], indexing="ij"), axis=-1).reshape(-1, 4)
 _NONE = -1.0  # no edge is touched
 
 
@@ -52,7 +51,9 @@ def _touching_half_angle(left: Floats, right: Floats, edge: Floats) -> Floats:
     with np.errstate(divide="ignore", invalid="ignore"):
         square = 1.0 - b * b
         root = np.sqrt(a * a * b * b - square * (half * half - a * a))
-        centre = np.where(square > 1e-12, (a * b + root) / square, (half * half - a * a) / (2 * a * b))
+        lower = (a * b - root) / square  # the other circle touches the line beyond its chord
+        centre = np.where(lower > 0.0, lower, (a * b + root) / square)
+        centre = np.where(square > 1e-12, centre, (half * half - a * a) / (2 * a * b))
         return np.where((a > 0.0) & (centre > 0.0), np.arctan2(half, centre), np.nan)
 
 
@@ -107,38 +108,44 @@ class Search:
         touching = sum(ends) / 2 * (1 - 1e-12)
         return np.where(beyond_left & before_right, np.minimum(upright, touching), upright)
 
-    def evaluate(self, q: Floats) -> Floats:
+    def evaluate(self, q: Floats, nodes: int = NODES) -> Floats:
         """The factor of each circle, NaN where there is none, or none within the limits."""
         values = np.full(len(q), np.nan)
         possible = self._possible(q)
         blocks = -(-len(possible) * len(self.ground) // _TOGETHER) or 1
         for lanes in np.array_split(possible, blocks):
-            values[lanes] = self._factors(q[lanes])
+            values[lanes] = self._factors(q[lanes], nodes)
         return values
 
     def _possible(self, q: Floats) -> Any:
-        """Circles whose ends lie beside each other, and not both on the base."""
+        """Circles whose ends lie beside each other, within the limits, and not both on the base."""
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
         apart = right[:, 0] - left[:, 0] > self.rounding
+        entry, exit = (self._within(limit, left[:, 0], right[:, 0]) for limit in self.limits.values())
+        apart &= (entry[0] & exit[1]) | (entry[1] & exit[0])
         if self.slope.base is not None:
             apart &= np.maximum(left[:, 1], right[:, 1]) - self.slope.base > self.rounding
         return np.flatnonzero(apart)
 
-    def _factors(self, q: Floats) -> Floats:
+    def _within(self, limit: Any, *ends: Floats) -> list[Any]:
+        """Which ends lie within a limit."""
+        low, high = (-np.inf, np.inf) if limit is None else limit
+        return [(x >= low - self.rounding) & (x <= high + self.rounding) for x in ends]
+
+    def _factors(self, q: Floats, nodes: int) -> Floats:
         """The same of a block, which is kept for the map."""
         centre, radius, left, right = self.circles(q)
         thick = np.flatnonzero(self.thickness(q, centre, radius) >= self.depth)
-        factors = circle_factors(
-            self.arrays, centre[thick], radius[thick], left[thick], right[thick], methods=(self.method,)
-        )
-        within = factors[self.method] > 0.0
+        circles = (centre[thick], radius[thick], left[thick], right[thick])
+        factors, facing = factors_by(self.arrays, *circles, self.method, nodes)
+        within = np.isfinite(factors) if self.method == YIELD else factors > 0.0
         for limit, upper_left in zip(self.limits.values(), (1.0, -1.0), strict=True):
             if limit is not None:
-                x = np.where(factors["facing"] == upper_left, left[thick, 0], right[thick, 0])
+                x = np.where(facing == upper_left, left[thick, 0], right[thick, 0])
                 within &= (x >= limit[0] - self.rounding) & (x <= limit[1] + self.rounding)
         values = np.full(len(q), np.nan)
-        values[thick] = np.where(within, factors[self.method], np.nan)
+        values[thick] = np.where(within, factors, np.nan)
         self.centres.append(centre)
         self.values.append(values)
         return values
@@ -193,44 +200,37 @@ class Search:
     def coarse(self, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
         """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
         q, steps = self._coarse_family()
-        values = self.evaluate(q)
-        order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
-        if not order.size:
-            left = "no circle is left that slides within the limits given; widen entry, exit, depth or base"
+        values = self.evaluate(q, _COARSE_NODES)
+        if not np.any(np.isfinite(values)):
+            left = "no circle within these limits can slide; widen entry, exit, depth or base"
             raise InputError("critical", [left])
-        valleys: list[int] = []
-        while len(valleys) < _VALLEYS and order.size:
-            best = order[0]
-            valleys.append(best)
-            far = np.any(np.abs(q[order] - q[best]) > _APART * steps[best], axis=1)
-            order = order[far]
-        tell(f"{len(values)} circles; following {len(valleys)}, from {values[valleys[0]]:.4g}")
+        valleys = _valleys(q, values, steps)
+        tell(f"{len(values)} circles; following {len(valleys)}, from {np.nanmin(values):.4g}")
         return q[valleys], steps[valleys]
 
-    def _neighbours(self, q: Floats, step: Floats) -> Floats:
-        """Of each circle all circles a step away in some of its numbers, and itself, (n, neighbours, 4)."""
-        near = q[:, None] + _OFFSETS * step[:, None]
-        near[..., :3] = np.clip(near[..., :3], [0.0, 0.0, _LEAST_SHARE], [self.along[-1], self.along[-1], 1.0])
-        return np.asarray(near)
-
     def refined(self, q: Floats, step: Floats) -> tuple[Floats, Floats]:
-        """The best circles, in order, after all were followed to better neighbours on grids that shrink."""
-        q = q.copy()
-        now = step.copy()
-        best = np.full(len(q), np.inf)
+        """The best circles, in order, after all were followed downhill, and their first steps."""
+        descent = Descent(q, step, self.along[-1])
         for _ in range(_STEPS):
-            live = np.flatnonzero(np.any(now > _FINEST * step, axis=1))
-            if not live.size:
+            if not descent.unfinished.size:
                 break
-            near = self._neighbours(q[live], now[live])
-            values = np.nan_to_num(self.evaluate(near.reshape(-1, 4)), nan=np.inf).reshape(len(live), -1)
-            rows = np.arange(len(live))
-            least = np.argmin(values, axis=1)
-            better = values[rows, least] < best[live] * (1.0 - 1e-13)
-            q[live[better]] = near[rows, least][better]
-            best[live[better]] = values[rows, least][better]
-            stays = ~better | np.all(_OFFSETS[least] == 0.0, axis=1)
-            now[live[stays]] *= _SHRINK
-            now[best > _HOPELESS * best.min()] = 0.0
-        order = np.argsort(best, kind="stable")[:_KEPT]
-        return q[order], step[order]
+            near = descent.proposals()
+            values = self.evaluate(near.reshape(-1, 4), _FINE_NODES).reshape(near.shape[:2])
+            descent.move(near, np.nan_to_num(values, nan=np.inf))
+        order = np.argsort(descent.best, kind="stable")[:_KEPT]
+        return descent.q[order], step[order]
+
+
+def _valleys(q: Floats, values: Floats, steps: Floats) -> list[int]:
+    """The best circles that are no neighbours of a better one, of those that touch no boundary and those of each."""
+    valleys: list[int] = []
+    order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
+    for edge in np.unique(q[:, 3]):
+        left = order[q[order, 3] == edge]
+        count = _VALLEYS if edge == _NONE else _VALLEYS_ON_EDGE
+        while count and left.size:
+            best = left[0]
+            valleys.append(int(best))
+            left = left[np.any(np.abs(q[left] - q[best]) > _APART * steps[best], axis=1)]
+            count -= 1
+    return valleys

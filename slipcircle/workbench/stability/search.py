@@ -9,9 +9,9 @@ import numpy as np
 from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.series import Floats
 from slipcircle.core import Section
+from slipcircle.workbench.stability.factors import YIELD, circle_factors
 from slipcircle.workbench.stability.family import Search
-from slipcircle.workbench.stability.slices import circle_factors
-from slipcircle.workbench.stability.stability import METHODS, Slope
+from slipcircle.workbench.stability.stability import METHODS, Slope, least_of
 
 _PULLED = 0.2  # share of an arc that may be under negative stress without a warning
 _PIECES = 50  # into which an arc is cut to count it
@@ -29,6 +29,9 @@ class Critical:
         By method, with the k_h of the slope; None where a method does not apply to the circle.
     factor_of_safety_without_k_h : dict or None
         Without k_h, from which a motion starts; None if the slope has no k_h.
+    yield_coefficient : float or None
+        k_y, the k_h for which the factor by the paper's method is 1, as of a motion: surcharges are shaken as well;
+        negative if the mass slides without. None if no k_h is.
     centre, radius : tuple of float, float
         m.
     entry, exit : tuple of float
@@ -59,6 +62,7 @@ class Critical:
     negative: float
     warning: str
     factor_of_safety_without_k_h: dict[str, float | None] | None = None
+    yield_coefficient: float | None = None
     method: str = ""
     tried: int = 1
     refused: int = 0
@@ -98,13 +102,13 @@ def critical(
     depth: float = 0.0,
     tell: Callable[[str], None] = lambda _: None,
 ) -> Critical:
-    """Search the circle of least factor of safety.
+    """Search the circle of least factor of safety, or of least yield coefficient.
 
     Parameters
     ----------
     slope : Slope
     method : str
-        paper, ordinary or bishop.
+        paper, ordinary or bishop; k_y for the circle of least yield coefficient, whatever the k_h of the slope.
     entry, exit : pair of float, optional
         Least and greatest x of the upper and of the lower end, m; they may be equal.
     depth : float
@@ -122,7 +126,7 @@ def critical(
     -----
     Each circle connects two points of the ground and is evaluated for the mass that it cuts off between them. Ground
     vertices are always among these points (evenly chosen ones if there are more than 48), and circles deepen up to the
-    one that is vertical at an end or touches the base. The best valleys of this coarse family are refined to 1e-5 of
+    one that is vertical at an end or touches the base. The best valleys of this coarse family are refined to 1e-4 of
     its spacing. Deterministic.
     """
     raise_all("critical", _mistakes(slope, method, {"entry": entry, "exit": exit}, depth))
@@ -131,10 +135,11 @@ def critical(
     for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
         best, step = search.refined(best, share * step)
     circle = _described(slope, *search.circles(best[:1]))
-    least = circle.factor_of_safety[method] or np.inf
+    least = circle.yield_coefficient if method == YIELD else circle.factor_of_safety[method]
+    least = np.inf if least is None else least
     if entry is None and exit is None:
-        _refuse_bottomless(slope, least)
-    tell(f"least factor {least:.6g} by {method}")
+        _refuse_bottomless(slope, least, shaken=method == YIELD or slope.k_h > 0.0)
+    tell(f"{least_of(method)}: {least:.6g}")
     warnings = [circle.warning, *_reached_ends(search, circle), *_reached_limits(search, best[:1], circle)]
     values = np.concatenate(search.values)
     return replace(
@@ -156,7 +161,7 @@ def _reached_ends(search: Search, circle: Critical) -> list[str]:
         for x in search.ground[[0, -1], 0]
         if min(abs(circle.entry[0] - x), abs(circle.exit[0] - x)) < 1e3 * search.rounding
     ]
-    return [f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less" for x in reached]
+    return [f"the circle reaches the end of the ground at x = {x:.6g}; the factor may be lower beyond" for x in reached]
 
 
 def _reached_limits(search: Search, q: Floats, circle: Critical) -> list[str]:
@@ -166,10 +171,10 @@ def _reached_limits(search: Search, q: Floats, circle: Critical) -> list[str]:
     for name, limit in search.limits.items():
         x = getattr(circle, name)[0]
         if limit is not None and limit[1] > limit[0] and min(abs(x - limit[0]), abs(x - limit[1])) < near:
-            sentences.append(f"the {name} stands on a limit of the search, x = {x:.6g}; a wider one may give less")
+            sentences.append(f"the {name} is at a limit of the search, x = {x:.6g}; the factor may be lower beyond")
     centre, radius, _, _ = search.circles(q)
     if search.depth and search.thickness(q, centre, radius)[0] < search.depth + near:
-        sentences.append(f"the mass is as thin as the search allows, {search.depth:.6g} m; a thinner one may give less")
+        sentences.append(f"the mass is as thin as the search allows, {search.depth:.6g} m; thinner ones may be worse")
     return sentences
 
 
@@ -184,7 +189,7 @@ def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right
     """One circle, by arrays of one."""
     circle = centre, radius, left, right
     factors = circle_factors(slope.arrays(), *circle, pieces=_PIECES)
-    still = circle_factors(slope.arrays()._replace(k_h=0.0), *circle) if slope.k_h else None
+    still = circle_factors(replace(slope.arrays(), k_h=0.0), *circle) if slope.k_h else None
     facing = int(factors["facing"][0])
     negative = float(factors["negative"][0])
     first, second = _point(left), _point(right)
@@ -206,6 +211,7 @@ def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right
         negative=negative,
         warning=warning,
         factor_of_safety_without_k_h=None if still is None else _by_method(still),
+        yield_coefficient=_known(factors[YIELD]),
     )
 
 
@@ -215,28 +221,33 @@ def _point(points: Floats) -> tuple[float, float]:
 
 def _by_method(factors: Mapping[str, Floats]) -> dict[str, float | None]:
     """The factors of one circle, None where a method refuses it."""
-    values = {method: float(factors[method][0]) for method in METHODS}
-    return {method: value if np.isfinite(value) else None for method, value in values.items()}
+    return {method: _known(factors[method]) for method in METHODS}
+
+
+def _known(values: Floats) -> float | None:
+    """The number of one circle, None where there is none."""
+    return float(values[0]) if np.isfinite(values[0]) else None
 
 
 def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) -> list[str]:
     if not isinstance(slope, Slope):
         return [f"{{slope}} = {slope!r}: must be a Slope; search finds that of a file"]
     ground = np.asarray(slope.ground)
-    mistakes = [] if method in [*METHODS] else [f"{{method}} = {method!r}: must be one of {', '.join(METHODS)}"]
+    allowed = [*METHODS, YIELD]
+    mistakes = [] if method in allowed else [f"{{method}} = {method!r}: must be one of {', '.join(allowed)}"]
     if not isinstance(depth, int | float) or not 0.0 <= depth < float(np.ptp(ground)):
         mistakes.append(f"{{depth}} = {depth!r}: must be at least 0 and below the size of the ground, in m")
     for name, pair in limits.items():
         mistakes += _limit_mistakes(name, pair, ground)
     if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
-        mistakes.append("{ground}: is level; nothing drives a slide")
+        mistakes.append("{ground}: is level; nothing drives a mass")
     elif not depth and slope.cohesion == 0.0 and not slope.layers:
         mistakes.append(
-            f"{{cohesion}} = 0: the least factor is that of an ever thinner skin{_skin(slope)}; give a least depth"
+            f"{{cohesion}} = 0: the factor decreases towards ever thinner masses{_skin(slope)}; give a least depth"
         )
     elif not depth and slope.friction and slope.pressure:
         mistakes.append(
-            "{pressure}: is the same along every circle, and lifts the thin ones; give a water level or a pore "
+            "{pressure}: is uniform along every circle, and lifts thin masses; give a water level or a pore "
             "pressure ratio, or a least depth"
         )
     return mistakes
@@ -252,7 +263,7 @@ def _limit_mistakes(name: str, pair: Any, ground: Floats) -> list[str]:
         return [f"{given}: must be the least and the greatest x, in this order"]
     if high < ground[0, 0] or low > ground[-1, 0]:
         reach = f"from {ground[0, 0]:.10g} to {ground[-1, 0]:.10g}"
-        return [f"{given}: lies beside the ground, which reaches {reach}"]
+        return [f"{given}: lies beside the ground, which extends {reach}"]
     return []
 
 
@@ -263,7 +274,7 @@ def _skin(slope: Slope) -> str:
     return f", tan(phi)/tan(slope) = {slope.friction / steepest:.4g} if dry" if steepest < 1e6 else ""
 
 
-def _refuse_bottomless(slope: Slope, least: float) -> None:
+def _refuse_bottomless(slope: Slope, least: float, shaken: bool) -> None:
     """Raise a ValueError where, without friction and base, ever deeper circles are worse than the best one.
 
     Beside their size all is small but the step H between level grounds: F = 4 a c/(gamma H sin(a)^2) of circles about
@@ -275,9 +286,9 @@ def _refuse_bottomless(slope: Slope, least: float) -> None:
     ground = np.asarray(slope.ground)
     step = abs(float(ground[-1, 1] - ground[0, 1])) * slope.unit_weight
     deepest = 5.5199 * slope.cohesion / step if step and not slope.k_h else np.inf
-    if slope.k_h > 0.0:
+    if shaken:
         deepest = 0.0
     if least > deepest:
-        words = f"the critical circle runs infinitely deep, where the factor tends to {deepest:.4g}"
+        words = f"the critical circle is infinitely deep, where the factor tends to {deepest:.4g}"
         advice = "give the base of the soil, or where the circle comes out (exit)"
         raise InputError("critical", [f"{{friction}} = 0 without a base: {words}; {advice}"])

@@ -1,371 +1,337 @@
-"""Factors of safety of many slip circles at once, by the balance of thin slices above the arc.
+"""Slices above many arcs at once: their weights, loads, pore pressures and strengths, and integrals over the arcs.
 
-Sums over slices are integrals along the arc of the integrands in `generated.slopes`, by Gauss' rule between the kinks
-of ground and water, so factors are converged values and not those of a number of slices. Strength and loads are arrays
-along the arc: what changes from one stretch of it to the next needs a kink there and nothing else.
+Sums over slices are integrals along the arc, by Gauss' rule between its kinks: below vertices and crossings of lines,
+where it crosses a line, and where cohesion begins to grow with depth. So factors are converged values and not those of
+a number of slices. Between kinks every line is straight, so that each stress is linear in the sine and the cosine of
+the angle: three numbers for each interval.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from generated import slopes
-from slipcircle.workbench.stability.arcs import MIDDLE, Points, SlopeArrays, crossing_angles, height_at, points_along
+from slipcircle.base.series import Floats
+from slipcircle.workbench.stability.columns import Edges, SlopeArrays, SoilArrays
 
-Floats = NDArray[np.float64]
-METHOD_NAMES = ("paper", "ordinary", "bishop")
-LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is meaningless
+NODES = 10  # of Gauss' rule in each interval
+_INSIDE = 0.45  # of an interval, where its soil is looked up: not its middle, at which arcs touch level boundaries
 _TOUCH = 1e-12  # over R: as near to the arc, a boundary touches it
-_LEAST_FACTOR = 5e-3  # by Bishop's method
-_NEWTON_STEPS = 20
-_CLOSE = 1e-9  # relative change of a converged factor
 
 
-class _Slices(NamedTuple):
+class Arcs(NamedTuple):
+    """Arcs of circles: centres (n, 2) and radii, m; angles of both ends from straight below the centre."""
+
+    centre: Floats
+    radius: Floats
+    first: Floats
+    last: Floats
+    valid: Any  # others have no slices
+
+
+class Stresses(NamedTuple):
+    """On the arcs over gamma R, gamma the unit weight of the first layer: (3, intervals), of 1, sine and cosine."""
+
+    soil: Floats  # weight of the soil above
+    buoyancy: Any  # minus the weight of a pond's water in the place of the soil below its level
+    load: Any  # surcharge
+    pond: Any  # weight of the water above the ground
+    pressure: Floats
+    relieved: Any  # pressure of a pond at the height of the arc
+    cohesion: Floats
+
+    def turned(self, way: Floats) -> Stresses:
+        """The same for angles of the opposite sense where ``way`` is -1."""
+        sense = np.stack([np.ones(len(way)), way, np.ones(len(way))])
+        return Stresses(*(values * sense for values in self))
+
+
+class Slices(NamedTuple):
     """Slices above the points of Gauss' rule, (points, intervals); lengths over R, stresses over gamma R.
 
-    gamma is the unit weight of the first layer. An interval is the part of one arc between two kinks. Angles are from
-    straight below the centre. Weights are sums over surfaces: the tops of layers, each with the step of the unit weight
-    there, and of their saturated parts; and the part of the ground below a pond, with minus the water's.
+    An interval is the part of one arc between two kinks. Angles are from straight below the centre. Weights are sums
+    over surfaces: the tops of layers, each with the step of the unit weight there, and of their wet parts; and the part
+    of the ground below a pond, with minus the water's.
     """
 
-    points: Points
+    arcs: Arcs
+    arc: NDArray[np.int64]  # number of the arc of each interval
+    ends: Floats  # angles of both ends of each interval, (2, intervals)
+    weight: Floats  # of a point in the integral over the angle
     sine: Floats
     cosine: Floats
-    end_sine: Floats  # of both ends of each interval, (2, intervals)
-    steps: Floats  # of the unit weight below each surface, (surfaces, intervals)
-    shaken: Floats  # 1 of a surface of soil, 0 of one of water
-    tops: Floats  # of the surfaces above the centre, not below the arc, (surfaces, points, intervals)
-    load: Floats  # surcharge
-    ground: Floats  # above the centre
-    vertical: Floats  # total vertical stress on the arc
-    pressure: Floats
-    uplift: Floats  # the pressure less that of a pond
-    cohesion: Floats
-    friction: Floats  # of each interval, as the next
+    way: Any  # -1 where angles are counted to the left, by interval
+    stresses: Stresses
+    friction: Floats  # of each interval
     k_h: Floats
-    k_h_on_load: Floats
+    shaken_load: Any  # share of the surcharge on which k_h acts
+    steps: Floats  # of the unit weight below each surface, 0 where it is not above the arc, (surfaces, intervals)
+    constant: Floats  # height of a surface above the centre is constant + gradient sine
+    gradient: Floats
+    shaken: NDArray[np.bool_]  # surfaces of soil, not of water
 
-    def sum_of_surfaces(self, values: Any) -> Floats:
-        """Of values for each surface."""
-        return np.einsum("si,spi->pi", self.steps, values)
-
-    def coefficients(self) -> Floats:
-        """k_h of each surface, (surfaces, 1, intervals)."""
-        return self.shaken[:, None, None] * self.k_h
-
-    def driving_moment(self, k_h: Any, k_h_on_load: Any) -> Floats:
-        """About the centre, over each point's angle; k_h times a load acts at the ground."""
-        by_surface = slopes.drive(self.sine, self.cosine, self.tops + self.cosine, k_h)
-        of_load = slopes.drive(self.sine, self.cosine, self.load, 0.0)
-        return self.sum_of_surfaces(by_surface) + of_load - k_h_on_load * self.load * self.cosine * self.ground
-
-    def ordinary_normal(self) -> Floats:
-        """Effective normal stress of the ordinary method."""
-        by_surface = slopes.ordinary_normal(self.sine, self.cosine, self.tops + self.cosine, 0.0, self.coefficients())
-        of_load = self.load * self.cosine * (self.cosine + self.k_h_on_load * self.sine)
-        return self.sum_of_surfaces(by_surface) + of_load - self.uplift
-
-    def radial_normal(self) -> Floats:
-        """Effective normal stress of the paper's method by strips: the weights of (2.23) straight above."""
-        distance = np.hypot(self.sine, self.tops)
-        by_surface = slopes.radial_weight(self.cosine, distance)
-        if np.any(self.k_h):
-            tilt = slopes.radial_tilt(self.sine, self.cosine, self.tops + self.cosine, distance)
-            by_surface = by_surface + self.coefficients() * tilt
-        towards_arc = (self.k_h_on_load * self.sine - self.ground) / np.hypot(self.sine, self.ground)
-        on_ground = self.load * self.cosine * towards_arc
-        return self.sum_of_surfaces(by_surface) + on_ground - self.uplift
-
-    def bishop_normal(self, factor: Floats) -> Floats:
-        """Effective normal stress of Bishop's simplified method."""
-        by_arc = factor[self.points.arc]
-        return slopes.bishop_normal(
-            self.sine, self.cosine, self.vertical, self.pressure, self.cohesion, self.friction, by_arc
-        )
+    def at(self, linear: Any) -> Any:
+        """Of three numbers for each interval the value at each point."""
+        return linear[0] + linear[1] * self.sine + linear[2] * self.cosine
 
     def integral(self, values: Any) -> Floats:
         """Over each arc."""
-        by_interval = (self.points.weight * values).sum(axis=0)
-        return np.bincount(self.points.arc, by_interval, len(self.points.radius)).astype(np.float64)
+        by_interval = (self.weight * values).sum(axis=0)
+        return np.bincount(self.arc, by_interval, len(self.arcs.radius)).astype(np.float64)
 
-    def facing(self, way: Floats) -> _Slices:
+    def facing(self, way: Floats) -> Slices:
         """The same with positive angles down-slope, for arcs that slide to the right (1) or to the left (-1)."""
-        sign = way[self.points.arc]
-        return self._replace(sine=self.sine * sign, end_sine=self.end_sine * sign)
+        sense = way[self.arc]
+        return self._replace(
+            sine=self.sine * sense, gradient=self.gradient * sense, stresses=self.stresses.turned(sense), way=sense
+        )
+
+    def driving_moment(self) -> Floats:
+        """Of gravity about the centre, of each arc."""
+        stresses = self.stresses
+        weight = self.at(stresses.soil + stresses.buoyancy + stresses.load)
+        return self.integral(slopes.drive(self.sine, self.cosine, weight, 0.0))
+
+    def weight_along_arc(self) -> Floats:
+        """The integral of the vertical stress over each arc's breadth: what moments are compared with."""
+        stresses = self.stresses
+        return self.integral(self.cosine * self.at(stresses.soil + stresses.load + stresses.pond))
+
+    def shaking_moment(self) -> Floats:
+        """Of k_h = 1 about the centre, of each arc: on the soil at half its height, on a load at the ground."""
+        total = self.at(self.stresses.load) * self.cosine * -self.surface(0) * self.shaken_load
+        for k in np.flatnonzero(self.shaken):
+            height = self.surface(k) + self.cosine
+            total = total + self.steps[k] * slopes.drive(0.0, self.cosine, height, 1.0)
+        return self.integral(total)
+
+    def surface(self, k: Any) -> Floats:
+        """Height of a surface above the centre."""
+        return self.constant[k] + self.gradient[k] * self.sine
+
+    def uplift(self) -> Floats:
+        """Pore pressure less that of a pond."""
+        return np.asarray(self.at(self.stresses.pressure - self.stresses.relieved))
+
+    def ordinary_normal(self) -> Floats:
+        """Effective normal stress of the ordinary method."""
+        stresses = self.stresses
+        loads = slopes.ordinary_normal(self.sine, self.cosine, self.at(stresses.buoyancy + stresses.load), 0.0, 0.0)
+        if np.any(self.k_h * self.shaken_load):
+            loads = loads + self.k_h * self.sine * self.cosine * self.at(stresses.load) * self.shaken_load
+        soil = slopes.ordinary_normal(self.sine, self.cosine, self.at(stresses.soil), self.uplift(), self.k_h)
+        return np.asarray(soil + loads)
+
+    def radial_normal(self) -> Floats:
+        """Effective normal stress of the paper's method by strips: the weights of (2.23) straight above."""
+        total = -self.uplift()
+        for k in np.flatnonzero(np.any(self.steps, axis=1)):
+            distance = np.hypot(self.sine, self.surface(k))
+            total += self.steps[k] * slopes.radial_weight(self.cosine, distance)
+        load = self.stresses.load
+        if np.any(load):
+            total += self.at(load) * self.cosine * -self.surface(0) / np.hypot(self.sine, self.surface(0))
+        return total
+
+    def radial_tilt(self) -> Floats:
+        """What k_h = 1 adds to it."""
+        total = self.at(self.stresses.load) * self.cosine * self.sine / np.hypot(self.sine, self.surface(0))
+        total *= self.shaken_load
+        for k in np.flatnonzero(self.shaken):
+            top = self.surface(k)
+            distance = np.hypot(self.sine, top)
+            total += self.steps[k] * slopes.radial_tilt(self.sine, self.cosine, top + self.cosine, distance)
+        return total
+
+    def vertical(self) -> Floats:
+        """Effective vertical stress on the arc, for Bishop's method."""
+        stresses = self.stresses
+        total = stresses.soil + stresses.load + stresses.pond - stresses.pressure
+        return np.asarray(self.at(total))
+
+    def cohesion(self) -> Floats:
+        """On the arc."""
+        return np.asarray(self.at(self.stresses.cohesion))
 
 
-def circle_factors(
-    slope: SlopeArrays,
-    centre: Floats,
-    radius: Floats,
-    left: Floats,
-    right: Floats,
-    methods: Collection[str] = METHOD_NAMES,
-    pieces: int = 1,
-) -> dict[str, Floats]:
-    """Factors of safety of the masses between circles and the ground, from one point of the ground to another.
-
-    Parameters
-    ----------
-    slope : SlopeArrays
-        One slope, or one for each circle.
-    centre, radius : ndarray
-        Of circles, (n, 2) and (n,), m.
-    left, right : ndarray
-        Ends of the arcs, (n, 2), m, between which the ground lies inside the circle.
-    methods : collection of str
-        Of ``METHOD_NAMES``; factors by the others are NaN.
-    pieces : int
-        Into which each arc is cut besides at kinks, to resolve ``negative``.
-
-    Returns
-    -------
-    dict of ndarray
-        Factors by method, NaN where it refuses the circle. ``facing``: 1 if the mass slides to the right, -1 if to the
-        left, 0 if nothing drives it. ``negative``: share of the arc under negative effective normal stress, by the
-        ordinary method or by Bishop's, if greater.
-
-    Notes
-    -----
-    Water: the ordinary method takes N' = W cos(a) - u l, which reproduces published factors (Fredlund and Krahn 1977);
-    its other convention, (W - u b) cos(a), gives greater ones. Bishop's method refuses a circle where m_alpha falls
-    below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
-    """
-    first, last = (np.arctan2(p[:, 0] - centre[:, 0], centre[:, 1] - p[:, 1]) for p in (left, right))
-    upright = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
-    valid = upright & ~_below_ground(slope, centre, first, last)
-    slices = _slices(slope, points_along(slope, centre, radius, first, last, valid, pieces))
-    facing, negligible = _facing(slices)
-    if np.any(slope.crack):
-        first, last, valid = _cracked(slope, centre, radius, first, last, facing, valid)
-        slices = _slices(slope, points_along(slope, centre, radius, first, last, valid, pieces))
-    slices = slices.facing(facing)
-    driving = slices.integral(slices.driving_moment(slices.coefficients(), slices.k_h_on_load))
-    driving += _crack_water(slope, radius, np.where(facing > 0.0, first, last))
-    driving = np.where(valid & (facing != 0.0) & (driving > negligible), driving, np.nan)
-    length = np.where(valid, last - first, np.nan)
-    return {**_factors(slices, driving, length, methods), "facing": facing}
+@cache
+def _gauss(nodes: int) -> tuple[Floats, Floats]:
+    return np.polynomial.legendre.leggauss(nodes)
 
 
-def _factors(slices: _Slices, driving: Floats, length: Floats, methods: Collection[str]) -> dict[str, Floats]:
-    """Resistance over drive by the methods, NaN by others, and the share of the arcs under negative normal stress."""
-    normal = slices.ordinary_normal()
-    negative = slices.integral(normal < 0.0) / length
-    ordinary = slices.integral(slices.cohesion + slices.friction * normal) / driving
-    paper = bishop = np.full(len(driving), np.nan)
-    if "paper" in methods:
-        friction = slices.integral(slices.friction * slices.radial_normal())
-        paper = (slices.integral(slices.cohesion) + np.maximum(friction, 0.0)) / driving
-    if "bishop" in methods:
-        bishop = _bishop(slices, driving, ordinary)
-        normal = slices.bishop_normal(bishop)
-        negative = np.maximum(negative, slices.integral(normal < 0.0) / length)
-    return {"paper": paper, "ordinary": ordinary, "bishop": bishop, "negative": negative}
-
-
-def _below_ground(slope: SlopeArrays, centre: Floats, first: Floats, last: Floats) -> Any:
-    """Which arcs have the centre of their circle below the ground."""
-    return (first < 0.0) & (last > 0.0) & (height_at(slope.ground, centre[:, 0]) >= centre[:, 1])
-
-
-def _facing(slices: _Slices) -> tuple[Floats, Floats]:
-    """Which way gravity drives each arc, 0 where it does not, and the moment that is as good as none."""
-    by_gravity = slices.integral(slices.driving_moment(0.0, 0.0))
-    negligible = 1e-9 * slices.integral(slices.cosine * slices.vertical)
-    return np.where(np.abs(by_gravity) > negligible, np.sign(by_gravity), 0.0), negligible
-
-
-def _cracked(
-    slope: SlopeArrays, centre: Floats, radius: Floats, first: Floats, last: Floats, facing: Floats, valid: Any
-) -> tuple[Floats, Floats, Any]:
-    """Arcs that begin at the bottom of a tension crack: where the ground is its depth above them."""
-    lowered = slope.ground - np.stack(np.broadcast_arrays(0.0, np.reshape(slope.crack, (-1, 1))), axis=-1)
-    angles = crossing_angles(lowered, centre, radius)
-    between = (angles > first[:, None]) & (angles < last[:, None])
-    from_left = np.where(between, angles, np.inf).min(axis=1)
-    from_right = np.where(between, angles, -np.inf).max(axis=1)
-    first = np.where(facing > 0.0, from_left, first)
-    last = np.where(facing < 0.0, from_right, last)
-    deep_enough = np.isfinite(first) & np.isfinite(last) & (first < last)
-    return np.where(deep_enough, first, 0.0), np.where(deep_enough, last, 0.0), valid & deep_enough
-
-
-def _crack_water(slope: SlopeArrays, radius: Floats, bottom: Floats) -> Any:
-    """Moment of the water in a crack above the upper end of the arc: gamma_w h^2/2 at a third of its height."""
-    depth = slope.crack_water / radius
-    force = np.divide(slope.water_unit_weight, slope.soils[0].unit_weight) * depth**2 / 2
-    return force * (np.cos(bottom) - depth / 3)
-
-
-class _Layers(NamedTuple):
-    """Boundaries above points, and the layer at the base of each interval."""
-
-    ground: Floats  # above the centre
-    tops: Floats  # of the layers, not below the arc, (layers, points, intervals)
-    base: NDArray[np.int64]
-
-    def at_base(self, values: Floats) -> Floats:
-        """Of numbers (layers, intervals) those of the base."""
-        return values[self.base, np.arange(len(self.base))]
-
-
-class _Water(NamedTuple):
-    """What water adds to the surfaces and to the stresses on the arc, over gamma R."""
-
-    steps: list[Floats]
-    tops: list[Floats]
-    vertical: Any  # weight of a pond
-    relieved: Any  # pressure that a pond has at the arc's height
-
-
-def _layers(slope: SlopeArrays, points: Points) -> _Layers:
-    """Tops of layers, each cut off by those above it."""
-    depth = np.cos(points.angle)
-    lines = [points.above_centre(line) for line in (slope.ground, *slope.tops)]
-    boundaries = np.minimum.accumulate(np.stack(lines), axis=0)
-    ground = boundaries[0]
-    # At an end of the arc rounding may leave no ground above it: then the layers that end there count.
-    lowest = np.minimum(-depth, ground)[MIDDLE] - _TOUCH
-    base = np.count_nonzero(boundaries[:, MIDDLE] >= lowest, axis=0) - 1
-    return _Layers(ground, np.maximum(boundaries, -depth), base)
-
-
-def _saturated(slope: SlopeArrays, points: Points, layers: _Layers, unit_weight: Floats) -> tuple[Floats, Floats]:
-    """Steps of the unit weight below the water level, and the tops of the wet parts of layers; none without."""
-    soils = slope.soils
-    if slope.level is None or all(soil.saturated_unit_weight is None for soil in soils):
-        return np.empty((0, unit_weight.shape[1])), np.empty((0, *points.angle.shape))
-    given = [s.unit_weight if s.saturated_unit_weight is None else s.saturated_unit_weight for s in soils]
-    excess = (points.of_layers(given) - unit_weight) / unit_weight[0]
-    wet = np.minimum(layers.tops, points.above_centre(slope.level))
-    return np.diff(excess, axis=0, prepend=0.0), np.maximum(wet, -np.cos(points.angle))
-
-
-def _pond(slope: SlopeArrays, points: Points, layers: _Layers, water: Floats) -> _Water:
-    """Standing water: minus its weight on the ground below its level, which is what makes it buoyant."""
-    if slope.pond is None:
-        return _Water([], [], 0.0, 0.0)
-    depth = np.cos(points.angle)
-    level = (points.of_interval(slope.pond) - points.centre[points.arc, 1]) / points.scale
-    on_top = np.maximum(level - np.maximum(layers.ground, -depth), 0.0)
-    buoyed = np.maximum(np.minimum(layers.ground, level), -depth)
-    return _Water([-water[None]], [buoyed[None]], water * on_top, water * np.maximum(level + depth, 0.0))
-
-
-def _pressure(slope: SlopeArrays, points: Points, layers: _Layers, overburden: Floats, water: Floats) -> Floats:
-    """Pore pressure on the arc: of a soil with a ratio by the weight above, else of the level; and a constant."""
-    ratio = layers.at_base(points.of_layers([soil.pore_ratio for soil in slope.soils]))
-    pressure = ratio * overburden
-    if slope.level is not None:
-        head = np.maximum(points.above_centre(slope.level) + np.cos(points.angle), 0.0)
-        pressure = pressure + np.where(ratio > 0.0, 0.0, water * head)
-    return pressure + points.of_interval(slope.pressure) / _stress_scale(slope, points)
-
-
-def _cohesion(slope: SlopeArrays, points: Points, layers: _Layers) -> Floats:
-    """Cohesion at the base, which may grow with the depth below a datum."""
-    soils = slope.soils
-    cohesion = layers.at_base(points.of_layers([soil.cohesion for soil in soils])) / _stress_scale(slope, points)
-    if any(np.any(soil.cohesion_gradient) for soil in soils):
-        datum = layers.at_base(points.of_layers([0.0 if soil.datum is None else soil.datum for soil in soils]))
-        growth = layers.at_base(points.of_layers([soil.cohesion_gradient for soil in soils]))
-        below = np.maximum((datum - points.centre[points.arc, 1]) / points.scale + np.cos(points.angle), 0.0)
-        cohesion = cohesion + growth / points.of_interval(soils[0].unit_weight) * below
-    return np.broadcast_to(cohesion, points.angle.shape)
-
-
-def _stress_scale(slope: SlopeArrays, points: Points) -> Floats:
-    """gamma R of each interval, Pa, with the unit weight of the first layer."""
-    return points.of_interval(slope.soils[0].unit_weight) * points.scale
-
-
-def _slices(slope: SlopeArrays, points: Points) -> _Slices:
-    """The slices above points."""
-    sine = np.sin(points.angle)
-    cosine = np.cos(points.angle)
-    layers = _layers(slope, points)
-    unit_weight = points.of_layers([soil.unit_weight for soil in slope.soils])
-    water = points.of_interval(slope.water_unit_weight) / unit_weight[0]
-    wet_steps, wet_tops = _saturated(slope, points, layers, unit_weight)
-    steps = np.concatenate([np.diff(unit_weight / unit_weight[0], axis=0, prepend=0.0), wet_steps])
-    tops = np.concatenate([layers.tops, wet_tops])
-    overburden = np.einsum("si,spi->pi", steps, tops + cosine)
-    pressure = _pressure(slope, points, layers, overburden, water)
-    load = _surcharge(slope, points) / _stress_scale(slope, points)
-    pond = _pond(slope, points, layers, water)
-    return _Slices(
-        points=points,
-        sine=sine,
-        cosine=cosine,
-        end_sine=np.sin([points.low, points.high]),
-        steps=np.concatenate([steps, *pond.steps]),
-        shaken=np.array([1.0] * len(steps) + [0.0] * len(pond.steps)),
-        tops=np.concatenate([tops, *pond.tops]),
-        load=load,
-        ground=layers.ground,
-        vertical=overburden + load + pond.vertical,
-        pressure=pressure,
-        uplift=pressure - pond.relieved,
-        cohesion=_cohesion(slope, points, layers),
-        friction=layers.at_base(points.of_layers([soil.friction for soil in slope.soils])),
-        k_h=points.of_interval(slope.k_h),
-        k_h_on_load=points.of_interval(slope.k_h) * slope.k_h_on_surcharge,
+def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = NODES) -> Slices:
+    """The slices above valid arcs, cut into pieces and at all kinks."""
+    arc, ends = _intervals(slope, arcs, pieces)
+    half = (ends[1] - ends[0]) / 2
+    middle = (ends[0] + ends[1]) / 2
+    nodes_at, weights = _gauss(nodes)
+    angle = middle + half * nodes_at[:, None]
+    base = _Bases(slope, arcs, arc, ends[0] + _INSIDE * (ends[1] - ends[0]))
+    steps = base.steps()
+    return Slices(
+        arcs=arcs,
+        arc=arc,
+        ends=ends,
+        weight=half * weights[:, None],
+        sine=np.sin(angle),
+        cosine=np.cos(angle),
+        way=1.0,
+        stresses=base.stresses(steps),
+        friction=base.soil.friction,
+        k_h=base.of_slope(slope.k_h),
+        shaken_load=base.of_slope(slope.k_h_on_surcharge),
+        steps=steps,
+        constant=base.constant,
+        gradient=base.gradient,
+        shaken=base.shaken(steps),
     )
 
 
-def _surcharge(slope: SlopeArrays, points: Points) -> Floats:
-    """Pressure of the surcharges above points, Pa."""
-    x = points.centre[points.arc, 0] + points.scale * np.sin(points.angle)
-    total = np.zeros_like(x)
-    for x1, x2, q1, q2 in slope.surcharge:
-        inside = (points.middle > x1) & (points.middle < x2)
-        total += np.where(inside, q1 + (q2 - q1) * (x - x1) / (x2 - x1), 0.0)
-    return total
+def _intervals(slope: SlopeArrays, arcs: Arcs, pieces: int) -> tuple[NDArray[np.int64], Floats]:
+    """Number of the arc and angles of both ends of each interval."""
+    cuts = np.linspace(arcs.first, arcs.last, pieces + 1, axis=1)
+    angles = np.arcsin(np.clip(_kinks(slope, arcs), -1.0, 1.0))
+    inside = np.clip(angles, arcs.first[:, None], arcs.last[:, None])
+    every = np.sort(np.concatenate([cuts, inside], axis=1), axis=1)
+    arc, k = np.nonzero((every[:, 1:] > every[:, :-1]) & arcs.valid[:, None])
+    return arc, np.stack([every[arc, k], every[arc, k + 1]])
 
 
-def _bishop(slices: _Slices, driving: Floats, start: Floats) -> Floats:
-    """F = 1/y where y times the integral of strength/m_alpha(y) is the driving moment; the former grows with y.
+def _kinks(slope: SlopeArrays, arcs: Arcs) -> Floats:
+    """x over R from the centre at which an integrand may not be smooth, (n, any); NaN for none."""
+    bounds = (slope.columns.bounds - arcs.centre[:, :1]) / arcs.radius[:, None]
+    return np.concatenate([bounds, meeting_points(slope.edges, arcs)], axis=1)
 
-    By Newton's steps for all arcs at once, within the range of y in which m_alpha = cos - y mu sin is at least
-    ``LEAST_LEVER`` at all ends of intervals, between which it has no minimum.
+
+def meeting_points(edges: Edges, arcs: Arcs) -> Floats:
+    """x over R from the centre where edges meet the lower half of each circle, (n, 2 edges); NaN for none.
+
+    With y = gradient x - below and x^2 + y^2 = 1.
     """
-    arc = slices.points.arc
-    friction = slices.friction
-    lowest, highest = _lever_range(slices)
-    strength = slopes.bishop_strength(slices.cosine, slices.vertical, slices.pressure, slices.cohesion, friction)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        y = np.clip(1.0 / np.maximum(start, _LEAST_FACTOR), lowest, highest)
-        y = np.where(lowest < highest, y, np.nan)
-        for _ in range(_NEWTON_STEPS):
-            factor = 1.0 / y
-            lever = slopes.bishop_lever(slices.sine, slices.cosine, friction, factor[arc])
-            shear = strength / lever
-            excess = y * slices.integral(shear) - driving
-            growth = slices.integral(shear * slices.cosine / lever)  # d(y/m_alpha)/dy = cos/m_alpha^2
-            y = np.clip(y - excess / growth, lowest, highest)
-            if not np.any(np.abs(y * factor - 1.0) > _CLOSE):
-                break
-        return np.where(np.abs(excess) <= _CLOSE * driving, factor, np.nan)
+    x, y = arcs.centre.T[..., None]
+    radius = arcs.radius[:, None]
+    gradient = edges.gradient
+    left, right = ((end - x) / radius for end in (edges.left, edges.right))
+    with np.errstate(invalid="ignore"):
+        below = (y - edges.y - gradient * (x - edges.x)) / radius
+        square = 1.0 + gradient**2
+        root = np.sqrt(square - below**2)
+        at = np.concatenate([(gradient * below - root) / square, (gradient * below + root) / square], axis=1)
+        on_edge = (at >= np.tile(left, 2)) & (at <= np.tile(right, 2))
+        in_lower_half = np.tile(gradient, 2) * at < np.tile(below, 2)
+        return np.where(on_edge & in_lower_half, at, np.nan)
 
 
-def _lever_range(slices: _Slices) -> tuple[Floats, Floats]:
-    """Least and greatest 1/F for which m_alpha stays above its least value, of each arc."""
-    sine = slices.end_sine
-    cosine = np.cos([slices.points.low, slices.points.high])
-    most = 1.0 / _LEAST_FACTOR
-    sine = slices.friction * sine
-    room = cosine - LEAST_LEVER
-    with np.errstate(divide="ignore", invalid="ignore"):
-        above = np.where(sine > 0.0, np.maximum(room, 0.0) / sine, most)
-        below = np.where((sine < 0.0) & (room < 0.0), room / sine, 0.0)
-    lowest = np.zeros(len(slices.points.radius))
-    highest = np.full(len(slices.points.radius), most)
-    for k in (0, 1):
-        np.minimum.at(highest, slices.points.arc, above[k])
-        np.maximum.at(lowest, slices.points.arc, below[k])
-    return lowest, highest
+class _Bases:
+    """Surfaces above a point inside each interval, and the soil at its base."""
+
+    def __init__(self, slope: SlopeArrays, arcs: Arcs, arc: NDArray[np.int64], inside: Floats) -> None:
+        self.slope = slope
+        self.arc = arc
+        self.scale = arcs.radius[arc]
+        self.centre = arcs.centre[arc]
+        self.x = self.centre[:, 0] + self.scale * np.sin(inside)
+        self._look_up_surfaces(inside)
+        self._look_up_soil()
+
+    def _look_up_surfaces(self, inside: Floats) -> None:
+        """Their lines from the centre, and their heights above the arc."""
+        columns = self.slope.columns
+        column = columns.at(self.arc, self.x)
+        row = 0 if len(columns.bounds) == 1 else self.arc
+        height = columns.height[:, row, column]
+        self.gradient = columns.gradient[:, row, column]
+        from_middle = self.centre[:, 0] - columns.middle[row, column]
+        self.constant = (height + self.gradient * from_middle - self.centre[:, 1]) / self.scale
+        self.depth = np.cos(inside)
+        self.above = self.constant + self.gradient * np.sin(inside) + self.depth
+
+    def _look_up_soil(self) -> None:
+        """The layer at the base, and its numbers."""
+        slope = self.slope
+        numbers = slope.numbers
+        lane = 0 if numbers.friction.shape[1] == 1 else self.arc
+        # At an end of the arc rounding may leave no ground above it: then the layers that end there count.
+        lowest = np.minimum(self.above[0], 0.0) - _TOUCH
+        layer = np.count_nonzero(self.above[: len(slope.soils)] >= lowest, axis=0) - 1
+        self.soil = SoilArrays(*(values[layer, lane] for values in numbers))
+        self.lane = lane
+        self.unit_weight = numbers.unit_weight[0, lane]
+        self.water = self.of_slope(slope.water_unit_weight) / self.unit_weight
+
+    def of_slope(self, value: Any) -> Floats:
+        """A number of the slope, or of each, by interval."""
+        values = np.asarray(value, dtype=np.float64)
+        return np.broadcast_to(values, len(self.arc)) if values.size == 1 else values[self.arc]
+
+    def steps(self) -> Floats:
+        """Of the unit weight below each surface that is above the arc, (surfaces, intervals)."""
+        slope = self.slope
+        numbers = slope.numbers
+        none = np.zeros((1, numbers.unit_weight.shape[1]))
+        rows = [np.diff(numbers.unit_weight, axis=0, prepend=0.0)]
+        if slope.level is not None:
+            rows.append(none)
+        if slope.saturates:
+            rows.append(np.diff(numbers.saturated_unit_weight - numbers.unit_weight, axis=0, prepend=0.0))
+        every = np.concatenate(rows)
+        steps = (every[:, self.lane] if every.shape[1] > 1 else every) / self.unit_weight
+        if slope.pond is not None:
+            of_water = np.stack([np.zeros(len(self.arc)), -self.water])
+            steps = np.concatenate([np.broadcast_to(steps, (len(steps), len(self.arc))), of_water])
+        return np.asarray(steps * (self.above > 0.0))
+
+    def shaken(self, steps: Floats) -> NDArray[np.bool_]:
+        """The surfaces of soil."""
+        shaken = np.any(steps, axis=1)
+        if self.slope.pond is not None:
+            shaken[-1] = False
+        return np.asarray(shaken)
+
+    def _below(self, k: int, when: Any) -> Floats:
+        """Height of a surface above the arc, where that is so."""
+        return np.stack([self.constant[k] * when, self.gradient[k] * when, 1.0 * when])
+
+    def stresses(self, steps: Floats) -> Stresses:
+        """By interval."""
+        slope = self.slope
+        layers = len(slope.soils)
+        scale = self.unit_weight * self.scale
+        buoyancy, pond, relieved = (np.zeros((3, 1)) for _ in range(3))
+        of_soil = slice(None)
+        if slope.pond is not None:
+            of_soil = slice(-2)
+            buoyancy = self._below(-1, steps[-1])
+            relieved = self._below(-2, self.water * (self.above[-2] > 0.0))
+            filled = self.water * (self.above[-2] > self.above[0])
+            pond = self._below(-2, filled) - self._below(0, filled)
+        constant = np.einsum("si,si->i", steps[of_soil], self.constant[of_soil])
+        gradient = np.einsum("si,si->i", steps[of_soil], self.gradient[of_soil])
+        soil = np.stack([constant, gradient, steps[of_soil].sum(axis=0)])
+        pressure = self.soil.pore_ratio * soil
+        pressure[0] += self.of_slope(slope.pressure) / scale
+        if slope.level is not None:
+            pressure += self._below(layers, self.water * (self.above[layers] > 0.0) * (self.soil.pore_ratio == 0.0))
+        return Stresses(soil, buoyancy, self._load() / scale, pond, pressure, relieved, self._cohesion() / scale)
+
+    def _load(self) -> Floats:
+        """Of surcharges, Pa."""
+        total = np.zeros((3, 1))
+        for x1, x2, q1, q2 in self.slope.surcharge:
+            inside = (self.x > x1) & (self.x < x2)
+            growth = (q2 - q1) / (x2 - x1)
+            at_centre = q1 + growth * (self.centre[:, 0] - x1)
+            total = total + inside * np.stack([at_centre, growth * self.scale, 0.0 * self.scale])
+        return total
+
+    def _cohesion(self) -> Floats:
+        """At the base, which may grow with the depth below a datum; Pa."""
+        soil = self.soil
+        from_centre = soil.datum - self.centre[:, 1]
+        growth = soil.cohesion_gradient * (from_centre + self.depth * self.scale > 0.0)
+        zero = np.zeros(len(growth))
+        return np.stack([soil.cohesion + growth * from_centre, zero, growth * self.scale])

@@ -15,9 +15,10 @@ from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
 from slipcircle.base.checks import InputError, raise_all
+from slipcircle.base.series import Floats
 from slipcircle.core import LayeredSection, Section, Soil, law_parts, layer_mistakes, pond_errors, slope_errors
-from slipcircle.workbench.stability.arcs import SlopeArrays, SoilArrays
-from slipcircle.workbench.stability.slices import Floats, circle_factors
+from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
+from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
@@ -38,6 +39,13 @@ METHODS: Mapping[str, tuple[str, str]] = {
         "forces between slices increase the normal stress on steep bases",
     ),
 }
+
+
+def least_of(method: str) -> str:
+    """In words, what a search by a method minimises."""
+    return "least yield coefficient" if method == YIELD else f"least factor by {method}"
+
+
 COMPARED = """\
 The factor is the moment of this strength about the centre, divided by that of the weight and of k_h times the weight \
 at half the height of the slices. The three agree for mu = 0, and nearly for flat arcs. On the circle of real-slope \
@@ -128,7 +136,7 @@ class Slope:
             found = [] if self.unit_weight is not None else ["unit_weight is missing"]
         found += slope_errors(given)
         if self.level is not None and self.pore_ratio != 0.0:
-            found.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; leave one out")
+            found.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; remove one")
         if not found:
             ground = np.array(self.ground, dtype=np.float64)
             object.__setattr__(self, "ground", ground)
@@ -151,7 +159,7 @@ class Slope:
         ground = np.asarray(self.ground)[None]
         level = None if self.level is None else np.asarray(self.level)[None]
         if level is None and self.pond is not None:
-            level = top_line(self.pond, ground, lambda value, *_: value)
+            level = level_line(self.pond, ground)
         soils: tuple[SoilArrays, ...] = (SoilArrays(self.cohesion, self.friction, self.unit_weight, self.pore_ratio),)
         tops: tuple[Floats, ...] = ()
         if self.layers:
@@ -184,7 +192,7 @@ def require_drive(section: Section) -> None:
     if abs(moment) <= 1e-9 * area:
         left, right = sorted((float(section.entry[0]), float(section.exit[0])))
         where = f"{{centre}}: nothing drives the mass from x = {left:.6g} to {right:.6g}"
-        why = "it is in balance about the centre, as below level ground; choose a circle that cuts the slope"
+        why = "it is in equilibrium about the centre, as below level ground; choose a circle that cuts the slope"
         raise InputError("Section", [f"{where}: {why}"])
 
 
@@ -211,7 +219,7 @@ def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:
     """
     section = scene.arc
     if not isinstance(section, Section):
-        raise ValueError("factors_of_safety: scene.arc: must be a Section; an Arc has the factor of its Motion alone")
+        raise ValueError("factors_of_safety: scene.arc: must be a Section; an Arc has only the factor of its Motion")
     strength = soil(scene.friction, scene.called)
     if not strength:
         raise ValueError(
@@ -271,9 +279,7 @@ def top_line(top: Any, ground: Floats, by_lane: Callable[..., Any]) -> Floats:
     """The top of a layer as a line, (1 or n, V, 2): of a height, from one end of the ground to the other."""
     if np.ndim(top) > 1:
         return np.asarray(by_lane(top, 2))
-    height = np.reshape(by_lane(top), (-1, 1))
-    x = np.broadcast_to(ground[:, [0, -1], 0], (max(len(height), len(ground)), 2))
-    return np.stack(np.broadcast_arrays(x, height), axis=-1)
+    return level_line(by_lane(top), ground)
 
 
 def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:

@@ -215,7 +215,7 @@ def _unattainable(problem: SearchProblem) -> Unattainable:
     (field,), (name,) = problem.fields, problem.observed
     places = [extreme(problem, sign) for sign in (-1.0, 1.0)]
     if math.isnan(places[0]):
-        return Unattainable(f"{field.key}: with no value of it between the bounds does this scene move and rest", {})
+        return Unattainable(f"{field.key}: for no value within the bounds does this scene move and come to rest", {})
     outcomes = []
     for place in places:
         motion = solve(with_parameters(problem.scene, {field.name: field.to_si(place)}))
@@ -236,7 +236,7 @@ def _fitted(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
     names, count = ", ".join(f.key for f in problem.fields), len(problem.fields)
     minima = fits(problem, sobol(0, (5,), 0, _STARTS * count, count))
     if not minima:
-        raise Unattainable(f"{names}: with no values of them between the bounds does this scene move and rest", {})
+        raise Unattainable(f"{names}: for no values within the bounds does this scene move and come to rest", {})
     solutions, refusals = [], list[ValueError]()
     for fit in minima:
         try:
@@ -252,7 +252,7 @@ def _fitted(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
     limit = best + 9.0 if problem.is_weighted else 4 * best + _MET  # three standard errors, or twice the misfit
     warnings = fit_warnings(problem, solutions[0])
     if not minima[0].is_settled:
-        warnings.append("the best values lie where the motion changes its kind: their covariance means little")
+        warnings.append("the motion changes its character at the best values: their covariance is not reliable")
     return [s for s in solutions if s.chi_square <= limit], warnings
 
 
@@ -322,21 +322,21 @@ def _refuse_indistinct(problem: SearchProblem, jacobian: Floats) -> None:
     sizes, names = np.linalg.norm(jacobian, axis=0), ", ".join(problem.observed)
     keys, least = [f.key for f in problem.fields], _NOISE * np.max(sizes)
     if idle := [key for key, size in zip(keys, sizes, strict=True) if not size > least]:
-        raise ValueError(f"backanalyse: {', '.join(idle)}: changes nothing of {names}, and cannot be found from it")
+        raise ValueError(f"backanalyse: {', '.join(idle)}: does not affect {names}, and cannot be determined from it")
     _, singular, directions = np.linalg.svd(jacobian / sizes)
     if singular[-1] > _NOISE * singular[0]:
         return
     change = directions[-1] / sizes
     per_cent = 100 * change / np.max(np.abs(change))
     changes = " and ".join(f"{key} by {c:+.3g} %" for key, c in zip(keys, per_cent, strict=True))
-    raise ValueError(f"backanalyse: changing {changes} changes nothing of {names}: they cannot be told apart by it")
+    raise ValueError(f"backanalyse: changing {changes} changes nothing of {names}: they cannot be distinguished by it")
 
 
 def _range_warnings(problem: SearchProblem, solution: Solution) -> list[str]:
     """Which values lie at the ends of the ranges that were searched."""
     rows = zip(solution.values.items(), problem.ranges, strict=True)
     return [
-        f"{name} = {value:.6g} lies at the end of the range that was searched, {low:.6g} to {high:.6g}: a better or "
+        f"{name} = {value:.6g} lies at the end of the searched range, {low:.6g} to {high:.6g}: a better or "
         "another one may lie beyond, and its standard error means little"
         for (name, value), (low, *_, high) in rows
         if min(value - low, high - value) <= _AT_END * (high - low)
@@ -349,9 +349,9 @@ def fit_warnings(problem: SearchProblem, first: Solution) -> list[str]:
     for (name, value), (low, *_, high) in zip(first.values.items(), problem.ranges, strict=True):
         error = (first.standard_errors or {}).get(name, 0.0)
         if error > high - low:
-            warnings.append(f"{name} is not determined: {value:.6g} is one of many values that fit as well")
+            warnings.append(f"{name} is not determined: {value:.6g} is one of many values that fit equally well")
         elif error > abs(value):
-            warnings.append(f"{name} = {value:.6g} is hardly determined: its standard error is larger")
+            warnings.append(f"{name} = {value:.6g} is poorly determined: its standard error is larger")
     return warnings + _misfit_warnings(problem, first.chi_square)
 
 
@@ -363,7 +363,7 @@ def _misfit_warnings(problem: SearchProblem, chi_square: float) -> list[str]:
     chance = float(chdtrc(free, chi_square)) if free else float(chi_square < 1.0)
     if not problem.is_weighted or chance >= _UNLIKELY:
         return []
-    reason = f"chance {chance:.1g}" if free else "no observation is left over, so that all could be met"
+    reason = f"chance {chance:.1g}" if free else "as many unknowns as observations, so that all could be met"
     return [
         f"the misfit is larger than the standard errors explain: chi-square {chi_square:.4g} with {free} degrees of "
         f"freedom ({reason})"

@@ -130,7 +130,7 @@ def ensemble(
 def _scene_mistakes(scene: Scene) -> list[str]:
     mistakes = [_OF_ARRAYS] if checked(scene, "ensemble").shape else []
     if not scene.uncertain:
-        mistakes.append("no number is uncertain: give Scene(uncertain=...), --uncertain, or a distribution in its file")
+        mistakes.append("no number is uncertain; give Scene(uncertain=...), --uncertain, or a distribution in its file")
     return mistakes
 
 
@@ -159,7 +159,7 @@ def _sensitivity_mistakes(points: Any, correlation: Any) -> list[str]:
     if not isinstance(correlation, Mapping | None):
         mistakes.append(f"correlation = {correlation!r}: must be a mapping from pairs of keys to numbers")
     if correlation and points:
-        mistakes.append("sensitivity indices are of independent inputs; leave out correlation or sensitivity")
+        mistakes.append("sensitivity indices need independent inputs; omit correlation or sensitivity")
     return mistakes
 
 
@@ -172,7 +172,7 @@ def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
         if outside > _OUTSIDE:
             found.append(
                 f"{number.key}: {100 * outside:.2g} % of its distribution lies outside of {number.low:g} to "
-                f"{number.high:g}, where there is no scene; truncate it by name: truncated_normal with low and high"
+                f"{number.high:g}, where scenes are invalid; use truncated_normal with low and high"
             )
     return found
 
@@ -194,7 +194,7 @@ def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str],
             matrix[one, other] = matrix[other, one] = value
     raise_all("ensemble", mistakes)
     if np.linalg.eigvalsh(matrix)[0] <= 1e-12:
-        raise ValueError("ensemble: correlation: these do not go together: no numbers have all of them")
+        raise ValueError("ensemble: correlation: these are inconsistent: no numbers can have all of them")
     return matrix
 
 
@@ -239,7 +239,7 @@ def grid(
             found.append(str(error))
     n = math.prod(np.size(values) for values in levels.values())
     if n > _MOST_GRID:
-        found.append(f"{n} combinations: they are held in memory, so {_MOST_GRID} at most; draw samples instead")
+        found.append(f"{n} combinations: a grid is held in memory, at most {_MOST_GRID}; use samples instead")
     raise_all("grid", ([_OF_ARRAYS] if scene.shape else []) + found)
     axes = tuple(np.asarray(values, dtype=np.float64) for values in levels.values())
     accuracy, independent = plan(scene, accuracy).accuracy, np.eye(len(inputs))

@@ -190,7 +190,7 @@ def _field_mistakes(scene: Scene, fields: Sequence[Number], observed: Observatio
     if len(fields) > len(observed):
         mistakes.append(
             f"{len(fields)} fields from {len(observed)} of what is observed ({', '.join(observed)}): they "
-            "cannot be told apart; give as many observations as fields, or fewer fields"
+            "cannot be distinguished; give at least as many observations as fields"
         )
     return mistakes
 

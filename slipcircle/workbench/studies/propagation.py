@@ -70,4 +70,4 @@ def disagreement(output: str, linear: Linear, sampled: Spread, accuracy: float) 
             differences.append(f"a {name} of {one:.4g} {unit}, the samples {other:.4g} +- {error:.2g}")
     if not differences:
         return ""
-    return f"{words(output)}: linear propagation gives {' and '.join(differences)}: trust the samples"
+    return f"{words(output)}: linear propagation gives {' and '.join(differences)}: use the samples"

@@ -17,6 +17,7 @@ from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.files.loaded import stability_of
+from slipcircle.workbench.stability.stability import least_of
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import NO_RESULT, Design, Result
 from slipcircle.workbench.studies.motions import motions
@@ -325,7 +326,7 @@ class Study(Pictured):
     @cached_property
     def _linear(self) -> tuple[Mapping[str, Linear], str]:
         if self.without_result and self.design.drawn:
-            return {}, f"{self.without_result} samples slide without a result"
+            return {}, f"{self.without_result} samples move without a result"
         try:
             return propagated(self.design), ""
         except ValueError as error:
@@ -350,19 +351,19 @@ class Study(Pictured):
         found = self._circle_warnings()
         is_grid, total = self.design.method == "grid", int(self.counts.sum())
         scenes = "scenes" if is_grid else "samples"
-        counted = "" if is_grid else "; they count as moving and as beyond every threshold"
+        counted = "" if is_grid else "; they count as moving and as exceeding every threshold"
         for status in (s for s in Status if self.counts[s]):
             share = f"{int(self.counts[status])} of {total} {scenes}"
             if status in NO_RESULT:
-                found.append(f"{share} slide without a result: {status.reason}{counted}")
+                found.append(f"{share} move without a result: {status.reason}{counted}")
             elif status is Status.INVALID:
-                found.append(f"{share} are no scene and are not counted: {status.reason}")
+                found.append(f"{share} are not valid scenes and not counted: {status.reason}")
             elif status is Status.MOVING:
                 found.append(f"{share} still move at their end: run-out and duration are those until then")
         if self.without_result and not is_grid:
             found.append("means, standard deviations and indices of outputs are not given: samples without a result")
         if self._invalid_points:
-            found.append(f"{self._invalid_points} of {self.design.base} base points are no scenes: indices lack them")
+            found.append(f"{self._invalid_points} of {self.design.base} base points are invalid and not in the indices")
         for name, linear in self.linear.items():
             if difference := disagreement(name, linear, self._sampled(name), self.design.accuracy):
                 found.append(difference)
@@ -374,6 +375,6 @@ class Study(Pictured):
             return []
         whose = "scene as it is given" if self.design.method == "grid" else "means"
         return [
-            f"all of them slide along the critical circle of the {whose}, of the least factor by "
-            f"{stability.method}; it is searched once, and kept"
+            f"all of them slide along the critical circle of the {whose}, of the "
+            f"{least_of(stability.method)}; it is searched once, and kept"
         ]

@@ -1,0 +1,110 @@
+"""Downhill to the least values of circles, many valleys at once: grids of neighbours, and parabolas through them."""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.series import Floats
+
+_LEAST_SHARE = 0.005
+_SHRINK = 0.5  # of the steps of a grid without a better neighbour
+_SHRINK_SMOOTH = 0.2  # where a parabola describes it
+_GROWTH = 2.0  # of steps while the best neighbour is on the rim
+_GAIN = 1e-6  # relative; by less, a step counts as none
+_FINEST = 1e-4  # step at which a valley is done, over its first
+_HOPELESS = 0.1  # over the least factor, as a share of it, a valley is left
+_OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+_MIDDLE = len(_OFFSETS) // 2
+_SUBSETS = np.array(list(product([False, True], repeat=3)))[1:]
+
+
+class Descent:
+    """Circles (n, 4) as in `family`, each with the steps of its grid, and the least value so far."""
+
+    def __init__(self, q: Floats, step: Floats, greatest_length: float) -> None:
+        self.q = q.copy()
+        self.best = np.full(len(q), np.inf)
+        self._first_step = step
+        self._step = step.copy()
+        self._leaps = np.zeros((len(q), len(_SUBSETS), 3))
+        self._greatest = np.array([greatest_length, greatest_length, 1.0])
+
+    @property
+    def unfinished(self) -> Any:
+        """Numbers of the circles whose steps are not yet small."""
+        return np.flatnonzero(np.any(self._step > _FINEST * self._first_step, axis=1))
+
+    def proposals(self) -> Floats:
+        """Of each unfinished circle those a step away in some of its numbers, itself, and the least of parabolas."""
+        live = self.unfinished
+        grid = _OFFSETS * self._step[live, None, :3]
+        away = np.concatenate([grid, self._leaps[live]], axis=1)
+        near = np.repeat(self.q[live, None], away.shape[1], axis=1)
+        near[..., :3] = np.clip(near[..., :3] + away, [0.0, 0.0, _LEAST_SHARE], self._greatest)
+        return near
+
+    def move(self, near: Floats, values: Floats) -> None:
+        """Go to the best proposals, and choose the next steps; leave what is far above the least of all."""
+        live = self.unfinished
+        least = np.argmin(values, axis=1)
+        rows = np.arange(len(live))
+        lowest = values[rows, least]
+        before = self.best[live]
+        better = lowest + 1e-13 * np.abs(lowest) < before
+        with np.errstate(invalid="ignore"):
+            counts = before - lowest > _GAIN * np.abs(lowest)
+        target = np.where(better[:, None], near[rows, least], self.q[live])
+        back = (self.q[live] - target)[:, None, :3]
+        leaps = _leaps(values[:, : len(_OFFSETS)])
+        self._leaps[live] = back + leaps * self._step[live, None, :3]
+        self.q[live] = target
+        self.best[live] = np.where(better, lowest, before)
+        leapt = least >= len(_OFFSETS)
+        on_rim = counts & ~leapt & (least != _MIDDLE)
+        smooth = np.all(np.abs(leaps[:, -1]) < 1.0, axis=1) & np.any(leaps[:, -1], axis=1)
+        self._scale_steps(live, on_rim, smooth | (better & leapt))
+
+    def _scale_steps(self, live: Any, on_rim: Any, smooth: Any) -> None:
+        """Greater steps where the best neighbour is on the rim of a grid, none where a circle is hopeless."""
+        scale = np.where(on_rim, _GROWTH, np.where(smooth, _SHRINK_SMOOTH, _SHRINK))
+        self._step[live] = np.minimum(self._step[live] * scale[:, None], self._first_step[live])
+        least_of_all = self.best.min()
+        self._step[self.best > least_of_all + _HOPELESS * max(abs(least_of_all), 0.1)] = 0.0
+
+
+def _leaps(values: Floats) -> Floats:
+    """Steps from the middle of grids to the least points of parabolas, (n, subsets, 3), along some of the axes each.
+
+    The others stay: factors have kinks where an end passes a vertex of the ground, and no values beyond limits.
+    """
+    gradient, curvature = _derivatives(values.reshape(-1, 3, 3, 3))
+    alone = np.eye(3, dtype=bool)
+    both = _SUBSETS[:, :, None] & _SUBSETS[:, None, :]
+    system = np.where(both, curvature[:, None], alone)
+    right = np.where(_SUBSETS, -gradient[:, None], 0.0)
+    known = np.all(np.isfinite(system), axis=(2, 3)) & np.all(np.isfinite(right), axis=2)
+    system = np.where(known[..., None, None], system, alone)
+    convex = known & np.all(np.linalg.eigvalsh(system) > 0.0, axis=2)
+    system = np.where(convex[..., None, None], system, alone)
+    leaps = np.linalg.solve(system, np.where(convex[..., None], right, 0.0)[..., None])[..., 0]
+    # Rounded, so that slopes that differ by rounding have the same circle.
+    return np.asarray(np.round(np.clip(leaps, -2.0, 2.0), 2))
+
+
+def _derivatives(grid: Floats) -> tuple[Floats, Floats]:
+    """First and second derivatives in the middle of grids (n, 3, 3, 3) of unit steps, (n, 3) and (n, 3, 3)."""
+    gradient = np.empty((len(grid), 3))
+    curvature = np.empty((len(grid), 3, 3))
+    with np.errstate(invalid="ignore"):
+        for i in range(3):
+            line = np.moveaxis(grid, i + 1, -1)[:, 1, 1]
+            gradient[:, i] = (line[:, 2] - line[:, 0]) / 2
+            curvature[:, i, i] = line[:, 2] - 2 * line[:, 1] + line[:, 0]
+            for j in range(i):
+                plane = np.moveaxis(grid, (i + 1, j + 1), (-2, -1))[:, 1]
+                mixed = plane[:, 2, 2] + plane[:, 0, 0] - plane[:, 2, 0] - plane[:, 0, 2]
+                curvature[:, i, j] = curvature[:, j, i] = mixed / 4
+    return gradient, curvature
