@@ -78,7 +78,7 @@ class InputError(ValueError):
 
 def plain(value: Any) -> Any:
     """Numbers to compute with: a float, which costs a tenth of what an array of one does, or an array."""
-    return np.asarray(value, dtype=np.float64) if np.ndim(value) else float(value)
+    return np.add(value, 0.0) if np.ndim(value) else float(value)
 
 
 def choose(mask: Any, one: Any, other: Any) -> Any:

@@ -106,13 +106,14 @@ class Tangents:
         number = piece.index[:1]
         degree = piece.slot.degree
         terms = _about(piece.data, number, local, degree + 2)
+        by_table = None if by_parameter is None else _of_table(by_parameter, number, local)
         factor = piece.factor[0]
         for power in range(degree + 1):
             by_units = terms[power] * (factor_growth + power * unit_growth)
             by_place = (power + 1) * terms[power + 1] * local_dot
             dots = by_units + by_place
-            if by_parameter is not None:
-                dots = dots + np.array([_about(data, number, local, degree + 1)[power] for data in by_parameter])
+            if by_table is not None and power < len(by_table):
+                dots = dots + by_table[power]
             cell = ix.VALUE if power == 0 else ix.Q1 + power - 1
             self.put(state, piece.slot.cells + cell, factor * unit**power * dots)
 
@@ -292,3 +293,10 @@ def _padded(terms: Floats, count: int) -> Floats:
     padded = np.zeros(count)
     padded[: len(terms)] = terms[:count]
     return padded
+
+
+def _of_table(by_parameter: list[Data], piece: NDArray[np.intp], local: float) -> Floats:
+    """Coefficients of the derivatives of a table by each parameter, about a place within a piece, (terms, ...)."""
+    polynomials = np.concatenate([data.polynomial(piece) for data in by_parameter], axis=1)
+    places = np.full(len(by_parameter), local)
+    return np.asarray(shifted(polynomials, places))

@@ -12,18 +12,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
-from generated.effects import EFFECTS, LAWS, Parameter
+from generated.effects import ALL_EFFECTS, EFFECTS, LAWS, Parameter
 from generated.flow import INPUTS, PIECES
 from generated.growth import arc_growth
 from slipcircle.base.series import Pulse
 from slipcircle.core.flow.lanes import Lanes
 from slipcircle.core.flow.problem import rotates, scales_of, under_water
-from slipcircle.core.flow.tables import Data, of_law
+from slipcircle.core.flow.tables import Data, in_pieces, of_law
 from slipcircle.core.flow.tangents import InputGrowth, TableGrowth
 from slipcircle.core.scene.arc import Arc
+from slipcircle.core.scene.complex_step import derivative, with_derivatives
 from slipcircle.core.scene.forcing import factor
 from slipcircle.core.scene.friction import law_parts
+from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
+from slipcircle.core.scene.strength import OfRotation
 from slipcircle.core.scene.transport import section_derivatives
 
 Floats = NDArray[np.float64]
@@ -50,28 +53,22 @@ class InputDerivatives:
         self.lanes = lanes
         self.names = names
         self.none = np.zeros(len(names))
+        self.tables: dict[str, TableGrowth] = {}
+        self.of_friction: dict[str, Floats] = {}  # of the numbers of a law that the soils make up
         arc = lanes.arc
         radius = self.relative("radius", arc.radius)
         gravity = self.relative("gravity", arc.gravity)
-        unit_weight = self.relative("unit_weight", arc.unit_weight)
         self.time_growth = (radius - gravity) / 2
         self.speed_growth = (radius + gravity) / 2
         self.radius_growth = radius
+        if isinstance(arc, LayeredSection):
+            self.with_derivatives = with_derivatives(arc, names)
         self.inputs, alpha, inertia, cover = self._geometry()
-        self.growths = {
-            "half_angle": alpha / float(arc.half_angle),
-            "gravity": gravity,
-            "Theta": inertia,
-            "radius": radius,
-            # (2.13): sigma_ref = unit weight * R (1 - cos alpha)
-            "reference_stress": unit_weight + radius + alpha / math.tan(float(arc.half_angle) / 2),
-            "density": unit_weight - gravity,
-            "cover": cover,
-        }
-        self.tables: dict[str, TableGrowth] = {}
+        self.growths = self._growths_of_scales(radius, gravity, alpha) | {"Theta": inertia, "cover": cover}
         scales = {name: float(value) for name, value in scales_of(arc).items()}
         for effect, given in lanes.called.items():
-            self._add_effect(effect, given, scales)
+            if effect in EFFECTS:
+                self._add_effect(effect, given, scales)
         for path, (law, given) in zip(("friction", "friction.rate"), law_parts(lanes.friction), strict=False):
             self._add_law(path, law, given)
         end_dot = self.one("end_time") / float(lanes.time_scale)
@@ -79,15 +76,72 @@ class InputDerivatives:
         velocity_growth = self.relative("initial_velocity", lanes.velocity) - self.speed_growth
         self.omega = lanes.problem.cells[ix.OMEGA, 0] * velocity_growth
 
+    def _growths_of_scales(self, radius: Floats, gravity: Floats, alpha: Floats) -> dict[str, Floats]:
+        """Relative derivatives of what parameters are made dimensionless by; alpha's own is absolute."""
+        arc = self.lanes.arc
+        if isinstance(arc, LayeredSection):
+            unit_weight = derivative(self.with_derivatives.mean_unit_weight) / float(arc.mean_unit_weight)
+        else:
+            unit_weight = self.relative("unit_weight", arc.unit_weight)
+        half_angle = float(arc.half_angle)
+        return {
+            "half_angle": alpha / half_angle,
+            "gravity": gravity,
+            "radius": radius,
+            # (2.13): sigma_ref = unit weight * R (1 - cos alpha)
+            "reference_stress": unit_weight + radius + alpha / math.tan(half_angle / 2),
+            "density": unit_weight - gravity,
+        }
+
     def _geometry(self) -> "_Geometry":
         """Derivatives of the arc's coefficients and angle, and of its moment of inertia and cover."""
         arc = self.lanes.arc
         problem = self.lanes.problem
         places = problem.program.places
         coefficients = {name: float(problem.cells[places[name], 0]) for name in INPUTS}
+        if isinstance(arc, LayeredSection):
+            return self._layered(arc)
         if isinstance(arc, Arc):
             return self._arc(arc, coefficients)
         return self._section(arc, coefficients)
+
+    def _layered(self, section: LayeredSection) -> "_Geometry":
+        """Of a layered section all that its soils give: numbers, tables, and the numbers of their mean friction."""
+        other = self.with_derivatives
+        inputs = {n: derivative(value) for n, value in other.moment_coefficients._asdict().items()}
+        friction = dict(other.friction)
+        rate = friction.pop("rate", {})
+        numbers = {f"friction.{n}": x for n, x in friction.items()} | {f"friction.rate.{n}": x for n, x in rate.items()}
+        self.of_friction = {n: derivative(x) + self.none for n, x in numbers.items() if not isinstance(x, str)}
+        if "friction.coefficient" in self.of_friction:
+            self.of_friction["friction"] = self.of_friction["friction.coefficient"]
+        effects = {name: given for name, given in self.lanes.called.items() if name in EFFECTS}
+        terms = other.section_effects(effects, complete=True)["layered_strength"]
+        symbols = {p.name: p.symbol for p in ALL_EFFECTS["layered_strength"].parameters}
+        inputs |= {symbols[n]: derivative(term) for n, term in terms.items() if not isinstance(term, OfRotation)}
+        self._add_rotations({symbols[n]: term for n, term in terms.items() if isinstance(term, OfRotation)})
+        inertia = derivative(other.moments["moment_of_inertia"]) / float(section.moments["moment_of_inertia"])
+        return inputs, derivative(other.half_angle), inertia, self.none
+
+    def _add_rotations(self, functions: Mapping[str, OfRotation]) -> None:
+        """Derivatives of functions of the rotation, in the pieces of their tables."""
+        problem = self.lanes.problem
+        tables = {table.name: data for table, data in zip(problem.program.tables, problem.tables, strict=True)}
+        count = len(self.names)
+        names = {name for function in functions.values() for name in function.coefficients}
+
+        def values(rotation: Floats) -> Floats:
+            parts = self.with_derivatives.arc_strength.parts(np.broadcast_to(rotation, (len(rotation), count)), names)
+            return np.concatenate([derivative(f.combined(parts)).T[..., None] for f in functions.values()])
+
+        if functions:
+            breaks = tables[next(iter(functions))].breaks
+            coefficients = in_pieces(values, breaks)
+            jumps = np.zeros(len(breaks))
+            for k, name in enumerate(functions):
+                columns = coefficients[..., k * count : (k + 1) * count]
+                by_number = [Data(breaks, np.ascontiguousarray(columns[..., j]), jumps) for j in range(count)]
+                self.tables[name] = TableGrowth(self.none, self.none, by_number)
 
     def _arc(self, arc: Arc, coefficients: Mapping[str, float]) -> "_Geometry":
         """A change of the half angle scales the coefficients; one of the dip turns them into their slopes."""
@@ -137,7 +191,9 @@ class InputDerivatives:
         return inputs, alpha_dot, inertia_growth, cover_growth
 
     def one(self, name: str) -> Floats:
-        """Derivatives of a parameter itself: 1 by it, 0 by all others."""
+        """Derivatives of a parameter itself: 1 by it, 0 by all others; of a friction that soils make up, by theirs."""
+        if name in self.of_friction:
+            return self.of_friction[name]
         return np.array([float(other == name) for other in self.names])
 
     def relative(self, name: str, at: Any) -> Floats:
@@ -209,11 +265,13 @@ class InputDerivatives:
         """Of a law of slip in pieces: its length scales the argument, and the pieces are linear in its coefficients."""
         length, _, _ = PIECES[name]
         coefficients = {key: float(value) for key, value in given.items()}
+        names = [n for n in coefficients if n != length]
+        pieces = [_by_coefficient(name, coefficients, n) for n in names]
+        dots = [self.one(f"{path}.{n}") for n in names]
         by_parameter = list[Data]()
-        for parameter in self.names:
-            coefficient = parameter.removeprefix(f"{path}.")
-            changed = coefficient if coefficient != length else ""
-            by_parameter.append(_by_coefficient(name, coefficients, changed))
+        for k in range(len(self.names)):
+            changes = sum(dot[k] * data.coefficients for dot, data in zip(dots, pieces, strict=True))
+            by_parameter.append(pieces[0]._replace(coefficients=changes))
         length_growth = self.relative(f"{path}.{length}", given[length])
         self.tables[name] = TableGrowth(self.radius_growth - length_growth, self.none, by_parameter)
 
