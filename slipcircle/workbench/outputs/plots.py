@@ -16,7 +16,7 @@ from slipcircle.base.text import shown
 from slipcircle.core import LayeredSection, Motion, in_time
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
 from slipcircle.workbench.outputs.film import animate
-from slipcircle.workbench.outputs.layerplot import normal_stress_along
+from slipcircle.workbench.outputs.layerplot import stress_along
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
@@ -349,7 +349,7 @@ def _panels(motion: Motion) -> list[Callable[..., Any]]:
     if "shaking" in motion.plan.effects:
         panels.append(shaking)
     if isinstance(motion.plan.scene.arc, LayeredSection):
-        panels.append(lambda motion, ax: normal_stress_along(motion.plan.scene.arc, ax))
+        panels.append(stress_along)
     return panels
 
 
@@ -372,6 +372,7 @@ PANELS: Mapping[str, Callable[..., Any]] = {
     "section": section,
     "energy": phase_plane,
     "shaking": shaking,
+    "stress_along_arc": stress_along,
     **{what: partial(history, what=what) for what in HISTORIES},
 }
 

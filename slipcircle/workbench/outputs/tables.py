@@ -10,6 +10,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from generated.effects import EFFECTS
+from slipcircle.base.progress import clear_line
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan, step_operations
 from slipcircle.workbench.common.quantities import (
@@ -264,6 +265,7 @@ def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
 
 def say(message: str) -> None:
     """Tell something on stderr."""
+    clear_line()
     print(f"slipcircle: {clean(message)}", file=sys.stderr)
 
 
