@@ -7,7 +7,7 @@ import numpy as np
 
 from slipcircle.core import LayeredSection, Motion, mean_normal_stress, stretches
 from slipcircle.workbench.common.quantities import prefixed
-from slipcircle.workbench.outputs.plotstyle import LINES, SOILS, axis, label
+from slipcircle.workbench.outputs.plotstyle import LINES, SOILS, axis, label, points_of
 from slipcircle.workbench.outputs.shapes import Mass, View
 from slipcircle.workbench.outputs.trace import Floats
 
@@ -122,13 +122,11 @@ def stress_along(motion: Motion, ax: Any = None) -> Any:
     mean = factor * force / length
     middles = (ends[1:] + ends[:-1]) / 2
     along = float(np.asarray(section.radius)) * (middles - ends[0])
-    by_strips = np.column_stack([along, factor * stress])
-    ax.plot(*by_strips.T, **LINES["main"])
+    ax.plot(along, factor * stress, **LINES["main"])
     ax.axhline(mean, **LINES["total"])
-    _soils_behind(ax, section, float(np.max(by_strips[:, 1])))
-    few = by_strips[:: _ACROSS // 12]
-    label(ax, "by strips", few, LINES["main"]["color"])
-    label(ax, "mean", [(x, mean) for x, _ in few])
+    _soils_behind(ax, section, factor * float(np.max(stress)))
+    label(ax, "by strips", points_of(along, factor * stress), LINES["main"]["color"])
+    label(ax, "mean", points_of(along, mean))
     ax.set(xlabel="distance along the arc from its upper end (m)", ylabel=f"normal stress ({unit})")
     ax.set_xlim(0.0, length)
     ax.grid(alpha=0.3)
