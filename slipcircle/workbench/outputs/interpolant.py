@@ -88,7 +88,7 @@ def _first_times(motion: Motion, most: int) -> Floats:
     duration = float(motion.duration)
     jumps = [0.0, duration]
     for phase in motion.phases:
-        jumps += [phase.start, phase.end]
+        jumps += np.ravel([phase.start, phase.end]).tolist()
     for function in in_time(motion.plan.scene.called).values():
         kinks = np.asarray(function.kinks)
         if 3 * kinks.size < most:  # no record of ground motion, whose accelerations are continuous
