@@ -108,6 +108,14 @@ def test_numbers_have_names_by_soil_in_every_study(write: Write) -> None:
     assert float(line.samples["run_out"][0]) == pytest.approx(expected, rel=1e-9)
 
 
+def test_a_law_of_speed_multiplies_the_friction_of_all_soils(write: Write) -> None:
+    rate = '[slip.rate]\nlaw = "rate_weakening"\npeak = 1\nresidual = {}\nvelocity_m_s = 0.5\n'
+    study = grid(slipcircle.load(write(SCENE, rate.format(0.9))), {"slip.rate.residual": [0.8, 1.0]})
+    slower = slipcircle.solve(slipcircle.load(write(SCENE, rate.format(0.8))))
+    without = slipcircle.solve(slipcircle.load(write(SCENE)))
+    assert study.samples["run_out"] == pytest.approx([slower.run_out, without.run_out], rel=1e-9)
+
+
 def test_uncertain_soils_slide_along_the_circle_of_the_means(write: Write) -> None:
     soil = "[soils.clay]\nunit_weight_kN_m3 = 19\nfriction = {{ angle_deg = 10 }}\ncohesion_kPa = {}\n"
     rest = '[[layers]]\nsoil = "clay"\n[circle]\ncritical = "ordinary"\n'

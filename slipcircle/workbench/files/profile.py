@@ -33,7 +33,8 @@ def numbered(given: Arguments, name: str) -> list[dict[str, Any]]:
 
 def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]], list[str]]:
     """Surcharges as the core takes them, and what is wrong with them."""
-    loads, mistakes = [], []
+    loads = []
+    mistakes = []
     for k, load in enumerate(numbered(given, "surcharge"), 1):
         left, right, pressure = (load.get(name) for name in ("from", "to", "pressure"))
         if left is not None and right is not None and not left < right:
@@ -45,10 +46,13 @@ def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]
 
 def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any] | None, readable: bool) -> Profile:
     """The layers of a file; where its tables are not ``readable`` by themselves, what is wrong between them alone."""
-    layers, slip = numbered(given, "layers"), given.get("slip", {})
-    names = [path.partition(".")[2] for path in given if path.startswith("soils.") and not path.endswith(".friction")]
+    layers = numbered(given, "layers")
+    slip = given.get("slip", {})
+    of_soils = [path for path in given if path.startswith("soils.") and not path.endswith(".friction")]
+    names = [path.removeprefix("soils.") for path in of_soils]
     places = {f"layers.{k}.soil": layer["soil"] for k, layer in enumerate(layers, 1) if layer.get("soil")}
-    places |= {"slip.foreland": slip["foreland"]} if slip.get("foreland") else {}
+    if slip.get("foreland"):
+        places["slip.foreland"] = slip["foreland"]
     mistakes = [*_unknown_soils(places, names), *_top_mistakes(layers)]
     soils, wrong = _soils(names if readable else [], given, keys)
     mistakes += wrong
@@ -66,13 +70,16 @@ def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any
 
 def _soils(names: list[str], given: Arguments, keys: Callable[[str], str]) -> tuple[dict[str, Soil], list[str]]:
     """The soils of a file by their names, and what is wrong with them."""
-    soils, mistakes = {}, []
+    soils = {}
+    mistakes = []
+    layers = numbered(given, "layers")
     for name in names:
-        tops = [layer.get("top") for layer in numbered(given, "layers") if layer["soil"] == name]
+        tops = [layer.get("top") for layer in layers if layer["soil"] == name]
         try:
             soils[name] = _soil(name, given, tops)
         except InputError as error:
-            mistakes += [message.within(f"soils.{name}").worded(keys) for message in error.messages]
+            messages = [message.within(f"soils.{name}") for message in error.messages]
+            mistakes += [message.worded(keys) for message in messages]
     return soils, mistakes
 
 
@@ -101,27 +108,29 @@ def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:
 
 def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
     """A soil; its cohesion grows below the tops of its layers, where these are one height."""
-    numbers = given[f"soils.{name}"]
+    numbers = dict(given[f"soils.{name}"])
     friction = given.get(f"soils.{name}.friction", {"coefficient": 0.0})
-    one_height = all(np.ndim(top) == 0 and top is not None and top == tops[0] for top in tops)
     if numbers.get("cohesion_gradient") and "datum" not in numbers:
-        if not one_height:
+        heights = {top for top in tops if np.ndim(top) == 0}
+        if None in heights or len(heights) != 1 or any(np.ndim(top) for top in tops):
             needs = "{datum}: is missing: y below which the cohesion grows, as no one height is the top of its layers"
             raise InputError("", [needs])
-        numbers = numbers | {"datum": tops[0]}
+        (numbers["datum"],) = heights
     return Soil(name=name, friction=friction.get("coefficient", friction), **numbers)
 
 
 def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
     """A sentence for each boundary that rises above one before it; that boundaries reach the ground is ordinary."""
     ground = np.asarray(given["ground"].get("ground", [[0.0, 0.0], [0.0, 0.0]]))
-    if ground.ndim != 2:  # a mistake of its own
-        return
-    ends = ground[[0, -1], 0]
-    lines = [np.asarray(top) if np.ndim(top) else np.column_stack([ends, [top, top]]) for _, top in layers[1:]]
+    left, right = ground[[0, -1], 0]
+    lines = []
+    for _, top in layers[1:]:
+        line = top if np.ndim(top) else [[left, top], [right, top]]
+        lines.append(np.asarray(line))
     for k, (upper, lower) in enumerate(pairwise(lines), 3):
         x = np.unique(np.concatenate([upper[:, 0], lower[:, 0]]))
         excess = np.interp(x, *lower.T) - np.interp(x, *upper.T)
-        if excess.max() > 1e-9 * np.ptp(ground):
-            at = x[np.argmax(excess)]
-            yield f"layers.{k}.top_m: rises above the top of layer {k - 1}, at x = {at:.6g}; what is above is cut off"
+        highest = int(np.argmax(excess))
+        if excess[highest] > 1e-9 * np.ptp(ground):
+            place = f"at x = {x[highest]:.6g}"
+            yield f"layers.{k}.top_m: rises above the top of layer {k - 1}, {place}; what is above is cut off"
