@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, Section, solve
+from slipcircle.base.series import Series
 from slipcircle.core import LayeredSection, Soil, stretches
 from slipcircle.core.flow import compiled
 from slipcircle.core.scene.coordinates import changed_fields, replace_unchecked
@@ -16,7 +17,7 @@ from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 from tests.campaigns.layered_benchmarks import CASES, solved
 from tests.campaigns.layered_benchmarks import differences as differences_of
-from tests.campaigns.layered_sections import differences, random_section, strength_by_quadrature
+from tests.campaigns.layered_sections import AlongTheArc, differences, random_section, strength_by_quadrature
 from tests.support.layered import GROUND, LEVEL, PROFILES, TOPS, TURNING, profile, tangent
 
 # Factor of safety, peak velocity, its time, run-out and duration, by DOP853 in time with rtol = 2e-13, of a program
@@ -87,6 +88,76 @@ def test_stretches_sum_up_to_the_motion(name: str) -> None:
     for row in rows:
         middle = (row.start + row.end) / 2
         assert row.soil is section.layers[sum(45.0 - 48.0 * np.cos(middle) < top for top in TOPS[1:])][0]
+
+
+@pytest.mark.parametrize("strength", ["base", "mass"])
+def test_shaken_softening_layers_with_a_factor_of_speed(strength: str) -> None:
+    """Beside DOP853 of the definition along the arc: soils that soften to other shares of their peaks."""
+    rate = {"law": "rate_weakening", "peak": 1.0, "residual": 0.8, "velocity": 0.5}
+    section = profile("softening", strength, rate=rate, surcharge=[(-3.0, 2.0, 2e4, 4e4)])
+    k_h, k_v = (Series(np.array([0.0, 100.0]), np.array([k, k])) for k in (0.05, 0.02))
+    shaken: dict[str, Any] = {name: {} for name in TURNING} | {"shaking": {"horizontal": k_h, "vertical": k_v}}
+    motion = solve(Scene(section, effects=shaken, end_time=60.0))
+    peak, run_out, _ = AlongTheArc(section, 6).motion(lambda _: (0.05, 0.02), lambda v: 0.8 + 0.2 / (1.0 + v / 0.5))
+    assert motion.peak.velocity == pytest.approx(peak, rel=5e-9)
+    assert motion.run_out == pytest.approx(run_out, rel=5e-9)
+
+
+@pytest.mark.parametrize("strength", ["base", "mass"])
+def test_energy_of_layers_is_kept(strength: str) -> None:
+    """The work is that of the whole weight over the fall of its centroid."""
+    section = profile("softening", strength, surcharge=[(-3.0, 2.0, 2e4, 4e4)])
+    motion = solve(Scene(section, effects=TURNING))
+    weight = 9383720.585990787 + 15e4  # N/m, of `layers.md` and the surcharge
+    fall = section.journey(motion.end.rotation).fall
+    assert motion.energy.work == pytest.approx(weight * fall, rel=1e-10)
+    assert motion.energy_error_estimate < 1e-11
+
+
+RICH = [
+    Soil(18e3, 3e3, {"law": "exponential", "peak": 0.57, "residual": 0.45, "length": 0.8}, name="a"),
+    Soil(19e3, 2e3, {"law": "exponential", "peak": 0.36, "residual": 0.26, "length": 0.8}, pore_ratio=0.1, name="b"),
+    Soil(17e3, 1e3, {"law": "exponential", "peak": 0.16, "residual": 0.1, "length": 0.8}, 18.5e3, 300.0, 1.5, name="c"),
+    Soil(21e3, 0.0, 0.42, name="d"),
+]  # fmt: skip
+RICH_TOPS = (None, 18.5, [(-20, 4), (20, 2.5), (60, 1)], -1.0)
+# Numbers, and steps of their differences; half of them with the base, half with the mass.
+NUMBERS = {
+    "layers.3.top": 2e-3, "layers.4.top": 2e-3, "level.1.y": 2e-3, "ground.2.x": 5e-3, "centre.y": 5e-3, "radius": 5e-3,
+    "soils.a.friction.length": 1e-3, "soils.b.pore_ratio": 1e-3, "soils.c.friction.residual": 1e-3,
+    "soils.c.cohesion_gradient": 1.0, "soils.c.saturated_unit_weight": 10.0, "soils.d.friction": 1e-3,
+    "soils.d.cohesion": 10.0, "gravity": 1e-2,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("strength", "half"), [("base", slice(0, None, 2)), ("mass", slice(1, None, 2))])
+def test_derivatives_of_layered_motions_are_those_of_other_motions(strength: str, half: slice) -> None:
+    """By central differences of fourth order; of a number that is 0, of one side."""
+    section = LayeredSection(
+        GROUND, (30, 45), 48.0, layers=list(zip(RICH, RICH_TOPS, strict=True)), strength=strength,
+        level=[(-60, 12), (0, 9), (40, -1.4), (120, -1.8)], surcharge=[(-3.0, 4.0, 2e4, 3e4)],
+    )  # fmt: skip
+    scene = Scene(section, effects=TURNING)
+    sensitivity = solve(scene).sensitivity()
+    for name, step in list(NUMBERS.items())[half]:
+
+        def at(steps: int, name: str = name, step: float = step) -> Any:
+            motion = solve(with_parameters(scene, {name: sensitivity.at[name] + steps * step}))
+            return np.array([motion.peak.velocity, motion.run_out, motion.duration])
+
+        if sensitivity.at[name]:
+            expected = (8.0 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12.0 * step)
+        else:
+            expected = (-25.0 * at(0) + 48.0 * at(1) - 36.0 * at(2) + 16.0 * at(3) - 3.0 * at(4)) / (12.0 * step)
+        computed = [sensitivity.derivative(output, name) for output in ("peak_velocity", "run_out", "duration")]
+        np.testing.assert_allclose(computed, expected, rtol=2e-6, atol=2e-7 * np.abs(expected).max(), err_msg=name)
+
+
+def test_where_a_boundary_touches_the_arc_there_is_no_derivative() -> None:
+    soils = profile("constant friction").soils
+    section = LayeredSection(GROUND, (30, 45), 48.0, layers=[(soils[0], None), (soils[1], 6.0), (soils[2], -3.0)])
+    with pytest.raises(ValueError, match=r"layers\.3\.top: touches the slip circle without crossing it"):
+        solve(Scene(section, effects=TURNING)).sensitivity()
 
 
 @pytest.mark.parametrize("strength", ["base", "mass"])

@@ -1,7 +1,8 @@
 """Layered sections against their definitions: random ones, and quadrature to 30 digits that knows nothing of strips.
 
-``python -m tests.campaigns.layered_sections --count 200 --seed 1`` compares the moments and the parts of J_r, of its
-slope and of I_p on the stretches of every soil, and prints the largest differences.
+``python -m tests.campaigns.layered_sections --count 200 --motions 40 --seed 1`` compares the moments and the parts of
+J_r, of its slope and of I_p on the stretches of every soil, and motions with DOP853 of the definition along the arc; it
+prints the largest differences.
 """
 
 import argparse
@@ -14,16 +15,20 @@ import mpmath as mp
 import numpy as np
 from scipy.integrate import solve_ivp
 
+from slipcircle import Scene, solve
 from slipcircle.core import LayeredSection, Soil
 
 DIGITS = 30
 NAMES = ("weight", "weight rho", "weight rho^2", "weight x/rho", "weight y/rho", "weight x", "weight y")
 
 
-def random_section(rng: np.random.Generator, everything: bool = False, **given: Any) -> LayeredSection:
+def random_section(
+    rng: np.random.Generator, everything: bool = False, strongest: float = 1.0, **given: Any
+) -> LayeredSection:
     """A section with up to four layers: wavy, crossing and level boundaries, one soil twice, thin seams.
 
-    With everything also a water level, saturated weights, cohesion with depth, pore pressure ratios and surcharges.
+    Strengths are up to 20 kPa and a friction coefficient of 0.8, times ``strongest``. With everything also a water
+    level, saturated weights, cohesion with depth, pore pressure ratios and surcharges.
     """
     while True:
         facing = rng.choice([-1, 1])
@@ -48,7 +53,7 @@ def random_section(rng: np.random.Generator, everything: bool = False, **given: 
                     "pore_ratio": rng.choice([0.0, 0.0, 0.2]),
                     "saturated_unit_weight": 23e3 if rng.random() < 0.5 else None,
                 }
-            strength = rng.uniform(0, 2e4), rng.uniform(0.0, 0.8)
+            strength = strongest * rng.uniform(0, 2e4), strongest * rng.uniform(0.0, 0.8)
             soils.append(Soil(rng.uniform(15e3, 22e3), *strength, name=f"soil {k}", **more))
         if everything:
             loads = [(float(x), float(x + rng.uniform(2, 20)), *(5e4 * rng.random(2))) for x in rng.uniform(-30, 30, 2)]
@@ -393,9 +398,27 @@ def differences(section: LayeredSection) -> tuple[float, float]:
     return of_moments, of_parts
 
 
+def random_motions(rng: np.random.Generator, count: int) -> np.ndarray:
+    """Of sections that slide: relative differences of peak velocity, run-out and duration from `AlongTheArc.motion`."""
+    found: list[Any] = []
+    while len(found) < count:
+        strength = ("base", "mass")[len(found) % 2]
+        section = random_section(rng, everything=bool(rng.random() < 0.5), strongest=0.25, strength=strength)
+        try:
+            motion = solve(Scene(section, effects=["rotation", "centripetal"]))
+        except ValueError:
+            continue  # upright, or without end
+        if not motion.moves or motion.duration < 1.0 or len(motion.phases) > 1 or motion.run_out < 0.0:
+            continue
+        expected = AlongTheArc(section, 12).motion()
+        found.append(np.array([motion.peak.velocity, motion.run_out, motion.duration]) / expected - 1.0)
+    return np.abs(found)
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=200)
+    parser.add_argument("--motions", type=int, default=40)
     parser.add_argument("--seed", type=int, default=1)
     asked = parser.parse_args()
     rng = np.random.default_rng(asked.seed)
@@ -404,3 +427,5 @@ if __name__ == "__main__":
         f"{asked.count} layered sections: moments within {found[:, 0].max():.1e}, "
         f"stretches within {found[:, 1].max():.1e}"
     )
+    motions = random_motions(rng, asked.motions)
+    print(f"{asked.motions} motions: peak velocity, run-out, duration within {motions.max(axis=0)}")

@@ -225,6 +225,18 @@ def between_kinks(
     return _in_order(pieces, inner[-1], function(inner[-1:])[:, 0])
 
 
+def in_pieces(function: Callable[[Any], Any], breaks: Floats) -> Floats:
+    """Coefficients of other functions in the same pieces, (pieces, TERMS, functions); the last one is constant.
+
+    Those of ``function`` take rotations (M, 1) and return values (functions, M, 1); ``breaks`` are (pieces,).
+    """
+    first, last = breaks[:-1, None], breaks[1:, None]
+    coefficients = _in_powers(_chebyshev(function, first, last), last - first)
+    constant = np.zeros_like(coefficients[:1])
+    constant[0, 0] = function(breaks[-1:, None])[:, 0]
+    return np.concatenate([coefficients, constant])[..., 0]
+
+
 def _in_order(pieces: list[tuple[Floats, Floats]], end: Floats, value: Floats) -> tuple[Floats, Floats]:
     """Breaks and coefficients of pieces from the least rotation on; beyond the end a constant."""
     pieces = sorted(pieces, key=lambda piece: float(piece[0].sum()))

@@ -5,6 +5,7 @@ at events, `slipcircle.core.motion.input_derivatives` where they begin. Here the
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -42,8 +43,9 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     mass starts from rest. Of a mass that nothing brings to rest they are those of its first standstill. Of a section
     they are by every coordinate that the motion depends on: of its ground those of the edges over the mass.
     """
-    if isinstance(scene.arc, LayeredSection):
-        raise ValueError("sensitivity: has no derivatives of layered sections yet; compare motions with other values")
+    if isinstance(scene.arc, LayeredSection):  # with what is 0 and would not be, had its numbers other values
+        lanes = replace(lanes, called=scene.arc.section_effects(lanes.called, complete=True))
+        integrate_all(lanes.problem)  # as far as its tables are needed
     known = parameters(scene)
     units = {n: known[n].unit for n in _parameters(scene)}
     values = np.zeros((len(OUTPUTS), len(units)))
@@ -61,8 +63,10 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
 
 def _parameters(scene: Scene) -> list[str]:
     """The names of the free parameters."""
-    if isinstance(scene.arc, Section):
-        of_arc: Sequence[str] = active_parameters(scene.arc)
+    if isinstance(scene.arc, LayeredSection):
+        of_arc: Sequence[str] = [*active_parameters(scene.arc), *_numbers_of_soils(scene.arc)]
+    elif isinstance(scene.arc, Section):
+        of_arc = active_parameters(scene.arc)
     else:
         of_arc = ARC if scene.arc.given is None else ARC[2:]
     fixed = {*arc_numbers(scene.arc)} - {*of_arc}
@@ -71,6 +75,22 @@ def _parameters(scene: Scene) -> list[str]:
             fixed.add(name)
     names = dict.fromkeys(("friction", *of_arc, *scene.numbers))
     return [name for name in names if name in scene.numbers and name not in fixed]
+
+
+def _numbers_of_soils(section: LayeredSection) -> list[str]:
+    """Those by which there are derivatives: of a length that all soils share once, and of what is given at all."""
+    first = next((soil.name for soil in section.soils if isinstance(soil.friction, Mapping)), "")
+    numbers = section.other_numbers()
+    depends_on_depth = {soil.name for soil in section.soils if soil.datum is not None}
+    names = []
+    for name, value in numbers.items():
+        start, _, number = name.rpartition(".")
+        soil = start.removeprefix("soils.").removesuffix(".friction")
+        shared = number == "length" and soil != first
+        flat = number == "cohesion_gradient" and soil not in depends_on_depth
+        if not (shared or flat or (number == "pore_ratio" and not value)):
+            names.append(name)
+    return names
 
 
 def _derivatives(lanes: Lanes, names: Sequence[str]) -> Floats:

@@ -74,7 +74,7 @@ def _with_coordinates(points: Any, axes: int, replaced: Mapping[str, Index], val
     some_stay = len(replaced) < np.prod(shape)
     lanes_of_the_rest = points.shape[:-axes] if some_stay else ()
     lanes = np.broadcast_shapes(lanes_of_the_rest, *(np.shape(values[name]) for name in replaced))
-    changed: Any = np.empty((*lanes, *shape))
+    changed: Any = np.empty((*lanes, *shape), dtype=np.result_type(points, *(values[name] for name in replaced)))
     if some_stay:
         changed[...] = points
     for name, index in replaced.items():

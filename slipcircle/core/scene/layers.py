@@ -9,7 +9,7 @@ friction this is the paper's method; `slipcircle.core.scene.strength` has it.
 from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import raise_all
+from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.friction import rate_mistakes
 from slipcircle.core.scene.profile import (
     AREA,
@@ -32,7 +33,7 @@ from slipcircle.core.scene.profile import (
     profile_of,
 )
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.soils import LANE_NUMBERS, SOIL_NUMBERS, Soil, layer_mistakes
+from slipcircle.core.scene.soils import LANE_NUMBERS, SOIL_NUMBERS, Soil, layer_mistakes, soil_mistakes
 from slipcircle.core.scene.strength import ArcStrength, MeanFriction, over_circles
 from slipcircle.core.scene.stretches import OF_GEOMETRY
 from slipcircle.core.scene.strips import Floats, Strips, cut_into_strips
@@ -75,6 +76,8 @@ class LayeredSection(Section):
 
     def __post_init__(self) -> None:
         errors = layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland)
+        if not errors:
+            errors = [f"soils.{soil.name}.{m}" for soil, _ in self.layers for m in soil_mistakes(soil)]
         raise_all("LayeredSection", errors + rate_mistakes(self.rate))
         super().__post_init__()
         first, last = self._angles
@@ -253,9 +256,11 @@ class LayeredSection(Section):
         """Friction of the arc as a whole, as a `Scene` takes it."""
         return self.arc_strength.friction
 
-    def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:
+    def section_effects(
+        self, effects: Mapping[str, Mapping[str, Any]], complete: bool = False
+    ) -> Mapping[str, Mapping[str, Any]]:
         """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
-        terms = self.arc_strength.terms("rotation" in effects, "shaking" in effects)
+        terms = self.arc_strength.terms("rotation" in effects, "shaking" in effects, complete)
         if "centripetal" not in effects:
             terms = {name: term for name, term in terms.items() if not name.endswith("inertia")}
         return {**effects, "layered_strength": terms}
@@ -290,6 +295,10 @@ class LayeredSection(Section):
         changed = {name: value for name, value in values.items() if value is not known[name]}
         if not changed:
             return {}
+        lengths = [value for name, value in changed.items() if name.endswith(".friction.length")]
+        if lengths:  # which all soils share
+            of_soils = {name for name in known if name.endswith(".friction.length")}
+            changed = {**dict.fromkeys(of_soils, lengths[0]), **changed}
         soils = {id(soil): _soil_with(soil, changed) for soil in self.soils}
         layers = []
         for k, (soil, top) in enumerate(self.layers):
@@ -331,7 +340,7 @@ def _soil_with(soil: Soil, values: Mapping[str, Any]) -> Soil:
     law = {n.removeprefix("friction."): changed.pop(n) for n in [*changed] if n.startswith("friction.")}
     if law:
         changed["friction"] = {**soil.friction, **law}
-    return replace(soil, **changed) if changed else soil
+    return replace_unchecked(soil, changed)
 
 
 def _moved(top: Any, height: Any) -> Any:

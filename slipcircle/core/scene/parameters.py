@@ -40,6 +40,7 @@ SOIL_BOUNDS: dict[str, tuple[str, float, float]] = {
     "peak": _COEFFICIENT,
     "residual": _COEFFICIENT,
     "length": ("m", *declared.LIMITS["m"]),
+    "velocity": ("m/s", *declared.LIMITS["m/s"]),
 }
 SMALLEST = 5e-324  # a lower bound of minus this allows zero, as all bounds are open
 

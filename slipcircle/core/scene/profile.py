@@ -83,9 +83,9 @@ class Profile(NamedTuple):
         return Profile(self.edges, self.before[:, rows], self.series[:, :, rows])
 
     def combined(self, steps: Floats) -> "Profile":
-        """Of one surface that stands for all: their sum with steps of the unit weight, (surfaces,)."""
-        before = np.einsum("kisc,s->kic", self.before, steps)[:, :, None]
-        series = np.einsum("ktisc,s->ktic", self.series, steps)[:, :, :, None]
+        """Of one surface that stands for all: their sum with steps of the unit weight, (surfaces, circles)."""
+        before = np.einsum("kisc,sc->kic", self.before, steps)[:, :, None]
+        series = np.einsum("ktisc,sc->ktic", self.series, steps)[:, :, :, None]
         return Profile(self.edges, before, series)
 
 

@@ -129,13 +129,13 @@ class Section(SlidingBody, TurningMass):
     @cached_property
     def _circle(self) -> tuple[Floats, Floats, Floats]:
         """Ground, centre and radius with one axis of lanes."""
-        centre = np.broadcast_to(np.asarray(self.centre, dtype=np.float64), (*self.shape, 2))
-        radius = np.broadcast_to(np.asarray(self.radius, dtype=np.float64), self.shape)
+        centre = np.broadcast_to(np.add(self.centre, 0.0), (*self.shape, 2))
+        radius = np.broadcast_to(np.add(self.radius, 0.0), self.shape)
         return self._lines(self.ground), centre.reshape(-1, 2), radius.reshape(-1)
 
     def _lines(self, points: Any) -> Floats:
         """Lines with one axis of lanes; of one for all that is 1."""
-        points = np.asarray(points, dtype=np.float64)
+        points = np.add(points, 0.0)
         own = points.shape[-2:]
         if points.ndim > 2:
             points = np.broadcast_to(points, (*self.shape, *own))

@@ -53,7 +53,7 @@ class MeanFriction(dict[str, Any]):
 class ArcStrength(StretchIntegrals):
     """The strength along the arc of a `slipcircle.core.scene.layers.LayeredSection`."""
 
-    _terms: dict[tuple[bool, bool], dict[str, Any]] = field(default_factory=dict)
+    _terms: dict[tuple[bool, bool, bool], dict[str, Any]] = field(default_factory=dict)
 
     def _by_surface(self, quantity: Floats) -> Floats:
         """Coefficients of integrals up to joints of a quantity of the soils, ((J + 1) surfaces, lanes)."""
@@ -132,8 +132,8 @@ class ArcStrength(StretchIntegrals):
         softens = np.any(lost, axis=0) & (mean_lost != 0.0)
         share = np.where(softens, lost / np.where(softens, mean_lost, 1.0), share)
         remaining = np.where(softens, self._residual - self.mean_residual * share, 0.0)
-        rounding = 1e-15 * np.abs(self._residual)
-        return share, np.where(np.abs(remaining) > rounding, remaining, 0.0)
+        is_rounding = np.abs(remaining) <= 1e-15 * np.abs(self._residual)
+        return share, remaining - np.where(is_rounding, remaining.real, 0.0)
 
     @cached_property
     def friction(self) -> MeanFriction:
@@ -145,24 +145,25 @@ class ArcStrength(StretchIntegrals):
             return MeanFriction(law="constant", coefficient=peak, **rate)
         return MeanFriction(laws[0], peak=peak, residual=residual, **rate)
 
-    def terms(self, rotates: bool, shaken: bool) -> dict[str, Any]:
+    def terms(self, rotates: bool, shaken: bool, complete: bool = False) -> dict[str, Any]:
         """What the balance takes beyond a homogeneous mass with the mean friction, over Theta*: numbers and functions.
 
         Of friction what it takes hold of beyond its mean, N + G + (G_r)/mu, N of the weight; G_r remains of it where
-        soils do not soften alike. Whatever does not change with the rotation is a number.
+        soils do not soften alike. Whatever does not change with the rotation is a number. What is 0 is left out, unless
+        they are to be complete, for what derivatives may not be 0 of.
         """
-        key = rotates, shaken
+        key = rotates, shaken, complete
         if key not in self._terms:
             share, remaining = self._shares
-            terms = self._gripping(("normal", "turning", "inertia"), share - 1.0, *key)
+            terms = self._gripping(("normal", "turning", "inertia"), share - 1.0, rotates, shaken)
             if np.any(self._peak):
                 terms["lift"] = self._lift(share, rotates)
-            terms["strength"] = self._cohesion(rotates)
-            if np.any(remaining):
+            terms["strength"] = self._cohesion(rotates, complete)
+            if np.any(remaining) or (complete and self._softens):
                 left = ("remaining_normal", "remaining", "remaining_inertia")
-                terms |= self._gripping(left, remaining, *key)
+                terms |= self._gripping(left, remaining, rotates, shaken)
                 terms["remaining_lift"] = self._lift(remaining, rotates)
-            self._terms[key] = {name: term for name, term in terms.items() if _counts(term)}
+            self._terms[key] = {name: term for name, term in terms.items() if complete or _counts(term)}
         return self._terms[key]
 
     @property
@@ -190,13 +191,13 @@ class ArcStrength(StretchIntegrals):
         }
         return {**terms, f"{base}_slope": slope}  # which the yield coefficient takes too
 
-    def _cohesion(self, rotates: bool) -> Any:
+    def _cohesion(self, rotates: bool, complete: bool) -> Any:
         """Strength without normal stress, over Theta*."""
         section = self.section
         cohesion = section.of_soils(lambda s: s.cohesion)
         growth = section.of_soils(lambda s: s.cohesion_gradient)
         coefficients = {}
-        if np.any(cohesion):
+        if complete or np.any(cohesion):
             coefficients["space"] = self._by_direction(cohesion / (self._weight_scale * section._circle[2]))
         if np.any(growth):
             coefficients["growth"] = growth / self._weight_scale

@@ -89,12 +89,15 @@ class StretchIntegrals:
     def _surfaces(self) -> tuple[Profile, Floats]:
         """The profile of what presses, and the unit weight below each of its surfaces over the mean, (surfaces, lanes).
 
-        One surface stands for all where lanes differ in strength alone.
+        One surface stands for all but where lanes of one geometry differ in their weights.
         """
         profile = self.section.profile.of(_PRESSING)
         steps = self.section.weight_steps
-        if profile.edges.shape[1] == 1 and np.all(steps == steps[:, :1]):
-            profile, steps = profile.combined(steps[:, 0]), np.ones((1, 1))
+        circles = profile.edges.shape[1]
+        if circles == 1 and np.all(steps == steps[:, :1]):
+            steps = steps[:, :1]
+        if steps.shape[1] == circles:
+            profile, steps = profile.combined(steps), np.ones((1, 1))
         return profile, steps / self.section._weights_per_area
 
     def _pressing(self, rotation: Floats) -> Floats:

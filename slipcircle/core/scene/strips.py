@@ -139,12 +139,13 @@ def meets_circle(line: Floats) -> Floats:
     square = np.sum(edge * edge, axis=2)
     along = np.sum(start * edge, axis=2)
     discriminant = along * along - square * (np.sum(start * start, axis=2) - 1.0)
-    root = np.sqrt(np.where(discriminant > 0.0, discriminant, 1.0))
-    run = np.where(square > 0.0, square, 1.0)
+    crosses = discriminant.real > 0.0
+    root = np.sqrt(np.where(crosses, discriminant, 1.0))
+    run = np.where(square.real > 0.0, square, 1.0)
     crossings = []
     for sign in (-1.0, 1.0):
         share = (-along + sign * root) / run
-        on_edge = (discriminant > 0.0) & (share >= 0.0) & (share <= 1.0)
+        on_edge = crosses & (share.real >= 0.0) & (share.real <= 1.0)
         crossings.append(np.where(on_edge, start[..., 0] + share * edge[..., 0], start[..., 0]))
     return np.concatenate(crossings, axis=1)
 
@@ -156,11 +157,12 @@ def meets(one: Floats, other: Floats) -> Floats:
     other_edge = np.diff(other, axis=1)[:, None]
     apart = other[:, None, :-1] - start
     across = _cross(edge, other_edge)
-    safe = np.where(across != 0.0, across, 1.0)
+    parallel = across.real == 0.0
+    safe = np.where(parallel, 1.0, across)
     share = _cross(apart, other_edge) / safe
-    other_share = _cross(apart, edge) / safe
-    inside = (share > 0.0) & (share < 1.0) & (other_share > 0.0) & (other_share < 1.0)
-    x = np.where((across != 0.0) & inside, start[..., 0] + share * edge[..., 0], start[..., 0])
+    other_share = _cross(apart, edge).real / safe.real
+    inside = (share.real > 0.0) & (share.real < 1.0) & (other_share > 0.0) & (other_share < 1.0)
+    x = np.where(inside & ~parallel, start[..., 0] + share * edge[..., 0], start[..., 0])
     return x.reshape(len(x), -1)
 
 

@@ -3,6 +3,7 @@
 import argparse
 from collections.abc import Iterator, Mapping, Sequence
 
+from slipcircle.base.progress import track
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, solve
 from slipcircle.workbench.commands import values
@@ -44,7 +45,7 @@ def run(options: argparse.Namespace) -> Answer:
     if options.polarities:
         scenes = [polarity for scene in scenes for polarity in (scene, other_way(scene))]
         sources = [source for source in sources for _ in range(2)]
-    motions = [with_scene_context(scene, solve) for scene in scenes]
+    motions = [with_scene_context(scene, solve) for scene in track(scenes, "scenes solved")]
     _write_files(motions, sources, options)
     means = _polarity_means(motions) if options.polarities else {}
     return Answer(

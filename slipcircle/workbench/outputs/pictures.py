@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from slipcircle.base.progress import track
 from slipcircle.core import Motion
 from slipcircle.workbench.common import files
 from slipcircle.workbench.outputs.plotstyle import described, missing
@@ -72,7 +73,7 @@ def _played(film: "Film") -> bytes:
     figure.set_layout_engine("none")  # which would lay out every frame anew
     background, size = canvas.copy_from_bbox(figure.bbox), canvas.get_width_height()
     images = []
-    for frame in range(len(film.times)):
+    for frame in track(range(len(film.times)), "frames drawn"):
         canvas.restore_region(background)
         for artist in film.draw(frame):
             figure.draw_artist(artist)
@@ -105,7 +106,7 @@ def _on_axis(draw: Callable[..., Any]) -> Callable[[Any, Any], Any]:
 
 def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
     """What draws which result on an empty figure, and its inches; loaded only where something is drawn."""
-    from slipcircle.workbench.outputs import plots, searchplot, studyplots, tornado
+    from slipcircle.workbench.outputs import layerplot, plots, searchplot, studyplots, tornado
 
     return {
         "motions": (_motions, _motions_size),
@@ -116,6 +117,7 @@ def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any],
         ),
         "phase plane": (_on_axis(plots.phase_plane), lambda _: (8.6, 4.0)),
         "shaking": (_on_axis(plots.shaking), lambda _: (8.6, 3.0)),
+        "stress along the arc": (_on_axis(layerplot.stress_along), lambda _: (8.6, 3.0)),
         "study": (studyplots.overview, studyplots.size),
         "sensitivity": (tornado.panels, tornado.size),
         "backanalysis": (studyplots.explained, studyplots.explained_size),

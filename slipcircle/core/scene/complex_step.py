@@ -1,0 +1,122 @@
+"""A layered section whose numbers carry derivatives, a lane for each number, in the imaginary parts of complex numbers.
+
+An analytic function f of a real number has f(x + i h) = f(x) + i h f'(x) up to h^2, and with h as small as `STEP`
+nothing else is left (Squire and Trapp 1998): what computes the section computes its derivatives, to rounding. NumPy
+orders complex numbers by their real parts, so that the section is cut as the real one is.
+"""
+
+from collections.abc import Sequence
+from dataclasses import fields
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
+from slipcircle.core.scene.layers import LayeredSection
+from slipcircle.core.scene.profile import MOMENTS
+from slipcircle.core.scene.strips import meets_circle
+
+Floats = NDArray[np.float64]
+STEP = 1e-50
+_TOUCHES = 1e-9  # how near to the arc a boundary's foot touches it, over R
+
+
+def derivative(values: Any) -> Floats:
+    """What the imaginary parts of complex numbers hold; 0 of real numbers."""
+    return np.asarray(np.imag(values) / STEP)
+
+
+def with_derivatives(section: LayeredSection, names: Sequence[str]) -> LayeredSection:
+    """A section with a lane for each of these numbers, by which the lane's numbers are differentiated.
+
+    Raises
+    ------
+    ValueError
+        Where a boundary touches the arc without crossing it: there are no derivatives.
+    """
+    _raise_if_a_boundary_touches(section)
+    numbers = arc_numbers(section)
+    known = {name: numbers[name] for name in names if name in numbers}
+    steps = {name: value + 1j * STEP * np.array([float(n == name) for n in names]) for name, value in known.items()}
+    changed = changed_fields(section, steps)
+    other: Any = object.__new__(_ComplexSection)
+    for f in fields(section):
+        object.__setattr__(other, f.name, changed.get(f.name, getattr(section, f.name)))
+    vars(other)["real"] = section
+    vars(other)["shape"] = (len(names),)
+    section_of_lanes: LayeredSection = other
+    return section_of_lanes
+
+
+class _ComplexSection(LayeredSection):
+    """Of the section ``real`` what the geometry of circles, which is of real numbers, gives a layered section."""
+
+    real: LayeredSection
+
+    @cached_property
+    def _facing(self) -> Floats:
+        return np.broadcast_to(self.real._facing, self.shape)
+
+    @cached_property
+    def _ends(self) -> tuple[Any, Any]:
+        """Where the ground crosses the circle, next to the ends of the real arc."""
+        crossings = meets_circle(self._lines_over_radius[0])
+        ends = []
+        for end in self.real._ends:
+            nearest = np.argmin(np.abs(crossings.real - end[0]), axis=1)
+            x = np.take_along_axis(crossings, nearest[:, None], 1)[:, 0]
+            ends.append(np.stack([x, -np.sqrt((1.0 - x) * (1.0 + x))]))
+        return ends[0], ends[1]
+
+    @cached_property
+    def _angles(self) -> tuple[Floats, Floats]:
+        left, right = self._ends
+        return np.arcsin(left[0]), np.arcsin(right[0])
+
+    @cached_property
+    def half_angle(self) -> Any:
+        left, right = self._angles
+        return (right - left) / 2
+
+    @cached_property
+    def _moments(self) -> dict[str, Floats]:
+        return dict(zip(MOMENTS, self.profile.whole[:, 0], strict=False))
+
+    @cached_property
+    def mean_cover(self) -> Any:
+        return np.zeros(self.shape)  # pore pressures of layers are those of their soils
+
+    @cached_property
+    def _water(self) -> Any:
+        return self.real._water
+
+    def heads_between(self, low: Floats, high: Floats) -> Floats:
+        """The integrals move with the vertices of the level and with both directions."""
+        water = self.real._water
+        first, last = low.real[..., :1], high.real[..., :1]
+        by_vertex = water.gradient(first[..., 0], last[..., 0])
+        line = derivative(self._lines_over_radius[-1])
+        moved = np.einsum("...vk,nvk->...n", by_vertex, line)
+        moved = moved + water.at(last[..., 0])[..., None] * derivative(high)
+        moved = moved - water.at(first[..., 0])[..., None] * derivative(low)
+        return water.integral(first, last) + 1j * STEP * moved
+
+
+def _raise_if_a_boundary_touches(section: LayeredSection) -> None:
+    """A line below the ground that comes next to the arc between its ends, and goes away again."""
+    left, right = (float(end[0][0]) for end in section._ends)
+    for k, line in enumerate(section._lines_over_radius[1 : len(section.layers)], 2):
+        points = line[0]
+        if len(points) == 2 and points[0, 1] == points[1, 1]:  # a height
+            points = np.array([[-2.0, points[0, 1]], [2.0, points[0, 1]]])
+        start, edge = points[:-1], np.diff(points, axis=0)
+        share = -(start * edge).sum(axis=1) / (edge * edge).sum(axis=1)
+        foot = start + share[:, None] * edge
+        near = np.abs(np.hypot(*foot.T) - 1.0) < _TOUCHES
+        if np.any(near & (share > 0.0) & (share < 1.0) & (foot[:, 0] > left) & (foot[:, 0] < right)):
+            raise ValueError(
+                f"sensitivity: layers.{k}.top: touches the slip circle without crossing it, where there are no "
+                "derivatives; move the boundary or the circle a little"
+            )
