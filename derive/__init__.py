@@ -22,7 +22,7 @@ How to add a friction law, an effect or a moment
 1. Declare it, as in the examples below. Each declaration is one entry of a tuple; its fields are explained in the
    docstring of its class.
 2. Run ``python -m derive``. It proves the declaration, writes `generated` and compiles it, or stops at a claim that
-does not hold and leaves `generated` unchanged.
+   does not hold and leaves `generated` unchanged.
 3. Use it: laws and effects are then in scene files, ``slipcircle plan``, ``slipcircle schema`` and the Python API; a
    moment is a function of `generated`.
 4. Test it: a test of `tests/test_extending.py` follows the examples to the letter and shows what to compare with.
