@@ -96,7 +96,7 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
         for curve, heights in zip(curves, drawn_values, strict=True):
             label(ax, curve.label, _in_view(ax, times, heights), LINES[curve.line]["color"])
     if what == "friction":
-        _explain_zeros(ax, columns, len(curves) > 1)
+        _explain_zeros(ax, motion, len(curves) > 1)
     _explain_kinks(ax, motion, brief)
     if what == "displacement":
         _rotation_axis(ax, motion)
@@ -162,10 +162,12 @@ def _explain_kinks(ax: Any, motion: Motion, brief: bool) -> None:
             label(ax, words, [(time, low + share * (high - low)) for share in (0.1, 0.3, 0.5, 0.7, 0.9)], "0.3")
 
 
-def _explain_zeros(ax: Any, columns: Mapping[str, Floats], with_required: bool) -> None:
-    """Words where friction drops to zero, and where that required for equilibrium touches it, as it has no sign."""
+def _explain_zeros(ax: Any, motion: Motion, with_required: bool) -> None:
+    """Words where friction drops to zero, and where that required for equilibrium touches it once, without a sign."""
+    columns = drawn(motion)
+    passes_once = len(motion.phases) == 1 and "shaking" not in motion.plan.effects
     times, required, friction = columns["time"], columns["holding_friction"], columns["friction"]
-    if with_required:
+    if with_required and passes_once:
         least = int(np.nanargmin(required))
         is_between = 0 < least < len(times) - 1
         if is_between and required[least] < _TOUCHES * required[0]:
@@ -359,15 +361,10 @@ def _panels(motion: Motion) -> list[Callable[..., Any]]:
 def title(motion: Motion) -> str:
     """A scene's name and what happened, to three digits."""
     name = shorten(motion.plan.scene.name, 80)
-    outcome = "does not move"
+    outcome = f"does not move, factor of safety {shown(float(motion.factor_of_safety), 3)}"
     if motion.moves:
-        outcome = f"{_rounded(motion.run_out)} m in {_rounded(motion.duration)} s, {ending(motion)}"
+        outcome = f"{shown(motion.run_out, 3)} m in {shown(motion.duration, 3)} s, {ending(motion)}"
     return ": ".join(filter(None, (name[:1].upper() + name[1:], outcome)))
-
-
-def _rounded(value: float) -> str:
-    """Three significant digits."""
-    return shown(float(f"{value:.3g}"))
 
 
 # What `Motion.plot` draws besides the overview.
