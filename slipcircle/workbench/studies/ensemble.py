@@ -291,7 +291,7 @@ def conduct(
 
 
 def _described(design: Design) -> dict[str, Any]:
-    """What tells one study from another, as a folder remembers it."""
+    """What identifies a study in the folder of its blocks."""
     scene, arc = design.scene, design.scene.arc
     section = {f.name: getattr(arc, f.name) for f in fields(arc)} if isinstance(arc, Section) else {}
     described = {
