@@ -121,7 +121,8 @@ def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
 
 def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
     """A sentence for each boundary that rises above one before it; that boundaries reach the ground is ordinary."""
-    ground = np.asarray(given["ground"].get("ground", [[0.0, 0.0], [0.0, 0.0]]))
+    points = given.get("ground", {}).get("ground")
+    ground = np.zeros((2, 2)) if points is None else np.asarray(points)
     left, right = ground[[0, -1], 0]
     lines = []
     for _, top in layers[1:]:
