@@ -51,9 +51,10 @@ class Message(str):
 def _worded(template: str, name_of: Callable[[str], str]) -> str:
     """A template with the names of its arguments."""
 
-    def name(found: re.Match[str]) -> str:
-        full = name_of(found[2])
-        return full.rpartition(".")[2] if found[1] else full
+    def name(match: re.Match[str]) -> str:
+        short, path = match.groups()
+        full = name_of(path)
+        return full.rpartition(".")[2] if short else full
 
     return _ARGUMENT.sub(name, template)
 
@@ -64,7 +65,8 @@ class InputError(ValueError):
     def __init__(self, what: str, messages: Iterable[str]) -> None:
         self.what = what
         self.messages = tuple(map(Message.of, messages))
-        super().__init__((f"{what}: " if what else "") + "; ".join(self.messages))
+        sentences = "; ".join(self.messages)
+        super().__init__(f"{what}: {sentences}" if what else sentences)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return InputError, (self.what, [m.template for m in self.messages])
@@ -140,14 +142,17 @@ _KINDS = {
 
 def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable[Any]) -> list[str]:
     """A sentence for each declared parameter that is missing, odd or out of bounds, and for what is none of them."""
-    wanted = {p.name: p for p in parameters if p.kind != "rotation"}
-    needed = {n: p for n, p in wanted.items() if not p.optional}
-    found: list[str] = [f"{path}: {n!r} is missing: {p.help}" for n, p in needed.items() if n not in given]
-    found += [f"{path}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}" for n in given if n not in wanted]
-    for name, p in wanted.items():
+    known = {p.name: p for p in parameters if p.kind != "rotation"}
+    sentences = list[str]()
+    for name, p in known.items():
+        if name not in given and not p.optional:
+            sentences.append(f"{path}: {name!r} is missing: {p.help}")
+    names = ", ".join(known) or "none"
+    sentences += [f"{path}: {name!r} is unknown; known are {names}" for name in given if name not in known]
+    for name, p in known.items():
         if name in given:
-            found += _value_mistakes(path, p, given[name])
-    return found
+            sentences += _value_mistakes(path, p, given[name])
+    return sentences
 
 
 _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
@@ -156,19 +161,27 @@ _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
 def _value_mistakes(path: str, p: Any, value: Any) -> list[str]:
     """What is wrong with the value of a declared parameter."""
     if p.kind in ("number", "list", "series") and p.key and not callable(value):
-        words = f"{p.help}{_SIGNS.get(min(p.lower, 0.0), '')} ({p.unit})"
-        return [Message.of(m).within(path) for m in mistakes({p.name: value}, {p.name: (p.lower, p.upper, words)})]
-    right = {
-        "number": False,
-        "list": False,
-        "series": hasattr(value, "kinks"),
-        "flag": isinstance(value, bool),
-        "text": isinstance(value, str | int | PathLike),
-    }
-    if right.get(p.kind, value in p.kind.split("|")):
+        sign = _SIGNS.get(min(p.lower, 0.0), "")
+        bounds = {p.name: (p.lower, p.upper, f"{p.help}{sign} ({p.unit})")}
+        return [Message.of(sentence).within(path) for sentence in mistakes({p.name: value}, bounds)]
+    if _is_of_kind(p.kind, value):
         return []
     allowed = _KINDS.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
     return [Message(f"{{{path}.{p.name}}} = {shown(value)}: must be {allowed}: {p.help}")]
+
+
+def _is_of_kind(kind: str, value: Any) -> bool:
+    """Whether a value is what a parameter of this kind, which bounds say nothing about, may be."""
+    match kind:
+        case "number" | "list":
+            return False
+        case "series":
+            return hasattr(value, "kinks")
+        case "flag":
+            return isinstance(value, bool)
+        case "text":
+            return isinstance(value, str | int | PathLike)
+    return value in kind.split("|")
 
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
@@ -184,10 +197,10 @@ def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
     return []
 
 
-def raise_all(what: str, found: Sequence[str]) -> None:
+def raise_all(what: str, sentences: Sequence[str]) -> None:
     """Raise one error that lists the mistakes, if there are any."""
-    if found:
-        raise InputError(what, found)
+    if sentences:
+        raise InputError(what, sentences)
 
 
 def complaint(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:

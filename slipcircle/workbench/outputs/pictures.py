@@ -106,7 +106,7 @@ def _on_axis(draw: Callable[..., Any]) -> Callable[[Any, Any], Any]:
 
 def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
     """What draws which result on an empty figure, and its inches; loaded only where something is drawn."""
-    from slipcircle.workbench.outputs import plots, searchplot, studyplots, tornado
+    from slipcircle.workbench.outputs import layerplot, plots, searchplot, studyplots, tornado
 
     return {
         "motions": (_motions, _motions_size),
@@ -117,6 +117,7 @@ def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any],
         ),
         "phase plane": (_on_axis(plots.phase_plane), lambda _: (8.6, 4.0)),
         "shaking": (_on_axis(plots.shaking), lambda _: (8.6, 3.0)),
+        "stress along the arc": (_on_axis(layerplot.stress_along), lambda _: (8.6, 3.0)),
         "study": (studyplots.overview, studyplots.size),
         "sensitivity": (tornado.panels, tornado.size),
         "backanalysis": (studyplots.explained, studyplots.explained_size),

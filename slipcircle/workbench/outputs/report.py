@@ -15,7 +15,7 @@ import numpy as np
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.progress import track
 from slipcircle.base.text import shown
-from slipcircle.core import Motion, Plan, Status, law_names, plan
+from slipcircle.core import LayeredSection, Motion, Plan, Status, law_names, plan
 from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
 from slipcircle.workbench.common.quantities import (
     OUTCOMES,
@@ -215,6 +215,10 @@ def _captions(motion: Motion) -> dict[str, str]:
     if "shaking" in motion.plan.effects:
         captions["shaking"] = (
             "Ground acceleration over gravity; at the start the mass would move as soon as k_h passes k_y."
+        )
+    if isinstance(motion.plan.scene.arc, LayeredSection):
+        captions["stress along the arc"] = (
+            "Total normal stress along the slip surface at the start: each strip carries the weight straight above it."
         )
     return captions
 
