@@ -34,7 +34,7 @@ def motion(name: str) -> Motion:
 
 def recorded() -> Scene:
     """Vaiont under 2,000 samples of noise, by which it slips and sticks many times."""
-    time = 0.01 * np.arange(2000)
+    time = np.linspace(0.0, 19.99, 2000)
     noise = np.convolve(np.random.default_rng(1).normal(size=time.size), np.ones(8) / 8, "same")
     shaking = {"horizontal": Series(time, 0.8 * noise * np.exp(-(((time - 10.0) / 6.0) ** 2)))}
     return Scene(load("vaiont").arc, 0.45, {"rotation": {}, "shaking": shaking}, end_time=20.0, name="record")
