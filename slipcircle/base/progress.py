@@ -10,7 +10,7 @@ from threading import Event, Lock, Thread
 from typing import IO, Any, ClassVar, Self, TypeVar
 
 T = TypeVar("T")
-SOON = 1.0  # s, before a short piece of work shows anything
+_SOON = 1.0, 10.0  # s, before `track` shows anything on a terminal, elsewhere
 _OFTEN, _SELDOM = 0.2, 2.0  # s between updates of a terminal; until the first line elsewhere, ever more for the next
 _CLEAR = "\r\x1b[K"  # the line of a terminal
 
@@ -28,6 +28,7 @@ class Progress:
     """
 
     running: ClassVar[int] = 0
+    is_shown: ClassVar[bool] = False
 
     def __init__(self, total: int, things: str, stream: IO[str] | None = None) -> None:
         self.total, self.things, self.stream = total, things, stream or sys.stderr
@@ -44,6 +45,7 @@ class Progress:
 
     def __exit__(self, *_: object) -> None:
         Progress.running -= 1
+        Progress.is_shown &= Progress.running > 0
         if self.bar is not None:
             self.bar.stop()
         elif self.is_terminal and not self.is_silent:
@@ -57,6 +59,7 @@ class Progress:
         if self.is_silent or now - self.shown < self.pause:
             return
         self.shown = now
+        Progress.is_shown = True
         if not self.is_terminal:
             self.pause *= 2
             print(self.text(), file=self.stream, flush=True)
@@ -93,9 +96,9 @@ class Progress:
 
 
 def track(items: Collection[T], things: str) -> Iterator[T]:
-    """The items one by one, counted as they are done; nothing is shown of work that is done `SOON`."""
+    """The items one by one, counted as they are done; nothing is shown of work that is done soon."""
     with Progress(len(items), things) as progress:
-        progress.shown += SOON
+        progress.shown += _SOON[not progress.is_terminal]
         for item in items:
             yield item
             progress()
@@ -121,7 +124,7 @@ def heartbeat(seconds: float) -> Iterator[None]:
         while not _hushed.wait(wait):
             wait *= 1.0 if is_terminal else 2.0
             with _lock:
-                if not Progress.running and not _hushed.is_set():
+                if not Progress.is_shown and not _hushed.is_set():
                     _say_computing(time.monotonic() - start, is_terminal)
 
     _hushed.clear()

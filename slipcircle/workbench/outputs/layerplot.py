@@ -7,7 +7,7 @@ import numpy as np
 
 from slipcircle.core import LayeredSection, Motion, mean_normal_stress, stretches
 from slipcircle.workbench.common.quantities import prefixed
-from slipcircle.workbench.outputs.plotstyle import LINES, SOILS, axis, label
+from slipcircle.workbench.outputs.plotstyle import LINES, SOILS, axis, label, points_of
 from slipcircle.workbench.outputs.shapes import Mass, View
 from slipcircle.workbench.outputs.trace import Floats
 
@@ -25,7 +25,7 @@ def draw_bands(ax: Any, ground: Floats, layers: Layers, view: View, depth: float
     bottom = np.full_like(x, view.bottom)
     colours = soil_colours(layers)
     for k, (soil, _) in enumerate(layers):
-        band, strong = colours[soil.name]
+        band, strong = colours[_key(soil)]
         ax.fill_between(x, tops[k], depth, color=band, lw=0, zorder=1)
         if k > 0:
             ax.plot(x, tops[k], **_BOUNDARY)
@@ -70,8 +70,13 @@ def boundaries(ground: Floats, layers: Layers) -> tuple[Floats, list[Floats]]:
 
 def soil_colours(layers: Layers) -> dict[str, tuple[str, str]]:
     """Colours of a band and of a stretch of the arc for each soil, by its name."""
-    names = dict.fromkeys(soil.name for soil, _ in layers)
+    names = dict.fromkeys(_key(soil) for soil, _ in layers)
     return {name: SOILS[k % len(SOILS)] for k, name in enumerate(names)}
+
+
+def _key(soil: Any) -> str:
+    """What tells soils apart: the name, where there is one."""
+    return soil.name or str(id(soil))
 
 
 def draw_stretches(ax: Any, mass: Mass, section: LayeredSection, turns: Sequence[float]) -> None:
@@ -94,13 +99,13 @@ def _soils_under(section: LayeredSection, moved: float) -> Iterator[tuple[str, f
     """Soil and directions of both ends of each stretch under a mass that has turned down-slope, rad."""
     rows = stretches(section)
     if section.strength == "mass":
-        yield from ((row.soil.name, row.start + moved, row.end + moved) for row in rows)
+        yield from ((_key(row.soil), row.start + moved, row.end + moved) for row in rows)
         return
     entry, exit_ = rows[0], rows[-1]
     beyond = section.foreland or exit_.soil
-    everywhere = [(entry.soil.name, -np.inf, entry.start)]
-    everywhere += [(row.soil.name, row.start, row.end) for row in rows]
-    everywhere.append((beyond.name, exit_.end, np.inf))
+    everywhere = [(_key(entry.soil), -np.inf, entry.start)]
+    everywhere += [(_key(row.soil), row.start, row.end) for row in rows]
+    everywhere.append((_key(beyond), exit_.end, np.inf))
     for name, start, end in everywhere:
         first = max(start, entry.start + moved)
         last = min(end, exit_.end + moved)
@@ -122,13 +127,11 @@ def stress_along(motion: Motion, ax: Any = None) -> Any:
     mean = factor * force / length
     middles = (ends[1:] + ends[:-1]) / 2
     along = float(np.asarray(section.radius)) * (middles - ends[0])
-    by_strips = np.column_stack([along, factor * stress])
-    ax.plot(*by_strips.T, **LINES["main"])
+    ax.plot(along, factor * stress, **LINES["main"])
     ax.axhline(mean, **LINES["total"])
-    _soils_behind(ax, section, float(np.max(by_strips[:, 1])))
-    few = by_strips[:: _ACROSS // 12]
-    label(ax, "by strips", few, LINES["main"]["color"])
-    label(ax, "mean", [(x, mean) for x, _ in few])
+    _soils_behind(ax, section, factor * float(np.max(stress)))
+    label(ax, "by strips", points_of(along, factor * stress), LINES["main"]["color"])
+    label(ax, "mean", points_of(along, mean))
     ax.set(xlabel="distance along the arc from its upper end (m)", ylabel=f"normal stress ({unit})")
     ax.set_xlim(0.0, length)
     ax.grid(alpha=0.3)
@@ -139,7 +142,7 @@ def _soils_behind(ax: Any, section: LayeredSection, height: float) -> None:
     """The soil of each stretch as a field behind curves along the arc, with its name."""
     colours, end = soil_colours(section.layers), 0.0
     for row in stretches(section):
-        band, strong = colours[row.soil.name]
+        band, strong = colours[_key(row.soil)]
         start, end = end, end + row.length
         ax.axvspan(start, end, color=band, lw=0)
         if row.soil.name:

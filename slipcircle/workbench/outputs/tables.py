@@ -70,7 +70,7 @@ COEFFICIENTS = {
 
 DIFFERENCE = (
     "Bishop's method includes horizontal forces between slices, which increase the normal stress on steep bases; the "
-    "paper's method uses the mean normal stress under the weight and gives a lower factor, by 4 to 14 % typically"
+    "paper's method uses the mean normal stress under the weight and gives a lower factor, by 4 to 14 % in one soil"
 )
 
 
