@@ -1,4 +1,4 @@
-"""The integrator of scenes by Taylor series, for all of them one: read `lanes`, `problem`, `build`, `integrate`.
+"""The Taylor integrator for all scenes: programs are assembled from `generated.flow` and integrated lane by lane.
 
 `lanes` has the lanes of a scene, `problem` their dimensionless numbers and tables, `build` and `link` the program that
 is assembled from the fragments of `generated.flow`. `integrate` integrates it in NumPy (with `stick_slip`, `recorder`,

@@ -1,4 +1,4 @@
-"""Implicit steps of the same program, for lanes that explicit ones are too short for: creep through a viscous layer.
+"""Implicit steps of the same program, for stiff lanes such as creep through a viscous layer.
 
 A step of length h is the polynomial through the states y where it begins whose slope is the program's rate f at c_i h,
 c_i the Radau points up to c_s = 1 (Radau IIA; Hairer and Wanner, Solving Ordinary Differential Equations II, section
@@ -7,8 +7,8 @@ IV.5). The states Y_i there solve
     residual_i = Y_i - y - h sum_j a_ij f(Y_j) = 0,
     a_ij the integral from 0 to c_i of the polynomial that is 1 at c_j and 0 at the other points,
 
-by Newton's iteration with the exact Jacobian I - h a_ij df/dy(Y_j), which the program carries as tangents. What decays
-at once is gone after one step, however long, and the end is right to order 2 s - 1. The step is as long as its
+by Newton's iteration with the exact Jacobian I - h a_ij df/dy(Y_j), which the program carries as tangents. Fast
+transients decay within one step of any length, and the end is accurate to order 2 s - 1. The step is as long as its
 polynomial, judged by its last Legendre coefficients, is the motion to rounding; events and samples are read off it.
 Phases and events are those of `slipcircle.core.flow.integrate`.
 """
@@ -155,7 +155,7 @@ class _Implicit(Integrator):
         return now, event
 
     def _creeps(self, now: _Now) -> bool:
-        """Whether a mass without an end is so slow, after it was faster, that it creeps for ever."""
+        """Whether a mass without an end time has become so slow that it creeps without end."""
         slow = abs(now.states[1]) < CREEP * abs(self.peak_omega[0])
         return bool(np.isinf(self.limit) and slow and now.time > self.begin)
 
@@ -163,7 +163,7 @@ class _Implicit(Integrator):
         return bool(np.isinf(self.limit) and now.time - self.begin > ENDLESS)
 
     def _prepare(self) -> None:
-        """What all implicit steps up to the next event share."""
+        """Prepare what all implicit steps up to the next event have in common."""
         (self.tangent,) = self.program.tangents
         self.limit = float(min(self.next_break()[0], self.end_time[0]))
         integrated = self.program.states[: self.integrated]

@@ -21,7 +21,7 @@ _HOLD, _COLOURS = 2000, 64  # milliseconds that its last frame is held; colours 
 
 
 def check(command: str, path: str = "", scenes: int = 1) -> None:
-    """See that pictures can be drawn, and one of this file's type and of so many scenes; one scene may be animated."""
+    """Check that pictures of this type can be drawn for this number of scenes; one scene may be animated."""
     try:
         import matplotlib  # noqa: F401
     except ImportError as error:
@@ -34,7 +34,7 @@ def check(command: str, path: str = "", scenes: int = 1) -> None:
 
 
 def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> bytes:
-    """What a function draws on an empty figure of a size in inches, as a file whose name ends in .png, .svg, ...
+    """Draw a function's picture on an empty figure of a size in inches, as the content of a .png, .svg, ... file.
 
     For .gif the function gives the `Film` that it has drawn.
     """
