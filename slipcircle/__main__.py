@@ -64,7 +64,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def command() -> None:
-    """What the shell calls: it shows that it is at work, and interrupted it waits for no thread that computes."""
+    """Entry point of the shell command: shows that it is running and, if interrupted, does not wait for computing
+    threads."""
     with heartbeat(SILENT):
         status = main()
     if status == INTERRUPTED and active_count() > 1:
@@ -73,7 +74,7 @@ def command() -> None:
 
 
 def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
-    """The parser of the command that is called, or of all where none is; only these are imported."""
+    """Parser of the called command, or of all if none is; only these are imported."""
     names = "\n  ".join(wrap(", ".join(shipped()), 76, break_on_hyphens=False))
     parser = argparse.ArgumentParser(
         "slipcircle",
@@ -104,7 +105,7 @@ def _print(answer: Answer, as_json: bool) -> None:
 
 
 def _report_output_error(error: OSError) -> None:
-    """Say which output failed; nothing where nobody reads on, as with `| head`."""
+    """Report which output failed; nothing for a closed pipe, as with `| head`."""
     if error.filename is None and sys.stdout is sys.__stdout__ and sys.stdout is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or it is flushed again, and complains
     if not isinstance(error, BrokenPipeError):

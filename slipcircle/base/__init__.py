@@ -1,3 +1,3 @@
-"""What everything else stands on: checks, whole files, functions of time, distributions."""
+"""What the core and the workbench share: checks of input, functions of time, numbers as text, progress."""
 
 VERSION = "0.1.0"

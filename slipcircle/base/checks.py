@@ -1,4 +1,4 @@
-"""One clear error for bad input: every mistake at once, each with the field, the value and what is allowed."""
+"""Errors about input: all mistakes at once, each with the field, the value and what is allowed."""
 
 import math
 import re
@@ -19,9 +19,9 @@ _ARGUMENT = re.compile(r"\{(~?)([a-z_][\w.]*)\}")
 
 
 class Message(str):
-    """A sentence about input, written with ``{name}`` for an argument: its name, or what it is called elsewhere.
+    """A sentence about input with ``{name}`` for an argument, which may be replaced by its name elsewhere.
 
-    Of ``{~path.name}`` only the last part is shown, where the path was said before.
+    For ``{~path.name}`` only the last part is shown, if the path is already given.
     """
 
     __slots__ = ("template",)
@@ -60,7 +60,7 @@ def _worded(template: str, name_of: Callable[[str], str]) -> str:
 
 
 class InputError(ValueError):
-    """What is wrong with input, a `Message` each; the text of the error names arguments as Python does."""
+    """Invalid input, with one `Message` per mistake; the text of the error names arguments as in Python."""
 
     def __init__(self, what: str, messages: Iterable[str]) -> None:
         self.what = what
@@ -77,12 +77,12 @@ class InputError(ValueError):
 
 
 def plain(value: Any) -> Any:
-    """Numbers to compute with: a float, which costs a tenth of what an array of one does, or an array."""
+    """Numbers for computation: a float, ten times cheaper than an array of one, or an array."""
     return np.add(value, 0.0) if np.ndim(value) else float(value)
 
 
 def choose(mask: Any, one: Any, other: Any) -> Any:
-    """One or the other: of a number by the truth of a mask, of an array element by element."""
+    """`numpy.where` that also takes plain numbers."""
     return np.where(mask, one, other) if isinstance(mask, np.ndarray) else one if mask else other
 
 
@@ -94,13 +94,14 @@ def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
 
 
 def shown(value: Any) -> str:
-    """A value in one line, of a long one its type and beginning."""
+    """A value in one line; for a long one its type and beginning."""
     text = " ".join(repr(value).split())
     return text if len(text) <= 80 else f"{type(value).__name__} {text[:60]}..."
 
 
 def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> list[str]:
-    """A sentence for each field that is no finite real number within its open bounds, or many where it must be one."""
+    """A sentence for each field that is not a finite real number within its open bounds, or an array where one number
+    is required."""
     sentences = list[str]()
     for name, (lower, upper, allowed) in bounds.items():
         value: Any = fields[name]
@@ -141,7 +142,7 @@ _KINDS = {
 
 
 def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable[Any]) -> list[str]:
-    """A sentence for each declared parameter that is missing, odd or out of bounds, and for what is none of them."""
+    """A sentence for each declared parameter that is missing, invalid or out of bounds, and for unknown names."""
     known = {p.name: p for p in parameters if p.kind != "rotation"}
     sentences = list[str]()
     for name, p in known.items():
@@ -204,7 +205,7 @@ def raise_all(what: str, sentences: Sequence[str]) -> None:
 
 
 def complaint(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
-    """What to say of the first lane with a mistake."""
+    """The sentence about the first case with a mistake."""
     for lanes, sentence in faults:
         bad = np.asarray(lanes)
         if not bad.any():

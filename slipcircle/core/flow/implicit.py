@@ -1,4 +1,4 @@
-"""Implicit steps of the same program, for lanes that explicit ones are too short for: creep through a viscous layer.
+"""Implicit steps of the same program, for stiff lanes such as creep through a viscous layer.
 
 A step of length h is the polynomial through the states y where it begins whose slope is the program's rate f at c_i h,
 c_i the Radau points up to c_s = 1 (Radau IIA; Hairer and Wanner, Solving Ordinary Differential Equations II, section
@@ -7,8 +7,8 @@ IV.5). The states Y_i there solve
     residual_i = Y_i - y - h sum_j a_ij f(Y_j) = 0,
     a_ij the integral from 0 to c_i of the polynomial that is 1 at c_j and 0 at the other points,
 
-by Newton's iteration with the exact Jacobian I - h a_ij df/dy(Y_j), which the program carries as tangents. What decays
-at once is gone after one step, however long, and the end is right to order 2 s - 1. The step is as long as its
+by Newton's iteration with the exact Jacobian I - h a_ij df/dy(Y_j), which the program carries as tangents. Fast
+transients decay within one step of any length, and the end is accurate to order 2 s - 1. The step is as long as its
 polynomial, judged by its last Legendre coefficients, is the motion to rounding; events and samples are read off it.
 Phases and events are those of `slipcircle.core.flow.integrate`.
 """
@@ -155,7 +155,7 @@ class _Implicit(Integrator):
         return now, event
 
     def _creeps(self, now: _Now) -> bool:
-        """Whether a mass without an end is so slow, after it was faster, that it creeps for ever."""
+        """Whether a mass without an end time has become so slow that it creeps without end."""
         slow = abs(now.states[1]) < CREEP * abs(self.peak_omega[0])
         return bool(np.isinf(self.limit) and slow and now.time > self.begin)
 
@@ -163,13 +163,13 @@ class _Implicit(Integrator):
         return bool(np.isinf(self.limit) and now.time - self.begin > ENDLESS)
 
     def _prepare(self) -> None:
-        """What all implicit steps up to the next event share."""
+        """Prepare what all implicit steps up to the next event have in common."""
         (self.tangent,) = self.program.tangents
         self.limit = float(min(self.next_break()[0], self.end_time[0]))
         integrated = self.program.states[: self.integrated]
         self.state_cells = [cell for cell, _, _ in integrated]
         self.rates = [rate for _, _, rate in integrated]
-        self.own = len(self.program.states) // 2  # states beside their tangents, first among them
+        self.without_tangents = len(self.program.states) // 2  # states, the first of them
         self.first_values = [piece.taylor(1)[0, 0] for piece in self.timed]
         self.first_increments = [piece.increment[0] for piece in self.timed]
         self.explicit = self._explicit_step()
@@ -208,25 +208,24 @@ class _Implicit(Integrator):
     def _jacobian(self, times: Floats, points: Floats) -> Floats:
         """df_j/dy_i at points (points, states), as (i, points, j), by the program's tangents in the states' directions.
 
-        Tangents that are integrated beside the states have the same; how it changes with the states is left out, as
+        Tangents that are integrated beside the states have the same; how it changes with the states is neglected, as
         their own equations are linear.
         """
-        own = self.own
+        states = self.without_tangents
         count = len(times)
-        own_cells = self.state_cells[:own]
-        every_time = np.tile(times, own)
-        every_point = np.tile(points, (own, 1))
+        every_time = np.tile(times, states)
+        every_point = np.tile(points, (states, 1))
         cells = self._cells_at(every_time, every_point.T)
         cells[list(self.tangent.cells.values())] = 0.0
-        tangent_cells = [self.tangent.cells[cell] for cell in own_cells]
-        cells[tangent_cells] = np.repeat(np.eye(own), count, axis=1)
+        tangent_cells = [self.tangent.cells[cell] for cell in self.state_cells[:states]]
+        cells[tangent_cells] = np.repeat(np.eye(states), count, axis=1)
         registers = engine().registers(self.program, self._tables(cells.shape[1]), cells)
-        jacobian = np.zeros((own, count, own))
-        for j, rate in enumerate(self.rates[:own]):
+        jacobian = np.zeros((states, count, states))
+        for j, rate in enumerate(self.rates[:states]):
             if rate in self.tangent.registers:
                 by_states = registers[self.tangent.registers[rate]]
-                jacobian[:, :, j] = by_states.reshape(own, count)
-        copies = np.eye(self.integrated // own)
+                jacobian[:, :, j] = by_states.reshape(states, count)
+        copies = np.eye(self.integrated // states)
         blocks = np.einsum("ab,ikj->aikbj", copies, jacobian)
         return blocks.reshape(self.integrated, count, self.integrated)
 

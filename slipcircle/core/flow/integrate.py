@@ -102,7 +102,7 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats) -> Floats
 
 
 class Integrator(StickPhase):
-    """Lanes on their way."""
+    """Lanes during their integration."""
 
     stiff_step: float = ix.STIFF_STEP  # steps that one counts for which what decays at once holds short
 
@@ -176,7 +176,7 @@ class Integrator(StickPhase):
         return np.where(order < self.order, room, step)
 
     def _endless(self, net: Floats, omega: Floats, tau: Floats, room: Floats) -> Any:
-        """Where nothing will end the motion: a rate that depends on the speed alone never falls below zero again."""
+        """Where the motion has no end: a rate that depends on the speed only never becomes negative again."""
         settled = net[0] * tau >= -ix.SETTLED * omega[0]
         return self.program.autonomous & settled & np.isinf(room) & (self.lifted == 0.0)
 
@@ -219,7 +219,7 @@ class Integrator(StickPhase):
         return first.time, first.event
 
     def _standstill(self, series: Floats, h: Floats) -> Floats:
-        """When the speed falls to zero; at once where, from rest, the drive points backwards or is rounding."""
+        """When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding."""
         roles = self.program.roles
         omega = series[roles["omega"]]
         net = series[roles["net"], :-1]
@@ -251,7 +251,7 @@ class Integrator(StickPhase):
             first.consider_root(event + 1, above, faster)
 
     def on_standstill(self, rate: Floats) -> None:
-        """The lane comes to a standstill: it turns back or rests."""
+        """At a standstill the lane turns back or rests."""
         if self.tangents:
             self.tangents.leave_standstill(self)  # t' = -omega'/(d omega/dt)
         self.advance_origin()
@@ -264,7 +264,7 @@ class Integrator(StickPhase):
             self.tangents.enter_or_rest(self)
 
     def on_contact_change(self, event: NDArray[np.intp], rate: Floats) -> None:
-        """Contact with the slip surface is lost, or made again."""
+        """Contact with the slip surface is lost, or regained."""
         self.lifted = 1.0 - self.lifted
         self.apply_to(self.lifted > 0.0, "note_lift_off")
         if self.lifted[0] == 0.0:
@@ -310,7 +310,7 @@ class Integrator(StickPhase):
         self.advance_origin()
         self.begin_phase()
         for piece, before in zip(self.timed, pieces_before, strict=True):
-            scale[piece.number != before] = np.inf  # at a break of a function of time, which may leap there
+            scale[piece.number != before] = np.inf  # at a break of a function of time, where it may jump
         self.carry_net_moment(rate, drive, scale)
         if self.tangents:
             self.tangents.enter(self)
@@ -328,11 +328,11 @@ class Integrator(StickPhase):
         fresh_scale[better] = carried_scale[better]
 
     def on_break_in_time(self) -> None:
-        """A function of time breaks; where its value leaps, contact may change."""
-        leaps = self.pass_breaks()
-        if self.tangents and np.any(leaps):
+        """A function of time breaks; where its value jumps, contact may change."""
+        jumps = self.pass_breaks()
+        if self.tangents and np.any(jumps):
             self.tangents.pass_break(self)
-        self.apply_to(leaps, "on_discontinuity")
+        self.apply_to(jumps, "on_discontinuity")
 
     def end(self, rate: Floats, status: Floats) -> None:
         """What is asked for ends while the lane moves."""

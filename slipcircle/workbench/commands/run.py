@@ -73,7 +73,7 @@ def _parts(motions: Sequence[Motion], means: Mapping[str, Mapping[str, float]], 
 
 
 def _check_options(options: argparse.Namespace) -> None:
-    """Refuse options that need others, or that others leave no room for."""
+    """Reject combinations of options that are not possible."""
     if options.times is not None and not options.csv:
         raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
     if options.vary and not options.live:
@@ -83,7 +83,7 @@ def _check_options(options: argparse.Namespace) -> None:
 
 
 def _write_files(motions: Sequence[Motion], sources: Sequence[bytes], options: argparse.Namespace) -> None:
-    """Make all files that are asked for before the first is written."""
+    """Compute all requested files before the first is written."""
     contents: dict[str, bytes] = {}
     if options.csv:
         contents[options.csv] = csv(motions, options.times)
@@ -111,7 +111,7 @@ def _live(motion: Motion, varied: str | None) -> str:
 
 
 def _polarity_means(motions: Sequence[Motion]) -> dict[str, Mapping[str, float]]:
-    """The mean size of each outcome over both polarities of a scene, by the name of a column."""
+    """Mean absolute value of each outcome over both polarities of a scene, by the name of a column."""
     means: dict[str, Mapping[str, float]] = {}
     for one, other in zip(motions[::2], motions[1::2], strict=True):
         sizes = {name: (abs(one.outcomes[name]) + abs(other.outcomes[name])) / 2 for name in OUTCOMES}

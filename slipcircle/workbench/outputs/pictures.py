@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from slipcircle.workbench.outputs.film import Film
 
 _KINDS = ("png", "svg", "pdf", "jpg")
-_FRAMES = 60  # of an animation
+_FRAMES = 12  # of an animation in a second
 _HOLD, _COLOURS = 2000, 64  # milliseconds that its last frame is held; colours of each frame
 
 
 def check(command: str, path: str = "", scenes: int = 1) -> None:
-    """See that pictures can be drawn, and one of this file's type and of so many scenes; one scene may be animated."""
+    """Check that pictures of this type can be drawn for this number of scenes; one scene may be animated."""
     try:
         import matplotlib  # noqa: F401
     except ImportError as error:
@@ -34,7 +34,7 @@ def check(command: str, path: str = "", scenes: int = 1) -> None:
 
 
 def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> bytes:
-    """What a function draws on an empty figure of a size in inches, as a file whose name ends in .png, .svg, ...
+    """Draw a function's picture on an empty figure of a size in inches, as the content of a .png, .svg, ... file.
 
     For .gif the function gives the `Film` that it has drawn.
     """
@@ -138,7 +138,7 @@ def slide(motion: Motion, seconds: float = 5.0) -> bytes:
     """A motion shown in so many seconds, as a GIF."""
     from slipcircle.workbench.outputs.film import film
 
-    return render(lambda figure: film(motion, figure, _FRAMES, seconds), (7.0, 4.6), ".gif")
+    return render(lambda figure: film(motion, figure, max(2, round(_FRAMES * seconds)), seconds), (7.0, 4.6), ".gif")
 
 
 def write(paths: Iterable[str], what: str, result: Any) -> None:
