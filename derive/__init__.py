@@ -1,8 +1,8 @@
 """From a definition to source text: SymPy derives, simplifies, stabilises and writes the package `generated`.
 
-Nothing here is imported at run time. A claim that does not hold raises a `ProofError` with the claim, the value found
-and the value required, and stops the run; the docstrings do not repeat this. The folders, each of which imports only
-those above it:
+Nothing here is imported at run time. A claim that does not hold raises a `ProofError` with the claim, the computed and
+the required value, and stops the run; docstrings do not repeat this. The folders, each of which imports only those
+above it:
 
 ===============  ======================================================================================================
 ``progress``     how much of a long task is done
@@ -21,14 +21,14 @@ How to add a friction law, an effect or a moment
 ------------------------------------------------
 1. Declare it, as in the examples below. Each declaration is one entry of a tuple; its fields are explained in the
    docstring of its class.
-2. Run ``python -m derive``. It proves the declaration, writes `generated` and compiles it, or stops with the claim
-   that does not hold and leaves `generated` as it was.
+2. Run ``python -m derive``. It proves the declaration, writes `generated` and compiles it, or stops at a claim that
+   does not hold and leaves `generated` unchanged.
 3. Use it: laws and effects are then in scene files, ``slipcircle plan``, ``slipcircle schema`` and the Python API; a
    moment is a function of `generated`.
 4. Test it: a test of `tests/test_extending.py` follows the examples to the letter and shows what to compare with.
 
-A friction law, with a formula for the coefficient in `SLIP` or `SPEED` and the law's parameters, here the declared
-symbols of peak, residual and length. How much friction falls from one slip to a greater one is derived, without
+A friction law has a formula for the coefficient in `SLIP` or `SPEED` and the parameters of the law, here the declared
+symbols of peak, residual and length. The decrease of friction between two slips is derived from it, without
 cancellation. At the end of ``LAWS`` in ``derive/declare/effects.py``::
 
     Law("inverse_square", equation="Fig. 4-1", parameters=(_PEAK, _RESIDUAL, _LENGTH), depends_on=("slip",),
@@ -48,9 +48,9 @@ effect that depends on time or speed, also in RADIUS, DENSITY and the effect's o
         Parameter("suction", "Pa", lower=_BELOW_0, upper=_INFINITY, help="mean suction along the slip surface",
                   key="suction_kPa", per_unit=1e3, symbol=sp.Symbol("suction", real=True),
                   dimensionless=VALUE / REFERENCE),), depends_on=(),
-           help="suction presses the grains together (Bishop 1959)", pressure=-sp.Symbol("suction", real=True)),
+           help="suction increases the effective stress (Bishop 1959)", pressure=-sp.Symbol("suction", real=True)),
 
-A scene that contains the table ``[suction]`` with ``suction_kPa`` then has this term, and no other scene does.
+A scene with the table ``[suction]`` and its key ``suction_kPa`` then has this term; other scenes do not.
 
 A moment of the sliding mass, with its weight in the double integral over r and theta. At the end of ``MOMENTS`` in
 ``derive/declare/quantities.py``::

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "59adc0f00ecbb366c7484b6b0cf15f4f330b6a8eec1ec01110da3614e3f04b53"
+#define DIGEST "1ba3be6332718f75f60585bdee6d6dee03eb775c3ba4eb1c68d34855e0b920dc"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -66,7 +66,7 @@ typedef struct {
  * library is no to everything. */
 #include <cpuid.h>
 enum { HAS_AVX2 = 1, HAS_AVX512 = 2 };
-static int processor(void)
+static int asked_processor(void)
 {
     const unsigned wide = bit_AVX512F | bit_AVX512DQ | bit_AVX512VL;
     unsigned a, b, c, d, kept, high;
@@ -74,6 +74,13 @@ static int processor(void)
     __asm__("xgetbv" : "=a"(kept), "=d"(high) : "c"(0));
     if ((kept & 0x06) != 0x06 || !__get_cpuid_count(7, 0, &a, &b, &c, &d) || !(b & bit_AVX2)) return 0;
     return HAS_AVX2 | ((kept & 0xe0) == 0xe0 && (b & wide) == wide ? HAS_AVX512 : 0);
+}
+/* Asked once: under a hypervisor each question takes microseconds. */
+static int processor(void)
+{
+    static int answer = -1;
+    if (answer < 0) answer = asked_processor();
+    return answer;
 }
 #define RUNS_avx512 (processor() & HAS_AVX512)
 #define RUNS_avx2 (processor() & HAS_AVX2)

@@ -9,14 +9,13 @@ import json
 import os
 import shlex
 import sys
-import time
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from importlib import import_module
 from textwrap import wrap
-from threading import Event, Thread, active_count
+from threading import active_count
 
 import slipcircle
+from slipcircle.base.progress import heartbeat, hush
 from slipcircle.workbench.commands import COMMANDS
 from slipcircle.workbench.commands.common import check_files
 from slipcircle.workbench.common.quantities import plain
@@ -42,7 +41,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     options.line = shlex.join(["slipcircle", *argv])
     try:
         check_files(options)
-        _print(options.run(options), options.json)
+        answer = options.run(options)
+        hush()
+        _print(answer, options.json)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()
     except OSError as error:
@@ -63,8 +64,9 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def command() -> None:
-    """What the shell calls: it shows that it is at work, and interrupted it waits for no thread that computes."""
-    with _heartbeat(SILENT):
+    """Entry point of the shell command: shows that it is running and, if interrupted, does not wait for computing
+    threads."""
+    with heartbeat(SILENT):
         status = main()
     if status == INTERRUPTED and active_count() > 1:
         os._exit(status)
@@ -72,7 +74,7 @@ def command() -> None:
 
 
 def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
-    """The parser of the command that is called, or of all where none is; only these are imported."""
+    """Parser of the called command, or of all if none is; only these are imported."""
     names = "\n  ".join(wrap(", ".join(shipped()), 76, break_on_hyphens=False))
     parser = argparse.ArgumentParser(
         "slipcircle",
@@ -103,31 +105,11 @@ def _print(answer: Answer, as_json: bool) -> None:
 
 
 def _report_output_error(error: OSError) -> None:
-    """Say which output failed; nothing where nobody reads on, as with `| head`."""
+    """Report which output failed; nothing for a closed pipe, as with `| head`."""
     if error.filename is None and sys.stdout is sys.__stdout__ and sys.stdout is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or it is flushed again, and complains
     if not isinstance(error, BrokenPipeError):
         say(f"{error.filename or 'the output'}: {error.strerror or error}")
-
-
-@contextmanager
-def _heartbeat(seconds: float) -> Iterator[None]:
-    """Say that the work goes on: on one line of a terminal, elsewhere on lines ever farther apart."""
-    done, start = Event(), time.monotonic()
-    terminal = sys.stderr is not None and sys.stderr.isatty()
-    before, after, longer = ("\r\x1b[K", "\r", 1.0) if terminal else ("", "\n", 2.0)
-
-    def beat(wait: float = seconds) -> None:
-        while not done.wait(wait):
-            message = f"slipcircle: computing for {time.monotonic() - start:.0f} s; Ctrl-C stops it"
-            print(f"{before}{message}", end=after, file=sys.stderr, flush=True)
-            wait *= longer
-
-    Thread(target=beat, daemon=True).start()
-    try:
-        yield
-    finally:
-        done.set()
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import mpmath as mp
@@ -25,6 +26,7 @@ from derive.check.proof import ProofError
 from derive.declare.symbols import alpha, r, theta, theta_1, theta_2, theta_m
 
 each = pytest.mark.parametrize("appendix", APPENDICES, ids=lambda appendix: appendix.name)
+simplified = cache(simplify)
 DIGITS = 50
 
 
@@ -50,7 +52,7 @@ def evaluate(form: sp.Expr, first: mp.mpf, half: mp.mpf) -> Any:
 
 @each
 def test_proof(appendix: Appendix) -> None:
-    proof = simplify(appendix)
+    proof = simplified(appendix)
     assert proof.expression.free_symbols == {alpha, theta_m}
     first, *_, last = proof.steps
     assert (first.expression, last.expression) == (parse(appendix), proof.expression)
@@ -74,7 +76,7 @@ def test_print_one_line_and_quadrature_agree(appendix: Appendix, start: str, end
     Both leave [-1, 1] together, and their product is -tan(theta_1/2) tan(theta_2/2): so the imaginary parts cancel,
     unless the arc passes the level of its centre, theta_1 < pi < theta_2, where mpmath's principal values leave -i pi.
     """
-    at, proof = arc(start, end), simplify(appendix)
+    at, proof = arc(start, end), simplified(appendix)
     printed, line = parse(appendix), proof.expression
     integral = quadrature(proof.integrand, *at, DIGITS + 10)
     factor = line.expand().coeff(sp.atanh(sp.sin(alpha)))
@@ -109,7 +111,7 @@ def test_the_integrand_is_found(n: int, weight: sp.Expr) -> None:
 )
 def test_what_is_no_such_integral_is_refused(change: Any) -> None:
     with pytest.raises(ProofError):
-        integrand(change(simplify(APPENDIX_I).expression))
+        integrand(change(simplified(APPENDIX_I).expression))
 
 
 # --- the brackets ----------------------------------------------------------------------------------------
@@ -131,7 +133,7 @@ def test_brackets_are_counted_by_one_rule(appendix: Appendix) -> None:
 
 @each
 def test_every_repair_is_needed(appendix: Appendix) -> None:
-    integral = quadrature(simplify(appendix).integrand, *PAPER, 15)
+    integral = quadrature(simplified(appendix).integrand, *PAPER, 15)
     for place in repairs(appendix):
         if unreadable(appendix, place):
             with pytest.raises(ValueError, match="without partner"):
@@ -143,7 +145,7 @@ def test_every_repair_is_needed(appendix: Appendix) -> None:
 @each
 def test_brackets_alone_do_not_give_the_integral(appendix: Appendix) -> None:
     readable = tuple(x for x in repairs(appendix) if not unreadable(appendix, x))
-    integral = quadrature(simplify(appendix).integrand, *PAPER, 15)
+    integral = quadrature(simplified(appendix).integrand, *PAPER, 15)
     assert abs(evaluate(parse(appendix, readable), *PAPER).real / integral - 1) > 1e-2
 
 
@@ -152,7 +154,7 @@ def test_final_division_is_of_the_whole_bracket(appendix: Appendix) -> None:
     # Closing the bracket at the very end instead, so that only the last term is divided, can be read too.
     late = replace(appendix, printed=appendix.printed.rstrip() + ")")
     (last,) = (x for x in repairs(late) if x.mended == ")")
-    integral = quadrature(simplify(appendix).integrand, *PAPER, 15)
+    integral = quadrature(simplified(appendix).integrand, *PAPER, 15)
     assert abs(evaluate(parse(late, (last,)), *PAPER).real / integral - 1) > 1e-2
 
 

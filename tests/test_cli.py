@@ -269,7 +269,11 @@ def test_no_command_is_silent(
 @pytest.mark.parametrize(
     ("words", "status", "told"),
     [
-        ("run vaiont-frozen viaont", 1, "scene 'viaont' is unknown; known are newmark-pulse, real-slope, vaiont"),
+        (
+            "run vaiont-frozen viaont",
+            1,
+            "scene 'viaont' is unknown; known are layered-slope, newmark-pulse, real-slope",
+        ),
         ("run viaont --json", 1, "scene 'viaont' is unknown"),
         ("backanalyse vaiont", 1, "give one of --reach-m, --run-out-m, --peak-velocity-m-s, --duration-s"),
         ("backanalyse vaiont --duration-s -5", 1, "duration = -5.0: must be a positive number"),

@@ -139,7 +139,7 @@ ROWS = [r["scene"] for r in json.loads(references.FILE.read_text("utf-8")) if r[
 LIFTED = range(len(ROWS) - references.LIFTED, len(ROWS))
 
 
-@pytest.mark.parametrize("number", [*range(0, len(ROWS), 8), *LIFTED])
+@pytest.mark.parametrize("number", [*range(0, len(ROWS), 16), *LIFTED[::2]])
 def test_random_scenes_against_differences(number: int) -> None:
     """Frozen and turning, all effects, swings, lift-off, next to the limit."""
     check_motion(ROWS[number])

@@ -1,5 +1,6 @@
 """Engines: the same bits from every one, a worker killed in the middle, runs that continue, files that are whole."""
 
+import io
 import itertools
 import json
 import os
@@ -20,11 +21,13 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, ensemble, load, solve
+from slipcircle.base import progress as progress_module
+from slipcircle.base.progress import Progress
 from slipcircle.base.series import Series
 from slipcircle.workbench.common.files import write
 from slipcircle.workbench.studies import engines, export
 from slipcircle.workbench.studies.design import Design, Result
-from slipcircle.workbench.studies.engines import Progress, engine, forecast, stored
+from slipcircle.workbench.studies.engines import engine, forecast, stored
 from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.study import Study
 
@@ -98,7 +101,7 @@ class Stream:
 def told_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """A clock by which each look is a second after the last, so that progress is told from the first block on."""
     seconds = itertools.count()
-    monkeypatch.setattr(engines, "time", SimpleNamespace(monotonic=lambda: float(next(seconds))))
+    monkeypatch.setattr(progress_module, "time", SimpleNamespace(monotonic=lambda: float(next(seconds))))
 
 
 @pytest.fixture(scope="module")
@@ -312,13 +315,37 @@ def test_a_failing_block_is_no_silence(monkeypatch: pytest.MonkeyPatch) -> None:
         ensemble(SCENE, 100, 1, pool)
 
 
-def test_progress(capsys: pytest.CaptureFixture[str]) -> None:
-    told = Progress(100, sys.stderr)
-    told(60, 0)
-    told(40, 0)
-    (line,) = capsys.readouterr().err.splitlines()
-    assert line.startswith("100 of 100 scenes, ")
-    assert re.fullmatch(r".* a second, in [0-9.e-]+ s", line)
+def test_progress(capsys: pytest.CaptureFixture[str], told_at_once: None) -> None:
+    """In a pipe lines ever farther apart; within other work that is counted nothing."""
+    with Progress(100, "scenes") as told:
+        for _ in range(10):
+            told(10)
+            with Progress(3, "steps") as inner:
+                inner(3)
+    lines = capsys.readouterr().err.splitlines()
+    assert 2 <= len(lines) <= 4
+    assert re.fullmatch(r"\d+0 of 100 scenes, \S+ a second, \d+ s left", lines[0])
+    assert re.fullmatch(r"100 of 100 scenes, \S+ a second, in \S+ s", told.text())
+
+
+@pytest.mark.parametrize("with_rich", [True, False])
+def test_progress_on_a_terminal_leaves_an_empty_line(
+    with_rich: bool, told_at_once: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    if with_rich:
+        pytest.importorskip("rich")
+    else:
+        monkeypatch.setattr(progress_module, "find_spec", lambda name: None)
+    terminal = Terminal()
+    with Progress(4, "scenes", terminal) as told:
+        for _ in range(4):
+            told()
+    assert "3 of 4 scenes, " in terminal.getvalue()
+    assert terminal.getvalue().rpartition("scenes")[2].rstrip("\n").endswith("\x1b[K" if not with_rich else "\x1b[2K")
 
 
 def test_forecast() -> None:

@@ -1,10 +1,9 @@
 """How to add a law, an effect and a moment, as `derive` says it: followed to the letter in a copy, and used there.
 
-A weight drawn at random is declared there too (`python -m tests.campaigns.all_weights`: all 15)."""
+`python -m tests.campaigns.all_weights` declares all 15 weights that a moment may have."""
 
 import json
 import math
-import random
 import re
 from functools import partial
 from pathlib import Path
@@ -20,7 +19,6 @@ from tests.campaigns.all_weights import run
 from tests.support import golden, taylor
 from tests.support.pieces import Pieces
 
-Seen = dict[str, dict[str, tuple[float, float]]]
 # ``At the end of ``LAWS`` in ``derive/declare/effects.py``::``, and what stands indented below.
 STEP = re.compile(r"[Aa]t the end of\s+``(\w+)`` in\s+``(\S+)``::\n\n((?: {4}.*\n)+)")
 SLOPE = {"radius_m": 100.0, "theta_1_deg": 205.0, "theta_2_deg": 285.0, "unit_weight_kN_m3": 19.0}
@@ -39,15 +37,11 @@ def follow(root: Path) -> list[str]:
     return [name for name, _, _ in steps]
 
 
-def extended(root: Path) -> Seen:
-    """Make the copy: what is seen and proved of a weight that was declared there as well, drawn at random.
-
-    The search judges fewer shapes than it may, as it takes its time.
-    """
+def extended(root: Path) -> None:
+    """Make the copy. The search judges fewer shapes than it may, as it takes its time."""
     all_weights.copy(root)
     assert follow(root) == ["LAWS", "EFFECTS", "MOMENTS"]
-    drawn = random.SystemRandom().sample(all_weights.WEIGHTS[1:], 1)  # the first is the moment that was followed
-    return all_weights.follow(root, drawn, "--trials", "14")
+    run(root, "-c", all_weights.DERIVE, "--trials", "14")
 
 
 class Extended(taylor.Problem):
@@ -92,16 +86,6 @@ def check_schema(root: Path) -> None:
     assert 'law = "inverse_square"' in guide
 
 
-def check_weights(root: Path, found: Seen) -> None:
-    """Closed form, certificates within the goals, and no error beside quadrature that is more than proved."""
-    assert len(found) == 1
-    assert not all_weights.faults(found), found
-    for name in found:
-        path = root / "generated" / "certificates" / f"{name}.json"
-        bounds = {(r["tier"], r["form"]): r["bound"] for r in json.loads(path.read_text("utf-8"))["certificates"]}
-        assert bounds["best", "fused"] <= 1, name
-
-
 def test_a_changed_weight_changes_the_kernel(tmp_path: Path) -> None:
     """r**2 in the place of r**3: another closed form, another program, another certificate."""
     all_weights.copy(tmp_path)
@@ -140,9 +124,8 @@ def check_moment(root: Path) -> None:
 
 def test_what_is_added_is_everywhere(tmp_path: Path) -> None:
     """In one test, as the copy takes its time."""
-    found = extended(tmp_path)
+    extended(tmp_path)
     check_scene(tmp_path, "inverse_square", 2, True)
     check_scene(tmp_path, "exponential", 0, False)
     check_schema(tmp_path)
     check_moment(tmp_path)
-    check_weights(tmp_path, found)

@@ -249,6 +249,33 @@ def test_what_soils_say_is_not_said_twice() -> None:
         Scene(Section(GROUND, (30, 45), 48.0, 19e3), 0.3, {"layered_strength": {}})
 
 
+@pytest.mark.parametrize("way", [1, -1])
+def test_a_cracked_section_begins_at_a_scarp(way: int) -> None:
+    """As where the ground beyond the crack is dug away; under water, its slope to the right or to the left."""
+    ground, level = ([(way * x, y) for x, y in line][::way] for line in (GROUND, LEVEL))
+    soils = profile("constant friction").layers
+    cracked = LayeredSection(ground, (30 * way, 45), 48.0, level=level, layers=soils, crack=3.0)
+    (x, y), scene = cracked.entry, Scene(cracked, effects=TURNING)
+    assert np.interp(x, *np.transpose(ground)) - y == pytest.approx(3.0, rel=1e-12)
+    dug = [(-60 * way, y - 3), (x, y - 3), (x, y + 3), *[p for p in ground[::way] if way * p[0] > way * x]]
+    tops = (None, *([(-99.0, top), (199.0, top)] if way > 0 else [(-199.0, top), (99.0, top)] for top in TOPS[1:]))
+    layers = [(soil, top) for (soil, _), top in zip(soils, tops, strict=True)]
+    scarp = LayeredSection(dug[::way], (30 * way, 45), 48.0, level=level, layers=layers)
+    computed, expected = solve(scene), solve(Scene(scarp, effects=TURNING))
+    for name in ("factor_of_safety", "run_out", "duration"):
+        assert getattr(computed, name) == pytest.approx(getattr(expected, name), rel=1e-11)
+    assert cracked.surface[0 if way > 0 else -1] == pytest.approx((x, y), rel=1e-12)
+    statics = at_circle(Slope(ground, layers=soils, level=level, crack=3.0), Section(ground, (30 * way, 45), 48.0, 1.0))
+    by_method = factors_of_safety(scene)
+    for method, factor in statics.factor_of_safety.items():
+        assert by_method[method] == pytest.approx(factor, rel=1e-9)
+    lanes = {"radius": np.array([48.0, 47.5])}
+    both = solve(Scene(replace_unchecked(cracked, changed_fields(cracked, lanes)), effects=TURNING), accuracy=1e-12)
+    assert both.run_out[0] == pytest.approx(computed.run_out, rel=1e-9)
+    with pytest.raises(ValueError, match="crack = 40: is deeper than the mass"):
+        LayeredSection(ground, (30 * way, 45), 48.0, layers=soils, crack=40.0)
+
+
 def test_numbers_of_soils_of_an_odd_size_are_questioned() -> None:
     layers = [(Soil(19.0, 5e3, 0.3, name="light"), None), (Soil(19e3, 5e3, 30.0, name="rough"), 2.0)]
     said = solve(Scene(LayeredSection(GROUND, (30, 45), 48.0, layers=layers))).warnings

@@ -17,6 +17,8 @@ import numpy as np
 import pytest
 
 from slipcircle import LayeredSection, Motion, Scene, Soil, load, solve
+from slipcircle.core import parameter_value
+from slipcircle.workbench.files.numbers import number_in
 from slipcircle.workbench.outputs import live, livesection
 from slipcircle.workbench.outputs.interpolant import hermite, interpolant
 from slipcircle.workbench.outputs.shapes import mass_of
@@ -200,6 +202,22 @@ def test_soils_are_drawn_in_the_ground_and_in_the_mass_with_their_names() -> Non
     bands = [e for e in root.iter("path") if e.get("class", "").startswith("band ")]
     assert len(bands) == 2 * (len(section.layers) - 1)
     assert [e.text for e in root.iter("text")][: len(section.layers)] == [soil.name for soil, _ in section.layers]
+
+
+@pytest.mark.parametrize(
+    ("scene", "key", "said"),
+    [
+        ("layered-slope", "soils.clay.friction.residual_deg", "clay: residual friction angle (deg)"),
+        ("layered-slope", "soils.sand.cohesion_kPa", "sand: cohesion (kPa)"),
+        ("real-slope", "circle.radius_m", "radius (m)"),
+    ],
+)
+def test_what_is_varied_is_said_in_words(scene: str, key: str, said: str) -> None:
+    found = load(scene)
+    number = number_in(found, key)
+    present = float(number.from_si(parameter_value(found, number.name)))
+    labels = [e.text for e in tree(live.varied_page(found, key, [present])).iter("label") if e.get("class") == "which"]
+    assert labels == [f"{said}: "]
 
 
 def test_a_notebook_shows_the_slide() -> None:

@@ -103,19 +103,19 @@ def cases(name: str) -> tuple[tuple[float, ...], ...]:
     return tuple(found)
 
 
+@cache
+def references(name: str) -> list[tuple[tuple[float, ...], oracle.Reference | None]]:
+    """Arguments and what is true there; nothing where the solution has ended."""
+    return [(x, oracle.motion(name, *x)) for x in cases(name)]
+
+
 def errors(formula: Formula, name: str) -> list[tuple[float, tuple[float, ...]]]:
     """Error in ulp over (1 + condition number) and arguments, worst first; no warning while the solution lasts."""
-    lasting = [x for x in cases(name) if oracle.motion(name, *x) is not None]
+    lasting = [(x, reference) for x, reference in references(name) if reference]
     with np.errstate(all="raise"):
-        values = formula(*np.array(lasting).T)
-    return sorted(
-        (
-            (oracle.motion_error(float(v), reference), x)
-            for v, x in zip(values, lasting, strict=True)
-            if (reference := oracle.motion(name, *x))
-        ),
-        reverse=True,
-    )
+        values = formula(*np.array([x for x, _ in lasting]).T)
+    found = ((oracle.motion_error(float(v), truth), x) for v, (x, truth) in zip(values, lasting, strict=True))
+    return sorted(found, reverse=True)
 
 
 RIDES = [(0.7, 0.4, 0.2, 1), (0.7, -0.4, 0.2, 1.1), (-0.7, 0.4, 0.9, 1.3), (-0.7, -0.4, -0.1, 1.2), (0.9, 2.0, -0.5, 2)]
@@ -164,7 +164,7 @@ def test_accuracy(name: str) -> None:
 def test_the_solution_ends(name: str) -> None:
     """NaN and the `invalid` flag after the solution has run to infinity; never a plausible number."""
     formula = getattr(motion, name)
-    ended = [x for x in cases(name) if oracle.motion(name, *x) is None]
+    ended = [x for x, reference in references(name) if reference is None]
     assert len(ended) > 100
     with np.errstate(all="raise", invalid="ignore"):
         values = formula(*np.array(ended).T)

@@ -163,6 +163,9 @@ class Proof(NamedTuple):
         return self.steps[0].operations, self.steps[-1].operations
 
 
+_SOMEWHERE = {alpha: sp.Rational(1, 2), theta_m: sp.Integer(4)}
+
+
 def integrand(expression: Expr) -> Expr:
     """Find the r^n w(theta) whose double integral over the segment an expression in alpha and theta_m is.
 
@@ -172,7 +175,11 @@ def integrand(expression: Expr) -> Expr:
     / cos(alpha), which is 2 w(theta_m) for a w = p sin + q cos. So n = -K''/(K tan(alpha))', and half the left side is
     w. Together with J = K = 0 at alpha = 0 this determines J.
     """
-    k = trig_normal(expression.diff(alpha) / sin(alpha))
+    derivative = expression.diff(alpha) / sin(alpha)
+    power = -derivative.diff(alpha, 2) / (derivative * sin(alpha) / cos(alpha)).diff(alpha)
+    somewhere = power.subs(_SOMEWHERE).evalf(30)  # what is no such integral is refused here, before all the algebra
+    _require(abs(sin(sp.pi * somewhere)) < 1e-12, f"it integrates a power of r: n = {somewhere} at {_SOMEWHERE}")
+    k = trig_normal(derivative)
     leaning = k * sin(alpha) / cos(alpha)
     n = trig_normal(-k.diff(alpha, 2) / leaning.diff(alpha))
     _require(n.is_Integer, f"it integrates a power of r: n = {n}")

@@ -1,3 +1,3 @@
-"""What everything else stands on: checks, whole files, functions of time, distributions."""
+"""Basics: checks, numbers as text, functions of time."""
 
 VERSION = "0.1.0"

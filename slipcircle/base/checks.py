@@ -1,4 +1,4 @@
-"""One clear error for bad input: every mistake at once, each with the field, the value and what is allowed."""
+"""Errors about input: all mistakes at once, each with the field, the value and what is allowed."""
 
 import math
 import re
@@ -19,9 +19,9 @@ _ARGUMENT = re.compile(r"\{(~?)([a-z_][\w.]*)\}")
 
 
 class Message(str):
-    """A sentence about input, written with ``{name}`` for an argument: its name, or what it is called elsewhere.
+    """A sentence about input with ``{name}`` for an argument, which may be replaced by its name elsewhere.
 
-    Of ``{~path.name}`` only the last part is shown, where the path was said before.
+    For ``{~path.name}`` only the last part is shown, if the path is already given.
     """
 
     __slots__ = ("template",)
@@ -51,20 +51,22 @@ class Message(str):
 def _worded(template: str, name_of: Callable[[str], str]) -> str:
     """A template with the names of its arguments."""
 
-    def name(found: re.Match[str]) -> str:
-        full = name_of(found[2])
-        return full.rpartition(".")[2] if found[1] else full
+    def name(match: re.Match[str]) -> str:
+        short, path = match.groups()
+        full = name_of(path)
+        return full.rpartition(".")[2] if short else full
 
     return _ARGUMENT.sub(name, template)
 
 
 class InputError(ValueError):
-    """What is wrong with input, a `Message` each; the text of the error names arguments as Python does."""
+    """Invalid input, with one `Message` per mistake; the text of the error names arguments as in Python."""
 
     def __init__(self, what: str, messages: Iterable[str]) -> None:
         self.what = what
         self.messages = tuple(map(Message.of, messages))
-        super().__init__((f"{what}: " if what else "") + "; ".join(self.messages))
+        sentences = "; ".join(self.messages)
+        super().__init__(f"{what}: {sentences}" if what else sentences)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return InputError, (self.what, [m.template for m in self.messages])
@@ -75,12 +77,12 @@ class InputError(ValueError):
 
 
 def plain(value: Any) -> Any:
-    """Numbers to compute with: a float, which costs a tenth of what an array of one does, or an array."""
+    """Numbers for computation: a float, ten times cheaper than an array of one, or an array."""
     return np.add(value, 0.0) if np.ndim(value) else float(value)
 
 
 def choose(mask: Any, one: Any, other: Any) -> Any:
-    """One or the other: of a number by the truth of a mask, of an array element by element."""
+    """`numpy.where` that also takes plain numbers."""
     return np.where(mask, one, other) if isinstance(mask, np.ndarray) else one if mask else other
 
 
@@ -92,13 +94,14 @@ def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
 
 
 def shown(value: Any) -> str:
-    """A value in one line, of a long one its type and beginning."""
+    """A value in one line; for a long one its type and beginning."""
     text = " ".join(repr(value).split())
     return text if len(text) <= 80 else f"{type(value).__name__} {text[:60]}..."
 
 
 def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> list[str]:
-    """A sentence for each field that is no finite real number within its open bounds, or many where it must be one."""
+    """A sentence for each field that is not a finite real number within its open bounds, or an array where one number
+    is required."""
     sentences = list[str]()
     for name, (lower, upper, allowed) in bounds.items():
         value: Any = fields[name]
@@ -139,15 +142,18 @@ _KINDS = {
 
 
 def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable[Any]) -> list[str]:
-    """A sentence for each declared parameter that is missing, odd or out of bounds, and for what is none of them."""
-    wanted = {p.name: p for p in parameters if p.kind != "rotation"}
-    needed = {n: p for n, p in wanted.items() if not p.optional}
-    found: list[str] = [f"{path}: {n!r} is missing: {p.help}" for n, p in needed.items() if n not in given]
-    found += [f"{path}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}" for n in given if n not in wanted]
-    for name, p in wanted.items():
+    """A sentence for each declared parameter that is missing, invalid or out of bounds, and for unknown names."""
+    known = {p.name: p for p in parameters if p.kind != "rotation"}
+    sentences = list[str]()
+    for name, p in known.items():
+        if name not in given and not p.optional:
+            sentences.append(f"{path}: {name!r} is missing: {p.help}")
+    names = ", ".join(known) or "none"
+    sentences += [f"{path}: {name!r} is unknown; known are {names}" for name in given if name not in known]
+    for name, p in known.items():
         if name in given:
-            found += _value_mistakes(path, p, given[name])
-    return found
+            sentences += _value_mistakes(path, p, given[name])
+    return sentences
 
 
 _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
@@ -156,19 +162,27 @@ _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
 def _value_mistakes(path: str, p: Any, value: Any) -> list[str]:
     """What is wrong with the value of a declared parameter."""
     if p.kind in ("number", "list", "series") and p.key and not callable(value):
-        words = f"{p.help}{_SIGNS.get(min(p.lower, 0.0), '')} ({p.unit})"
-        return [Message.of(m).within(path) for m in mistakes({p.name: value}, {p.name: (p.lower, p.upper, words)})]
-    right = {
-        "number": False,
-        "list": False,
-        "series": hasattr(value, "kinks"),
-        "flag": isinstance(value, bool),
-        "text": isinstance(value, str | int | PathLike),
-    }
-    if right.get(p.kind, value in p.kind.split("|")):
+        sign = _SIGNS.get(min(p.lower, 0.0), "")
+        bounds = {p.name: (p.lower, p.upper, f"{p.help}{sign} ({p.unit})")}
+        return [Message.of(sentence).within(path) for sentence in mistakes({p.name: value}, bounds)]
+    if _is_of_kind(p.kind, value):
         return []
     allowed = _KINDS.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
     return [Message(f"{{{path}.{p.name}}} = {shown(value)}: must be {allowed}: {p.help}")]
+
+
+def _is_of_kind(kind: str, value: Any) -> bool:
+    """Whether a value is what a parameter of this kind, which bounds say nothing about, may be."""
+    match kind:
+        case "number" | "list":
+            return False
+        case "series":
+            return hasattr(value, "kinks")
+        case "flag":
+            return isinstance(value, bool)
+        case "text":
+            return isinstance(value, str | int | PathLike)
+    return value in kind.split("|")
 
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
@@ -184,14 +198,14 @@ def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
     return []
 
 
-def raise_all(what: str, found: Sequence[str]) -> None:
+def raise_all(what: str, sentences: Sequence[str]) -> None:
     """Raise one error that lists the mistakes, if there are any."""
-    if found:
-        raise InputError(what, found)
+    if sentences:
+        raise InputError(what, sentences)
 
 
 def complaint(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
-    """What to say of the first lane with a mistake."""
+    """The sentence about the first case with a mistake."""
     for lanes, sentence in faults:
         bad = np.asarray(lanes)
         if not bad.any():

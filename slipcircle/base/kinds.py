@@ -1,4 +1,4 @@
-"""Whether numbers are one scene's or an ensemble's, for type checkers: `Motion[float]` or `Motion[Array]`.
+"""Types of single scenes and ensembles for type checkers: `Motion[float]` or `Motion[Array]`.
 
 What may be either, or is not known before it runs, is ``Scene``, ``Motion`` without brackets, as ``Scene[Any]``.
 """

@@ -66,10 +66,10 @@ class Series:
                 f"Series: has {self.time.size} times and {self.values.size} values: must have equal numbers of both, "
                 "two at least"
             )
-        found = bad_sample(self.time, self.values)
-        if found:
-            index, said = found
-            raise ValueError(f"Series: sample {index + 1}: {said}")
+        fault = bad_sample(self.time, self.values)
+        if fault:
+            index, sentence = fault
+            raise ValueError(f"Series: sample {index + 1}: {sentence}")
 
     crests = np.empty(0)  # between its kinks
 
@@ -116,17 +116,19 @@ class Pulse:
     cycles: float = 1.0
 
     def __post_init__(self) -> None:
-        found = [] if self.name in PULSES else [f"name = {self.name!r}: must be one of {', '.join(PULSES)}"]
+        faults = list[str]()
+        if self.name not in PULSES:
+            faults.append(f"name = {self.name!r}: must be one of {', '.join(PULSES)}")
         bounds: dict[str, Bounds] = {
             "amplitude": (-INFINITY, INFINITY, "a finite number"),
             "start": (-5e-324, INFINITY, "a time in s, not before 0"),
             "duration": (0.0, INFINITY, "a positive time in s"),
             "cycles": (0.0, 1e4, "a number of waves above 0, below 1e4"),
         }
-        found += mistakes(vars(self), bounds, one=bounds)
+        faults += mistakes(vars(self), bounds, one=bounds)
         if self.name != "sine" and self.cycles != 1.0:
-            found.append(f"cycles = {self.cycles!r}: applies to a sine only; remove it")
-        raise_all("Pulse", found)
+            faults.append(f"cycles = {self.cycles!r}: applies to a sine only; remove it")
+        raise_all("Pulse", faults)
 
     def scaled(self, factor: float) -> "Pulse":
         """The same pulse, its values times a factor."""
@@ -146,10 +148,13 @@ class Pulse:
         """Values at times, s."""
         time = np.asarray(t, dtype=np.float64)
         tau = np.clip(time - self.start, 0.0, self.duration)
-        shape = np.sin(self._phase * tau / self.duration) if self._phase else np.ones_like(tau)
+        shape = np.ones_like(tau)
+        if self._phase:
+            shape = np.sin(self._phase * tau / self.duration)
         if self.name == "triangular":
             shape = np.minimum(tau, self.duration - tau) / (self.duration / 2)
-        return np.where((time >= self.start) & (time < self.end), self.amplitude * shape, 0.0)[()]
+        inside = (time >= self.start) & (time < self.end)
+        return np.where(inside, self.amplitude * shape, 0.0)[()]
 
     @property
     def kinks(self) -> Floats:

@@ -1,4 +1,4 @@
-"""Numbers as people read them: rounded to the digits that are known."""
+"""Numbers as text, rounded to significant digits."""
 
 import math
 
@@ -16,7 +16,7 @@ def shown(value: float, digits: int = DIGITS) -> str:
 
 
 def digits_left(error: float) -> int:
-    """Significant digits, at most `DIGITS`, of which a relative error moves the last one by half a unit at most."""
+    """Significant digits, at most `DIGITS`, for which a relative error changes the last one by at most half a unit."""
     if error <= 0.0:
         return DIGITS
     known = math.floor(-math.log10(min(2 * error, 1.0)))

@@ -1,1 +1,1 @@
-"""The Taylor flow: one engine for every scene. Programs are joined from `generated.flow` and walked lane by lane."""
+"""The Taylor integrator for all scenes. Programs are assembled from `generated.flow` and integrated lane by lane."""

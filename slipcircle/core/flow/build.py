@@ -16,10 +16,8 @@ from typing import Any, NamedTuple
 
 from generated.flow import FRAGMENTS, INPUTS, QUANTITIES
 from generated.layout import CELLS, TABLE
-from slipcircle.core.flow.link import PRIME, ZERO, Linker, Operation, tangent
+from slipcircle.core.flow.link import ONE, PRIME, ZERO, Linker, Operation, named_in, needed, places_of, tangent
 from slipcircle.core.flow.program import OUTPUT_CELLS, READ_REGISTERS, Program, Table, Tangent
-
-Operations = list[tuple[Operation, tuple[str, ...]]]  # with their results
 
 
 class TableDeclaration(NamedTuple):
@@ -80,7 +78,10 @@ def build_program(
     fragments = tuple(name for name in outputs if name in FRAGMENTS)
     registers = tuple(name for name in outputs if name not in FRAGMENTS)
     builder = _Builder(registers, directions)
-    builder.declare(effects, laws, fragments, moving, absent)
+    builder.declare_effects(effects, moving, absent)
+    builder.declare_laws(laws)
+    builder.declare_functions_of_time(moving)
+    builder.declare_balance(effects, laws, fragments, absent)
     builder.resolve()
     builder.select()
     builder.allocate()
@@ -111,43 +112,71 @@ class _Builder:
 
     # --- 1. definitions ----------------------------------------------------------------------------------------------
 
-    def declare(
-        self,
-        effects: tuple[str, ...],
-        laws: tuple[str, ...],
-        extra: tuple[str, ...],
-        moving: tuple[str, ...],
-        absent: tuple[str, ...],
-    ) -> None:
-        """Take the definitions of fragments, and sum what they add to the quantities of the balance."""
-        link, factors = self.link, ("slip_mu", "rate_mu") if len(laws) > 1 else ("mu",)
+    def declare_effects(self, effects: tuple[str, ...], moving: tuple[str, ...], absent: tuple[str, ...]) -> None:
+        """Take the definitions of gravity and of effects."""
         self._take("gravity")
-        for name in effects:
+        for effect in effects:
+            self._take(effect)
+            for declared in FRAGMENTS[effect].tables:
+                self._effect_table(TableDeclaration(*declared), moving, absent)
+
+    def _effect_table(self, table: TableDeclaration, moving: tuple[str, ...], absent: tuple[str, ...]) -> None:
+        """An effect's table where the scene gives a function; else a number that does not change, or none."""
+        if table.name in moving:
+            self.tables.append(table)
+            return
+        for name in table.coefficients:
+            self.link.cell_definitions[name] = ("set", ZERO)
+        if table.name not in absent:
+            self.inputs.append(table.name)
+
+    def declare_laws(self, laws: tuple[str, ...]) -> None:
+        """Take the definitions of the friction law, or of two whose coefficients are factors of friction."""
+        factors = ["slip_mu", "rate_mu"] if len(laws) > 1 else ["mu"]
+        for law, factor in zip(laws, factors, strict=True):
+            self._take(law, factor)
+            self.tables += [TableDeclaration(*declared) for declared in FRAGMENTS[law].tables]
+        if len(laws) > 1:
+            self._take("product")
+        self.factors = factors
+
+    def declare_functions_of_time(self, moving: tuple[str, ...]) -> None:
+        """Parameters that change with time: a value where the phase begins, and the increment since, a ramp."""
+        known = {table.name for table in self.tables}
+        for symbol in moving:
+            self.link.cell_definitions[symbol] = ("set", f"{symbol}.VALUE")
+            if symbol not in known:
+                self.tables.append(TableDeclaration(symbol, "time", f"d{symbol}", 0))
+        for table in self.tables:
+            if table.kind == "time":
+                self.link.series_definitions[table.argument] = ("ramp", table.argument, table.name)
+
+    def declare_balance(
+        self, effects: tuple[str, ...], laws: tuple[str, ...], extra: tuple[str, ...], absent: tuple[str, ...]
+    ) -> None:
+        """Take the balance, sum what fragments add to its quantities, and list what a scene has to give."""
+        for name in ("balance", *extra):
             self._take(name)
-            self._effect_tables(name, moving, absent)
-        for name, factor in zip(laws, factors, strict=True):
-            self._take(name, factor)
-            self.tables += [TableDeclaration(*table) for table in FRAGMENTS[name].tables]
-        for name in (*(["product"] if len(laws) > 1 else []), "balance", *extra):
-            self._take(name)
-        self._functions_of_time(moving)
-        for symbol in (*absent, *(("k_h", "k_v") if "shaking" not in effects else ())):
+        link = self.link
+        not_shaken = () if "shaking" in effects else ("k_h", "k_v")
+        for symbol in (*absent, *not_shaken):
             link.cell_definitions[symbol] = ("set", ZERO)
-        for quantity in dict.fromkeys((*QUANTITIES, "mu", *factors)):
+        for quantity in dict.fromkeys((*QUANTITIES, "mu", *self.factors)):
             self._sum(quantity)
         if len(laws) == 1:  # what multiplies a law of speed is the whole of it
             link.cell_definitions["slip_mu_0"] = ("set", "mu_0")
-            link.series_definitions["dslip_mu"] = ("lin", "dslip_mu", "", (("=1.0", "dmu"),))
-        self._collect_inputs([FRAGMENTS[name] for name in ("gravity", *effects, *laws, *extra)])
+            link.series_definitions["dslip_mu"] = ("lin", "dslip_mu", "", ((ONE, "dmu"),))
+        self._collect_inputs(("gravity", *effects, *laws, *extra))
 
-    def _collect_inputs(self, chosen: list[Any]) -> None:
+    def _collect_inputs(self, names: tuple[str, ...]) -> None:
         """The numbers that a scene has to give, and the states with their rates."""
         defined = self.link.cell_definitions
         self.inputs = [*INPUTS, *self.inputs]
         self.rates = {"x": "omega", "omega": "net"}
-        for fragment in chosen:
-            self.inputs += [name for name in fragment.inputs if name not in defined]
-            self.rates |= dict(fragment.states)
+        for name in names:
+            fragment = FRAGMENTS[name]
+            self.inputs += [symbol for symbol in fragment.inputs if symbol not in defined]
+            self.rates.update(fragment.states)
         self.states = dict(self.rates)
         for j in self.directions:
             for state, rate in self.rates.items():
@@ -159,41 +188,32 @@ class _Builder:
         self.link.define_cells(fragment.scalar)
         self.link.define_series(fragment.series)
         for quantity, added in fragment.adds.items():
-            self.sums.setdefault(friction if quantity == "mu" else quantity, []).append(added)
-
-    def _effect_tables(self, name: str, moving: tuple[str, ...], absent: tuple[str, ...]) -> None:
-        """An effect's tables where the scene gives functions; else a number that does not change, or none."""
-        for declared in FRAGMENTS[name].tables:
-            table = TableDeclaration(*declared)
-            if table.name in moving:
-                self.tables.append(table)
-                continue
-            self.link.cell_definitions |= dict.fromkeys(table.coefficients, ("set", ZERO))
-            if table.name not in absent:
-                self.inputs.append(table.name)
-
-    def _functions_of_time(self, moving: tuple[str, ...]) -> None:
-        """Parameters that change with time: a value where the phase begins, and the increment since, a ramp."""
-        known = {table.name for table in self.tables}
-        for symbol in moving:
-            self.link.cell_definitions[symbol] = ("set", f"{symbol}.VALUE")
-            if symbol not in known:
-                self.tables.append(TableDeclaration(symbol, "time", f"d{symbol}", 0))
-        for table in self.tables:
-            if table.kind == "time":
-                self.link.series_definitions[table.argument] = ("ramp", table.argument, table.name)
+            summed = friction if quantity == "mu" else quantity
+            self.sums.setdefault(summed, []).append(added)
 
     def _sum(self, quantity: str) -> None:
         """A quantity of the balance: its base, the size of its terms, and its increment."""
-        added, definitions = self.sums.get(quantity, []), self.link.cell_definitions
-        for name, part in ((f"{quantity}_0", 0), (f"{quantity}_size", 1)):
-            total = ZERO
-            for k, addend in enumerate(added):
-                definitions[f"{name}.{k}"] = ("add", total, addend[part])
-                total = f"{name}.{k}"
-            definitions[name] = ("set", total)
-        increment = tuple(term for addend in added for term in addend[2])
-        self.link.series_definitions[f"d{quantity}"] = ("lin", f"d{quantity}", "", increment)
+        bases = list[str]()
+        sizes = list[str]()
+        increment = list[Any]()
+        for base, size, terms in self.sums.get(quantity, []):
+            bases.append(base)
+            sizes.append(size)
+            increment += terms
+        self._define_sum(f"{quantity}_0", bases)
+        self._define_sum(f"{quantity}_size", sizes)
+        register = f"d{quantity}"
+        self.link.series_definitions[register] = ("lin", register, "", tuple(increment))
+
+    def _define_sum(self, name: str, addends: list[str]) -> None:
+        """A cell that is a sum of others."""
+        definitions = self.link.cell_definitions
+        total = ZERO
+        for k, addend in enumerate(addends):
+            part = f"{name}.{k}"
+            definitions[part] = ("add", total, addend)
+            total = part
+        definitions[name] = ("set", total)
 
     # --- 2. what is read, back to what it takes ----------------------------------------------------------------------
 
@@ -246,8 +266,10 @@ class _Builder:
 
     def _drop_constants(self) -> None:
         """What presses or tips the mass is no event where it stays as it was where the phase began."""
-        operations = self.link.series.items()
-        constant = {results[0] for operation, results in operations if operation[0] == "lin" and not operation[2]}
+        constant = set[str]()
+        for (kind, *taken), results in self.link.series.items():
+            if kind == "lin" and not taken[-1]:
+                constant.update(results)
         for name in READ_REGISTERS[1:]:
             if self.registers[name] in constant and name not in self.extra:
                 self.registers[name] = None
@@ -257,12 +279,12 @@ class _Builder:
     def select(self) -> None:
         """Those on series that serve what is read, and those on cells that serve them."""
         wanted = {register for register in self.registers.values() if register} | {*self.states}
-        self.series = _needed(self.link.series.items(), wanted)
+        self.series = needed(self.link.series.items(), wanted)
         self.lasting = {*self.outputs.values()}
         for operation, _ in self.series:
-            self.lasting |= _names(operation)
+            self.lasting |= named_in(operation)
         scalar = [(operation, (result,)) for operation, result in self.link.scalar.items()]
-        self.scalar = _needed(scalar, self.lasting)
+        self.scalar = needed(scalar, self.lasting)
 
     # --- 4. places ---------------------------------------------------------------------------------------------------
 
@@ -273,7 +295,7 @@ class _Builder:
         self.constants = sorted(name for name in used if name.startswith("="))
         self.held = [*self.fixed, *made]
         kept = [*self.held, *self.constants]
-        self.place = _places(self.scalar, kept)
+        self.place = places_of(self.scalar, kept)
         scratch = range(max(self.place.values()) + 1 - len(kept))
         self.cells = (*kept, *(f"scratch{k}" for k in scratch))
 
@@ -281,26 +303,40 @@ class _Builder:
 
     def encode(self) -> Program:
         """The program, in places of cells and registers."""
-        place, names = self.place, [*self.states, *(x for _, results in self.series for x in results)]
+        made = [register for _, results in self.series for register in results]
+        names = (*self.states, *made)
         self.at = {name: k for k, name in enumerate(names)}
-        tables = [
-            Table(t.name, t.kind, self._register(t.argument), place[f"{t.name}.PIECE"], t.degree) for t in self.tables
-        ]
-        roles = {name: self._register(name) for name in ("x", "omega", *READ_REGISTERS, *self.extra)}
-        roles |= {role: place[self.outputs[name]] for role, name in OUTPUT_CELLS.items()}
+        self.operand = self.place | self.at
         return Program(
             cells=self.cells,
             given=len(self.fixed),
             lasting=len(self.held),
-            registers=tuple(names),
-            scalar=tuple((op[0], place[result], *(place[x] for x in op[1:])) for op, (result,) in self.scalar),
+            registers=names,
+            scalar=tuple(self._encoded_scalar(operation, result) for operation, (result,) in self.scalar),
             series=tuple(self._encoded(operation, results) for operation, results in self.series),
-            states=tuple((place[s], self.at[s], self._register(rate)) for s, rate in self.states.items()),
-            tables=tuple(tables),
-            roles=roles,
+            states=tuple((self.place[s], self.at[s], self._register(rate)) for s, rate in self.states.items()),
+            tables=tuple(map(self._table, self.tables)),
+            roles=self._roles(),
             constants={name: float(name[1:]) for name in self.constants},
-            tangents=tuple(self._tangent(j) for j in self.directions),
+            tangents=tuple(map(self._tangent, self.directions)),
         )
+
+    def _table(self, table: TableDeclaration) -> Table:
+        """A table with the places of its argument and of its first cell."""
+        first_cell = self.place[f"{table.name}.PIECE"]
+        return Table(table.name, table.kind, self._register(table.argument), first_cell, table.degree)
+
+    def _roles(self) -> dict[str, int]:
+        """The places of the registers and cells that the integrator reads."""
+        roles = {name: self._register(name) for name in ("x", "omega", *READ_REGISTERS, *self.extra)}
+        for role, name in OUTPUT_CELLS.items():
+            roles[role] = self.place[self.outputs[name]]
+        return roles
+
+    def _encoded_scalar(self, operation: Operation, result: str) -> tuple[Any, ...]:
+        """An operation on cells: its result, then its arguments."""
+        kind, *taken = operation
+        return (kind, self.place[result], *(self.place[name] for name in taken))
 
     def _register(self, name: str) -> int:
         """The place of the register that serves a name; -1 where there is none."""
@@ -309,56 +345,29 @@ class _Builder:
     def _encoded(self, operation: Operation, results: tuple[str, ...]) -> tuple[Any, ...]:
         """An operation on series: its results first, then registers, cells or a table."""
         kind, *taken = operation
-        made = [self.at[x] for x in results]
+        made = [self.at[register] for register in results]
         if kind == "lin":
             constant, terms = taken
             start = -1 if constant == ZERO else self.place[constant]
-            return (kind, *made, start, tuple((self.place[cell], self.at[register]) for cell, register in terms))
+            encoded_terms = tuple((self.place[cell], self.at[register]) for cell, register in terms)
+            return (kind, *made, start, encoded_terms)
         if kind == "ramp":
-            arguments_of_tables = [table.argument for table in self.tables]
-            return (kind, *made, arguments_of_tables.index(taken[0].partition(PRIME)[0]))
-        return (kind, *made, *(self.at[x] if x in self.at else self.place[x] for x in taken))
+            argument = taken[0].partition(PRIME)[0]
+            arguments = [table.argument for table in self.tables]
+            return (kind, *made, arguments.index(argument))
+        return (kind, *made, *(self.operand[name] for name in taken))
 
     def _tangent(self, direction: int) -> Tangent:
         """Where the tangents of what varies and of what is read are."""
-        place, drive = self.place, self.outputs["drive"]
+        place = self.place
+        drive = self.outputs["drive"]
+        drive_dot = self.outputs[tangent("drive", direction)]
         cells = {place[name]: place[tangent(name, direction)] for name in self.varied}
-        cells[place[drive]] = place[self.outputs[tangent("drive", direction)]]
-        pairs = [(self._register(name), self._register(tangent(name, direction))) for name in self.read]
-        return Tangent(cells, {own: derivative for own, derivative in pairs if own >= 0 and derivative >= 0})
-
-
-def _names(operation: Operation) -> set[str]:
-    """The cells and registers that an operation names, but for the registers of a sum."""
-    if operation[0] != "lin":
-        return {*operation[1:]}
-    _, constant, terms = operation
-    return {constant, *(cell for cell, _ in terms)}
-
-
-def _needed(operations: Iterable[tuple[Operation, tuple[str, ...]]], wanted: Iterable[str]) -> Operations:
-    """The operations whose results something needs, in order."""
-    selected, needed = list[tuple[Operation, tuple[str, ...]]](), set(wanted)
-    for operation, results in reversed(list(operations)):
-        if needed.isdisjoint(results):
-            continue
-        selected.append((operation, results))
-        if operation[0] == "lin":
-            needed |= {register for _, register in operation[2]}
-        else:
-            needed |= {*operation[1:]}
-    return selected[::-1]
-
-
-def _places(operations: Operations, kept: list[str]) -> dict[str, int]:
-    """Where each cell is: those that are kept in their order; the others take turns in what is free."""
-    place = {name: k for k, name in enumerate(kept)}
-    last_use = {name: k for k, (operation, _) in enumerate(operations) for name in operation[1:]}
-    free, end = list[int](), len(kept)
-    for k, (operation, (result,)) in enumerate(operations):
-        done = {place[name] for name in operation[1:] if last_use[name] == k}
-        free += sorted((p for p in done if p >= len(kept)), reverse=True)
-        if result not in place:
-            place[result] = free.pop() if free else end
-            end = max(end, place[result] + 1)
-    return place
+        cells[place[drive]] = place[drive_dot]
+        registers = dict[int, int]()
+        for name in self.read:
+            register = self._register(name)
+            derivative = self._register(tangent(name, direction))
+            if register >= 0 and derivative >= 0:
+                registers[register] = derivative
+        return Tangent(cells, registers)

@@ -1,4 +1,4 @@
-"""The compiled integrator: a program as integers, and calls that come back often enough for Ctrl-C to be heard."""
+"""The compiled integrator: a program as integers, and calls short enough for Ctrl-C to interrupt."""
 
 import os
 import sys
@@ -30,7 +30,7 @@ _NOTHING = np.empty(0)
 
 @cache
 def module() -> Any:
-    """The binary; None where there is none, or where it is not wanted."""
+    """The compiled module; None if there is none, or if it is disabled."""
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         return None
     try:
@@ -62,7 +62,7 @@ _numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open
 
 @contextmanager
 def numpy_only() -> Iterator[bool]:
-    """Integrate in NumPy although there is a binary; for comparisons. Says whether there is one."""
+    """Integrate in NumPy although the compiled module is installed, for comparisons; yields whether it is."""
     _numpy_only.append(True)
     try:
         yield module() is not None
@@ -71,7 +71,7 @@ def numpy_only() -> Iterator[bool]:
 
 
 def engine() -> Any:
-    """The module whose `integrate`, `begin_phase` and `registers` are the faster ones here."""
+    """The faster module for `integrate`, `begin_phase` and `registers` on this machine."""
     return sys.modules[__name__] if module() and not _numpy_only else in_numpy
 
 

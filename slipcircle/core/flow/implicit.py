@@ -1,4 +1,4 @@
-"""Implicit steps of the same program, for lanes that explicit ones are too short for: creep through a viscous layer.
+"""Implicit steps of the same program, for stiff lanes such as creep through a viscous layer.
 
 A step of length h is the polynomial through the states y where it begins whose slope is the program's rate f at c_i h,
 c_i the Radau points up to c_s = 1 (Radau IIA; Hairer and Wanner, Solving Ordinary Differential Equations II, section
@@ -7,13 +7,13 @@ IV.5). The states Y_i there solve
     residual_i = Y_i - y - h sum_j a_ij f(Y_j) = 0,
     a_ij the integral from 0 to c_i of the polynomial that is 1 at c_j and 0 at the other points,
 
-by Newton's iteration with the exact Jacobian I - h a_ij df/dy(Y_j), which the program carries as tangents. What decays
-at once is gone after one step, however long, and the end is right to order 2 s - 1. The step is as long as its
+by Newton's iteration with the exact Jacobian I - h a_ij df/dy(Y_j), which the program carries as tangents. Fast
+transients decay within one step of any length, and the end is accurate to order 2 s - 1. The step is as long as its
 polynomial, judged by its last Legendre coefficients, is the motion to rounding; events and samples are read off it.
 Phases and events are those of `slipcircle.core.flow.integrate`.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -26,6 +26,7 @@ from slipcircle.base.checks import EPS
 from slipcircle.core.flow.compiled import engine
 from slipcircle.core.flow.integrate import Integrator
 from slipcircle.core.flow.lane_state import LaneState
+from slipcircle.core.flow.pieces import Piece
 from slipcircle.core.flow.problem import Problem, common_cells
 from slipcircle.core.flow.program import Log, Samples
 from slipcircle.core.flow.tables import Data
@@ -33,6 +34,7 @@ from slipcircle.core.flow.tables import Data
 Floats = NDArray[np.float64]
 EventFunction = Callable[[Floats, Floats], Any]  # of states and registers, one number of each or one a time
 POINTS = 12
+LEAST_SIZE = 1e-300  # by which what is 0 is divided
 TOLERANCE = 1e-13  # of the last coefficients of a step's polynomial, relative
 CREEP = 1e-12  # of its greatest speed, with which a mass without an end is taken to creep for ever
 ENDLESS = 1e12  # dimensionless time, thirty thousand years and more, after which a motion has no end
@@ -46,11 +48,15 @@ GROWS, SHRINKS, SAFETY = 4.0, 0.1, 0.9  # factors of the step from one to the ne
 
 def _radau(count: int) -> tuple[Floats, Floats, Floats]:
     """Points c_i in (0, 1], a_ij, and what gives Legendre coefficients of values at 0 and the points."""
-    points = legendre.legroots([0.0] * (count - 1) + [-1.0, 1.0])  # P_s - P_(s-1), 1 among its roots
+    difference = [0.0] * (count - 1) + [-1.0, 1.0]  # P_s - P_(s-1), 1 among its roots
+    points = legendre.legroots(difference)
     points[-1] = 1.0
-    integrals = np.array([legendre.legval(points, legendre.legint(unit, lbnd=-1)) for unit in np.eye(count)]).T
-    weights = integrals @ np.linalg.inv(legendre.legvander(points, count - 1))
-    to_legendre = np.linalg.inv(legendre.legvander(np.array([-1.0, *points]), count))
+    integrals = legendre.legint(np.eye(count), lbnd=-1, axis=1)  # of P_0 to P_(s-1)
+    at_points = legendre.legval(points, integrals.T).T
+    from_values = np.linalg.inv(legendre.legvander(points, count - 1))
+    weights = at_points @ from_values
+    with_start = np.array([-1.0, *points])
+    to_legendre = np.linalg.inv(legendre.legvander(with_start, count))
     return (points + 1) / 2, weights / 2, to_legendre
 
 
@@ -63,19 +69,19 @@ def integrate(
     """Integrate some lanes, one after the other, from where they are, as `slipcircle.core.flow.integrate` does."""
     with_tangents = problem._replace(cells=cells).with_outputs(problem.outputs, directions=1)
     program = with_tangents.program
-    to, of = common_cells(problem.program, program)
-    integrated = len(problem.program.states)
-    for lane in which:
-        tables = [table.lanes([lane]) for table in with_tangents.tables]
-        one = _Implicit(program, tables, with_tangents.cells[:, [lane]], np.array([lane]), samples, log)
-        one.status = ix.MOVING
-        one.steps = 0.0
-        one.integrated = integrated
+    result_cells, own_cells = common_cells(problem.program, program)
+    for number in which:
+        tables = [table.lanes([number]) for table in with_tangents.tables]
+        begun = with_tangents.cells[:, [number]]
+        lane = _Implicit(program, tables, begun, np.array([number]), samples, log)
+        lane.integrated = len(problem.program.states)
+        lane.status = ix.MOVING
+        lane.steps = 0.0
         with np.errstate(all="ignore"):
-            one.restart_phase()
-            while one.status[0] <= ix.RESTING:
-                one.round()
-        cells[to, lane] = one.cells[of, 0]
+            lane.restart_phase()
+            while lane.status[0] <= ix.RESTING:
+                lane.round()
+        cells[result_cells, number] = lane.cells[own_cells, 0]
 
 
 class _Step(NamedTuple):
@@ -111,9 +117,6 @@ class _Implicit(Integrator):
 
     def step(self) -> None:
         self._prepare()
-        self.limit = float(min(self.next_break()[0], self.end_time[0]))
-        self.explicit = self._explicit_step()
-        self.functions = self._event_functions()
         self.begin = float(self.time[0])
         now, event = self._follow(self._now(self.begin, self.cells[self.state_cells, 0]))
         self.cells[:] = self._cells_at(np.array([now.time]), now.states[:, None])
@@ -121,7 +124,8 @@ class _Implicit(Integrator):
         if uneventful and now.time < self.limit:
             self.status = ix.TOO_LONG
             return
-        rate = now.registers[[self.program.roles["net"]]]
+        net = self.program.roles["net"]
+        rate = now.registers[[net]]
         self.settle(np.array([event]), rate, np.array([uneventful]))
 
     def _follow(self, now: _Now) -> tuple[_Now, int]:
@@ -129,8 +133,9 @@ class _Implicit(Integrator):
         h = 4.0 * self.explicit
         event = ix.EVENT_NONE
         while event == ix.EVENT_NONE and now.time < self.limit and not self._creeps(now):
-            to_limit = h >= self.limit - now.time
-            h = min(h, self.limit - now.time)
+            left = self.limit - now.time
+            to_limit = h >= left
+            h = min(h, left)
             end = self.limit if to_limit else now.time + h
             if not to_limit:
                 self.steps_left -= 1 if h > EXPLICIT * self.explicit else 10
@@ -145,11 +150,12 @@ class _Implicit(Integrator):
             self._keep_peak(step, now, end)
             self._write(now.time, end, step)
             now = self._now(end, step.states(end)[:, 0])
-            h *= min(GROWS, _step_factor(max(step.error, 1e-300)))
+            longer = _step_factor(max(step.error, LEAST_SIZE))
+            h *= min(GROWS, longer)
         return now, event
 
     def _creeps(self, now: _Now) -> bool:
-        """Whether a mass without an end is so slow, after it was faster, that it creeps for ever."""
+        """Whether a mass without an end time has become so slow that it creeps without end."""
         slow = abs(now.states[1]) < CREEP * abs(self.peak_omega[0])
         return bool(np.isinf(self.limit) and slow and now.time > self.begin)
 
@@ -157,20 +163,24 @@ class _Implicit(Integrator):
         return bool(np.isinf(self.limit) and now.time - self.begin > ENDLESS)
 
     def _prepare(self) -> None:
-        """What all implicit steps up to the next event share."""
+        """Prepare what all implicit steps up to the next event have in common."""
         (self.tangent,) = self.program.tangents
-        own = len(self.program.states) // 2
-        self.own_cells = [cell for cell, _, _ in self.program.states[:own]]
-        self.own_rates = [rate for _, _, rate in self.program.states[:own]]
-        self.state_cells = [cell for cell, _, _ in self.program.states[: self.integrated]]
-        self.rates = [rate for _, _, rate in self.program.states[: self.integrated]]
+        self.limit = float(min(self.next_break()[0], self.end_time[0]))
+        integrated = self.program.states[: self.integrated]
+        self.state_cells = [cell for cell, _, _ in integrated]
+        self.rates = [rate for _, _, rate in integrated]
+        self.own = len(self.program.states) // 2  # states beside their tangents, first among them
         self.first_values = [piece.taylor(1)[0, 0] for piece in self.timed]
         self.first_increments = [piece.increment[0] for piece in self.timed]
+        self.explicit = self._explicit_step()
+        self.functions = self._event_functions()
 
     def _explicit_step(self) -> float:
         """The step that explicit integration would take."""
-        series, order = self.expand(np.full(1, np.inf))
-        return float(np.minimum(self._step_size(series, order, np.full(1, np.inf)), 1e3)[0])
+        endless = np.full(1, np.inf)
+        series, order = self.expand(endless)
+        step = self._step_size(series, order, endless)
+        return float(np.minimum(step, 1e3)[0])
 
     # --- one step ----------------------------------------------------------------------------------------------------
 
@@ -201,30 +211,38 @@ class _Implicit(Integrator):
         Tangents that are integrated beside the states have the same; how it changes with the states is left out, as
         their own equations are linear.
         """
-        own = len(self.own_cells)
-        cells = self._cells_at(np.tile(times, own), np.tile(points, (own, 1)).T)
+        own = self.own
+        count = len(times)
+        own_cells = self.state_cells[:own]
+        every_time = np.tile(times, own)
+        every_point = np.tile(points, (own, 1))
+        cells = self._cells_at(every_time, every_point.T)
         cells[list(self.tangent.cells.values())] = 0.0
-        cells[[self.tangent.cells[cell] for cell in self.own_cells]] = np.repeat(np.eye(own), len(times), axis=1)
+        tangent_cells = [self.tangent.cells[cell] for cell in own_cells]
+        cells[tangent_cells] = np.repeat(np.eye(own), count, axis=1)
         registers = engine().registers(self.program, self._tables(cells.shape[1]), cells)
-        jacobian = np.zeros((own, len(times), own))
-        for j, rate in enumerate(self.own_rates):
+        jacobian = np.zeros((own, count, own))
+        for j, rate in enumerate(self.rates[:own]):
             if rate in self.tangent.registers:
-                jacobian[:, :, j] = registers[self.tangent.registers[rate]].reshape(own, len(times))
+                by_states = registers[self.tangent.registers[rate]]
+                jacobian[:, :, j] = by_states.reshape(own, count)
         copies = np.eye(self.integrated // own)
-        return np.einsum("ab,ikj->aikbj", copies, jacobian).reshape(self.integrated, len(times), self.integrated)
+        blocks = np.einsum("ab,ikj->aikbj", copies, jacobian)
+        return blocks.reshape(self.integrated, count, self.integrated)
 
     def _newton(self, now: _Now, h: float) -> _Step | None:
         """A step; none where Newton's iteration does not converge."""
+        times = now.time + AT * h
         first_rate = h * now.registers[self.rates]
         points = now.states + AT[:, None] * first_rate
-        times = now.time + AT * h
-        least = np.maximum(np.abs(first_rate), 1e-300)
+        least = np.maximum(np.abs(first_rate), LEAST_SIZE)
         before = np.inf
         for _ in range(ITERATIONS):
             registers = self._registers_at(times, points.T)
             rates = registers[self.rates].T
             residual = points - now.states - h * WEIGHTS @ rates
-            size = np.maximum(np.maximum(np.abs(points), np.abs(now.states)), least)
+            states_size = np.maximum(np.abs(points), np.abs(now.states))
+            size = np.maximum(states_size, least)
             move = _solved(self._jacobian(times, points), h, residual, size)
             if move is None:
                 return None
@@ -242,23 +260,18 @@ class _Implicit(Integrator):
     def _event_functions(self) -> list[tuple[int, EventFunction]]:
         """Events, with what of states and registers is above zero before them."""
         roles = self.program.roles
+        normal = roles["normal"]
+        upright = roles["upright"]
         sign = -1.0 if self.lifted[0] > 0.0 else 1.0
         functions: list[tuple[int, EventFunction]] = [(ix.EVENT_STANDSTILL, lambda y, r: y[1])]
-        if roles["normal"] >= 0:
-            functions.append((ix.EVENT_LIFT_OFF, lambda y, r: sign * r[roles["normal"]]))
-        if roles["upright"] >= 0:
-            functions.append((ix.EVENT_CHORD_UPRIGHT, lambda y, r: r[roles["upright"]]))
+        if normal >= 0:
+            functions.append((ix.EVENT_LIFT_OFF, lambda y, r: sign * r[normal]))
+        if upright >= 0:
+            functions.append((ix.EVENT_CHORD_UPRIGHT, lambda y, r: r[upright]))
         for number, piece in enumerate(self.pieces):
-            if piece.kind == "time":
-                continue
-            event = ix.EVENT_BREAKPOINT + 2 * number
-            argument = 1 if piece.kind == "speed" else 0
-            upper = float(piece.upper[0])
-            lower = float(piece.lower[0])
-            if np.isfinite(upper):
-                functions.append((event, partial(_distance, argument, upper, 1.0)))
-            if piece.kind == "speed" and lower:
-                functions.append((event + 1, partial(_distance, argument, lower, -1.0)))
+            if piece.kind != "time":
+                event = ix.EVENT_BREAKPOINT + 2 * number
+                functions += _edges(event, piece)
         return functions
 
     def _first_event(self, step: _Step, now: _Now, end: float) -> tuple[float, int]:
@@ -278,17 +291,23 @@ class _Implicit(Integrator):
             states = step.states(time)
             return float(function(states[:, 0], self._registers_at(np.array([time]), states)[:, 0]))
 
-        values = np.array([function(now.states, now.registers), *function(step.points, step.registers)])
+        first = function(now.states, now.registers)
+        values = np.array([first, *function(step.points, step.registers)])
         passes = np.flatnonzero((values[:-1] > 0.0) & (values[1:] <= 0.0))
         if not passes.size:
             return np.inf
-        low, high = (now.time, *step.times)[passes[0] : passes[0] + 2]
-        at_low, at_high = values[passes[0] : passes[0] + 2]
+        before = passes[0]
+        times = (now.time, *step.times)
+        low = times[before]
+        high = times[before + 1]
+        at_low = values[before]
+        at_high = values[before + 1]
         least = 2 * EPS * abs(high)
         turn = 0
         while high - low > 2 * least:
             share = 0.5 if turn % 3 == 2 else at_low / (at_low - at_high)
-            middle = min(max(low + share * (high - low), low + least), high - least)  # or only one end would move
+            middle = low + share * (high - low)
+            middle = min(max(middle, low + least), high - least)  # or only one end would move
             at_middle = at(middle)
             turn = turn + 1
             if at_middle > 0.0:
@@ -312,41 +331,63 @@ class _Implicit(Integrator):
         if self.samples is None:
             return
         column = int(self.lanes[0])
-        direction = self.direction[0]
         times = self.samples.times[:, column]
-        rows = slice(np.searchsorted(times, begin), np.searchsorted(times, end, side="right"))
-        if not times[rows].size:
+        first = np.searchsorted(times, begin)
+        last = np.searchsorted(times, end, side="right")
+        if first == last:
             return
-        x, omega, *further = step.states(times[rows])
-        net = self._registers_at(times[rows], np.array([x, omega, *further]))[self.program.roles["net"]]
-        states = [self.rotation[0] + direction * x, direction * omega, direction * net, self.slip[0] + x, *further]
-        self.samples.states[: len(states), rows, column] = states
+        now = times[first:last]
+        states = step.states(now)
+        x, omega, *further = states
+        net = self._registers_at(now, states)[self.program.roles["net"]]
+        direction = self.direction[0]
+        rotation = self.rotation[0] + direction * x
+        slip = self.slip[0] + x
+        rows = [rotation, direction * omega, direction * net, slip, *further]
+        self.samples.states[: len(rows), first:last, column] = rows
 
 
 def _solved(jacobian: Floats, h: float, residual: Floats, size: Floats) -> Floats | None:
     """(I - h a x df/dy)^-1 residual, all in units of ``size``; none where that is singular."""
     unknowns = residual.size
     coupling = np.einsum("ij,kjl->iljk", WEIGHTS, jacobian).reshape(unknowns, unknowns)
-    system = (np.eye(unknowns) - h * coupling) * (size.ravel() / size.ravel()[:, None])
+    sizes = size.ravel()
+    system = (np.eye(unknowns) - h * coupling) * (sizes / sizes[:, None])
+    relative = residual / size
     try:
-        move = np.linalg.solve(system, (residual / size).ravel())
+        move = np.linalg.solve(system, relative.ravel())
     except np.linalg.LinAlgError:
         return None
     return np.asarray(move.reshape(residual.shape))
 
 
 def _finished(now: _Now, h: float, times: Floats, points: Floats, registers: Floats, rates: Floats) -> _Step:
-    """The step that Newton's iteration has found.
+    """The step that Newton's iteration has converged to.
 
     Its error is that of its last coefficients, beside rounding, of which that of the time moves every state by as much
     as its rate.
     """
     values = np.concatenate([now.states[None], points])
     coefficients = TO_LEGENDRE @ values
-    known = np.maximum(np.abs(values).max(axis=0), 1e-300)
-    known += 8 * EPS / TOLERANCE * now.time * np.abs(rates).max(axis=0)
-    tail = np.abs(coefficients[-2:]).max(axis=0) / known
-    return _Step(now.time, h, coefficients, times, points.T, registers, float(tail.max()))
+    largest_state = np.abs(values).max(axis=0)
+    largest_rate = np.abs(rates).max(axis=0)
+    size = np.maximum(largest_state, LEAST_SIZE)
+    size += 8 * EPS / TOLERANCE * now.time * largest_rate
+    tail = np.abs(coefficients[-2:]).max(axis=0)
+    error = float((tail / size).max())
+    return _Step(now.time, h, coefficients, times, points.T, registers, error)
+
+
+def _edges(event: int, piece: Piece) -> Iterator[tuple[int, EventFunction]]:
+    """The events of passing the upper edge of a table's piece, and the lower one of a function of speed."""
+    of_speed = piece.kind == "speed"
+    argument = 1 if of_speed else 0
+    upper = float(piece.upper[0])
+    lower = float(piece.lower[0])
+    if np.isfinite(upper):
+        yield event, partial(_distance, argument, upper, 1.0)
+    if of_speed and lower:
+        yield event + 1, partial(_distance, argument, lower, -1.0)
 
 
 def _step_factor(error: float) -> float:

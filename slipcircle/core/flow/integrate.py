@@ -39,7 +39,7 @@ from slipcircle.core.flow.stick_slip import StickPhase
 from slipcircle.core.flow.tables import Data
 
 Floats = NDArray[np.float64]
-ROUNDS = 10_000  # after which lanes that have ended make room
+ROUNDS = 10_000  # after which lanes that have ended make room at the latest
 FAR = 1e300  # a bound that is never reached
 
 
@@ -63,13 +63,14 @@ def integrate(
     live = np.flatnonzero(cells[ix.STATUS] <= ix.RESTING)
     with np.errstate(all="ignore"):
         while live.size:
-            of_live = [table.lanes(live) for table in tables]
-            lanes = Integrator(program, of_live, np.ascontiguousarray(cells[:, live]), live, samples, log)
+            tables_here = [table.lanes(live) for table in tables]
+            cells_here = np.ascontiguousarray(cells[:, live])
+            lanes = Integrator(program, tables_here, cells_here, live, samples, log)
             for _ in range(ROUNDS):
                 lanes.round()
                 active = lanes.status <= ix.RESTING
                 if np.count_nonzero(active) <= live.size // 2:
-                    break
+                    break  # those that have ended make room
             cells[:, live] = lanes.cells
             live = live[active]
 
@@ -101,7 +102,7 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats) -> Floats
 
 
 class Integrator(StickPhase):
-    """Lanes on their way."""
+    """Lanes during their integration."""
 
     stiff_step: float = ix.STIFF_STEP  # steps that one counts for which what decays at once holds short
 
@@ -111,12 +112,17 @@ class Integrator(StickPhase):
         self.apply_to(status == ix.START, "start")
         self.apply_to(status == ix.MOVING, "step")
         self.apply_to(status == ix.RESTING, "wait")
+        self._stop_endless()
+
+    def _stop_endless(self) -> None:
+        """Give up lanes that take too many steps or turns, or overflow."""
         active = self.status <= ix.RESTING
         most_steps = np.where(self.omega > 0.0, ix.MOST_STEPS, 2 * ix.MOST_STEPS)  # at rest it can wait
+        many_steps = self.steps > most_steps
         many_turns = (self.turns > ix.MOST_TURNS) & (not self.timed)
-        self.status[active & ((self.steps > most_steps) | many_turns)] = ix.TOO_LONG
-        finite = np.isfinite(self.time + self.x + self.omega + self.rotation)
-        self.status[active & ~finite] = ix.FAILED
+        self.status[active & (many_steps | many_turns)] = ix.TOO_LONG
+        state = self.time + self.x + self.omega + self.rotation
+        self.status[active & ~np.isfinite(state)] = ix.FAILED
 
     def start(self) -> None:
         """A lane that moves at first begins its first phase; one that rests sticks or slips."""
@@ -147,8 +153,10 @@ class Integrator(StickPhase):
         until = np.where(at_limit, limit, self.time + tau)
         self.update_peak_within(series, tau)
         self.read_samples(self.time, until, series)
-        stiff = uneventful & (np.abs(net[0]) * tau < ix.STIFF_CHANGE * omega[0])
-        self.steps += np.where(at_limit, 0.0, np.where(stiff, self.stiff_step, 1.0))
+        change = np.abs(net[0]) * tau
+        stiff = uneventful & (change < ix.STIFF_CHANGE * omega[0])
+        counted = np.where(stiff, self.stiff_step, 1.0)
+        self.steps += np.where(at_limit, 0.0, counted)
         if self.tangents:
             self.tangents.end_step(series, tau)
         self._advance(series, tau)
@@ -160,13 +168,15 @@ class Integrator(StickPhase):
         """A share of the least radius of convergence of the states, or the room where their series end early."""
         radius = np.full(self.count, np.inf)
         for _, register, _ in self.program.states:
-            radius = np.minimum(radius, radius_of_convergence(series[register], order))
+            of_state = radius_of_convergence(series[register], order)
+            radius = np.minimum(radius, of_state)
         if self.tangents:
             radius = np.full(self.count, radius.min())  # directions go together
-        return np.where(order < self.order, room, np.minimum(self.factor * radius, room))
+        step = np.minimum(self.factor * radius, room)
+        return np.where(order < self.order, room, step)
 
     def _endless(self, net: Floats, omega: Floats, tau: Floats, room: Floats) -> Any:
-        """Where nothing will end the motion: a rate that depends on the speed alone never falls below zero again."""
+        """Where the motion has no end: a rate that depends on the speed only never becomes negative again."""
         settled = net[0] * tau >= -ix.SETTLED * omega[0]
         return self.program.autonomous & settled & np.isinf(room) & (self.lifted == 0.0)
 
@@ -193,50 +203,55 @@ class Integrator(StickPhase):
 
     def find_event(self, series: Floats, h: Floats) -> tuple[Floats, NDArray[np.intp]]:
         """When the first event of the step happens, and which; of equal times the last one looked for."""
-        roles = self.program.roles
         first = _FirstEvent(h)
         first.consider(ix.EVENT_STANDSTILL, self._standstill(series, h))
-        if roles.get("upright", -1) >= 0:
-            first.consider_root(ix.EVENT_CHORD_UPRIGHT, series[roles["upright"], :-1])
+        upright = self.program.roles["upright"]
+        if upright >= 0:
+            first.consider_root(ix.EVENT_CHORD_UPRIGHT, series[upright, :-1])
         for number, piece in enumerate(self.pieces):
-            self._find_edges(first, ix.EVENT_BREAKPOINT + 2 * number, piece, series)
-        if roles["normal"] >= 0:
+            if piece.kind != "time":
+                self._find_edges(first, ix.EVENT_BREAKPOINT + 2 * number, piece, series)
+        normal = self.program.roles["normal"]
+        if normal >= 0:
             # Water may change faster than the motion for which the step was chosen: the normal force is a function of
             # the position until the first other event only, and may pass zero twice beyond it.
-            contact = series[roles["normal"], :-1] * np.where(self.lifted > 0.0, -1.0, 1.0)
-            first.consider_root(ix.EVENT_LIFT_OFF, contact, self.passed == ix.LIFT)
+            first.consider_root(ix.EVENT_LIFT_OFF, self.contact_margin(series[normal, :-1]), self.passed == ix.LIFT)
         return first.time, first.event
 
     def _standstill(self, series: Floats, h: Floats) -> Floats:
-        """When the speed falls to zero; at once where, from rest, the drive points backwards or is rounding."""
-        omega = series[self.program.roles["omega"]]
-        net = series[self.program.roles["net"], :-1]
+        """When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding."""
+        roles = self.program.roles
+        omega = series[roles["omega"]]
+        net = series[roles["net"], :-1]
         last, slope = value_and_slope(omega, h)
         from_rest = omega[0] == 0.0
-        backwards = from_rest & ((net[0] < 0.0) | ((net[0] == 0.0) & (net[1] <= 0.0)))
-        possible = (last <= 0.0) | ((net[0] < 0.0) & (slope > 0.0)) | backwards
+        falls_first = (net[0] < 0.0) | ((net[0] == 0.0) & (net[1] <= 0.0))
+        dips = (net[0] < 0.0) & (slope > 0.0)
+        possible = (last <= 0.0) | dips | (from_rest & falls_first)
         speed = divided_by_time(omega, from_rest)  # from rest its first root is now: divided as often as it is zero
         for _ in range(2):
             speed = divided_by_time(speed, from_rest & (speed[0] == 0.0))
-        at_once = (speed[0] < 0.0) | (from_rest & (speed[0] == 0.0) & (last == 0.0))
-        return np.where(possible, np.where(at_once, 0.0, first_root(speed, h)), np.inf)
+        vanishes = from_rest & (speed[0] == 0.0) & (last == 0.0)
+        at_once = (speed[0] < 0.0) | vanishes
+        root = np.where(at_once, 0.0, first_root(speed, h))
+        return np.where(possible, root, np.inf)
 
     def _find_edges(self, first: "_FirstEvent", event: int, piece: Piece, series: Floats) -> None:
         """Where slip, speed or rotation passes the upper edge of a piece, or speed the lower one."""
-        if piece.kind == "time":
-            return
         of_speed = piece.kind == "speed"
         argument = series[self.program.roles["omega" if of_speed else "x"]]
         below = -argument
         below[0] += np.minimum(piece.upper, FAR)
-        first.consider_root(event, below, of_speed & (self.passed == ix.SLOWER))
+        slower = of_speed & (self.passed == ix.SLOWER)
+        first.consider_root(event, below, slower)
         if of_speed:
             above = argument.copy()
             above[0] = np.where(piece.lower > 0.0, above[0] - piece.lower, FAR)
-            first.consider_root(event + 1, above, self.passed == ix.FASTER)
+            faster = self.passed == ix.FASTER
+            first.consider_root(event + 1, above, faster)
 
     def on_standstill(self, rate: Floats) -> None:
-        """The lane comes to a standstill: it turns back or rests."""
+        """At a standstill the lane turns back or rests."""
         if self.tangents:
             self.tangents.leave_standstill(self)  # t' = -omega'/(d omega/dt)
         self.advance_origin()
@@ -249,7 +264,7 @@ class Integrator(StickPhase):
             self.tangents.enter_or_rest(self)
 
     def on_contact_change(self, event: NDArray[np.intp], rate: Floats) -> None:
-        """Contact with the slip surface is lost, or made again."""
+        """Contact with the slip surface is lost, or regained."""
         self.lifted = 1.0 - self.lifted
         self.apply_to(self.lifted > 0.0, "note_lift_off")
         if self.lifted[0] == 0.0:
@@ -263,10 +278,10 @@ class Integrator(StickPhase):
         """An edge of a table of slip, speed or rotation is passed."""
         number, lower = np.divmod(event - ix.EVENT_BREAKPOINT, 2)
         if self.tangents:
-            self.tangents.leave_edge(self, self.pieces[number[0]], bool(lower[0]), float(rate[0]))
+            piece = self.pieces[number[0]]
+            self.tangents.leave_edge(self, piece, bool(lower[0]), float(rate[0]))
         for k in np.unique(number):
-            here = number == k
-            self.apply_to(here, "_pass_edge", np.where(here, k, 0), lower)
+            self.apply_to(number == k, "_pass_edge", number, lower)
         self._enter_phase(rate)
 
     def _pass_edge(self, number: NDArray[np.intp], lower: NDArray[np.intp]) -> None:
@@ -284,7 +299,8 @@ class Integrator(StickPhase):
             self.omega = edge
             self.passed = np.where(lower, ix.SLOWER, ix.FASTER)
         if piece.data.open:
-            self.status[(piece.number == piece.last) & (lower == 0)] = ix.NEED
+            at_last = (piece.number == piece.last) & (lower == 0)
+            self.status[at_last] = ix.NEED
 
     def _enter_phase(self, rate: Floats) -> None:
         """Begin another phase on the way; its drive is fresh or carried over, whichever is known better."""
@@ -304,9 +320,11 @@ class Integrator(StickPhase):
         net = self.registers()[self.program.roles["net"]]
         fresh = self.role("drive")
         fresh_scale = self.role("drive_scale")
-        carried_scale = scale + EPS * (np.abs(rate) + np.abs(net - fresh) + np.abs(drive))
+        terms = np.abs(rate) + np.abs(net - fresh) + np.abs(drive)
+        carried_scale = scale + EPS * terms
         better = carried_scale < fresh_scale
-        fresh[better] += (rate - net)[better]
+        correction = rate - net
+        fresh[better] += correction[better]
         fresh_scale[better] = carried_scale[better]
 
     def on_break_in_time(self) -> None:

@@ -149,6 +149,11 @@ class LaneState(LaneEntries):
         normal = self.program.roles["normal"]
         return self.role("normal0") if normal < 0 else self.registers()[normal]
 
+    def contact_margin(self, normal: Floats) -> Floats:
+        """The series of the normal force, with the sign with which it is positive until contact changes."""
+        sign = np.where(self.lifted > 0.0, -1.0, 1.0)
+        return normal * sign
+
     def expand(self, room: Floats, at_rest: bool = False) -> tuple[Floats, Floats]:
         """Taylor series of all registers in the time from now, and their order in each lane.
 

@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
-from slipcircle.base.checks import EPS, choose, plain
+from slipcircle.base.checks import choose, plain
 from slipcircle.core.flow.compiled import engine
+from slipcircle.core.flow.equilibrium import Forces, equilibrium
 from slipcircle.core.flow.lane_state import LaneState
 from slipcircle.core.flow.problem import Problem, build_problem
-from slipcircle.core.flow.program import Log, Program, Samples
+from slipcircle.core.flow.program import Log, Samples
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import by_lanes
 from slipcircle.core.scene.layers import LayeredSection
@@ -70,7 +71,7 @@ def _integrate_stiff(problem: Problem, cells: Floats, samples: Samples | None, l
     stopped = (cells[ix.STATUS] == ix.TOO_LONG) & (cells[ix.STEPS] > ix.MOST_STEPS)
     which = np.flatnonzero(stopped & (cells[ix.OMEGA] > 0.0))
     while which.size:
-        from slipcircle.core.flow import implicit  # only here
+        from slipcircle.core.flow import implicit  # most scenes never load it
 
         implicit.integrate(problem, cells, samples, log, which)
         which = which[cells[ix.STATUS, which] == ix.NEED]
@@ -81,11 +82,12 @@ def _integrate_stiff(problem: Problem, cells: Floats, samples: Samples | None, l
 def _extend_to_end(problem: Problem, cells: Floats, which: Any) -> None:
     """Extend the tables of Python functions as far as one lane, from where it is to its end, asks for them."""
     one = cells[:, which]
-    tables = problem.tables
     while one[ix.STATUS, 0] == ix.NEED:
         problem.extend_tables(one)
-        one[ix.OMEGA], one[ix.STATUS] = one[ix.DIRECTION] * one[ix.OMEGA], ix.START
-        engine().integrate(problem.program, [table.lanes(which) for table in tables], one)
+        one[ix.OMEGA] *= one[ix.DIRECTION]
+        one[ix.STATUS] = ix.START
+        tables = [table.lanes(which) for table in problem.tables]
+        engine().integrate(problem.program, tables, one)
 
 
 class _States(NamedTuple):
@@ -136,10 +138,11 @@ class Lanes:
             by_lane = isinstance(value, np.ndarray) and value.ndim == axes + 1 and len(value) == self.count
             return value[which] if by_lane else value
 
-        given = {f.name: select(getattr(self, f.name)) for f in fields(Lanes)}
-        arc = by_lanes(self.arc, select)
-        called = arc.section_effects(given["called"])
-        return Lanes(**given | {"arc": arc, "called": called, "count": np.arange(self.count)[which].size})
+        selected = {f.name: select(getattr(self, f.name)) for f in fields(Lanes)}
+        selected["arc"] = by_lanes(self.arc, select)
+        selected["called"] = selected["arc"].section_effects(selected["called"])
+        selected["count"] = np.arange(self.count)[which].size
+        return Lanes(**selected)
 
     def parts(self) -> Iterator[tuple[slice, "Lanes"]]:
         """The lanes in blocks."""
@@ -156,7 +159,8 @@ class Lanes:
         numbers = (self.arc, self.called, self.friction, self.velocity, self.end_time)
         problem = build_problem(*numbers, self.accuracy, self.count)
         if self.invalid is not False:
-            problem.cells[ix.STATUS, np.broadcast_to(self.invalid, self.count)] = ix.FAILED
+            invalid = np.broadcast_to(self.invalid, self.count)
+            problem.cells[ix.STATUS, invalid] = ix.FAILED
         return problem
 
     # --- units ---------------------------------------------------------------------------------------------------
@@ -193,7 +197,8 @@ class Lanes:
         final = integrate_all(problem, log=log, cells=None if problem.functions else problem.cells)
         if not problem.extend_rotations(final[ix.REACH_ROTATION]):
             return final
-        return integrate_all(self._build()._replace(tables=problem.tables), log=log)
+        farther = self._build()._replace(tables=problem.tables)
+        return integrate_all(farther, log=log)
 
     def read(self, times: Floats) -> Floats:
         """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes)."""
@@ -201,30 +206,38 @@ class Lanes:
 
     def _sampled(self, problem: Problem, times: Floats) -> Floats:
         """As `read`, by any problem of these lanes."""
-        sequence = np.argsort(times, kind="stable")
-        dimensionless = times[sequence][:, None] / np.broadcast_to(problem.time_scale, (1, self.count))
+        increasing = np.argsort(times, kind="stable")
+        units = np.broadcast_to(problem.time_scale, (1, self.count))
+        dimensionless = times[increasing][:, None] / units
         rows = np.zeros((2 + len(problem.program.states), times.size, self.count))
-        integrate_all(problem, Samples(np.ascontiguousarray(dimensionless), rows))
+        samples = Samples(np.ascontiguousarray(dimensionless), rows)
+        integrate_all(problem, samples)
         states = np.empty_like(rows)
-        states[:, sequence] = rows
+        states[:, increasing] = rows
         return states
 
     def energies(self, times: Floats) -> tuple[dict[str, Floats], Floats]:
         """Kinetic energy, work and dissipation at times in s, (times, lanes), and the first kinetic energy."""
         problem = self.problem.with_outputs(("energy",))
-        rows = self._sampled(problem, times)
-        names = [problem.program.cells[cell] for cell, _, _ in problem.program.states[2:]]
-        work, dissipation = rows[4 + names.index("work")], rows[4 + names.index("dissipation")]
-        energies = {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": np.maximum(dissipation, 0.0)}
-        return energies, problem.cells[ix.OMEGA] ** 2 / 2
+        states, rows = np.split(self._sampled(problem, times), [4])
+        further = [problem.program.cells[cell] for cell, _, _ in problem.program.states[2:]]
+        energies = {
+            "kinetic": states[1] ** 2 / 2,
+            "work": rows[further.index("work")],
+            "dissipation": np.maximum(rows[further.index("dissipation")], 0.0),
+        }
+        first_kinetic = problem.cells[ix.OMEGA] ** 2 / 2
+        return energies, first_kinetic
 
     # --- forces in given states ----------------------------------------------------------------------------------
 
     def stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         """The mean normal stress, Pa, of each lane in one state; dimensionless numbers."""
         if self.count > BLOCK:
-            return np.concatenate([part.stress(time[k], rotation[k], omega[k]) for k, part in self.parts()])
-        return self._outputs_in(_States(time, rotation, omega))["pressing"] * self.stress_unit
+            parts = [part.stress(time[which], rotation[which], omega[which]) for which, part in self.parts()]
+            return np.concatenate(parts)
+        outputs = self._outputs_in(_States(time, rotation, omega))
+        return outputs["pressing"] * self.stress_unit
 
     def outputs(self, times: Floats, rows: Floats) -> dict[str, Floats]:
         """What presses, water included and without it, and friction at times in s, of states as `read` gives them."""
@@ -236,16 +249,22 @@ class Lanes:
 
         The greater one of both ways, where both are open to it; NaN where nothing presses.
         """
-        states = self._states(times, rows)._replace(omega=0.0)
-        program, greatest = self._with_outputs.program, np.full(rows.shape[1:], np.nan)
-        for side in (1.0, -1.0):
-            cells, _ = self._begin(states, side)
-            driving, resisting, normal = _forces(program, cells)
-            free = LaneState(program, self._with_outputs.tables, cells).may_start()
-            with np.errstate(all="ignore"):
-                holding = np.where((normal > 0.0) & free, (driving - resisting) / normal, np.nan)
-            greatest = np.fmax(greatest, np.maximum(holding, 0.0).reshape(greatest.shape))
-        return greatest.T
+        at_rest = self._states(times, rows)._replace(omega=0.0)
+        down_slope = self._holding(at_rest, 1.0)
+        up_slope = self._holding(at_rest, -1.0)
+        greatest = np.fmax(down_slope, up_slope)
+        return greatest.reshape(rows.shape[1:]).T
+
+    def _holding(self, at_rest: _States, side: float) -> Floats:
+        """The friction that holds masses that face one way; NaN where nothing presses, or where they cannot start."""
+        problem = self._with_outputs
+        cells, _ = self._begin(at_rest, side)
+        forces = Forces.of(problem.program, cells)
+        free = LaneState(problem.program, problem.tables, cells).may_start()
+        with np.errstate(all="ignore"):
+            friction = (forces.driving - forces.resisting) / forces.normal
+        known = (forces.normal > 0.0) & free
+        return np.where(known, np.maximum(friction, 0.0), np.nan)
 
     @cached_property
     def _with_outputs(self) -> Problem:
@@ -254,28 +273,35 @@ class Lanes:
     def _states(self, times: Floats, rows: Floats) -> _States:
         """States at times in s, as `read` gives them, as lanes of their own."""
         lane = np.tile(np.arange(self.count), times.size)
-        time = times[:, None] / np.broadcast_to(self.time_scale, self.count)
-        return _States(time.ravel(), rows[0].ravel(), rows[1].ravel(), rows[3:].reshape(len(rows) - 3, -1), lane)
+        units = np.broadcast_to(self.time_scale, self.count)
+        time = times[:, None] / units
+        rotation, omega, _, *further = rows.reshape(len(rows), -1)
+        return _States(time.ravel(), rotation, omega, further, lane)
 
     def _outputs_in(self, states: _States) -> dict[str, Floats]:
         """The registers of `OUTPUTS` in given states."""
-        registers = self._begin(states, choose(states.omega < 0.0, -1.0, 1.0))[1]
+        direction = choose(states.omega < 0.0, -1.0, 1.0)
+        _, registers = self._begin(states, direction)
         roles = self._with_outputs.program.roles
         return {name: registers[roles[name]] for name in OUTPUTS}
 
     def _begin(self, states: _States, side: Any) -> tuple[Floats, Floats]:
         """Cells and registers of phases that begin in given states, in a direction of travel."""
-        problem, lane = self._with_outputs, states.lane
-        cells = problem.cells[:, lane].copy()
-        cells[ix.TIME], cells[ix.ROTATION], cells[ix.OMEGA] = states.time, states.rotation, abs(states.omega)
-        cells[ix.DIRECTION], cells[ix.LIFTED] = side, 0.0
+        problem = self._with_outputs
+        cells = problem.cells[:, states.lane].copy()
+        cells[ix.TIME] = states.time
+        cells[ix.ROTATION] = states.rotation
+        cells[ix.OMEGA] = abs(states.omega)
+        cells[ix.DIRECTION] = side
+        cells[ix.LIFTED] = 0.0
         if states.further is not None:
-            cells[ix.SLIP] = states.further[0]
+            slip, *others = states.further
+            cells[ix.SLIP] = slip
             problem.extend_rotations(cells[ix.ROTATION])
             problem.extend_tables(cells)
-            for (cell, _, _), value in zip(problem.program.states[2:], states.further[1:], strict=True):
+            for (cell, _, _), value in zip(problem.program.states[2:], others, strict=True):
                 cells[cell] = value
-        tables = [table.lanes(lane) for table in problem.tables]
+        tables = [table.lanes(states.lane) for table in problem.tables]
         return cells, engine().begin_phase(problem.program, tables, cells)
 
     # --- at the start --------------------------------------------------------------------------------------------
@@ -283,12 +309,15 @@ class Lanes:
     @property
     def brake(self) -> Floats:
         """q = 2 (lambda A mu + d)/Theta* at the start: what a unit of omega^2 takes from the rate, twice."""
-        problem, cells = self.problem, self.problem.cells.copy()
+        problem = self.problem
+        roles = problem.program.roles
+        cells = problem.cells.copy()
         cells[ix.DIRECTION] = 1.0
         engine().begin_phase(problem.program, problem.tables, cells)
-        cells[problem.program.roles["cell_drive"]], cells[ix.OMEGA] = 0.0, 1.0
-        net = engine().registers(problem.program, problem.tables, cells)[problem.program.roles["net"]]
-        return np.asarray(-2.0 * net)
+        cells[roles["cell_drive"]] = 0.0
+        cells[ix.OMEGA] = 1.0
+        registers = engine().registers(problem.program, problem.tables, cells)
+        return np.asarray(-2.0 * registers[roles["net"]])
 
     @cached_property
     def statics(self) -> dict[str, Floats]:
@@ -297,52 +326,22 @@ class Lanes:
         All are read off the program. The excess of drive over resistance is linear in k_h: k_y is where it is zero.
         """
         problem = self.problem.with_steady_shaking()
-        program, cells = problem.program, problem.cells
-        places, roles = program.places, program.roles
-        downhill = np.where(cells[places["driving_moment"]] < 0.0, -1.0, 1.0)
-        cells[ix.OMEGA], cells[ix.DIRECTION], cells[places["k_h"]] = 0.0, downhill, 0.0
+        program = problem.program
+        k_h = program.places["k_h"]
+        cells = problem.cells
+        pull = cells[program.places["driving_moment"]]
+        downhill = np.where(pull < 0.0, -1.0, 1.0)
+        cells[ix.OMEGA] = 0.0
+        cells[ix.DIRECTION] = downhill
+        cells[k_h] = 0.0
         shaken = cells.copy()
-        shaken[places["k_h"]] = downhill  # a unit of k_h, the way in which gravity drives
+        shaken[k_h] = downhill  # a unit of k_h, the way in which gravity drives
         for each in (cells, shaken):
             engine().begin_phase(program, problem.tables, each)
-        mu, limit = cells[roles["cell_mu"]], cells[roles["cell_limit"]]
+        mu = cells[program.roles["cell_mu"]]
+        limit = cells[program.roles["cell_limit"]]
         with np.errstate(all="ignore"):
-            return _equilibrium(_forces(program, cells), _forces(program, shaken), mu, limit)
-
-
-def _equilibrium(at_rest: "_Forces", shaken: "_Forces", mu: Floats, limit: Floats) -> dict[str, Floats]:
-    """`Lanes.statics` from the forces at rest and under a unit of k_h, the friction and the limit friction."""
-    driving, resisting, normal = at_rest
-    pressed = normal > 0.0
-    frictionless = driving - resisting
-    excess = frictionless - mu * normal
-    exact_excess = np.where(pressed, normal * (limit - mu), excess)  # keeps its digits near the limit
-    frictionless_shaken = shaken.driving - shaken.resisting
-    excess_shaken = frictionless_shaken - mu * shaken.normal
-    yielding = -exact_excess / (excess_shaken - excess)
-    lifted = normal + yielding * (shaken.normal - normal) < 0.0
-    yielding_lifted = -frictionless / (frictionless_shaken - frictionless)
-    strength = resisting + np.where(pressed, mu * normal, 0.0)
-    return {
-        "limit_friction": np.where(pressed, limit, np.where(frictionless > 0.0, np.inf, -np.inf)),
-        "friction": mu,
-        "factor_of_safety": np.where(driving > 8 * EPS * abs(normal), strength / driving, np.inf),
-        "yield_coefficient": np.where(lifted, yielding_lifted, yielding) + 0.0,
-    }
-
-
-class _Forces(NamedTuple):
-    """What drives, what resists beside friction, and what presses, over Theta*."""
-
-    driving: Any
-    resisting: Any
-    normal: Any
-
-
-def _forces(program: Program, cells: Floats) -> _Forces:
-    """The forces where phases begin."""
-    roles = program.roles
-    return _Forces(cells[roles["cell_driving"]], cells[roles["cell_resisting"]], cells[roles["cell_normal0"]])
+            return equilibrium(Forces.of(program, cells), Forces.of(program, shaken), mu, limit)
 
 
 # --- lanes of a scene ------------------------------------------------------------------------------------------------
@@ -350,26 +349,35 @@ def _forces(program: Program, cells: Floats) -> _Forces:
 
 def lanes_of(scene: Scene, accuracy: float, invalid: Any = False) -> Lanes:
     """The lanes of a scene, all its arrays with one axis."""
+    arc = scene.arc
+    called = scene.called
+    friction: Any = scene.friction
+    velocity = scene.initial_velocity
     end_time = np.inf if scene.end_time is None else scene.end_time
-    velocity, shape = scene.initial_velocity, scene.shape
+    shape = scene.shape
     if not shape:
-        return Lanes(scene.arc, scene.called, scene.friction, velocity, end_time, accuracy, 1, invalid)
-    arc = by_lanes(scene.arc, lambda value, axes: _flat(value, shape, axes))
+        return Lanes(arc, called, friction, velocity, end_time, accuracy, 1, invalid)
+    arc = by_lanes(arc, lambda value, axes: _flat(value, shape, axes))
     assert isinstance(scene.effects, dict)
-    called = arc.section_effects(
-        {effect: _flat_numbers(scene, effect, given) for effect, given in scene.effects.items()}
-    )
-    friction: Any = arc.friction if isinstance(arc, LayeredSection) else scene.friction
-    if isinstance(arc, LayeredSection):
-        pass  # made of flat numbers
-    elif isinstance(friction, Mapping):
-        friction = _flat_numbers(scene, "friction", friction)
-        if isinstance(rate := friction.get("rate"), Mapping):
-            friction["rate"] = _flat_numbers(scene, "friction.rate", rate)
-    elif not callable(friction):
-        friction = _flat(friction, shape)
+    flat_effects = {effect: _flat_numbers(scene, effect, given) for effect, given in scene.effects.items()}
+    called = arc.section_effects(flat_effects)
+    friction = arc.friction if isinstance(arc, LayeredSection) else _flat_friction(scene)
     count = math.prod(shape)
     return Lanes(arc, called, friction, _flat(velocity, shape), _flat(end_time, shape), accuracy, count, invalid)
+
+
+def _flat_friction(scene: Scene) -> Any:
+    """Friction with one axis of lanes: a number, or a law's parameters."""
+    friction: Any = scene.friction
+    if callable(friction):
+        return friction
+    if not isinstance(friction, Mapping):
+        return _flat(friction, scene.shape)
+    flat = _flat_numbers(scene, "friction", friction)
+    rate = flat.get("rate")
+    if isinstance(rate, Mapping):
+        flat["rate"] = _flat_numbers(scene, "friction.rate", rate)
+    return flat
 
 
 def _flat(value: Any, shape: tuple[int, ...], axes: int = 0) -> Any:
@@ -385,4 +393,8 @@ def _flat(value: Any, shape: tuple[int, ...], axes: int = 0) -> Any:
 
 def _flat_numbers(scene: Scene, path: str, given: Mapping[str, Any]) -> dict[str, Any]:
     """Parameters of an effect or a law, of which a scene's numbers may be arrays."""
-    return {n: _flat(v, scene.shape) if f"{path}.{n}" in scene.numbers else v for n, v in given.items()}
+    flat = dict(given)
+    for name, value in given.items():
+        if f"{path}.{name}" in scene.numbers:
+            flat[name] = _flat(value, scene.shape)
+    return flat

@@ -12,10 +12,12 @@ from typing import Any
 from generated.flow import CELL_TANGENTS, SERIES_TANGENTS
 
 Operation = tuple[Any, ...]  # its name, then its arguments; of series (`Linker.series_definitions`), its results first
+Operations = list[tuple[Operation, tuple[str, ...]]]  # with their results
 Term = tuple[str, str]  # of a sum: a cell times a register
 RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2}  # of operations on series that have more than one
 ZERO, ONE, MINUS_ONE = "=0.0", "=1.0", "=-1.0"
 PRIME = "'"
+TANGENT_OF_COPY = (("d", "a"), (("set", "d'", "a'"),))
 
 
 def tangent(name: str, direction: object) -> str:
@@ -82,12 +84,12 @@ class Linker:
             self.cell_definitions[name] = ("set", ZERO)
             return
         operation, *taken = self.cell_definitions[base]
-        placeholders, rule = CELL_TANGENTS.get(operation, (("d", "a"), (("set", "d'", "a'"),)))
+        placeholders, rule = CELL_TANGENTS.get(operation, TANGENT_OF_COPY)
         actual = dict(zip(placeholders, (base, *taken), strict=False))
         self.define_cells(_instance(rule, actual, base, direction))
 
     def compute(self, operation: str, taken: list[str], name: str = "") -> str:
-        """The cell of an operation's result: a new one, or one that is known to hold it."""
+        """The cell of an operation's result: a new one, or one that holds it already."""
         known = _simplified(operation, taken)
         if known is not None:
             return known
@@ -100,7 +102,8 @@ class Linker:
 
     def origins(self, names: Iterable[str]) -> set[str]:
         """The cells given from outside that some cells are computed from."""
-        pending, given = [self.cell(name) for name in names], set[str]()
+        given = set[str]()
+        pending = [self.cell(name) for name in names]
         operations = {result: operation for operation, result in self.scalar.items()}
         while pending:
             name = pending.pop()
@@ -124,19 +127,21 @@ class Linker:
         operation, *names = self.definition(base)
         if operation == "lin":
             _, constant, terms = names
-            varied = [(cell, tangent(register, direction)) for cell, register in terms]
-            varied += [(tangent(cell, direction), register) for cell, register in terms]
+            by_registers = [(cell, tangent(register, direction)) for cell, register in terms]
+            by_cells = [(tangent(cell, direction), register) for cell, register in terms]
             constant = constant and tangent(constant, direction)
-            self.series_definitions[name] = ("lin", name, constant, tuple(varied))
+            self.series_definitions[name] = ("lin", name, constant, (*by_registers, *by_cells))
         elif operation == "ramp":
             self.series_definitions[name] = ("ramp", name, names[1])
         else:
             placeholders, rule = SERIES_TANGENTS[operation]
-            self.define_series(_instance(rule, dict(zip(placeholders, names, strict=True)), base, direction))
+            actual = dict(zip(placeholders, names, strict=True))
+            self.define_series(_instance(rule, actual, base, direction))
 
     def mark_shared(self, names: Iterable[str]) -> None:
-        """Find the registers that these take, directly or not, and that are more than terms of sums."""
-        pending, seen = list(names), set(self.registers)
+        """Collect the registers that these take, directly or not, and that are more than terms of sums."""
+        pending = list(names)
+        seen = set(self.registers)
         self.shared.update(pending)
         while pending:
             name = pending.pop()
@@ -157,9 +162,10 @@ class Linker:
         if operation == "lin":
             _, constant, terms = names
             zero = all(self.cell(cell) == ZERO or self.is_zero(register) for cell, register in terms)
-            zero = zero and (not constant or self.cell(constant) == ZERO)
+            if zero and constant:
+                zero = self.cell(constant) == ZERO
         else:
-            zero = any(self.is_zero(register) for register in arguments(operation, names))
+            zero = any(map(self.is_zero, arguments(operation, names)))
         if zero:
             self.registers[name] = None
         return zero
@@ -169,17 +175,22 @@ class Linker:
         if not self.is_zero(name) and name not in self.registers:
             operation, *names = self.definition(name)
             if operation == "lin":
-                self.registers[name] = self._sum(name, names[1], names[2])
+                _, constant, terms = names
+                self.registers[name] = self._sum(name, constant, terms)
             else:
-                results = tuple(names[: RESULTS.get(operation, 1)])
-                key = [operation, *(self.register(x) for x in arguments(operation, names))]
-                if operation == "pow":
-                    key.append(self.cell(names[-1]))
-                if operation == "ramp":
-                    key.append(name)
-                made = self.series.setdefault(tuple(key), results)
-                self.registers[name] = made[results.index(name)]
+                self.registers[name] = self._result(name, operation, names)
         return self.registers[name]
+
+    def _result(self, name: str, operation: str, names: Sequence[Any]) -> str:
+        """The register of one result of an operation, which is done once for equal arguments."""
+        results = tuple(names[: RESULTS.get(operation, 1)])
+        taken = [self.register(register) for register in arguments(operation, names)]
+        if operation == "pow":
+            taken.append(self.cell(names[-1]))
+        elif operation == "ramp":
+            taken.append(name)
+        made = self.series.setdefault((operation, *taken), results)
+        return made[results.index(name)]
 
     def zero_register(self, name: str) -> str:
         """A register that holds zero, for what is zero and yet asked for."""
@@ -190,11 +201,13 @@ class Linker:
         start = self.cell(constant) if constant else ZERO
         factors: dict[str, str] = {}
         for cell, register in self._terms(terms, ONE):
-            factors[register] = self.compute("add", [factors.get(register, ZERO), cell])
+            factor = factors.get(register, ZERO)
+            factors[register] = self.compute("add", [factor, cell])
         if start == ZERO and list(factors.values()) == [ONE]:
             return next(iter(factors))
-        flat = tuple(sorted((cell, register) for register, cell in factors.items()))
-        return self.series.setdefault(("lin", start, flat), (name,))[0]
+        flat = sorted((cell, register) for register, cell in factors.items())
+        results = self.series.setdefault(("lin", start, tuple(flat)), (name,))
+        return results[0]
 
     def _terms(self, terms: Iterable[Term], factor: str) -> Iterator[Term]:
         """A sum's terms without zeros, times a factor; a sum that only sums take is replaced by its terms."""
@@ -204,7 +217,7 @@ class Linker:
                 continue
             operation, *names = self.definition(register)
             alone = register not in self.shared and register not in self.registers
-            if operation == "lin" and not names[1] and alone:
+            if alone and operation == "lin" and not names[1]:
                 yield from self._terms(names[2], scaled)
             else:
                 yield scaled, str(self.register(register))
@@ -257,3 +270,47 @@ def _instance(rule: Iterable[Any], actual: dict[str, str], base: str, direction:
         return f"{tangent(base, direction)}|{item}"
 
     return [(operation, *(substitute(name) for name in names)) for operation, *names in rule]
+
+
+# --- what of all that was linked a program keeps ---------------------------------------------------------------------
+
+
+def named_in(operation: Operation) -> set[str]:
+    """The cells and registers that an operation names, but for the registers of a sum."""
+    if operation[0] != "lin":
+        return {*operation[1:]}
+    _, constant, terms = operation
+    return {constant, *(cell for cell, _ in terms)}
+
+
+def needed(operations: Iterable[tuple[Operation, tuple[str, ...]]], wanted: Iterable[str]) -> Operations:
+    """The operations whose results something needs, in order."""
+    pending = set(wanted)
+    selected = Operations()
+    for operation, results in reversed(list(operations)):
+        if pending.isdisjoint(results):
+            continue
+        selected.append((operation, results))
+        kind, *taken = operation
+        if kind == "lin":
+            taken = [register for _, register in taken[-1]]
+        pending.update(taken)
+    return selected[::-1]
+
+
+def places_of(operations: Operations, kept: list[str]) -> dict[str, int]:
+    """Where each cell is: those that are kept in their order; the others take turns in what is free."""
+    place = {name: k for k, name in enumerate(kept)}
+    last_use = dict[str, int]()
+    for k, (operation, _) in enumerate(operations):
+        last_use.update(dict.fromkeys(operation[1:], k))
+    free = list[int]()
+    end = len(kept)
+    for k, (operation, (result,)) in enumerate(operations):
+        done = {place[name] for name in operation[1:] if last_use[name] == k}
+        scratch = [cell for cell in done if cell >= len(kept)]
+        free += sorted(scratch, reverse=True)
+        if result not in place:
+            place[result] = free.pop() if free else end
+            end = max(end, place[result] + 1)
+    return place

@@ -57,8 +57,8 @@ class Piece:
         """The piece in which the lane's slip or speed lies."""
         if self.kind in ("slip", "speed"):
             argument = self.state.slip if self.kind == "slip" else self.state.omega
-            passed = np.searchsorted(self.data.breaks, argument * self.scale, side="right")
-            self.number = np.maximum(passed - 1, 0)
+            begun = np.searchsorted(self.data.breaks, argument * self.scale, side="right")
+            self.number = np.maximum(begun - 1, 0)
 
     def begin(self) -> None:
         """Where a phase begins: the bounds of the piece, its value there and the coefficients of what is beyond."""
@@ -66,17 +66,25 @@ class Piece:
             self._begin_time()
             return
         if self.kind == "rotation":
-            local, per = self._enter_rotation()
+            local, unit = self._enter_rotation()
         elif self.kind == "slip":
-            local, per = self._enter_slip()
+            local, unit = self._enter_slip()
         else:
-            local, per = self._enter_speed()
-        terms = shifted(self.data.polynomial(self.index), local)
+            local, unit = self._enter_speed()
+        polynomial = self.data.polynomial(self.index)
+        terms = shifted(polynomial, local)
         self.value = self.factor * terms[0]
-        coefficients = self.cells[ix.Q1 : ix.Q1 + self.slot.degree]
+        degree = self.slot.degree
+        coefficients = self.cells[ix.Q1 : ix.Q1 + degree]
         coefficients[:] = 0.0
-        for power in range(1, min(len(terms), self.slot.degree + 1)):
-            coefficients[power - 1] = self.factor * terms[power] * per**power
+        for power in range(1, min(len(terms), degree + 1)):
+            coefficients[power - 1] = self.factor * terms[power] * unit**power
+
+    def _edges(self) -> tuple[Floats, Floats]:
+        """Where the piece begins, and where the next one does: at infinity beyond the last."""
+        next_piece = np.minimum(self.index + 1, self.last)
+        next_edge = self.data.begins(next_piece)
+        return self.data.begins(self.index), np.where(self.number < self.last, next_edge, np.inf)
 
     def _enter_rotation(self) -> tuple[Floats, Floats]:
         """The piece ahead, in the direction of travel, of a function of the rotation, which goes either way."""
@@ -84,22 +92,16 @@ class Piece:
         direction = self.state.direction
         down_slope = direction > 0.0
         self.number = self.data.entered(rotation, down_slope)
-        edge = self.data.begins(self.index)
-        next_edge = self.data.begins(np.minimum(self.index + 1, self.last))
-        above = np.where(self.number < self.last, next_edge, np.inf)
+        edge, above = self._edges()
         below = np.where(self.number > 0, edge, -np.inf)
-        self.upper = direction * (np.where(down_slope, above, below) - rotation)
+        ahead = np.where(down_slope, above, below)
+        self.upper = direction * (ahead - rotation)
         return rotation - edge, direction
-
-    def _edges(self) -> tuple[Floats, Floats]:
-        """Where the piece begins and ends."""
-        edge = self.data.breaks[self.index]
-        next_edge = self.data.breaks[np.minimum(self.index + 1, self.last)]
-        return edge, np.where(self.number < self.last, next_edge, np.inf)
 
     def _enter_slip(self) -> tuple[Floats, Floats]:
         edge, next_edge = self._edges()
-        local = np.maximum(self.state.slip * self.scale - edge, 0.0)
+        beyond = self.state.slip * self.scale - edge
+        local = np.maximum(beyond, 0.0)
         self.upper = (next_edge - edge - local) / self.scale
         return local, self.scale
 
@@ -107,38 +109,45 @@ class Piece:
         """Polynomials of the logarithm of the speed; piece 0, below the first speed, is constant."""
         edge, next_edge = self._edges()
         speed = self.state.omega * self.scale
-        inside = self.number > 0
+        varies = self.number > 0
         self.upper = next_edge / self.scale
-        self.lower = np.where(inside, edge / self.scale, 0.0)
-        ratio = np.where(inside & (speed > 0.0), speed / np.where(inside, edge, 1.0), 1.0)
+        self.lower = np.where(varies, edge / self.scale, 0.0)
+        divisor = np.where(varies, edge, 1.0)
+        ratio = np.where(varies & (speed > 0.0), speed / divisor, 1.0)
         return np.log(ratio), np.ones_like(ratio)
 
     # --- functions of time -------------------------------------------------------------------------------------------
 
     def _begin_time(self) -> None:
-        now = self.state.time * self.scale * (1.0 + 2 * EPS)
-        passed = np.searchsorted(self.data.breaks, now, side="right") - 1
-        self.number = np.maximum(np.maximum(passed, self.number), 0)
-        self.increment = self.way = 0.0
+        now = self.state.time * self.scale
+        begun = np.searchsorted(self.data.breaks, now * (1.0 + 2 * EPS), side="right")
+        self.number = np.maximum(np.maximum(begun - 1, self.number), 0)
+        self.increment = 0.0
+        self.way = 0.0
         self.value = self.taylor(1)[0]
         self._find_end()
 
     def _find_end(self) -> None:
         """The end of the piece, and the increment there, by one rounding however many steps lie between."""
-        next_edge = self.data.breaks[np.minimum(self.index + 1, self.last)]
-        self.upper = np.where(self.number < self.last, next_edge / self.scale, np.inf)
+        _, next_edge = self._edges()
+        self.upper = next_edge / self.scale
         past = np.where(self.number < self.last, self.upper - self.state.time, 0.0)
-        if self.data.sine:  # A (sin(angle + r) - sin(angle)) = 2 A sin(r/2) cos(angle + r/2)
-            amplitude, rate, phase = self.data.polynomial(self.index)
-            half = 0.5 * rate * past * self.scale
-            angle = rate * self._local() + phase
-            rise = 2.0 * self.factor * amplitude * np.sin(half) * np.cos(angle + half)
-        else:
-            rise = np.zeros_like(past)
-            for term in self.taylor(1)[:0:-1]:
-                rise = (rise + term) * past
+        rise = self._rise_of_sine(past) if self.data.sine else self._rise_of_polynomial(past)
         self.lower = self.increment + rise
         self.way += np.abs(rise)
+
+    def _rise_of_sine(self, past: Floats) -> Floats:
+        """A (sin(angle + r) - sin(angle)) = 2 A sin(r/2) cos(angle + r/2)."""
+        amplitude, rate, phase = self.data.polynomial(self.index)
+        half = 0.5 * rate * past * self.scale
+        angle = rate * self._local() + phase
+        return np.asarray(2.0 * self.factor * amplitude * np.sin(half) * np.cos(angle + half))
+
+    def _rise_of_polynomial(self, past: Floats) -> Floats:
+        rise = np.zeros_like(past)
+        for term in self.taylor(1)[:0:-1]:
+            rise = (rise + term) * past
+        return rise
 
     def _local(self) -> Floats:
         """The time since the piece began, in its own unit."""
@@ -148,16 +157,22 @@ class Piece:
         """Taylor coefficients of a function of time about now, in the dimensionless time; as many as it has."""
         polynomial = self.data.polynomial(self.index)
         local = self._local()
-        if not self.data.sine:
-            powers = np.arange(len(polynomial))
-            return shifted(polynomial, local) * self.scale ** powers[:, None] * self.factor
+        if self.data.sine:
+            return self._taylor_of_sine(polynomial, local, order)
+        powers = np.arange(len(polynomial))
+        units = self.scale ** powers[:, None]
+        return shifted(polynomial, local) * units * self.factor
+
+    def _taylor_of_sine(self, polynomial: Floats, local: Floats, order: int) -> Floats:
         amplitude, rate, phase = polynomial
         angle = rate * local + phase
-        waves = (np.sin(angle), np.cos(angle), -np.sin(angle), -np.cos(angle))
+        sine = np.sin(angle)
+        cosine = np.cos(angle)
+        derivatives = (sine, cosine, -sine, -cosine)
         size = amplitude * self.factor
         terms = []
         for power in range(order + 1):
-            terms.append(size * waves[power % 4])
+            terms.append(size * derivatives[power % 4])
             size = size * (rate * self.scale / (power + 1))
         return np.array(terms)
 
@@ -169,7 +184,9 @@ class Piece:
         self.number = np.minimum(self.number + 1.0, self.last)
         jump = self.data.jumps[self.index] * self.factor
         terms = self.data.polynomial(self.index)
-        value = self.factor * terms[0] * (np.sin(terms[2]) if self.data.sine else 1.0)
+        value = self.factor * terms[0]
+        if self.data.sine:
+            value = value * np.sin(terms[2])
         rounding = np.abs(value) + np.abs(self.value)
         way = self.way + np.abs(jump)
         long = way > rounding

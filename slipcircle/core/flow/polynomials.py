@@ -13,6 +13,7 @@ from slipcircle.base.checks import EPS
 
 Floats = NDArray[np.float64]
 MOST_ITERATIONS = 200
+LAST_STEP = 2.0**-30  # of Newton's method, relative
 
 
 def value(series: Floats, at: Any) -> Floats:
@@ -69,24 +70,37 @@ def first_root(series: Floats, h: Floats) -> Floats:
     and rises at last has no root there. Where it falls and rises, its least value decides.
     """
     last, slope = value_and_slope(series, h)
-    crosses = (last < 0.0) | ((last == 0.0) & (series[0] > 0.0))  # a polynomial that is zero has no root
     end = h.copy()
-    dips = np.flatnonzero(~crosses & (series[1] < 0.0) & (slope > 0.0))
+    ends_at_zero = (last == 0.0) & (series[0] > 0.0)  # a polynomial that is zero has no root
+    crosses = (last < 0.0) | ends_at_zero
+    falls_and_rises = (series[1] < 0.0) & (slope > 0.0)
+    dips = np.flatnonzero(~crosses & falls_and_rises)
     if dips.size:
-        dipping = series[:, dips]
-        slopes = derivative(dipping)
-        lowest = bracketed_root(slopes, np.zeros(dips.size), slopes[0], h[dips], slope[dips])
-        least = value(dipping, lowest)
-        noise = 4 * EPS * value(np.abs(dipping), h[dips])
-        below = least < -noise  # a polynomial that only touches zero does not cross it
-        crosses[dips[below]] = True
-        end[dips[below]] = lowest[below]
-        last[dips[below]] = least[below]
+        lowest, least = _lowest(series[:, dips], h[dips], slope[dips])
+        below = least < 0.0
+        crossing = dips[below]
+        crosses[crossing] = True
+        end[crossing] = lowest[below]
+        last[crossing] = least[below]
     root = np.full(h.shape, np.inf)
     k = np.flatnonzero(crosses)
     if k.size:
-        root[k] = bracketed_root(series[:, k], np.zeros(k.size), series[0, k], end[k], last[k])
+        start = np.zeros(k.size)
+        root[k] = bracketed_root(series[:, k], start, series[0, k], end[k], last[k])
     return root
+
+
+def _lowest(series: Floats, h: Floats, slope: Floats) -> tuple[Floats, Floats]:
+    """Where polynomials that fall at first and rise at h are lowest, and their least values; 0 where within rounding.
+
+    A polynomial that only touches zero does not cross it.
+    """
+    slopes = derivative(series)
+    start = np.zeros(h.size)
+    lowest = bracketed_root(slopes, start, slopes[0], h, slope)
+    least = value(series, lowest)
+    rounding = 4 * EPS * value(np.abs(series), h)
+    return lowest, np.where(least < -rounding, least, 0.0)
 
 
 def bracketed_root(series: Floats, low: Floats, at_low: Floats, high: Floats, at_high: Floats) -> Floats:
@@ -96,9 +110,9 @@ def bracketed_root(series: Floats, low: Floats, at_low: Floats, high: Floats, at
     the last, as the next one would be below rounding.
     """
     falls = at_low > 0.0
-    middle = 0.5 * (low + high)
-    root = low + (high - low) * (at_low / (at_low - at_high))
-    root = np.where((root >= low) & (root <= high), root, middle)
+    share = at_low / (at_low - at_high)
+    chord = low + (high - low) * share
+    root = _inside_or_middle(chord, low, high)
     active = np.ones(root.shape, dtype=bool)
     for _ in range(MOST_ITERATIONS):
         residual, slope = value_and_slope(series, root)
@@ -106,15 +120,21 @@ def bracketed_root(series: Floats, low: Floats, at_low: Floats, high: Floats, at
         low = np.where(beyond, low, root)
         high = np.where(beyond, root, high)
         newton = root - residual / slope
-        inside = (newton >= low) & (newton <= high)
-        next_root = np.where(inside, newton, 0.5 * (low + high))
+        next_root = _inside_or_middle(newton, low, high)
         next_root = np.where(residual == 0.0, root, next_root)
-        moves = np.abs(next_root - root) > 2.0**-30 * np.abs(next_root)
+        step = np.abs(next_root - root)
         root = np.where(active, next_root, root)
-        active &= moves
+        active &= step > LAST_STEP * np.abs(next_root)
         if not np.any(active):
             break
     return root
+
+
+def _inside_or_middle(place: Floats, low: Floats, high: Floats) -> Floats:
+    """A place between two bounds, or their middle where it is not between them."""
+    inside = (place >= low) & (place <= high)
+    middle = 0.5 * (low + high)
+    return np.where(inside, place, middle)
 
 
 # --- the radius of convergence ---------------------------------------------------------------------------------------
@@ -131,12 +151,16 @@ def radius_of_convergence(series: Floats, order: Floats) -> Floats:
     |c_k/c_n|^(1/(n - k)), k < 5, n the last four orders of a lane; 2^1000 where these are zero.
     """
     first = _log2(series[:COMPARED])
-    known = np.any(series[:COMPARED] != 0.0, axis=0)
+    comparable = np.any(series[:COMPARED] != 0.0, axis=0)
+    powers = np.arange(COMPARED)
     least = np.full(order.shape, LARGEST)
-    for n in range(max(COMPARED, int(order.min()) - LAST + 1), len(series)):
-        per_order = 1.0 / (n - np.arange(COMPARED))
-        suggested = ((first - _log2(series[n])) * per_order[:, None]).max(axis=0)
-        counts = known & (order >= n) & (order < n + LAST) & (series[n] != 0.0)
+    lowest_order = int(order.min()) - LAST + 1
+    for n in range(max(COMPARED, lowest_order), len(series)):
+        per_order = 1.0 / (n - powers)
+        radii = (first - _log2(series[n])) * per_order[:, None]
+        suggested = radii.max(axis=0)
+        among_last = (order >= n) & (order < n + LAST)
+        counts = comparable & among_last & (series[n] != 0.0)
         least = np.where(counts & (suggested < least), suggested, least)
     return _power_of_two(least)
 
@@ -149,5 +173,7 @@ def _log2(x: Floats) -> Floats:
 
 def _power_of_two(y: Floats) -> Floats:
     """The inverse of `_log2`."""
-    bits = np.rint((np.clip(y, -LARGEST, LARGEST) + 1023.0) * FIXED_POINT)
-    return (bits.astype(np.int64) << 12).view(np.float64)
+    bounded = np.clip(y, -LARGEST, LARGEST)
+    bits = np.rint((bounded + 1023.0) * FIXED_POINT)
+    pattern = bits.astype(np.int64) << 12
+    return pattern.view(np.float64)

@@ -32,7 +32,8 @@ from slipcircle.core.scene.strength import OfRotation
 Floats = NDArray[np.float64]
 Effects = Mapping[str, Mapping[str, Any]]  # by name, each with its parameters
 FINEST = 1e-14  # accuracy to which single scenes are solved
-LOWEST = 5  # order, as the radius of convergence is told by the last coefficients against the first five
+LOWEST = 5  # order, as the radius of convergence compares the last coefficients with the first five
+UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation", "layered_lift"))
 STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)
 
 
@@ -56,33 +57,39 @@ class Problem(NamedTuple):
         """The same lanes with a constant horizontal coefficient, at first 0, in the place of their shaking."""
         effects, laws, moving, absent = self.recipe
         shaking = {p.symbol for p in ALL_EFFECTS["shaking"].parameters}
-        effects = tuple(name for name in ALL_EFFECTS if name in (*effects, "shaking"))
-        moving = tuple(symbol for symbol in moving if symbol not in shaking)
-        absent = tuple(symbol for symbol in absent if symbol not in shaking)
-        return self._with_program(build_program(effects, laws, moving, (*absent, "k_v")))._replace(rotations=None)
+        others = [symbol for symbol in absent if symbol not in shaking]
+        with_shaking = tuple(name for name in ALL_EFFECTS if name in (*effects, "shaking"))
+        still_moving = tuple(symbol for symbol in moving if symbol not in shaking)
+        program = build_program(with_shaking, laws, still_moving, (*others, "k_v"))
+        return self._with_program(program)._replace(rotations=None)
 
     def _with_program(self, program: Program) -> "Problem":
         """The same numbers for another program."""
         cells = program.blank(self.cells.shape[1])
         there, here = common_cells(program, self.program)
         cells[there] = self.cells[here]
-        data = {table.name: data for table, data in zip(self.program.tables, self.tables, strict=True)}
-        return self._replace(program=program, cells=cells, tables=[data[table.name] for table in program.tables])
+        names = [table.name for table in self.program.tables]
+        data = dict(zip(names, self.tables, strict=True))
+        tables = [data[table.name] for table in program.tables]
+        return self._replace(program=program, cells=cells, tables=tables)
 
     def extend_tables(self, cells: Floats) -> None:
         """Sample Python functions of slip on, as far as lanes have slipped."""
         for k, function in self.functions.items():
-            slip = float(np.max(cells[ix.SLIP] * cells[self.program.tables[k].cells + ix.SCALE]))
-            while (end := float(self.tables[k].breaks[-1])) <= slip * (1.0 + 1e-12):
+            scale = cells[self.program.tables[k].cells + ix.SCALE]
+            farthest = float(np.max(cells[ix.SLIP] * scale)) * (1.0 + 1e-12)
+            end = float(self.tables[k].breaks[-1])
+            while end <= farthest:
                 self.tables[k] = tables.sampled(function, 2 * end, self.tables[k])
+                end = float(self.tables[k].breaks[-1])
 
     def extend_rotations(self, rotation: Floats) -> bool:
         """Lay functions of the rotation out as far as they may be needed, where lanes get beyond what is there."""
         if self.rotations is None:
             return False
         place = {table.name: k for k, table in enumerate(self.program.tables)}
-        names = self.rotations.functions
-        if not any(np.any(rotation > self.tables[place[name]].breaks[-1] + 1e-9) for name in names):
+        ends = [self.tables[place[name]].breaks[-1] for name in self.rotations.functions]
+        if not any(np.any(rotation > end + 1e-9) for end in ends):
             return False
         for name, data in self.rotations.laid_out().items():
             self.tables[place[name]] = data
@@ -97,12 +104,15 @@ class Problem(NamedTuple):
 def common_cells(program: Program, other: Program) -> tuple[Any, Any]:
     """The places of the numbers that two programs are both given, in the one and in the other."""
     names = [name for name in program.cells[: program.given] if name in other.places]
-    return np.array([program.places[name] for name in names]), np.array([other.places[name] for name in names])
+    places = [program.places[name] for name in names]
+    other_places = [other.places[name] for name in names]
+    return np.array(places), np.array(other_places)
 
 
 def order(accuracy: float) -> int:
     """Order of the series that leaves less than an accuracy at steps of exp(-2) of the radius of convergence."""
-    return max(math.ceil(3.0 - math.log(max(accuracy, 1e-16)) / 2.0), LOWEST)
+    digits = -math.log(max(accuracy, 1e-16))
+    return max(math.ceil(3.0 + digits / 2.0), LOWEST)
 
 
 def build_problem(
@@ -131,39 +141,42 @@ def build_problem(
     """
     laws = law_parts(friction)
     recipe = _recipe(called, tuple(name for name, _ in laws))
-    effects = recipe[0]
+    effects, _, moving, _ = recipe
+    rotating = rotates(effects)
     upslope = "shaking" in effects or bool(np.any(velocity != 0.0))
     tolerance = FINEST_TABLES if lanes == 1 else accuracy / 100
     numbers = _Numbers(arc, upslope, tolerance)
     for effect in effects:
-        numbers.add_effect(effect, called[effect], rotates(effects))
+        numbers.add_effect(effect, called[effect], rotating)
     if "layered_strength" in effects:
         numbers.add_layers(called["layered_strength"], friction)
     for name, parameters in laws:
         numbers.add_law(name, parameters)
-    numbers.inputs["ONE_WAY"] = _one_way(called.get("shaking", {}))
-    numbers.inputs["FIRST_ONLY"] = choose(
-        end_time == np.inf, _first_only({*effects, *recipe[2]}, laws, numbers.inputs), 0.0
-    )
     numbers.add_start(velocity, end_time)
+    inputs = numbers.inputs
+    inputs["ONE_WAY"] = _one_way(called.get("shaking", {}))
+    first_only = _first_only({*effects, *moving}, laws, inputs)
+    inputs["FIRST_ONLY"] = choose(end_time == np.inf, first_only, 0.0)
     # The steps of one scene cost next to nothing, whatever their order.
-    numbers.inputs["ORDER"] = order(min(accuracy, FINEST) if lanes == 1 else accuracy)
+    inputs["ORDER"] = order(min(accuracy, FINEST) if lanes == 1 else accuracy)
     return _assembled(numbers, recipe, lanes)
 
 
 def _assembled(numbers: "_Numbers", recipe: tuple[tuple[str, ...], ...], lanes: int) -> Problem:
     """A problem from its numbers and tables, each in the place that its program has for it."""
     program = build_program(*recipe)
+    places = program.places
     cells = program.blank(lanes)
     for name, value in numbers.inputs.items():
-        if name in program.places:
-            cells[program.places[name]] = value
+        if name in places:
+            cells[places[name]] = value
     data = list[Data]()
     functions: dict[int, Callable[[Any], Any]] = {}
     for k, table in enumerate(program.tables):
-        function, scale, factor = numbers.tables[table.name]
-        data.append(function)
-        cells[table.cells + ix.SCALE], cells[table.cells + ix.SCALED_BY] = scale, factor
+        table_data, scale, factor = numbers.tables[table.name]
+        data.append(table_data)
+        cells[table.cells + ix.SCALE] = scale
+        cells[table.cells + ix.SCALED_BY] = factor
         if table.name in numbers.functions:
             functions[k] = numbers.functions[table.name]
     return Problem(program, data, cells, numbers.time_scale, functions, recipe, rotations=numbers.rotations)
@@ -172,14 +185,17 @@ def _assembled(numbers: "_Numbers", recipe: tuple[tuple[str, ...], ...], lanes: 
 def _recipe(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
     """The arguments of `build_program`: effects, laws, symbols of functions, symbols of what is not given."""
     effects = tuple(name for name in ALL_EFFECTS if name in called)
-    moving, absent = list[str](), list[str]()
+    moving = list[str]()
+    absent = list[str]()
     for effect in effects:
         for p in ALL_EFFECTS[effect].parameters:
+            if not p.symbol:
+                continue
             value = called[effect].get(p.name)
-            if p.symbol and callable(value):
-                moving.append(p.symbol)
-            if p.symbol and value is None:
+            if value is None:
                 absent.append(p.symbol)
+            elif callable(value):
+                moving.append(p.symbol)
     if "layered_strength" in effects and "shaking" not in effects:
         absent += ["k_h", "k_v"]  # of which its terms are made too
     return effects, laws, tuple(moving), tuple(absent)
@@ -212,12 +228,13 @@ class _Numbers:
 
     def add_effect(self, effect: str, given: Mapping[str, Any], rotating: bool) -> None:
         """What an effect gives: numbers by their symbols, functions of time or of the rotation as tables."""
-        symbols = [p for p in ALL_EFFECTS[effect].parameters if p.symbol]
-        if not symbols:
+        declared = ALL_EFFECTS[effect].parameters
+        in_balance = [p for p in declared if p.symbol]
+        if not in_balance:
             return
-        numbers = {p.name: given.get(p.name, 0.0) for p in ALL_EFFECTS[effect].parameters if p.kind == "number"}
+        numbers = {p.name: given.get(p.name, 0.0) for p in declared if p.kind == "number"}
         scales = scales_of(self.arc) | numbers
-        for p in symbols:
+        for p in in_balance:
             value = given.get(p.name, 0.0)
             if isinstance(value, OfRotation):
                 continue  # `add_layers` lays out all of these together
@@ -225,10 +242,11 @@ class _Numbers:
                 self.inputs[p.symbol] = p.dimensionless(value, scales)
             elif p.kind == "rotation":
                 assert isinstance(self.arc, Section)
-                self.tables[p.symbol] = self._under_water(rotating), 1.0, p.dimensionless(1.0, scales)
+                unit = p.dimensionless(1.0, scales)
+                self.tables[p.symbol] = self._under_water(rotating), 1.0, unit
             else:
-                factor = factor_of(effect, given, p.name)
-                self.tables[p.symbol] = tables.of_time(value), self.time_scale, p.dimensionless(factor, scales)
+                factor = p.dimensionless(factor_of(effect, given, p.name), scales)
+                self.tables[p.symbol] = tables.of_time(value), self.time_scale, factor
 
     def _under_water(self, rotating: bool) -> Data:
         """The mean pore pressure under a section's water level, Pa, until its weight presses no more."""
@@ -257,29 +275,33 @@ class _Numbers:
         assert isinstance(self.arc, LayeredSection)
         symbols = {p.name: p.symbol for p in ALL_EFFECTS["layered_strength"].parameters}
         rotations = RotationTables(self.arc, given, symbols, self.tolerance, self.upslope)
-        if rotations.functions:
-            self.rotations = rotations
-            tables = rotations.laid_out(rotations.likely_reach(friction))
-            self.tables |= {name: (table, 1.0, 1.0) for name, table in tables.items()}
+        if not rotations.functions:
+            return
+        self.rotations = rotations
+        laid_out = rotations.laid_out(rotations.likely_reach(friction))
+        for name, table in laid_out.items():
+            self.tables[name] = table, 1.0, 1.0
 
     def add_law(self, name: str, given: Mapping[str, Any]) -> None:
         """What a friction law gives: a table, or dimensionless numbers under its own name."""
         speed = self.radius / self.time_scale
         if name == "callable":
-            self.functions[name] = given["function"]
-            first = tables.sampled(given["function"], float(np.max(self.radius)) / 256)
-            self.tables[name] = first, self.radius, 1.0
+            function = given["function"]
+            first_slip = float(np.max(self.radius)) / 256
+            self.functions[name] = function
+            self.tables[name] = tables.sampled(function, first_slip), self.radius, 1.0
         elif name in PIECES:
             length = given[PIECES[name][0]]
             self.tables[name] = tables.of_law(name, given), self.radius / length, 1.0
         elif LAWS[name].parameters[0].kind == "list":
             (argument,) = LAWS[name].depends_on
             places, values = (np.asarray(given[p.name], dtype=np.float64) for p in LAWS[name].parameters)
-            scale = {"slip": self.radius, "speed": speed, "time": self.time_scale}[argument]
-            self.tables[name] = tables.of_list(argument, places, values), scale, 1.0
+            scales = {"slip": self.radius, "speed": speed, "time": self.time_scale}
+            self.tables[name] = tables.of_list(argument, places, values), scales[argument], 1.0
         else:
-            unit = {"m": self.radius, "m/s": speed, "": 1.0}
-            self.inputs |= {f"{name}.{p.name}": given[p.name] / unit[p.unit] for p in LAWS[name].parameters}
+            units = {"m": self.radius, "m/s": speed, "": 1.0}
+            for p in LAWS[name].parameters:
+                self.inputs[f"{name}.{p.name}"] = given[p.name] / units[p.unit]
 
 
 def scales_of(arc: Arc | Section) -> dict[str, Any]:
@@ -305,15 +327,17 @@ def _one_way(shaking: Mapping[str, Any]) -> float:
     return float(callable(shaking.get("horizontal")) and not shaking.get("two_way", False))
 
 
-def _first_only(asked: Collection[str], laws: Any, inputs: Mapping[str, Any]) -> Any:
+def _first_only(terms: Collection[str], laws: Any, inputs: Mapping[str, Any]) -> Any:
     """1 where nothing ever brings the mass to rest, 2 where water or heat may carry it: it is followed to its stop.
 
     Of effects and symbols of functions.
     """
-    if not rotates(ALL_EFFECTS.keys() & asked) or "layered_cohesion" in asked:
+    if not rotates(ALL_EFFECTS.keys() & terms) or "layered_cohesion" in terms:
         return 0.0
     (name, parameters), *others = laws
-    frictionless = parameters["coefficient"] == 0.0 if name == "constant" and not others else False
-    lifts = {"pore_pressure", "thermal_pressurisation", "layered_lift"} & {*asked} or np.any(inputs.get("layered_lift"))
+    constant = name == "constant" and not others
+    frictionless = parameters["coefficient"] == 0.0 if constant else False
+    may_lift = not UPLIFT.isdisjoint(terms) or bool(np.any(inputs.get("layered_lift")))
+    swings = choose(frictionless, 1.0, 2.0 if may_lift else 0.0)
     cohesion = inputs.get("cohesion", 0.0) + inputs.get("layered_cohesion", 0.0)
-    return choose(cohesion > 0.0, 0.0, choose(frictionless, 1.0, 2.0 if lifts else 0.0))
+    return choose(cohesion > 0.0, 0.0, swings)

@@ -1,6 +1,6 @@
 """What is kept of a motion on its way: its greatest speed and rotation, its events, its states at sample times."""
 
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,56 +23,58 @@ class Recorder(LaneState):
 
     def _keep_faster(self, speed: Floats, time: Floats, x: Floats, rate: Floats, series: Floats | None = None) -> None:
         """Keep a candidate for the greatest speed where it is faster than what is kept."""
-        k = np.flatnonzero(speed > np.abs(self.peak_omega))
-        direction = self.direction[k]
-        self.peak_time[k] = time[k]
-        self.peak_rotation[k] = self.rotation[k] + direction * x[k]
-        self.peak_omega[k] = direction * speed[k]
-        self.peak_rate[k] = direction * rate[k]
-        if self.tangents and k.size:
-            self.tangents.keep_peak(self, float(time[0]), float(rate[0]), series)
+        faster = np.flatnonzero(speed > np.abs(self.peak_omega))
+        direction = self.direction[faster]
+        travelled = direction * x[faster]
+        self.peak_time[faster] = time[faster]
+        self.peak_rotation[faster] = self.rotation[faster] + travelled
+        self.peak_omega[faster] = direction * speed[faster]
+        self.peak_rate[faster] = direction * rate[faster]
+        if self.tangents and faster.size:
+            peak_time = float(time[0])
+            peak_rate = float(rate[0])
+            self.tangents.keep_peak(self, peak_time, peak_rate, series)
 
     def update_peak_within(self, series: Floats, tau: Floats) -> None:
         """The greatest speed within a step, where the net moment falls through zero."""
         roles = self.program.roles
-        x = series[roles["x"]]
-        omega = series[roles["omega"]]
         net = series[roles["net"], :-1]
         at = self._peak_time(net, tau)
-        k = np.flatnonzero(np.isfinite(at))
-        if k.size:
-            speed, distance, rate = (np.zeros(self.count) for _ in range(3))
-            for values, of in ((speed, omega), (distance, x), (rate, net)):
-                values[k] = value(of[:, k], at[k])
-            self._keep_faster(speed, self.time + at, distance, rate, series)
+        peaks = np.isfinite(at)
+        if not np.any(peaks):
+            return
+        inside = np.where(peaks, at, 0.0)
+        distance = value(series[roles["x"]], inside)
+        rate = value(net, inside)
+        speed = value(series[roles["omega"]], inside)
+        speed = np.where(peaks, speed, 0.0)
+        self._keep_faster(speed, self.time + inside, distance, rate, series)
 
     def _peak_time(self, net: Floats, tau: Floats) -> Floats:
-        """When the net moment falls through zero, at first or beyond a trough; infinite where it does not."""
+        """When the net moment falls through zero, at first or beyond a hump; infinite where it does not."""
+        at = np.full(self.count, np.inf)
         rate = value(net, tau)
         slope = value(derivative(net), tau)
         at_zero = net[0] == 0.0
         drives = (net[0] > 0.0) | (at_zero & (net[1] > 0.0))
-        at = np.full(self.count, np.inf)
-        falls = np.flatnonzero(drives & ((rate < 0.0) | ((net[1] < 0.0) & (slope > 0.0))))
+        dips = (net[1] < 0.0) & (slope > 0.0)
+        falls = np.flatnonzero(drives & ((rate < 0.0) | dips))
         if falls.size:
-            at[falls] = first_root(divided_by_time(net, at_zero)[:, falls], tau[falls])
-        hump = np.flatnonzero((net[0] < 0.0) & (net[1] > 0.0) & (rate < 0.0) & (slope < 0.0))
+            positive = divided_by_time(net, at_zero)[:, falls]
+            at[falls] = first_root(positive, tau[falls])
+        rises_first = (net[0] < 0.0) & (net[1] > 0.0)
+        hump = np.flatnonzero(rises_first & (rate < 0.0) & (slope < 0.0))
         if hump.size:
-            part = net[:, hump]
-            slopes = derivative(net[:, hump])
-            top = bracketed_root(slopes, np.zeros(hump.size), slopes[0], tau[hump], slope[hump])
-            greatest = value(part, top)
-            root = bracketed_root(part, top, greatest, tau[hump], rate[hump])
-            at[hump] = np.where(greatest > 0.0, root, np.inf)
+            at[hump] = _root_beyond_hump(net[:, hump], tau[hump], rate[hump], slope[hump])
         return at
 
     def update_reach(self) -> None:
         """Where the lane is now may be farthest from its start."""
         rotation = self.rotation + self.direction * self.x
-        k = np.flatnonzero(np.abs(rotation) > np.abs(self.reach_rotation))
-        self.reach_time[k] = self.time[k]
-        self.reach_rotation[k] = rotation[k]
-        if self.tangents and k.size:
+        farther = np.flatnonzero(np.abs(rotation) > np.abs(self.reach_rotation))
+        self.reach_time[farther] = self.time[farther]
+        self.reach_rotation[farther] = rotation[farther]
+        if self.tangents and farther.size:
             self.tangents.keep_reach(self)
 
     # --- events ------------------------------------------------------------------------------------------------------
@@ -93,28 +95,41 @@ class Recorder(LaneState):
         """States at the sample times from one time up to, and without, another; without series the lanes rest."""
         if self.samples is None:
             return
-        for lane in range(self.count):
-            times = self.samples.times[:, self.lanes[lane]]
+        for lane, column in enumerate(self.lanes):
+            times = self.samples.times[:, column]
             closed = np.isfinite(end[lane]) and end[lane] >= self.end_time[lane]
+            side: Literal["left", "right"] = "right" if closed else "left"
             first = np.searchsorted(times, begin[lane])
-            last = np.searchsorted(times, end[lane], side="right" if closed else "left")
-            if last > first:
-                past = times[first:last] - begin[lane]
-                states = self._states_at_rest(lane) if series is None else self._states_along(lane, series, past)
-                self.samples.states[:, first:last, self.lanes[lane]] = states
+            last = np.searchsorted(times, end[lane], side)
+            if last <= first:
+                continue
+            since = times[first:last] - begin[lane]
+            self.samples.states[:, first:last, column] = self._states_since(lane, series, since)
 
-    def _further_states(self) -> Any:
-        """Those beside rotation and speed that samples have rows for."""
+    def _states_since(self, lane: int, series: Floats | None, since: Floats) -> Any:
+        """Rotation, angular velocity, its rate, slip and further states of a lane, at times since the step began."""
         assert self.samples is not None
-        return self.program.states[2 : len(self.samples.states) - 2]
-
-    def _states_at_rest(self, lane: int) -> Floats:
-        further = [self.cells[cell, lane] for cell, _, _ in self._further_states()]
-        return np.array([self.rotation[lane], 0.0, 0.0, self.slip[lane], *further])[:, None]
-
-    def _states_along(self, lane: int, series: Floats, past: Floats) -> Any:
         roles = self.program.roles
+        further_rows = len(self.samples.states) - 4
+        further_states = self.program.states[2 : 2 + further_rows]
+        if series is None:
+            x = omega = net = np.zeros(since.size)
+            further = [np.full(since.size, self.cells[cell, lane]) for cell, _, _ in further_states]
+        else:
+            registers = [roles["x"], roles["omega"], roles["net"]]
+            registers += [register for _, register, _ in further_states]
+            x, omega, net, *further = (value(series[register, :, lane, None], since) for register in registers)
         direction = self.direction[lane]
-        registers = [roles["x"], roles["omega"], roles["net"], *(register for _, register, _ in self._further_states())]
-        x, omega, net, *further = (value(series[register, :, lane, None], past) for register in registers)
-        return self.rotation[lane] + direction * x, direction * omega, direction * net, self.slip[lane] + x, *further
+        rotation = self.rotation[lane] + direction * x
+        slip = self.slip[lane] + x
+        return rotation, direction * omega, direction * net, slip, *further
+
+
+def _root_beyond_hump(net: Floats, tau: Floats, rate: Floats, slope: Floats) -> Floats:
+    """Where polynomials that are negative at both ends, and rise and fall between, pass zero falling; or infinity."""
+    start = np.zeros(tau.size)
+    slopes = derivative(net)
+    top = bracketed_root(slopes, start, slopes[0], tau, slope)
+    greatest = value(net, top)
+    root = bracketed_root(net, top, greatest, tau, rate)
+    return np.where(greatest > 0.0, root, np.inf)

@@ -73,8 +73,10 @@ class StickPhase(Recorder):
     def resolve_stick_or_slip(self) -> None:
         """At rest: slip in the direction faced, else in the other one, else stick."""
         slips = self._slips()
-        reverses = ~slips & ~(self.may_start() & (self.one_way > 0.0)) & (self.status != ix.STOPPED)
-        sticks = ~slips & ~reverses & (self.status != ix.STOPPED)
+        stays = ~slips & (self.status != ix.STOPPED)
+        only_this_way = self.may_start() & (self.one_way > 0.0)
+        reverses = stays & ~only_this_way
+        sticks = stays & only_this_way
         self.apply_to(slips, "slip_from_rest")
         self.direction[reverses] *= -1.0
         self.apply_to(reverses, "resolve_last_direction")
@@ -97,17 +99,20 @@ class StickPhase(Recorder):
         self.apply_to(never, "stay", np.full(self.count, ix.STOPPED))
         allowed = self.may_start() & ~never
         drive = self.role("drive")
-        terms = np.abs(self.role("driving")) + self.role("resisting")
-        rounding = EPS * (terms + self.role("mu") * np.abs(self.role("normal0")))
+        moments = np.abs(self.role("driving")) + self.role("resisting")
+        friction = self.role("mu") * np.abs(self.role("normal0"))
+        rounding = EPS * (moments + friction)
         margin = np.abs(drive) / np.maximum(rounding, 1e-300)
-        self.close = np.where(allowed, np.fmin(self.close, margin), self.close)
+        closest = np.fmin(self.close, margin)
+        self.close = np.where(allowed, closest, self.close)
         return allowed & (drive > 0.0)
 
     def _never_rests(self) -> Any:
         """Whether a mass swings on for ever: at its lowest next to nothing presses on it, and that will not change."""
-        press = self.role("normal_load")
-        greatest = np.hypot(press, self.role("normal_load_slope"))
-        carried = self.role("normal0") + (greatest - press) <= ix.CARRIED * greatest
+        load = self.role("normal_load")
+        greatest_load = np.hypot(load, self.role("normal_load_slope"))
+        greatest_normal = self.role("normal0") + (greatest_load - load)
+        carried = greatest_normal <= ix.CARRIED * greatest_load
         return (self.first_only == 1.0) | (carried & ~self.still_changes())
 
     def stick(self) -> None:
@@ -151,24 +156,29 @@ class StickPhase(Recorder):
     def _look_ahead(self, room: Floats, ahead: Floats) -> None:
         """When slip begins in the direction faced, and when contact is lost or made again, if that is sooner."""
         series, order = self.expand(room, at_rest=True)
-        self._look_for_start(series[self.program.roles["net"], :-1], order, room, ahead)
+        net = series[self.program.roles["net"], :-1]
+        self._look_for_start(net, order, room, ahead)
         normal = self.program.roles["normal"]
-        if normal >= 0:
-            contact = series[normal, :-1] * np.where(self.lifted > 0.0, -1.0, 1.0)
-            at = first_root(divided_by_time(contact, self.passed == ix.LIFT), ahead[STRETCH])
-            ahead[LIFTS] = np.minimum(at, ahead[LIFTS])
-            ahead[STRETCH] = np.minimum(at, ahead[STRETCH])
+        if normal < 0:
+            return
+        contact = divided_by_time(self.contact_margin(series[normal, :-1]), self.passed == ix.LIFT)
+        at = first_root(contact, ahead[STRETCH])
+        for row in (LIFTS, STRETCH):
+            ahead[row] = np.minimum(at, ahead[row])
 
     def _look_for_start(self, net: Floats, order: Floats, room: Floats, ahead: Floats) -> None:
         """When the net moment passes zero: at once where it touches it and rises, or has leapt above it."""
         touches = np.abs(net[0]) <= TOUCHES * self.role("drive_scale")
         sudden = ~touches & (net[0] > 0.0)
-        whole = order < self.order
-        step = np.minimum(self.factor * radius_of_convergence(net, order - 1.0), room)
-        ahead[STRETCH] = np.minimum(np.where(whole, room, step), ahead[STRETCH])
+        ends_early = order < self.order
+        radius = radius_of_convergence(net, order - 1.0)
+        step = np.minimum(self.factor * radius, room)
+        stretch = np.where(ends_early, room, step)
+        ahead[STRETCH] = np.minimum(stretch, ahead[STRETCH])
         resistance = divided_by_time(-net, touches)
-        at = np.where(sudden, 0.0, first_root(resistance, ahead[STRETCH]))
-        at = np.where(touches & (resistance[0] < 0.0), 0.0, at)
+        rises = touches & (resistance[0] < 0.0)
+        root = first_root(resistance, ahead[STRETCH])
+        at = np.where(sudden | rises, 0.0, root)
         sooner = at < ahead[STARTS]
         for row, values in ((STARTS, at), (DIRECTION, self.direction), (SUDDEN, sudden)):
             ahead[row] = np.where(sooner, values, ahead[row])
@@ -179,13 +189,15 @@ class StickPhase(Recorder):
         lifts = (lift <= stretch) & (lift <= start * (1.0 + TOGETHER))  # where both pass zero it does not start
         starts = ~lifts & (start <= stretch)
         breaks = ~lifts & ~starts & (stretch >= room)
-        until = np.where(starts, self.time + start, np.where(breaks, limit, self.time + stretch))
+        waits_until = np.where(breaks, limit, self.time + stretch)
+        until = np.where(starts, self.time + start, waits_until)
         for_ever = ~starts & np.isinf(until)
         paused = ~for_ever & (until >= self.end_time)  # what happens after its end time decides nothing
-        self.read_samples(self.time, np.minimum(until, self.end_time))
+        until = np.minimum(until, self.end_time)
+        self.read_samples(self.time, until)
         self.steps += ~breaks
         self.passed = ix.NOTHING
-        self.time = np.where(for_ever, self.time, np.minimum(until, self.end_time))
+        self.time = np.where(for_ever, self.time, until)
         stays = for_ever | paused
         self.apply_to(stays, "stay", np.where(paused, ix.PAUSED, ix.ARRESTED))
         starts, lifts, breaks = (mask & ~stays for mask in (starts, lifts, breaks))

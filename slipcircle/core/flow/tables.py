@@ -187,12 +187,16 @@ def between_kinks(
         coefficients.append(_in_powers(chebyshev[~rough], (last - first)[~rough]))
         middle = (first[rough] + last[rough]) / 2
         first, last = np.concatenate([first[rough], middle]), np.concatenate([middle, last[rough]])
-    begins = np.concatenate(starts)
-    order = np.argsort(begins.sum(axis=1), kind="stable")
-    end = np.broadcast_to(most, begins.shape[1:])[None]
-    constant = np.zeros((1, *coefficients[0].shape[1:]))
-    constant[0, 0] = function(end)[:, 0]
-    return np.concatenate([begins[order], end]), np.concatenate([*coefficients, constant])[[*order, len(order)]]
+    end = np.broadcast_to(most, starts[0].shape[1:])[None]
+    return _in_order(np.concatenate(starts), np.concatenate(coefficients), end, function(end)[:, 0])
+
+
+def _in_order(starts: Floats, coefficients: Floats, end: Floats, value: Floats) -> tuple[Floats, Floats]:
+    """Breaks and coefficients of pieces from the least rotation on; beyond the end a constant."""
+    constant = np.zeros((1, *coefficients.shape[1:]))
+    constant[0, 0] = value
+    order = np.argsort(starts.sum(axis=1), kind="stable")
+    return np.concatenate([starts[order], end]), np.concatenate([coefficients[order], constant])
 
 
 def _remainder(chebyshev: Floats) -> Floats:

@@ -51,28 +51,31 @@ class Tangents:
 
     def __init__(self, program: Program, cells: Floats, growth: InputGrowth) -> None:
         (tangent,) = program.tangents
-        own = len(program.states) // 2
+        count = len(program.states) // 2
         self.cells_of = tangent.cells
         self.registers_of = tangent.registers
-        self.states = program.states[:own]
+        self.states = program.states[:count]
         self.growth = growth
         self.none = np.zeros(cells.shape[1])
         self.event_dot = self.none  # of the time at which the phase that is being begun begins
         self.peak_dot = self.rest_dot = self.reach_dot = self.none
         end = cells[ix.END_TIME, 0]
         self.end_dot = growth.end - end * growth.time if np.isfinite(end) else self.none
-        self.rates = [0.0] * own  # of the states, before the event
+        self.rates = [0.0] * count  # of the states, before the event
         self.totals: dict[int, Floats] = {}
         self.series = np.zeros((0, 0, 0))
         self.tau = 0.0
 
     def dot(self, state: LaneState, cell: int) -> Floats:
         """Derivatives of a cell."""
-        return state.cells[self.cells_of[cell]].copy() if cell in self.cells_of else self.none
+        tangent = self.cells_of.get(cell)
+        return self.none if tangent is None else state.cells[tangent].copy()
 
     def put(self, state: LaneState, cell: int, dots: Any) -> None:
-        if cell in self.cells_of:
-            state.cells[self.cells_of[cell]] = dots
+        """Set the derivatives of a cell, if the program carries them."""
+        tangent = self.cells_of.get(cell)
+        if tangent is not None:
+            state.cells[tangent] = dots
 
     def along(self, register: int, series: Floats, tau: float) -> Floats:
         """Derivatives of a register at a time since the step began."""
@@ -84,12 +87,13 @@ class Tangents:
     def begin_pieces(self, state: LaneState) -> None:
         """Derivatives of the values and coefficients of tables where a phase begins."""
         for piece in state.pieces:
-            if piece.kind == "time":
-                _, dots = self._taylor(state, piece, 1)
-                slope = piece.taylor(1)[1:, 0].sum()
-                self.put(state, piece.slot.cells + ix.VALUE, dots[0] + slope * self.event_dot)
-            else:
+            if piece.kind != "time":
                 self._begin_piece(state, piece)
+                continue
+            dots = self._taylor_dots(state, piece, 1)
+            slope = piece.taylor(1)[1:, 0].sum()
+            value_dot = dots[0] + slope * self.event_dot
+            self.put(state, piece.slot.cells + ix.VALUE, value_dot)
 
     def _begin_piece(self, state: LaneState, piece: Piece) -> None:
         """Of the coefficients f c_j(u) p^j: f the factor, u the argument within the piece, p its unit.
@@ -97,53 +101,54 @@ class Tangents:
         Their derivative is f p^j (c_j (f'/f + j p'/p) + (j + 1) c_(j+1) u' + c_j'), c_j' those of the table itself.
         """
         scale_growth, factor_growth, by_parameter = self.growth.tables[piece.slot.name]
-        number = piece.index[:1]
-        cells = piece.slot.cells
-        local, local_dot, unit = self._argument(state, piece)
         unit_growth = scale_growth if piece.kind == "slip" else self.none
+        local, local_dot, unit = self._argument(state, piece)
+        number = piece.index[:1]
         degree = piece.slot.degree
-        terms = np.zeros(degree + 2)
-        shifted_terms = shifted(piece.data.polynomial(number), np.array([local]))[:, 0]
-        terms[: len(shifted_terms)] = shifted_terms[: degree + 2]
+        terms = _about(piece.data, number, local, degree + 2)
         by_table = None if by_parameter is None else _of_table(by_parameter, number, local)
+        factor = piece.factor[0]
         for power in range(degree + 1):
-            growth = factor_growth + power * unit_growth
-            dots = terms[power] * growth + (power + 1) * terms[power + 1] * local_dot
+            by_units = terms[power] * (factor_growth + power * unit_growth)
+            by_place = (power + 1) * terms[power + 1] * local_dot
+            dots = by_units + by_place
             if by_table is not None and power < len(by_table):
                 dots = dots + by_table[power]
             cell = ix.VALUE if power == 0 else ix.Q1 + power - 1
-            self.put(state, cells + cell, piece.factor[0] * unit**power * dots)
+            self.put(state, piece.slot.cells + cell, factor * unit**power * dots)
 
     def _argument(self, state: LaneState, piece: Piece) -> tuple[float, Floats, float]:
         """The argument of a table within its piece, its derivatives, and the unit of the program's argument."""
-        scale = float(piece.scale[0])
-        growth = self.growth.tables[piece.slot.name].scale
         edge = float(piece.data.begins(piece.index)[0])
         if piece.kind == "rotation":
-            return float(state.rotation[0]) - edge, self.dot(state, ix.ROTATION), float(state.direction[0])
+            rotation = float(state.rotation[0])
+            return rotation - edge, self.dot(state, ix.ROTATION), float(state.direction[0])
+        scale = float(piece.scale[0])
+        growth = self.growth.tables[piece.slot.name].scale
         if piece.kind == "slip":
             slip = float(state.slip[0]) * scale
-            return max(slip - edge, 0.0), self.dot(state, ix.SLIP) * scale + slip * growth, scale
+            slip_dot = self.dot(state, ix.SLIP) * scale + slip * growth
+            return max(slip - edge, 0.0), slip_dot, scale
         if piece.number[0] == 0.0:  # constant, below the first speed
             return 0.0, self.none, 1.0
         omega = float(state.omega[0])
-        return math.log(omega * scale / edge), self.dot(state, ix.OMEGA) / omega + growth, 1.0
+        logarithm = math.log(omega * scale / edge)
+        logarithm_dot = self.dot(state, ix.OMEGA) / omega + growth
+        return logarithm, logarithm_dot, 1.0
 
-    def _taylor(self, state: LaneState, piece: Piece, order: int) -> tuple[Floats, Floats]:
-        """Taylor coefficients about now of a function of time, and their derivatives at a fixed time, (terms, ...)."""
+    def _taylor_dots(self, state: LaneState, piece: Piece, order: int) -> Floats:
+        """Derivatives of a function of time's Taylor coefficients about now, at a fixed time, (terms, directions)."""
         growth = self.growth.tables[piece.slot.name]
-        terms = np.zeros(order + 2)
-        known = piece.taylor(order + 1)[: order + 2, 0]
-        terms[: len(known)] = known
+        terms = _padded(piece.taylor(order + 1)[:, 0], order + 2)
         n = np.arange(order + 1)
         by_scale = state.time[0] * (n + 1) * terms[1:] + n * terms[:-1]
-        return terms[:-1], terms[:-1, None] * growth.factor + by_scale[:, None] * growth.scale
+        return terms[:-1, None] * growth.factor + by_scale[:, None] * growth.scale
 
     def start_series(self, state: LaneState, series: Floats) -> None:
         """The tangents of functions of time, as increments since the phase began."""
         for piece in state.timed:
             if piece.register in self.registers_of:
-                _, dots = self._taylor(state, piece, series.shape[1] - 1)
+                dots = self._taylor_dots(state, piece, series.shape[1] - 1)
                 dots[0] -= self.dot(state, piece.slot.cells + ix.VALUE)
                 series[self.registers_of[piece.register]] = dots
 
@@ -169,15 +174,17 @@ class Tangents:
 
     def leave_edge(self, state: LaneState, piece: Piece, lower: bool, rate: float) -> None:
         """g = the argument of a table less its edge, which goes with the table's scale."""
-        growth = self.growth.tables[piece.slot.name].scale
-        edge = float(piece.data.breaks[piece.index[0] + (not lower)].flat[0]) / float(piece.scale[0])
         if piece.kind == "rotation":  # a pressure and its derivatives go on smoothly
-            event_dot = self.none
-        elif piece.kind == "slip":
+            self._leave(state, self.none)
+            return
+        next_piece = piece.index[0] + (not lower)
+        edge = float(piece.data.breaks[next_piece].flat[0]) / float(piece.scale[0])
+        edge_growth = edge * self.growth.tables[piece.slot.name].scale
+        if piece.kind == "slip":
             slip_dot = self.dot(state, ix.SLIP) + self.dot(state, ix.X)
-            event_dot = -(edge * growth + slip_dot) / state.omega[0]
+            event_dot = -(edge_growth + slip_dot) / state.omega[0]
         else:
-            event_dot = -(edge * growth + self.dot(state, ix.OMEGA)) / rate
+            event_dot = -(edge_growth + self.dot(state, ix.OMEGA)) / rate
         self._leave(state, event_dot)
 
     def leave_rest(self, state: LaneState, sudden: bool) -> None:
@@ -206,19 +213,22 @@ class Tangents:
         """Total derivatives where the lane is now, for a phase that begins here."""
         omega = state.omega[0]
         moved = self.dot(state, ix.X) + omega * event_dot
-        self.put(state, ix.ROTATION, self.dot(state, ix.ROTATION) + state.direction[0] * moved)
-        self.put(state, ix.SLIP, self.dot(state, ix.SLIP) + moved)
+        rotation_dot = self.dot(state, ix.ROTATION) + state.direction[0] * moved
+        slip_dot = self.dot(state, ix.SLIP) + moved
+        self.put(state, ix.ROTATION, rotation_dot)
+        self.put(state, ix.SLIP, slip_dot)
         self.put(state, ix.X, -omega * event_dot)
-        self.totals = {
-            cell: self.dot(state, cell) + rate * event_dot
-            for (cell, _, _), rate in zip(self.states[1:], self.rates[1:], strict=True)
-        }
+        self.totals = {}
+        for (cell, _, _), rate in zip(self.states[1:], self.rates[1:], strict=True):
+            self.totals[cell] = self.dot(state, cell) + rate * event_dot
         self.event_dot = event_dot
 
     def enter(self, state: LaneState) -> None:
         """At fixed times again, now that the rates of what begins are known."""
-        for (cell, _, _), rate in zip(self.states[1:], self._rates_now(state)[1:], strict=True):
-            self.put(state, cell, self.totals[cell] - rate * self.event_dot)
+        rates = self._rates_now(state)
+        for (cell, _, _), rate in zip(self.states[1:], rates[1:], strict=True):
+            at_fixed_time = self.totals[cell] - rate * self.event_dot
+            self.put(state, cell, at_fixed_time)
         self.event_dot = self.none
 
     def enter_or_rest(self, state: LaneState) -> None:
@@ -240,9 +250,10 @@ class Tangents:
     def pass_break(self, state: LaneState) -> None:
         """A function of time has leapt, at a time that is given in s, and the phase goes on."""
         event_dot = -state.time[0] * self.growth.time
-        after = self._rates_now(state)
-        for (cell, _, _), before, now in zip(self.states[1:], self.rates[1:], after[1:], strict=True):
-            self.put(state, cell, self.dot(state, cell) + (before - now) * event_dot)
+        rates = self._rates_now(state)
+        for (cell, _, _), before, after in zip(self.states[1:], self.rates[1:], rates[1:], strict=True):
+            jump = (before - after) * event_dot
+            self.put(state, cell, self.dot(state, cell) + jump)
 
     # --- outcomes ----------------------------------------------------------------------------------------------------
 
@@ -257,19 +268,35 @@ class Tangents:
     def keep_peak(self, state: LaneState, time: float, rate: float, series: Floats | None) -> None:
         """Of the greatest speed: within a step, at the end, where a force leaps, or where a phase begins."""
         if series is not None:
-            self.peak_dot = self.along(state.program.roles["omega"], series, time - float(state.time[0]))
-        elif np.any(self.event_dot):
+            since = time - float(state.time[0])
+            self.peak_dot = self.along(state.program.roles["omega"], series, since)
+            return
+        if np.any(self.event_dot):
             self.peak_dot = self.totals[ix.OMEGA]
-        else:
-            moved = self.none
-            if time >= state.end_time[0]:
-                moved = self.end_dot
-            elif time >= state.next_break()[0]:
-                moved = -time * self.growth.time
-            self.peak_dot = self.dot(state, ix.OMEGA) + rate * moved
+            return
+        time_dot = self.none
+        if time >= state.end_time[0]:
+            time_dot = self.end_dot
+        elif time >= state.next_break()[0]:
+            time_dot = -time * self.growth.time
+        self.peak_dot = self.dot(state, ix.OMEGA) + rate * time_dot
 
 
-def _of_table(by_parameter: list[Data], number: NDArray[np.intp], local: float) -> Floats:
+def _about(data: Data, piece: NDArray[np.intp], local: float, count: int) -> Floats:
+    """So many coefficients of a piece of a table about a place within it."""
+    terms = shifted(data.polynomial(piece), np.array([local]))
+    return _padded(terms[:, 0], count)
+
+
+def _padded(terms: Floats, count: int) -> Floats:
+    """So many terms, those beyond the last of them zero."""
+    padded = np.zeros(count)
+    padded[: len(terms)] = terms[:count]
+    return padded
+
+
+def _of_table(by_parameter: list[Data], piece: NDArray[np.intp], local: float) -> Floats:
     """Coefficients of the derivatives of a table by each parameter, about a place within a piece, (terms, ...)."""
-    polynomials = np.concatenate([data.polynomial(number) for data in by_parameter], axis=1)
-    return np.asarray(shifted(polynomials, np.full(len(by_parameter), local)))
+    polynomials = np.concatenate([data.polynomial(piece) for data in by_parameter], axis=1)
+    places = np.full(len(by_parameter), local)
+    return np.asarray(shifted(polynomials, places))

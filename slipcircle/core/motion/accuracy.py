@@ -17,11 +17,11 @@ Floats = NDArray[np.float64]
 
 # Plackett and Burman (1946): seven factors in eight runs, the first of which is the motion itself. Random signs miss
 # the combination that matters more often.
+RUNS = 8
 _FIRST = (1, 1, 1, -1, 1, -1, -1)
 SIGNS = np.array([np.roll(_FIRST, k) for k in range(7)], dtype=float)
 # Steps over the radius of convergence, of the motion itself and the other runs, which go one order further. Longer ones
-# cost less than shorter ones would, and with that order still leave out less than the motion does.
-RUNS = 8
+# cost less than shorter ones would, and with that order still truncate less than the motion does.
 ONE_ORDER_MORE = np.array([0.0] + [1.0] * 7)
 FACTORS = np.array([STEP, 0.136, 0.138, 0.140, 0.142, 0.145, 0.148, 0.151])
 # What the spread counts for: where the ends of the series are the error, as of an ensemble's lanes, and where rounding
@@ -38,10 +38,10 @@ def _signs(program: Program) -> Floats:
     """The sign with which each run moves each input of the program, (cells, 8); 0 for the motion itself."""
     inputs = [k for k, name in enumerate(program.cells) if k >= len(ix.CELLS) and not _is_of_table(name)]
     factors = [table.cells + ix.SCALED_BY for table in program.tables]
-    moved = [cell for cell in (ix.LIMIT, ix.OMEGA, *inputs, *factors) if cell < program.given]  # others follow
     signs = np.zeros((len(program.cells), RUNS))
-    for number, cell in enumerate(moved):
-        signs[cell, 1:] = SIGNS[:, number % 7]
+    for number, cell in enumerate((ix.LIMIT, ix.OMEGA, *inputs, *factors)):
+        if cell < program.given:  # the others follow from these
+            signs[cell, 1:] = SIGNS[:, number % 7]
     return signs
 
 

@@ -1,4 +1,4 @@
-"""Derivatives of a motion's outputs by the parameters of its scene, as they are told."""
+"""The result of `Motion.sensitivity`: derivatives of outputs by the parameters of a scene, and their table."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -42,24 +42,42 @@ class Sensitivity:
 
     @property
     def elasticities(self) -> Floats:
-        of = np.array([self.at[n] for n in self.outputs])[:, None]
-        by = np.array([self.at[n] for n in self.parameters])
-        return np.asarray(self.values * by / np.where(of == 0.0, np.nan, of))
+        outputs = np.array([self.at[name] for name in self.outputs])
+        parameters = np.array([self.at[name] for name in self.parameters])
+        nonzero = np.where(outputs == 0.0, np.nan, outputs)
+        return np.asarray(self.values * parameters / nonzero[:, None])
 
     @property
     def distinct(self) -> dict[str, str]:
         """The outputs, without the reach where that is the run-out."""
-        return {n: unit for n, unit in self.outputs.items() if n != "reach" or self.at[n] != self.at["run_out"]}
+        distinct = dict(self.outputs)
+        if "reach" in distinct and self.at["reach"] == self.at["run_out"]:
+            del distinct["reach"]
+        return distinct
 
     def derivative(self, output: str, parameter: str) -> float:
         """One of the values."""
-        return float(self.values[list(self.outputs).index(output), list(self.parameters).index(parameter)])
+        row = list(self.outputs).index(output)
+        column = list(self.parameters).index(parameter)
+        return float(self.values[row, column])
 
     def __str__(self) -> str:
-        lines = [["by", "value", *(f"d {n} [{unit}] (elasticity)" for n, unit in self.distinct.items())]]
-        pairs = np.stack([self.values, self.elasticities])[:, [n in self.distinct for n in self.outputs]]
-        for k, (name, unit) in enumerate(self.parameters.items()):
-            cells = [f"{v:.6g} ({e:+.3g})" for v, e in pairs[:, :, k].T]
-            lines.append([f"{name} [{unit}]" if unit else name, f"{self.at[name]:.6g}", *cells])
-        widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
-        return "\n".join("  ".join(c.ljust(w) for c, w in zip(line, widths, strict=True)).rstrip() for line in lines)
+        titles = [f"d {name} [{unit}] (elasticity)" for name, unit in self.distinct.items()]
+        rows = [["by", "value", *titles]]
+        rows += [self._row(k, name, unit) for k, (name, unit) in enumerate(self.parameters.items())]
+        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+        lines = []
+        for row in rows:
+            padded = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
+            lines.append("  ".join(padded).rstrip())
+        return "\n".join(lines)
+
+    def _row(self, column: int, name: str, unit: str) -> list[str]:
+        """A parameter with its value, and the derivatives of the distinct outputs by it."""
+        elasticities = self.elasticities[:, column]
+        cells = []
+        for row, output in enumerate(self.outputs):
+            if output in self.distinct:
+                cells.append(f"{self.values[row, column]:.6g} ({elasticities[row]:+.3g})")
+        title = f"{name} [{unit}]" if unit else name
+        return [title, f"{self.at[name]:.6g}", *cells]

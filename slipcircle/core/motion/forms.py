@@ -22,9 +22,10 @@ class Pictured:
         Parameters
         ----------
         what : str
-            ``"overview"``, which is several panels. Of a motion also ``"section"``, ``"energy"``, ``"shaking"``, and
-            over time ``"velocity"``, ``"displacement"``, ``"rotation"``, ``"friction"``, ``"normal_stress"``; of a
-            study also ``"reach"``, ``"run_out"``, ``"peak_velocity"``, ``"duration"``.
+            ``"overview"``, which is several panels. Of a motion also ``"section"``, ``"energy"``, ``"shaking"``, of one
+            through layers ``"stress_along_arc"``, and over time ``"velocity"``, ``"displacement"``, ``"rotation"``,
+            ``"friction"``, ``"normal_stress"``; of a study also ``"reach"``, ``"run_out"``, ``"peak_velocity"``,
+            ``"duration"``.
         ax : matplotlib axis, optional
             To draw on, but not of the overview, which makes its figure.
 

@@ -97,10 +97,13 @@ class InputDerivatives:
         """Derivatives of the arc's coefficients and angle, and of its moment of inertia and cover."""
         arc = self.lanes.arc
         problem = self.lanes.problem
-        coefficients = {n: float(problem.cells[problem.program.places[n], 0]) for n in INPUTS}
+        places = problem.program.places
+        coefficients = {name: float(problem.cells[places[name], 0]) for name in INPUTS}
         if isinstance(arc, LayeredSection):
             return self._layered(arc)
-        return self._arc(arc, coefficients) if isinstance(arc, Arc) else self._section(arc, coefficients)
+        if isinstance(arc, Arc):
+            return self._arc(arc, coefficients)
+        return self._section(arc, coefficients)
 
     def _layered(self, section: LayeredSection) -> "_Geometry":
         """Of a layered section all that its soils give: numbers, tables, and the numbers of their mean friction."""
@@ -144,70 +147,76 @@ class InputDerivatives:
         return [Data(breaks, np.ascontiguousarray(column), jumps) for column in np.moveaxis(coefficients, -1, 0)]
 
     def _arc(self, arc: Arc, coefficients: Mapping[str, float]) -> "_Geometry":
+        """A change of the half angle scales the coefficients; one of the dip turns them into their slopes."""
+        theta_1 = self.one("theta_1")
+        theta_2 = self.one("theta_2")
+        alpha_dot = (theta_2 - theta_1) / 2
+        dip_dot = -arc.facing * (theta_1 + theta_2) / 2
         alpha = float(arc.half_angle)
-        opened = (self.one("theta_2") - self.one("theta_1")) / 2
-        dipped = -arc.facing * (self.one("theta_1") + self.one("theta_2")) / 2
-        weight, radial, polar, level, inertia = (float(g) for g in arc_growth(alpha))
+        weight, radial, polar, resistance, inertia = (float(growth) for growth in arc_growth(alpha))
         inputs = {
-            "driving_moment": coefficients["driving_moment"] * weight * opened
-            + coefficients["driving_moment_slope"] * dipped,
-            "driving_moment_slope": coefficients["driving_moment_slope"] * weight * opened
-            - coefficients["driving_moment"] * dipped,
-            "normal_load": coefficients["normal_load"] * radial * opened + coefficients["normal_load_slope"] * dipped,
-            "normal_load_slope": coefficients["normal_load_slope"] * radial * opened
-            - coefficients["normal_load"] * dipped,
-            "polar_moment": coefficients["polar_moment"] * polar * opened,
-            "resistance_factor": coefficients["resistance_factor"] * level * opened,
+            "polar_moment": coefficients["polar_moment"] * polar * alpha_dot,
+            "resistance_factor": coefficients["resistance_factor"] * resistance * alpha_dot,
         }
-        return inputs, opened, inertia / alpha * opened, 0.0 * opened
+        for name, growth in (("driving_moment", weight), ("normal_load", radial)):
+            size = coefficients[name]
+            slope = coefficients[f"{name}_slope"]
+            inputs[name] = size * growth * alpha_dot + slope * dip_dot
+            inputs[f"{name}_slope"] = slope * growth * alpha_dot - size * dip_dot
+        return inputs, alpha_dot, inertia / alpha * alpha_dot, 0.0 * alpha_dot
 
     def _section(self, section: Section, coefficients: Mapping[str, float]) -> "_Geometry":
-        grown = section_derivatives(section, self.names)
-        m = grown.moments
-        own = section.moments
-        way = section.facing
-        theta = own["moment_of_inertia"]
-        alpha = float(section.half_angle)
-        opened = (grown.ends[1] - grown.ends[0]) / 2
-        inertia = m["inertia"] / theta
+        """By the derivatives of the section's integrals, and of its ends."""
+        section_dot = section_derivatives(section, self.names)
+        integrals_dot = section_dot.moments
+        integrals = section.moments
+        theta = integrals["moment_of_inertia"]
+        inertia_growth = integrals_dot["inertia"] / theta
+        facing = section.facing
         changes = {
-            "driving_moment": -way * m["moment_x"],
-            "driving_moment_slope": -m["moment_y"],
-            "normal_load": -m["radial_y"],
-            "normal_load_slope": way * m["radial_x"],
-            "polar_moment": m["polar"],
+            "driving_moment": -facing * integrals_dot["moment_x"],
+            "driving_moment_slope": -integrals_dot["moment_y"],
+            "normal_load": -integrals_dot["radial_y"],
+            "normal_load_slope": facing * integrals_dot["radial_x"],
+            "polar_moment": integrals_dot["polar"],
         }
-        inputs = {n: change / theta - coefficients[n] * inertia for n, change in changes.items()}
+        inputs = {name: change / theta - coefficients[name] * inertia_growth for name, change in changes.items()}
+        first_end, last_end = section_dot.ends
+        alpha_dot = (last_end - first_end) / 2
+        alpha = float(section.half_angle)
         # (3.14): lambda = 2 alpha (1 - cos alpha), by which the mean normal stress and so the mean cover are divided
-        inputs["resistance_factor"] = coefficients["resistance_factor"] * (
-            opened / alpha + opened / math.tan(alpha / 2) - inertia
-        )
+        lambda_growth = alpha_dot / alpha + alpha_dot / math.tan(alpha / 2)
+        inputs["resistance_factor"] = coefficients["resistance_factor"] * (lambda_growth - inertia_growth)
         heights = 2 * alpha * float(section.mean_cover / section.radius)
-        self.pressure = grown.pressure
-        return inputs, opened, inertia, grown.heights / heights + m["radial_y"] / own["radial_weight"]
+        cover_growth = section_dot.heights / heights + integrals_dot["radial_y"] / integrals["radial_weight"]
+        self.pressure = section_dot.pressure
+        return inputs, alpha_dot, inertia_growth, cover_growth
 
     def one(self, name: str) -> Floats:
         """Derivatives of a parameter itself: 1 by it, 0 by all others; of a friction that soils make up, by theirs."""
         if name in self.of_friction:
             return self.of_friction[name]
-        return np.array([float(n == name) for n in self.names])
+        return np.array([float(other == name) for other in self.names])
 
     def relative(self, name: str, at: Any) -> Floats:
         """Relative derivatives of a parameter that has a value; 0 where that is 0."""
-        return self.one(name) / float(at) if float(at) else self.none
+        value = float(at)
+        return self.one(name) / value if value else self.none
 
     def _add_effect(self, effect: str, given: Mapping[str, Any], scales: Mapping[str, float]) -> None:
         """Of an effect's parameters, each made dimensionless by powers of the arc's scales and of other numbers."""
         declared = EFFECTS[effect].parameters
-        amounts = {p.name: given.get(p.name, 0.0) for p in declared if p.kind == "number"}
-        numbers = {name: float(amount) for name, amount in amounts.items() if not callable(amount)}
-        growths = self.growths | {name: self.relative(f"{effect}.{name}", x) for name, x in numbers.items()}
+        numbers = dict[str, float]()
+        growths = dict(self.growths)
+        for p in declared:
+            amount = given.get(p.name, 0.0)
+            if p.kind == "number" and not callable(amount):
+                numbers[p.name] = float(amount)
+                growths[p.name] = self.relative(f"{effect}.{p.name}", amount)
         for p in declared:
             if p.symbol:
-                growth = self.none
-                for name, power in p.powers:
-                    if name != "value":
-                        growth = growth + power * growths[name]
+                powers = [power * growths[name] for name, power in p.powers if name != "value"]
+                growth = sum(powers, start=self.none)
                 self._add_parameter(effect, p, given, {**scales, **numbers}, growth)
 
     def _add_parameter(
@@ -224,25 +233,29 @@ class InputDerivatives:
 
             by_parameter = self._in_pieces_of(p.symbol, pressures)
             self.tables[p.symbol] = TableGrowth(self.none, growth, by_parameter)
-        elif callable(amount):
-            self.tables[p.symbol] = TableGrowth(self.time_growth, growth + self._factor(effect, given, p.name), None)
+            return
+        if callable(amount):
+            factor_growth = growth + self._factor(effect, given, p.name)
+            self.tables[p.symbol] = TableGrowth(self.time_growth, factor_growth, None)
+            return
+        by_itself = self.one(f"{effect}.{p.name}")
+        if amount:
+            scaled = p.dimensionless(amount, scales)
+            power = dict(p.powers)["value"]
+            self.inputs[p.symbol] = scaled * growth + power * scaled / amount * by_itself
         else:
-            by_value = (
-                dict(p.powers)["value"] * p.dimensionless(amount, scales) / amount
-                if amount
-                else p.dimensionless(1.0, scales)
-            )
-            by_unit = p.dimensionless(amount, scales) * growth if amount else self.none
-            self.inputs[p.symbol] = by_unit + by_value * self.one(f"{effect}.{p.name}")
+            self.inputs[p.symbol] = p.dimensionless(1.0, scales) * by_itself
 
     def _factor(self, effect: str, given: Mapping[str, Any], name: str) -> Floats:
         """Relative growth of what a function of time is multiplied by: shaking's amplitude, scale or peak."""
         amount = float(factor(effect, given, name))
-        shaken = given[name]
-        if isinstance(shaken, Pulse):
-            return self.relative(f"{effect}.{'vertical_amplitude' if name == 'vertical' else 'amplitude'}", amount)
+        if isinstance(given[name], Pulse):
+            amplitude = "vertical_amplitude" if name == "vertical" else "amplitude"
+            return self.relative(f"{effect}.{amplitude}", amount)
         greatest = given["horizontal"].greatest if effect == "shaking" else 1.0
-        return self.relative(f"{effect}.scale", amount) + self.relative(f"{effect}.peak", amount * greatest)
+        by_scale = self.relative(f"{effect}.scale", amount)
+        by_peak = self.relative(f"{effect}.peak", amount * greatest)
+        return by_scale + by_peak
 
     def _add_law(self, path: str, name: str, given: Mapping[str, Any]) -> None:
         """Of a friction law: numbers, or a table, whose argument has a unit of its own."""
@@ -258,36 +271,39 @@ class InputDerivatives:
 
     def _add_pieces(self, path: str, name: str, given: Mapping[str, Any]) -> None:
         """Of a law of slip in pieces: its length scales the argument, and the pieces are linear in its coefficients."""
-        length = PIECES[name][0]
-        by_coefficient = [(self.one(f"{path}.{n}"), _by_coefficient(name, given, n)) for n in given if n != length]
+        length, _, _ = PIECES[name]
+        coefficients = {key: float(value) for key, value in given.items()}
+        names = [n for n in coefficients if n != length]
+        pieces = [_by_coefficient(name, coefficients, n) for n in names]
+        dots = [self.one(f"{path}.{n}") for n in names]
         by_parameter = list[Data]()
         for k in range(len(self.names)):
-            changes = sum(dots[k] * data.coefficients for dots, data in by_coefficient)
-            by_parameter.append(by_coefficient[0][1]._replace(coefficients=changes))
-        scale = self.radius_growth - self.relative(f"{path}.{length}", given[length])
-        self.tables[name] = TableGrowth(scale, self.none, by_parameter)
+            changes = sum(dot[k] * data.coefficients for dot, data in zip(dots, pieces, strict=True))
+            by_parameter.append(pieces[0]._replace(coefficients=changes))
+        length_growth = self.relative(f"{path}.{length}", given[length])
+        self.tables[name] = TableGrowth(self.radius_growth - length_growth, self.none, by_parameter)
 
     def _add_law_numbers(self, path: str, name: str, given: Mapping[str, Any]) -> None:
         growths = {"m": self.radius_growth, "m/s": self.speed_growth, "": self.none}
         problem = self.lanes.problem
+        places = problem.program.places
         for p in LAWS[name].parameters:
             cell = f"{name}.{p.name}"
-            places = problem.program.places
-            value = float(given[p.name])
             scaled = float(problem.cells[places[cell], 0]) if cell in places else 0.0
+            value = float(given[p.name])
             by_value = scaled / value if value else 1.0
             parameter = "friction" if name == "constant" else f"{path}.{p.name}"
             self.inputs[cell] = by_value * self.one(parameter) - scaled * growths[p.unit]
 
 
-def _by_coefficient(name: str, given: Mapping[str, Any], coefficient: str) -> Data:
+def _by_coefficient(name: str, coefficients: Mapping[str, float], changed: str) -> Data:
     """The derivative of a law's pieces by a coefficient, in which they are linear; zero for what is none of its own."""
-    numbers = {key: float(value) for key, value in given.items()}
-    up = dict(numbers)
-    down = dict(numbers)
-    if coefficient in numbers:
-        up[coefficient] += 1.0
-        down[coefficient] -= 1.0
-    above = of_law(name, up)
-    below = of_law(name, down)
-    return above._replace(coefficients=(above.coefficients - below.coefficients) / 2)
+    above = dict(coefficients)
+    below = dict(coefficients)
+    if changed in coefficients:
+        above[changed] += 1.0
+        below[changed] -= 1.0
+    upper = of_law(name, above)
+    lower = of_law(name, below)
+    slope = (upper.coefficients - lower.coefficients) / 2
+    return upper._replace(coefficients=slope)

@@ -36,6 +36,8 @@ def with_derivatives(section: LayeredSection, names: Sequence[str]) -> LayeredSe
     ValueError
         Where a boundary touches the arc without crossing it: there are no derivatives.
     """
+    if section.crack:
+        raise ValueError("sensitivity: has no derivatives of sections with a tension crack; compare motions instead")
     _raise_if_a_boundary_touches(section)
     numbers = arc_numbers(section)
     known = {name: numbers[name] for name in names if name in numbers}

@@ -16,9 +16,12 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import raise_all
+from generated.effects import LAWS
+from slipcircle.base.checks import mistakes, raise_all
 from slipcircle.core.scene.coordinates import replace_unchecked
+from slipcircle.core.scene.cracks import CrackedSection
 from slipcircle.core.scene.friction import rate_mistakes
+from slipcircle.core.scene.ground import FAR
 from slipcircle.core.scene.profile import (
     AREA,
     HEAD,
@@ -40,7 +43,7 @@ from slipcircle.core.scene.strips import Floats, Strips, cut_into_strips
 
 
 @dataclass(frozen=True, eq=False)
-class LayeredSection(Section):
+class LayeredSection(CrackedSection):
     """A slip circle through layered ground, with the mass between ground and arc.
 
     Parameters
@@ -60,6 +63,9 @@ class LayeredSection(Section):
     rate : mapping, optional
         A law of speed by which the friction of all soils is multiplied, ``{"law": "rate_weakening", "peak": 1.0,
         "residual": 0.6, "velocity": 0.1}``; a factor of 1 leaves it unchanged.
+    crack : float
+        Depth of a dry tension crack, m: the slip surface begins at its bottom, where the ground is so high above the
+        arc. It has no derivatives yet.
 
     Notes
     -----
@@ -72,6 +78,7 @@ class LayeredSection(Section):
     foreland: Soil | None = None
     surcharge: Sequence[tuple[float, float, float, float]] = ()
     rate: Mapping[str, Any] | None = None
+    crack: float = 0.0
     quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
 
     def __post_init__(self) -> None:
@@ -79,6 +86,8 @@ class LayeredSection(Section):
         if not errors:
             errors = [f"soils.{soil.name}.{m}" for soil, _ in self.layers for m in soil_mistakes(soil)]
         raise_all("LayeredSection", errors + rate_mistakes(self.rate))
+        depth = (-5e-324, FAR, "a depth of at least 0 in m")
+        raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}, one=("crack",)))
         super().__post_init__()
         first, last = self._angles
         overhangs = max(-float(np.min(first)), float(np.max(last))) > np.pi / 2
@@ -284,10 +293,9 @@ class LayeredSection(Section):
         for k, (_, top) in enumerate(self.layers):
             if top is not None:
                 numbers[f"layers.{k + 1}.top"] = np.asarray(top)[..., 0, 1][()] if np.ndim(top) > 1 else top
-        rate = self.rate or {}
-        return numbers | {
-            f"rate.{name}": value for name, value in rate.items() if np.ndim(value) == 0 and name != "law"
-        }
+        if self.rate and LAWS[self.rate["law"]].parameters[0].kind != "list":
+            numbers |= {f"rate.{name}": value for name, value in self.rate.items() if name != "law"}
+        return numbers
 
     def fields_with(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """The layers, the foreland and the factor of speed with other values of these."""
@@ -328,7 +336,12 @@ class LayeredSection(Section):
 def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
     """Whether two sections have the same boundaries, surcharges, and soils that differ in no more than numbers."""
     same = len(one.layers) == len(other.layers) and len(one.soils) == len(other.soils)
-    same &= one.surcharge is other.surcharge and one.strength == other.strength and one._saturated == other._saturated
+    same &= (
+        one.surcharge is other.surcharge
+        and one.crack == other.crack
+        and one.strength == other.strength
+        and one._saturated == other._saturated
+    )
     same &= all(mine is theirs for (_, mine), (_, theirs) in zip(one.layers, other.layers, strict=same))
     return same and all(mine.datum == theirs.datum for mine, theirs in zip(one.soils, other.soils, strict=True))
 

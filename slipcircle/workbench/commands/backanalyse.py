@@ -59,7 +59,7 @@ def run(options: argparse.Namespace) -> Answer:
 
 
 def _record(fit: BackAnalysis) -> dict[str, Any]:
-    """As JSON holds it: null for what is not known; matrices by fields in their order."""
+    """For JSON: null for unknown values; matrices by fields in their order."""
     solutions = []
     for solution in fit.solutions:
         derived = {"standard_errors": solution.standard_errors, "correlation": solution.correlation}
@@ -68,7 +68,7 @@ def _record(fit: BackAnalysis) -> dict[str, Any]:
 
 
 def _column(fit: BackAnalysis, solution: Solution) -> dict[str, str]:
-    """A solution by label: fields with their errors, outcomes beside what was observed, and how well it fits."""
+    """A solution by label: fields with their errors, outcomes next to the observations, and the misfit."""
     cells, errors = {}, solution.standard_errors or {}
     for name, value in solution.values.items():
         error = errors.get(name, 0.0)
@@ -90,7 +90,7 @@ def _column(fit: BackAnalysis, solution: Solution) -> dict[str, str]:
 
 
 def _observation(value: float | None, sigma: float | None) -> str:
-    """An observation in brackets, with its standard error where there is one."""
+    """An observation in brackets, with its standard error if it has one."""
     if value is None:
         return ""
     error = f" +- {sigma:.2g}" if sigma else ""

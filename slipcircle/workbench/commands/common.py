@@ -1,4 +1,4 @@
-"""What commands share: their common options, the checks before the work, errors that name the scene."""
+"""Common parts of commands: options, checks before the computation, errors that name the scene."""
 
 import argparse
 from collections.abc import Callable
@@ -29,7 +29,7 @@ def add_files(parser: argparse.ArgumentParser, picture: str, **tables: str) -> N
 
 
 def check_files(options: argparse.Namespace) -> None:
-    """See that all files of a command can be written and its pictures drawn, before the work."""
+    """Check before the computation that all files can be written and pictures drawn."""
     values = vars(options)
     outputs = {f"--{name}": values[name] for name in ("plot", "report", "csv", "npz", "live") if values.get(name)}
     scenes = values.get("scenes") or [name for name in [values.get("scene")] if name]
@@ -40,7 +40,7 @@ def check_files(options: argparse.Namespace) -> None:
 
 
 def with_scene_context(scene: Scene, work: Callable[[Scene], T]) -> T:
-    """What a function makes of a scene; an error says of which scene, and names the key of its file."""
+    """Apply a function to a scene; errors name the scene and the key of its file."""
     try:
         return work(scene)
     except InputError as error:

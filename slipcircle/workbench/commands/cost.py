@@ -1,4 +1,4 @@
-"""`slipcircle cost`: the price list, measured on this machine."""
+"""`slipcircle cost`: cost and accuracy of all methods, measured on this machine."""
 
 import argparse
 import sys

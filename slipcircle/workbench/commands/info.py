@@ -9,7 +9,7 @@ HELP = "versions and digests of what is installed"
 
 
 def options(_: argparse.ArgumentParser) -> None:
-    """It has none of its own."""
+    """Declare no options."""
 
 
 def run(_: argparse.Namespace) -> Answer:

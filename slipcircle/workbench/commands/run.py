@@ -3,6 +3,7 @@
 import argparse
 from collections.abc import Iterator, Mapping, Sequence
 
+from slipcircle.base.progress import track
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, solve
 from slipcircle.workbench.commands import values
@@ -44,7 +45,7 @@ def run(options: argparse.Namespace) -> Answer:
     if options.polarities:
         scenes = [polarity for scene in scenes for polarity in (scene, other_way(scene))]
         sources = [source for source in sources for _ in range(2)]
-    motions = [with_scene_context(scene, solve) for scene in scenes]
+    motions = [with_scene_context(scene, solve) for scene in track(scenes, "scenes solved")]
     _write_files(motions, sources, options)
     means = _polarity_means(motions) if options.polarities else {}
     return Answer(
@@ -72,7 +73,7 @@ def _parts(motions: Sequence[Motion], means: Mapping[str, Mapping[str, float]], 
 
 
 def _check_options(options: argparse.Namespace) -> None:
-    """Refuse options that need others, or that others leave no room for."""
+    """Reject combinations of options that are not possible."""
     if options.times is not None and not options.csv:
         raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
     if options.vary and not options.live:
@@ -82,7 +83,7 @@ def _check_options(options: argparse.Namespace) -> None:
 
 
 def _write_files(motions: Sequence[Motion], sources: Sequence[bytes], options: argparse.Namespace) -> None:
-    """Make all files that are asked for before the first is written."""
+    """Compute all requested files before the first is written."""
     contents: dict[str, bytes] = {}
     if options.csv:
         contents[options.csv] = csv(motions, options.times)
@@ -110,7 +111,7 @@ def _live(motion: Motion, varied: str | None) -> str:
 
 
 def _polarity_means(motions: Sequence[Motion]) -> dict[str, Mapping[str, float]]:
-    """The mean size of each outcome over both polarities of a scene, by the name of a column."""
+    """Mean absolute value of each outcome over both polarities of a scene, by the name of a column."""
     means: dict[str, Mapping[str, float]] = {}
     for one, other in zip(motions[::2], motions[1::2], strict=True):
         sizes = {name: (abs(one.outcomes[name]) + abs(other.outcomes[name])) / 2 for name in OUTCOMES}

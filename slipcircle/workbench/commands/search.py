@@ -3,6 +3,7 @@
 import argparse
 from typing import Any
 
+from slipcircle.base.progress import track
 from slipcircle.workbench.commands.common import add_files
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.outputs import pictures, tables
@@ -31,7 +32,7 @@ def run(options: argparse.Namespace) -> Answer:
     if options.least == YIELD and options.method:
         raise ValueError(f"search: --method {options.method}: k_y is by the paper's method; leave it out")
     method = YIELD if options.least == YIELD else options.method
-    searched = [critical_of_file(name, method, say) for name in options.scenes]
+    searched = [critical_of_file(name, method, say) for name in track(options.scenes, "slopes searched")]
     names, notes, circles = zip(*searched, strict=True)
     pictures.write(options.plot, "search", circles[0])
     for name, circle in zip(names, circles, strict=True):

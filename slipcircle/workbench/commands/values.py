@@ -1,4 +1,4 @@
-"""What stands behind options of the command line: times, counts, observations, and values of keys."""
+"""Values of command-line options: times, counts, observations, and values of keys."""
 
 import argparse
 from collections.abc import Callable, Sequence

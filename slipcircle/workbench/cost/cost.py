@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.progress import track
 from slipcircle.workbench.cost import scenes, sections
 from slipcircle.workbench.cost.reference import Floats
 from slipcircle.workbench.cost.ways import FLOOR, FUNCTIONS, Subject, Way
@@ -75,7 +76,7 @@ class Row:
 
 
 def measure(names: Sequence[str], report: Callable[[str], object] = lambda message: None) -> list[Row]:
-    """Measure every way to compute the named functions, keys of `SUBJECTS` or a group of them; report each."""
+    """Measure every way to compute the functions, keys of `SUBJECTS` or a group of them; report what is missing."""
     names = [name for group in names for name in GROUPS.get(group, [group])]
     unknown = [name for name in names if name not in NAMES]
     if unknown:
@@ -83,11 +84,8 @@ def measure(names: Sequence[str], report: Callable[[str], object] = lambda messa
         raise ValueError(f"function {unknown[0]!r} is unknown; known are {known}")
     if find_spec("flint") is None:
         raise ImportError("the reference needs python-flint: pip install 'slipcircle[derive]'")
-    rows, start = [], time.monotonic()
-    for done, name in enumerate(names):
-        each = (time.monotonic() - start) / max(done, 1)
-        left = f", about {each * (len(names) - done):.0f} s left" if done else ""
-        report(f"measuring {name} ({done + 1} of {len(names)}{left})")
+    rows = []
+    for name in track(names, "functions measured"):
         for make_subject in SUBJECTS[name]:
             rows += judged(measured(make_subject(), report))
     return rows

@@ -45,7 +45,7 @@ def frontier(rows: Sequence[Row], ax: Any = None) -> Any:
     axes.margins(x=0.2)
     axes.grid(alpha=0.3)
     axes.set_title(rows[0].function, loc="left", fontweight="bold")
-    axes.legend(fontsize="small")
+    axes.legend(fontsize="small", loc="lower right")
     return axes
 
 
@@ -108,7 +108,7 @@ def over_alpha(rows: Sequence[Row], ax: Any = None) -> Any:
     axes.set(yscale="log", xlim=(-_DECADES, _DECADES), ylim=(_BEST, _NONE * 2))
     axes.set(xlabel="alpha, rad", ylabel="relative error, worst in each bin (thin: proved)")
     axes.grid(alpha=0.3)
-    axes.legend(fontsize="small", ncols=2)
+    axes.legend(fontsize="small", ncols=2, loc="upper right")
     return axes
 
 

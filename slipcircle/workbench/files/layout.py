@@ -69,7 +69,7 @@ def _soil_laws(content: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _without_unknown_laws(content: Mapping[str, Any], laws: Mapping[str, str]) -> dict[str, Any]:
-    """The soils of a file, those of unknown laws without parameters that nobody could judge."""
+    """The soils of a file, those of unknown laws without parameters, which cannot be checked."""
     soils = _tables_in(content, "soils")
     for name in (name for name, law in laws.items() if not law):
         soils[name] = soils[name] | {"friction": _unknown_law(soils[name]["friction"])}
@@ -113,7 +113,7 @@ def _table(content: Mapping[str, Any], name: str) -> dict[str, Any]:
 
 
 def _unknown_law(friction: Mapping[str, Any]) -> dict[str, Any]:
-    """Friction of a law that is anybody's guess, without parameters that nobody could judge."""
+    """Friction of an unknown law, without its parameters, which cannot be checked."""
     return {"law": friction["law"], "coefficient": 0.0}
 
 

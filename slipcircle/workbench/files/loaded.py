@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class SlopeScene(Scene[Numbers]):
-    """A scene along a circle whose factors of safety are known; `load` gives it, and the motion does not depend on it.
+    """A scene with the factors of safety of its circle, as returned by `load`; its motion does not depend on them.
 
     Attributes
     ----------

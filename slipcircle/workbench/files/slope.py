@@ -93,17 +93,14 @@ class SlopeInput:
         if self.profile is None:
             return Section(**common)
         profile = self.profile
-        crack = self.given.get("tension_crack", {}).get("crack")
-        more: dict[str, Any] = {name: value for name, value in {"crack": crack, "rate": profile.rate}.items() if value}
-        if unknown := [name for name in more if name not in LayeredSection.__dataclass_fields__]:
-            raise InputError("Section", [f"{{{name}}}: motions do not know it yet; leave it out" for name in unknown])
         return LayeredSection(
             **common,
             layers=profile.layers,
             strength=profile.strength,
             foreland=profile.foreland,
             surcharge=self.surcharge,
-            **more,
+            rate=profile.rate,
+            crack=self.given.get("tension_crack", {}).get("crack", 0.0),
         )
 
     def moving(self, tell: Callable[[str], None]) -> tuple[Section, Critical | None]:

@@ -17,6 +17,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     lines,
     note,
     number,
+    points_of,
     to_scale,
 )
 from slipcircle.workbench.outputs.sectionplot import scenery
@@ -100,8 +101,9 @@ def _curves(motions: Sequence[Motion], ax: Any, column: str, words: str) -> None
     for k, (colour, dashes, _) in styles.items():
         times, values = drawn(motions[k])["time"], drawn(motions[k])[column]
         ax.plot(times, values, color=colour, ls=dashes, lw=1.8)
-        points = np.column_stack([times, values])[len(times) // 8 :: max(1, len(times) // 16)]
-        label(ax, motions[k].plan.scene.name, points, colour, parse_math=False)
+        later = slice(len(times) // 8, None)
+        name = motions[k].plan.scene.name
+        label(ax, name, points_of(times[later], values[later]), colour, parse_math=False)
     if not styles:
         note(ax, ["none moves"])
     ax.set(xlabel="time $t$ (s)", ylabel=words)

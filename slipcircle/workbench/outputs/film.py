@@ -32,12 +32,7 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
     body = ax.add_patch(Polygon(mass.outline(), closed=True, zorder=4, **AREAS["moving"]))
     times = np.linspace(0.0, motion.duration, frames if motion.moves else 1)
     states = motion.at(times)
-    pace = ""
-    if motion.moves:
-        speed_up = motion.duration / seconds
-        pace = f"; {speed_up:.2g} times as fast" if speed_up > 1.0 else f"; {1.0 / speed_up:.2g} times slower"
-    if stage.magnification > 1.0:
-        pace += f", displacements {number(stage.magnification)} times as large"
+    pace = _pace(motion, seconds, stage.magnification)
     title = ax.figure.suptitle(" ", fontsize="medium")
 
     def draw(frame: int) -> tuple[Any, ...]:
@@ -48,6 +43,17 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
 
     draw(0)
     return Film(ax.figure, (body, title), draw, times, seconds)
+
+
+def _pace(motion: Motion, seconds: float, magnification: float) -> str:
+    """By how much a film shows a motion faster and larger than it is, in words."""
+    words = ""
+    if motion.moves:
+        speed_up = motion.duration / seconds
+        words = f"; {speed_up:.2g} times as fast" if speed_up > 1.0 else f"; {1.0 / speed_up:.2g} times slower"
+    if magnification > 1.0:
+        words += f", displacements {number(magnification)} times as large"
+    return words
 
 
 def animate(motion: Motion, figure: Any = None, frames: int = 60, seconds: float = 5.0) -> Any:

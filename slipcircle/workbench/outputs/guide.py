@@ -78,7 +78,7 @@ def _of_layers() -> dict[str, Table]:
 
 
 def _title(head: str, words: str) -> list[str]:
-    return textwrap.wrap(words, WIDTH, initial_indent=f"{head:<{INDENT - 1}} ", subsequent_indent=" " * INDENT)
+    return textwrap.wrap(words, WIDTH, initial_indent=f"{head:<{INDENT - 2}}  ", subsequent_indent=" " * INDENT)
 
 
 def _keys(table: Table) -> Iterator[str]:

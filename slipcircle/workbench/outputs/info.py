@@ -26,7 +26,7 @@ def facts() -> dict[str, str]:
 
 
 def processor() -> str:
-    """Its name; the level of the kernels tells which of its instructions are used."""
+    """Its name; the level of the kernels shows which of its instructions are used."""
     try:
         named = re.search(r"^model name\s*: (.+)$", Path("/proc/cpuinfo").read_text("utf-8"), re.MULTILINE)
     except OSError:

@@ -4,7 +4,7 @@ Displacement is the cubic Hermite polynomial of its values and of the velocities
 that of its values and of the accelerations. Both are continuous; intervals are halved until they are accurate.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -46,53 +46,55 @@ def interpolant(motion: Motion, most: int) -> Interpolant:
     for _ in range(_HALVINGS):
         middles = (times[:-1] + times[1:]) / 2
         errors = _errors_at(motion, times, middles)
-        worst = np.argsort(-errors)[: max(most - times.size, 0)]
+        room = max(most - times.size, 0)
+        worst = np.argsort(-errors)[:room]
         halved = worst[errors[worst] > TOLERANCE]
         if not halved.size:
             break
-        times = np.sort(np.concatenate([times, middles[halved]]))
+        times = np.union1d(times, middles[halved])
+    between = np.linspace(times[:-1], times[1:], 5)[1:-1]
+    error = float(np.max(_errors_at(motion, times, np.ravel(between))))
     state = motion.at(times)
-    quarters = np.concatenate([times[:-1] + share * np.diff(times) for share in (0.25, 0.5, 0.75)])
-    error = float(np.max(_errors_at(motion, times, quarters)))
     return Interpolant(times, state.displacement, state.velocity, state.acceleration, error)
 
 
-def hermite(times: Floats, values: Floats, slopes: Floats, at: Floats) -> Any:
+def hermite(times: Floats, values: Floats, slopes: Floats, at: Floats) -> Floats:
     """The piecewise cubic with values and slopes at increasing times, at other times between the first and the last."""
     last = np.clip(np.searchsorted(times, at), 1, times.size - 1)
     first = last - 1
     step = times[last] - times[first]
     share = (at - times[first]) / step
     rest = 1.0 - share
-    by_values = rest**2 * (1.0 + 2.0 * share) * values[first] + share**2 * (1.0 + 2.0 * rest) * values[last]
-    by_slopes = rest**2 * share * slopes[first] - share**2 * rest * slopes[last]
-    return by_values + step * by_slopes
+    from_first = rest**2 * (1.0 + 2.0 * share) * values[first]
+    from_last = share**2 * (1.0 + 2.0 * rest) * values[last]
+    from_slopes = share * rest * (rest * slopes[first] - share * slopes[last])
+    return np.asarray(from_first + from_last + step * from_slopes)
 
 
-def _errors_at(motion: Motion, times: Floats, others: Floats) -> Any:
+def _errors_at(motion: Motion, times: Floats, others: Floats) -> Floats:
     """How far the cubics between times are off at other times, as shares of the greatest velocity and displacement."""
-    every = motion.at(np.concatenate([times, others]))
-    displacement, velocity, acceleration = every.displacement, every.velocity, every.acceleration
-    known, asked = slice(times.size), slice(times.size, None)
+    known, asked = motion.at(times), motion.at(others)
+    velocity = hermite(times, known.velocity, known.acceleration, others)
+    displacement = hermite(times, known.displacement, known.velocity, others)
     greatest_velocity = abs(float(motion.peak.velocity)) or 1.0
     greatest_displacement = abs(float(motion.reach.displacement)) or 1.0
-    v = hermite(times, velocity[known], acceleration[known], others)
-    s = hermite(times, displacement[known], velocity[known], others)
-    of_velocity = np.abs(v - velocity[asked]) / greatest_velocity
-    of_displacement = np.abs(s - displacement[asked]) / greatest_displacement
+    of_velocity = np.abs(velocity - asked.velocity) / greatest_velocity
+    of_displacement = np.abs(displacement - asked.displacement) / greatest_displacement
     return np.maximum(of_velocity, of_displacement)
 
 
 def _first_times(motion: Motion, most: int) -> Floats:
     """Even times, and both sides of each time at which the acceleration may jump."""
     duration = float(motion.duration)
-    jumps = [np.zeros(1), np.array([duration])]
-    jumps += [np.array([phase.start, phase.end]) for phase in motion.phases]
-    jumps += [np.asarray(function.kinks) for function in in_time(motion.plan.scene.called).values()]
-    places = np.unique(np.clip(np.concatenate(jumps), 0.0, duration))
-    if 3 * places.size > most:  # a record of ground motion, whose accelerations are continuous
-        places = np.array([0.0, duration])
+    jumps = [0.0, duration]
+    for phase in motion.phases:
+        jumps += np.ravel([phase.start, phase.end]).tolist()
+    for function in in_time(motion.plan.scene.called).values():
+        kinks = np.asarray(function.kinks)
+        if 3 * kinks.size < most:  # no record of ground motion, whose accelerations are continuous
+            jumps += kinks.tolist()
     beside = _BESIDE * duration
+    before = np.array(jumps) - beside
     even = np.linspace(0.0, duration, _FIRST)
-    times = np.concatenate([even, places - beside, places + beside])
+    times = np.concatenate([even, before, before + 2 * beside])
     return np.unique(np.clip(times, 0.0, duration))

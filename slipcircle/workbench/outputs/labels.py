@@ -24,7 +24,7 @@ _DIRECTIONS = np.linspace(0.0, 2 * math.pi, 16, endpoint=False)
 _SPACING = 4.0  # of the points that stand for lines, in pixels
 _GAP = 2.0  # about words, in pixels
 # What a place costs: a point covered, a pixel outside of the axis, other words or a line to them, a pixel of distance.
-_COVERED, _OUTSIDE, _WORDS, _FAR = 1.0, 200.0, 400.0, 0.12
+_COVERED, _OUTSIDE, _WORDS, _FAR = 2.0, 200.0, 400.0, 0.12
 BACK = 1.5  # of `zorder`: what lies further back may be covered
 _HALO = 2.5  # points of white around words
 
@@ -66,36 +66,46 @@ class Label(Annotation):
         self.leader.set_visible(False)
         box = Text.get_window_extent(self, renderer)
         half = np.array([box.width, box.height]) / 2
-        at = self.parent.transData.transform(self.anchors)
-        distances = np.array([0.0] if self.inside else _DISTANCES) * pixels
-        away = np.stack([np.cos(_DIRECTIONS), np.sin(_DIRECTIONS)], axis=1)
-        if self.inside:
-            away = np.zeros((1, 2))
-        offsets = distances[:, None, None] * away + half * away
-        centres = at[:, None, None] + offsets
-        anchors = np.broadcast_to(at[:, None, None], centres.shape).reshape(-1, 2)
-        candidates = centres.reshape(-1, 2)
-        far = np.broadcast_to(distances[None, :, None], centres.shape[:-1]).ravel()
-        cost = self._cost(candidates, half + _GAP, renderer) + _FAR * far + self._leader_cost(candidates, anchors, far)
+        anchors = self.parent.transData.transform(self.anchors)
+        distances, offsets = self._offsets(half, pixels)
+        which = np.repeat(np.arange(len(anchors)), len(offsets))
+        far = np.tile(distances, len(anchors))
+        at = anchors[which]
+        centres = at + np.tile(offsets, (len(anchors), 1))
+        cost = self._cost(centres, half + _GAP, renderer)
+        cost += _FAR * far + self._leader_cost(centres, at, far)
         best = int(np.argmin(cost))
-        self.xy = tuple(self.anchors[best // (len(distances) * len(away))])
-        self.set_position(tuple(candidates[best] - anchors[best]))
+        self.xy = tuple(self.anchors[which[best]])
+        self.set_position(tuple(centres[best] - at[best]))
         self.leader.set_visible(far[best] > _NEAR * pixels)
+
+    def _offsets(self, half: Floats, pixels: float) -> tuple[Floats, Floats]:
+        """Distances of words from an anchor and where their middle then is from it, (places,) and (places, 2)."""
+        if self.inside:
+            return np.zeros(1), np.zeros((1, 2))
+        away = np.stack([np.cos(_DIRECTIONS), np.sin(_DIRECTIONS)], axis=1)
+        distances = np.repeat(_DISTANCES, len(away)) * pixels
+        directions = np.tile(away, (len(_DISTANCES), 1))
+        return distances, (distances[:, None] + half) * directions
 
     def _cost(self, centres: Floats, half: Floats, renderer: Any) -> Floats:
         """What words of a half size cost at centres, (candidates, 2) in pixels."""
         low, high = centres - half, centres + half
         points = np.concatenate([np.empty((0, 2)), *_obstacles(self.parent)])
-        across = (low[:, :1] < points[:, 0]) & (points[:, 0] < high[:, :1])
-        up = (low[:, 1:] < points[:, 1]) & (points[:, 1] < high[:, 1:])
-        cost = _COVERED * np.count_nonzero(across & up, axis=1)
+        right_of = low[:, :1] < points[:, 0]
+        left_of = points[:, 0] < high[:, :1]
+        above = low[:, 1:] < points[:, 1]
+        below = points[:, 1] < high[:, 1:]
+        covered = np.count_nonzero(right_of & left_of & above & below, axis=1)
         frame = self.parent.bbox
-        outside = np.maximum(frame.min - low, 0.0) + np.maximum(high - frame.max, 0.0)
-        cost = cost + _OUTSIDE * outside.sum(axis=1)
+        too_low = np.maximum(frame.min - low, 0.0)
+        too_high = np.maximum(high - frame.max, 0.0)
+        outside = (too_low + too_high).sum(axis=1)
+        cost = _COVERED * covered + _OUTSIDE * outside
         for box in self._other_words(renderer):
             overlap = np.minimum(high, box.max) - np.maximum(low, box.min)
-            cost = cost + _WORDS * np.all(overlap > 0.0, axis=1)
-        return cost
+            cost += _WORDS * np.all(overlap > 0.0, axis=1)
+        return np.asarray(cost)
 
     def _leader_cost(self, centres: Floats, anchors: Floats, far: Floats) -> Floats:
         """What lines from words to anchors cost that pass through other words."""
@@ -103,8 +113,9 @@ class Label(Annotation):
         points = anchors + share * (centres - anchors)
         cost = np.zeros(len(centres))
         for box in self._other_words(None):
-            crossed = np.any(np.all((points > box.min) & (points < box.max), axis=-1), axis=0)
-            cost += _WORDS / 4 * (crossed & (far > 0.0))
+            inside = np.all((points > box.min) & (points < box.max), axis=-1)
+            crossed = np.any(inside, axis=0) & (far > 0.0)
+            cost += _WORDS / 4 * crossed
         return cost
 
     def _other_words(self, renderer: Any) -> Iterator[Any]:

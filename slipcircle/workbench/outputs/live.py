@@ -15,12 +15,11 @@ import numpy as np
 from slipcircle.base.text import shown
 from slipcircle.core import ANSWERED, Arc, Motion, Scene, parameter_value, with_parameters
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
-from slipcircle.workbench.common.quantities import OUTCOMES, end_words, summary, words
+from slipcircle.workbench.common.quantities import OUTCOMES, end_words, summary
 from slipcircle.workbench.files.loaded import warnings_of
-from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.outputs.interpolant import TOLERANCE, Interpolant, interpolant
 from slipcircle.workbench.outputs.livesection import Section, axes, common_magnification, frame_around, section
-from slipcircle.workbench.outputs.plotstyle import ending
+from slipcircle.workbench.outputs.plotstyle import ending, quantity_words
 from slipcircle.workbench.studies import motions as study_motions
 from slipcircle.workbench.studies.ensemble import varied_number
 
@@ -154,15 +153,8 @@ def varied_page(scene: Scene, key: str, values: Sequence[float]) -> str:
     cases = [lanes[lane] for lane in range(levels.size)]
     present = float(number.from_si(parameter_value(scene, number.name)))
     nearest = int(np.argmin(np.abs(levels - present)))
-    return page(cases, _in_words(number), [shown(value) for value in values], nearest)
-
-
-def _in_words(number: Number) -> str:
-    """What a number is, with its unit: residual friction angle (deg), radius (m)."""
-    names = number.name.split(".")
-    if number.tangent:
-        return words(" ".join([*reversed(names), "angle"]), number.unit)
-    return words(" ".join(dict.fromkeys(names)), number.unit)
+    unit = f" ({number.unit})" if number.unit else ""
+    return page(cases, quantity_words(number) + unit, [shown(value) for value in values], nearest)
 
 
 def headline(motion: Motion) -> str:

@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from slipcircle.base.progress import track
 from slipcircle.core import Motion
 from slipcircle.workbench.common import files
 from slipcircle.workbench.outputs.plotstyle import described, missing
@@ -20,7 +21,7 @@ _HOLD, _COLOURS = 2000, 64  # milliseconds that its last frame is held; colours 
 
 
 def check(command: str, path: str = "", scenes: int = 1) -> None:
-    """See that pictures can be drawn, and one of this file's type and of so many scenes; one scene may be animated."""
+    """Check that pictures of this type can be drawn for this number of scenes; one scene may be animated."""
     try:
         import matplotlib  # noqa: F401
     except ImportError as error:
@@ -33,7 +34,7 @@ def check(command: str, path: str = "", scenes: int = 1) -> None:
 
 
 def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> bytes:
-    """What a function draws on an empty figure of a size in inches, as a file whose name ends in .png, .svg, ...
+    """Draw a function's picture on an empty figure of a size in inches, as the content of a .png, .svg, ... file.
 
     For .gif the function gives the `Film` that it has drawn.
     """
@@ -72,7 +73,7 @@ def _played(film: "Film") -> bytes:
     figure.set_layout_engine("none")  # which would lay out every frame anew
     background, size = canvas.copy_from_bbox(figure.bbox), canvas.get_width_height()
     images = []
-    for frame in range(len(film.times)):
+    for frame in track(range(len(film.times)), "frames drawn"):
         canvas.restore_region(background)
         for artist in film.draw(frame):
             figure.draw_artist(artist)
@@ -105,7 +106,7 @@ def _on_axis(draw: Callable[..., Any]) -> Callable[[Any, Any], Any]:
 
 def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
     """What draws which result on an empty figure, and its inches; loaded only where something is drawn."""
-    from slipcircle.workbench.outputs import plots, searchplot, studyplots, tornado
+    from slipcircle.workbench.outputs import layerplot, plots, searchplot, studyplots, tornado
 
     return {
         "motions": (_motions, _motions_size),
@@ -116,6 +117,7 @@ def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any],
         ),
         "phase plane": (_on_axis(plots.phase_plane), lambda _: (8.6, 4.0)),
         "shaking": (_on_axis(plots.shaking), lambda _: (8.6, 3.0)),
+        "stress along the arc": (_on_axis(layerplot.stress_along), lambda _: (8.6, 3.0)),
         "study": (studyplots.overview, studyplots.size),
         "sensitivity": (tornado.panels, tornado.size),
         "backanalysis": (studyplots.explained, studyplots.explained_size),

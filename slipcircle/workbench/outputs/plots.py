@@ -16,7 +16,7 @@ from slipcircle.base.text import shown
 from slipcircle.core import LayeredSection, Motion, in_time
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
 from slipcircle.workbench.outputs.film import animate
-from slipcircle.workbench.outputs.layerplot import normal_stress_along
+from slipcircle.workbench.outputs.layerplot import stress_along
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
@@ -31,6 +31,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     mark,
     note,
     number,
+    points_of,
     still,
     width,
     work,
@@ -65,6 +66,7 @@ HISTORIES: Mapping[str, tuple[str, tuple[Curve, ...]]] = {
     ),
 }
 _MOST_KINKS = 4  # that are explained one by one
+_TOUCHES = 0.02  # of the required friction at the start, below which it is zero
 _TALL = 3.0  # times the greatest mobilised friction, up to which that required for equilibrium is in view
 _SECTION, _PANEL = 4.3, 2.3  # inches, how high the section and a row of panels are
 OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
@@ -94,7 +96,7 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
         for curve, heights in zip(curves, drawn_values, strict=True):
             label(ax, curve.label, _in_view(ax, times, heights), LINES[curve.line]["color"])
     if what == "friction":
-        _explain_zeros(ax, columns, len(curves) > 1)
+        _explain_zeros(ax, motion, len(curves) > 1)
     _explain_kinks(ax, motion, brief)
     if what == "displacement":
         _rotation_axis(ax, motion)
@@ -132,12 +134,11 @@ def _mark_times(
 
 def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
     """Points of a curve where its name may stand: in the middle of the time, and in view."""
-    points = np.column_stack([times, values])
     (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
     width = right - left
     inside = (left + 0.1 * width < times) & (times < right - 0.1 * width) & (low < values) & (values < high)
-    points = points[inside] if np.any(inside) else points
-    return points[:: max(1, len(points) // 12)]
+    shown = inside if np.any(inside) else slice(None)
+    return np.asarray(points_of(times[shown], values[shown]))
 
 
 def _explain_kinks(ax: Any, motion: Motion, brief: bool) -> None:
@@ -161,15 +162,20 @@ def _explain_kinks(ax: Any, motion: Motion, brief: bool) -> None:
             label(ax, words, [(time, low + share * (high - low)) for share in (0.1, 0.3, 0.5, 0.7, 0.9)], "0.3")
 
 
-def _explain_zeros(ax: Any, columns: Mapping[str, Floats], with_required: bool) -> None:
-    """Words where friction drops to zero, and where that required for equilibrium touches it, as it has no sign."""
+def _explain_zeros(ax: Any, motion: Motion, with_required: bool) -> None:
+    """Words where friction drops to zero, and where that required for equilibrium touches it once, without a sign."""
+    columns = drawn(motion)
+    passes_once = len(motion.phases) == 1 and "shaking" not in motion.plan.effects
     times, required, friction = columns["time"], columns["holding_friction"], columns["friction"]
-    least = int(np.nanargmin(required)) if with_required else 0
-    if 0 < least < len(times) - 1 and required[least] < 0.02 * np.nanmax(required):
-        label(ax, "in balance\nwithout friction", (times[least], required[least]), LINES["other"]["color"])
-    lost = np.flatnonzero((friction[1:] == 0.0) & (friction[:-1] > 0.0))
-    if lost.size:
-        label(ax, "no effective stress", (times[lost[0] + 1], friction[lost[0]] / 2), LINES["main"]["color"])
+    if with_required and passes_once:
+        least = int(np.nanargmin(required))
+        is_between = 0 < least < len(times) - 1
+        if is_between and required[least] < _TOUCHES * required[0]:
+            label(ax, "in balance\nwithout friction", (times[least], required[least]), LINES["other"]["color"])
+    drops = (friction[1:] == 0.0) & (friction[:-1] > 0.0)
+    if np.any(drops):
+        last = int(np.argmax(drops))
+        label(ax, "no effective stress", (times[last + 1], friction[last] / 2), LINES["main"]["color"])
 
 
 def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
@@ -259,11 +265,12 @@ def _energies(motion: Motion, ax: Any, along: Floats) -> str:
         ax.plot(along, factor * supplied, **LINES["total"])
         ax.set_ylim(0.0, 1.2 * float(np.max(total)))
         words = work(motion) + (" and first kinetic energy" if at_start else "")
-        middle = slice(len(along) // 4, None, max(1, len(along) // 24))
-        label(ax, words, np.column_stack([along, factor * supplied])[middle], LINES["total"]["color"])
-        label(ax, "dissipation", np.column_stack([along, dissipation / 2])[middle], "0.25", inside=True)
+        later = slice(len(along) // 4, None)
+        label(ax, words, points_of(along[later], factor * supplied[later]), LINES["total"]["color"])
+        label(ax, "dissipation", points_of(along[later], dissipation[later] / 2), "0.25", inside=True)
         thickest = int(np.argmax(total - dissipation))
-        label(ax, "kinetic energy", (along[thickest], (total + dissipation)[thickest] / 2), "0.25")
+        middle = (dissipation[thickest] + total[thickest]) / 2
+        label(ax, "kinetic energy", (along[thickest], middle), "0.25")
     return unit
 
 
@@ -290,9 +297,7 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     ):
         if (function := functions.get(f"shaking.{way}")) is not None:
             ax.plot(times, function(times), **{**LINES[line], "lw": 1.2})
-            label(
-                ax, words, np.column_stack([times, function(times)])[:: max(1, len(times) // 40)], LINES[line]["color"]
-            )
+            label(ax, words, points_of(times, function(times), 40), LINES[line]["color"])
     yields = motion.yield_coefficient
     ax.axhline(yields, **{**LINES["total"], "lw": 1.2})
     ax.set_xlim(0.0, last)
@@ -349,22 +354,17 @@ def _panels(motion: Motion) -> list[Callable[..., Any]]:
     if "shaking" in motion.plan.effects:
         panels.append(shaking)
     if isinstance(motion.plan.scene.arc, LayeredSection):
-        panels.append(lambda motion, ax: normal_stress_along(motion.plan.scene.arc, ax))
+        panels.append(stress_along)
     return panels
 
 
 def title(motion: Motion) -> str:
     """A scene's name and what happened, to three digits."""
     name = shorten(motion.plan.scene.name, 80)
-    outcome = "does not move"
+    outcome = f"does not move, factor of safety {shown(float(motion.factor_of_safety), 3)}"
     if motion.moves:
-        outcome = f"{_rounded(motion.run_out)} m in {_rounded(motion.duration)} s, {ending(motion)}"
+        outcome = f"{shown(motion.run_out, 3)} m in {shown(motion.duration, 3)} s, {ending(motion)}"
     return ": ".join(filter(None, (name[:1].upper() + name[1:], outcome)))
-
-
-def _rounded(value: float) -> str:
-    """Three significant digits."""
-    return shown(float(f"{value:.3g}"))
 
 
 # What `Motion.plot` draws besides the overview.
@@ -372,6 +372,7 @@ PANELS: Mapping[str, Callable[..., Any]] = {
     "section": section,
     "energy": phase_plane,
     "shaking": shaking,
+    "stress_along_arc": stress_along,
     **{what: partial(history, what=what) for what in HISTORIES},
 }
 

@@ -125,6 +125,13 @@ def label(ax: Any, words: str, anchors: Any, colour: str = "black", inside: bool
     Label(ax, words, anchors, colour, inside, **more)
 
 
+def points_of(x: Any, y: Any, count: int = 12) -> Any:
+    """Some points of a curve, beside one of which its name may stand, (about count, 2)."""
+    points = np.column_stack(np.broadcast_arrays(x, y))
+    apart = max(1, len(points) // count)
+    return points[::apart]
+
+
 def note(ax: Any, words: Iterable[str]) -> None:
     """Lines of words in the emptiest place of an axis."""
     (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()

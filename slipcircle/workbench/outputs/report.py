@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 
 from generated.effects import EFFECTS, LAWS
+from slipcircle.base.progress import track
 from slipcircle.base.text import shown
-from slipcircle.core import Motion, Plan, Status, law_names, plan
+from slipcircle.core import LayeredSection, Motion, Plan, Status, law_names, plan
 from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
 from slipcircle.workbench.common.quantities import (
     OUTCOMES,
@@ -176,7 +177,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
         keys = ", ".join(u.key for u in uncertain_numbers(plan.scene).values())
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
     yield tag("h3", "Pictures")
-    for what, caption in _captions(motion).items():
+    for what, caption in track(_captions(motion).items(), "pictures drawn"):
         yield _figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
     quantities = {q.label: q for q in results(motion)}
     rows = []
@@ -214,6 +215,10 @@ def _captions(motion: Motion) -> dict[str, str]:
     if "shaking" in motion.plan.effects:
         captions["shaking"] = (
             "Ground acceleration over gravity; at the start the mass would move as soon as k_h passes k_y."
+        )
+    if isinstance(motion.plan.scene.arc, LayeredSection):
+        captions["stress along the arc"] = (
+            "Total normal stress along the slip surface at the start: each strip carries the weight straight above it."
         )
     return captions
 

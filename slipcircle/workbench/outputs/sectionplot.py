@@ -62,7 +62,8 @@ def section(motion: Motion, ax: Any = None, forces: bool = False) -> Any:
     farthest = max(turns, key=abs)
     if farthest:
         _continuation(ax, motion, stage.mass, farthest)
-    _draw_poses(ax, stage.poses, stage.outlines, farthest > 0.0, stage.is_small)
+    rightwards = (farthest or float(soil.facing)) > 0.0
+    _draw_poses(ax, stage.poses, stage.outlines, rightwards, stage.is_small)
     if isinstance(soil, LayeredSection):
         draw_stretches(ax, stage.mass, soil, turns[1:2])
     if forces and isinstance(soil, Arc):

@@ -34,10 +34,17 @@ class Mass(NamedTuple):
         left, right = arc[0, 0], arc[-1, 0]
         from_centre = np.hypot(*(self.ground - self.centre).T)
         over_arc = (x >= left) & (x <= right) & (from_centre < (1 - 1e-9) * self.radius)
-        points = np.concatenate([arc, self.ground[over_arc][::-1]]) - self.centre
+        first, last = (self._wall(end) for end in arc[[0, -1]])
+        points = np.concatenate([arc, last, self.ground[over_arc][::-1], first]) - self.centre
         cos, sin = math.cos(turn), math.sin(turn)
         rotation = [[cos, sin], [-sin, cos]]
         return self.centre + points @ rotation
+
+    def _wall(self, end: Floats) -> Floats:
+        """The ground straight above an end of the arc at the bottom of a tension crack; no point otherwise."""
+        top = np.array([[end[0], np.interp(end[0], *self.ground.T)]])
+        on_vertex = np.any(np.abs(self.ground[:, 0] - end[0]) < 1e-9 * self.radius)
+        return top if top[0, 1] - end[1] > 1e-6 * self.radius and not on_vertex else top[:0]
 
 
 class View(NamedTuple):

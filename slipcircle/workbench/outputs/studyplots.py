@@ -27,6 +27,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     mark,
     note,
     number,
+    points_of,
     quantity_words,
     unit_of,
 )
@@ -176,8 +177,8 @@ def response(study: "Study", output: str = "reach", ax: Any = None) -> Any:
     for k, (column, (colour, dashes, marker)) in enumerate(zip(values.T, SERIES, strict=False)):
         ax.plot(levels[0], column, color=colour, ls=dashes, marker=marker, lw=1.8, ms=4)
         if len(levels) == 2:
-            words = f"{quantity_words(numbers[1])} {number(levels[1][k])} {unit_of(numbers[1])}".rstrip()
-            label(ax, words, np.column_stack([levels[0], column]), colour)
+            value = f"{number(levels[1][k])} {unit_of(numbers[1])}".rstrip()
+            label(ax, f"{quantity_words(numbers[1])} {value}", points_of(levels[0], column, 100), colour)
     ax.set(xlabel=axis_words(numbers[0]), ylabel=_label(output))
     ax.margins(0.08, 0.15)
     ax.grid(alpha=0.3)
@@ -186,8 +187,9 @@ def response(study: "Study", output: str = "reach", ax: Any = None) -> Any:
 
 def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any, output: str) -> Any:
     """An output over both numbers of a grid, darkest where it is greatest; where there is no result it is blank."""
-    x, y = (np.argsort(level) for level in levels)
-    across, up = np.asarray(levels[0])[x], np.asarray(levels[1])[y]
+    first, second = (np.asarray(level) for level in levels)
+    x, y = np.argsort(first), np.argsort(second)
+    across, up = first[x], second[y]
     ordered = values[np.ix_(x, y)].T
     cells = ax.pcolormesh(across, up, ordered, shading="nearest", cmap="viridis_r", rasterized=True)
     ax.figure.colorbar(cells, ax=ax, label=_label(output))
@@ -219,32 +221,31 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
     """The observations over one field, an axis each."""
     field = number_in(analysis.motion.plan.scene, key)
     solved = [s.values[key] for s in analysis.solutions]
-    error = (analysis.solutions[0].standard_errors or {}).get(key, 0.0)
-    error = error if np.isfinite(error) else 0.0
-    at = _around(field, solved, error)
+    errors = analysis.solutions[0].standard_errors or {}
+    error = errors.get(key, 0.0)
+    at = _around(field, solved, error if np.isfinite(error) else 0.0)
     curves = motions(analysis.motion.plan.scene, {field.name: field.to_si(at)}).outcomes
     for ax, (name, observed) in zip(axes, analysis.observed.items(), strict=True):
         ax.plot(at, curves[name], **LINES["main"])
-        few = np.column_stack([at, curves[name]])[:: len(at) // 12]
-        label(ax, "computed", few, LINES["main"]["color"])
-        _draw_observed(ax, observed, few[:, 0])
+        label(ax, "computed", points_of(at, curves[name]), LINES["main"]["color"])
+        _draw_observed(ax, observed, at)
         reached = [OUTCOMES[name].read(s.motion) for s in analysis.solutions]
         for value, outcome in zip(solved, reached, strict=True):
             mark(ax, value, outcome, "end", f"{number(value)} {unit_of(field)}")
-        if error:
+        if error > 0.0 and np.isfinite(error):
             ax.errorbar(solved[0], reached[0], xerr=error, fmt="none", ecolor="black")
         ax.set_xlim(at[0], at[-1])
         ax.grid(alpha=0.3)
 
 
 def _draw_observed(ax: Any, observed: tuple[float, float | None], places: Any) -> None:
-    """A line where something was observed, with its standard error, and its name about one of some places."""
+    """A line over some places where something was observed, with its standard error and its name."""
     seen, sigma = observed
     ax.axhline(seen, **LINES["total"])
     if sigma:
         ax.axhspan(seen - sigma, seen + sigma, **AREAS["band"])
     words = "observed, with its standard error" if sigma else "observed"
-    label(ax, words, [(x, seen) for x in places])
+    label(ax, words, points_of(places, seen))
 
 
 def _around(field: Number, solved: Sequence[float], error: float) -> Any:

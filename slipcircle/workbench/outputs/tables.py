@@ -10,6 +10,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from generated.effects import EFFECTS
+from slipcircle.base.progress import clear_line
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan, step_operations
 from slipcircle.workbench.common.quantities import (
@@ -69,7 +70,7 @@ COEFFICIENTS = {
 
 DIFFERENCE = (
     "Bishop's method includes horizontal forces between slices, which increase the normal stress on steep bases; the "
-    "paper's method uses the mean normal stress under the weight and gives a lower factor, by 4 to 14 % typically"
+    "paper's method uses the mean normal stress under the weight and gives a lower factor, by 4 to 14 % in one soil"
 )
 
 
@@ -264,6 +265,7 @@ def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
 
 def say(message: str) -> None:
     """Tell something on stderr."""
+    clear_line()
     print(f"slipcircle: {clean(message)}", file=sys.stderr)
 
 

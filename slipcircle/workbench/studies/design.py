@@ -1,4 +1,4 @@
-"""The design of a study: which scenes it solves, drawn or on a grid, cut into blocks that anybody may compute.
+"""The design of a study: the scenes that it solves, sampled or on a grid, in independent blocks.
 
 `run_block` is a pure function of the design and the block's index: where and when it runs does not matter, nor how
 often. Blocks of samples come first, then those for the sensitivity indices.

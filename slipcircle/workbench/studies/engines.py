@@ -16,15 +16,13 @@ import json
 import logging
 import os
 import signal
-import sys
-import time
 import zipfile
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from pathlib import Path
 from threading import Event
-from typing import IO, Any
+from typing import Any
 
 import numpy as np
 
@@ -246,34 +244,3 @@ def run_blocks(
         for future in running:  # what was finished meanwhile is kept as well
             if folder and future.done() and not future.cancelled() and future.exception() is None:
                 folder.save(running[future], future.result())
-
-
-class Progress:
-    """Scenes solved, the rate and the time left, on a stream: one line on a terminal, else one every ten seconds."""
-
-    def __init__(self, scenes: int, stream: IO[str] = sys.stderr) -> None:
-        self.scenes, self.stream = scenes, stream
-        self.done = self.kept = 0
-        self.start = self.shown = time.monotonic()
-
-    def __call__(self, scenes: int, kept: int) -> None:
-        """Count scenes that are done, of which so many were kept by an earlier run."""
-        self.done, self.kept = self.done + scenes, self.kept + kept
-        now, is_terminal = time.monotonic(), self.stream.isatty()
-        is_last = self.done >= self.scenes
-        if not is_last and now - self.shown < (0.2 if is_terminal else 10.0):
-            return
-        self.shown = now
-        before, end = "\r\x1b[K" if is_terminal else "", "\n" if is_last or not is_terminal else ""
-        print(before + self._text(now - self.start), end=end, file=self.stream, flush=True)
-
-    def _text(self, seconds: float) -> str:
-        rate = (self.done - self.kept) / max(seconds, 1e-9)
-        if not rate:
-            left = "all there already"
-        elif self.done >= self.scenes:
-            left = f"in {seconds:.3g} s"
-        else:
-            left = f"{(self.scenes - self.done) / rate:.0f} s left"
-        kept = f", {self.kept} from before" if self.kept else ""
-        return f"{self.done} of {self.scenes} scenes{kept}, {rate:.3g} a second, {left}"

@@ -5,6 +5,7 @@ import json
 import math
 import os
 from collections.abc import Mapping
+from contextlib import nullcontext
 from dataclasses import fields
 from typing import IO, Any
 
@@ -13,13 +14,14 @@ from numpy.typing import NDArray
 
 from slipcircle.base import VERSION
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
+from slipcircle.base.progress import Progress
 from slipcircle.base.series import Series
 from slipcircle.core import Scene, Section, arc_numbers, checked, parameter_value, plan
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, uncertain_numbers
 from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.studies.design import METHODS, REPLICATES, Design
-from slipcircle.workbench.studies.engines import Folder, Progress, as_executor, engine, run_blocks, stored
+from slipcircle.workbench.studies.engines import Folder, as_executor, engine, run_blocks, stored
 from slipcircle.workbench.studies.sampling import MOST_LATIN
 from slipcircle.workbench.studies.study import Study
 
@@ -265,15 +267,17 @@ def conduct(
     """Compute a design's blocks and add them up."""
     blocks = Folder(folder, _described(design)) if folder is not None else None
     scenes = design.n + design.base * (len(design.inputs) + 2)
-    shown = Progress(scenes, progress) if progress else None
-    if executor is not None:
-        return Study(design, confidence, run_blocks(design, as_executor(executor), blocks, shown))
-    with engine("threads") as threads:
-        return Study(design, confidence, run_blocks(design, threads, blocks, shown))
+    with engine("threads") if executor is None else nullcontext(as_executor(executor)) as workers:
+        if progress is None:
+            return Study(design, confidence, run_blocks(design, workers, blocks))
+        with Progress(scenes, "scenes", progress) as shown:
+            study = Study(design, confidence, run_blocks(design, workers, blocks, shown))
+    print(shown.text(), file=progress, flush=True)
+    return study
 
 
 def _described(design: Design) -> dict[str, Any]:
-    """What tells one study from another, as a folder remembers it."""
+    """What identifies a study in the folder of its blocks."""
     scene, arc = design.scene, design.scene.arc
     section = {f.name: getattr(arc, f.name) for f in fields(arc)} if isinstance(arc, Section) else {}
     described = {

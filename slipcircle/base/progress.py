@@ -1,0 +1,159 @@
+"""How much of long work is done, on stderr: a bar on a terminal with rich, else a line on it, or lines now and then."""
+
+import sys
+import time
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager
+from importlib import import_module
+from importlib.util import find_spec
+from threading import Event, Lock, Thread
+from typing import IO, Any, ClassVar, Self, TypeVar
+
+T = TypeVar("T")
+_SOON = 1.0, 10.0  # s, before `track` shows anything on a terminal, elsewhere
+_OFTEN, _SELDOM = 0.2, 2.0  # s between updates of a terminal; until the first line elsewhere, ever more for the next
+_CLEAR = "\r\x1b[K"  # the line of a terminal
+
+
+class Progress:
+    """Things done of a total, their rate and the time left; of several at work, one within the other, the outermost.
+
+    Parameters
+    ----------
+    total : int
+    things : str
+        What is counted, in the plural.
+    stream : text stream, optional
+        By default stderr.
+    """
+
+    running: ClassVar[int] = 0
+    is_shown: ClassVar[bool] = False
+
+    def __init__(self, total: int, things: str, stream: IO[str] | None = None) -> None:
+        self.total, self.things, self.stream = total, things, stream or sys.stderr
+        self.done = self.kept = 0
+        self.start = self.shown = time.monotonic()
+        self.is_terminal = self.stream is not None and self.stream.isatty()
+        self.pause = _OFTEN if self.is_terminal else _SELDOM
+        self.bar: Any = None
+
+    def __enter__(self) -> Self:
+        Progress.running += 1
+        self.is_silent = Progress.running > 1 or self.stream is None
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        Progress.running -= 1
+        Progress.is_shown &= Progress.running > 0
+        if self.bar is not None:
+            self.bar.stop()
+        elif self.is_terminal and not self.is_silent:
+            print(_CLEAR, end="", file=self.stream, flush=True)
+
+    def __call__(self, count: int = 1, kept: int = 0) -> None:
+        """Count what is done, of which so much was kept by an earlier run."""
+        self.done += count
+        self.kept += kept
+        now = time.monotonic()
+        if self.is_silent or now - self.shown < self.pause:
+            return
+        self.shown = now
+        Progress.is_shown = True
+        if not self.is_terminal:
+            self.pause *= 2
+            print(self.text(), file=self.stream, flush=True)
+        elif find_spec("rich"):
+            self._draw_bar()
+        else:
+            print(f"{_CLEAR}{self.text()}", end="", file=self.stream, flush=True)
+
+    def text(self) -> str:
+        """How much is done, how fast, and the time left."""
+        seconds = time.monotonic() - self.start
+        rate = (self.done - self.kept) / max(seconds, 1e-9)
+        if not rate:
+            left = "all there already"
+        elif self.done >= self.total:
+            left = f"in {seconds:.3g} s"
+        else:
+            left = f"{(self.total - self.done) / rate:.0f} s left"
+        kept = f", {self.kept} from before" if self.kept else ""
+        return f"{self.done} of {self.total} {self.things}{kept}, {rate:.3g} a second, {left}"
+
+    def _draw_bar(self) -> None:
+        if self.bar is None:
+            clear_line()
+            rich = import_module("rich.progress")
+            console = import_module("rich.console").Console(file=self.stream)
+            columns = rich.BarColumn(), rich.TextColumn("{task.description}", markup=False)
+            bar = rich.Progress(*columns, console=console, auto_refresh=False, transient=True)
+            bar.add_task("", total=self.total)
+            bar.start()
+            self.bar = bar  # which can be stopped now
+        (task,) = self.bar.task_ids
+        self.bar.update(task, completed=self.done, description=self.text(), refresh=True)
+
+
+def track(items: Collection[T], things: str) -> Iterator[T]:
+    """The items one by one, counted as they are done; nothing is shown of work that is done soon."""
+    with Progress(len(items), things) as progress:
+        progress.shown += _SOON[not progress.is_terminal]
+        for item in items:
+            yield item
+            progress()
+
+
+# --- work that is not counted ----------------------------------------------------------------------------------------
+
+_hushed, _lock = Event(), Lock()
+_hushed.set()
+_has_line = False  # whether a heartbeat stands on the line of the terminal
+
+
+@contextmanager
+def heartbeat(seconds: float) -> Iterator[None]:
+    """Say that work goes on where nothing counts it: on one line of a terminal, elsewhere on lines ever farther apart.
+
+    It ends here, or with `hush`.
+    """
+    start = time.monotonic()
+    is_terminal = sys.stderr is not None and sys.stderr.isatty()
+
+    def beat(wait: float = seconds) -> None:
+        while not _hushed.wait(wait):
+            wait *= 1.0 if is_terminal else 2.0
+            with _lock:
+                if not Progress.is_shown and not _hushed.is_set():
+                    _say_computing(time.monotonic() - start, is_terminal)
+
+    _hushed.clear()
+    Thread(target=beat, daemon=True).start()
+    try:
+        yield
+    finally:
+        hush()
+
+
+def hush() -> None:
+    """End the heartbeat, as results follow."""
+    with _lock:
+        _hushed.set()
+    clear_line()
+
+
+def clear_line() -> None:
+    """Take a heartbeat off the line of the terminal, as something else follows."""
+    global _has_line
+    with _lock:
+        if _has_line:
+            print(_CLEAR, end="", file=sys.stderr, flush=True)
+        _has_line = False
+
+
+def _say_computing(seconds: float, is_terminal: bool) -> None:
+    global _has_line
+    _has_line = is_terminal
+    before, after = (_CLEAR, "\r") if is_terminal else ("", "\n")
+    message = f"slipcircle: computing for {seconds:.0f} s; Ctrl-C stops it"
+    print(f"{before}{message}", end=after, file=sys.stderr, flush=True)
