@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 01ea2e3cb10604d7c1a0230d2a01710d0e75f37c71954b653f73555d81df4bf3
+# sha256 of the text below: 1369da261ef47012dfc34d06f70e3e3b37c92a76657a433e97647603f1f4af8c
 """Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
 
 # Cells of a lane, first in every program and in this order.
@@ -48,7 +48,7 @@ Q1 = 8  # first of its coefficients beyond the value
 
 # What a lane is doing.
 START = 0  # not begun
-MOVING = 1  # on its way
+MOVING = 1  # moving
 RESTING = 2  # at rest, and may start again
 ARRESTED = 3  # at rest for good
 PAUSED = 4  # at rest at its end time, beyond which something still changes

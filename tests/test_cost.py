@@ -263,7 +263,7 @@ def test_records_and_csv_keep_every_digit(rows: list[Row]) -> None:
 def test_the_command(asked: Any, said: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     table, picture = tmp_path / "cost.csv", tmp_path / "cost.png"
     _, out, err = asked("cost resistance_factor --json --csv", table, "--plot", picture)
-    assert err == "measuring resistance_factor (1 of 1)\n"
+    assert re.fullmatch(r"(1 of 1 functions measured.*\n)?", err)  # where it takes longer than a moment
     found = json.loads(out, parse_constant=pytest.fail)
     assert np.__version__ in found["machine"]
     ways_of = [row["way"] for row in found["rows"]]

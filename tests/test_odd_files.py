@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from slipcircle import Scene, Section
+from slipcircle import Scene, Section, load
 from tests.campaigns import fuzz_scenes, malformed_sections
 
 GOOD: dict[str, Any] = {
@@ -55,3 +55,15 @@ def test_a_level_and_a_pore_ratio_exclude_each_other() -> None:
     with pytest.raises(ValueError, match=words):
         Scene(wet, 0.3, {"pore_pressure": {"ratio": 0.2}})
     Scene(wet, 0.3, {"pore_pressure": {"pressure": 2e3}})  # an excess over the level's is no second level
+
+
+def test_layers_above_a_ground_that_is_no_table_are_refused_in_words(tmp_path: Path) -> None:
+    path = tmp_path / "layers.toml"
+    path.write_text(
+        'ground = 23.9\nlayers = [{soil = "crust"}, {soil = "gravel", top_m = -6}]\n'
+        "[soils]\ncrust = {unit_weight_kN_m3 = 18, friction = {angle_deg = 30}}\n"
+        "gravel = {unit_weight_kN_m3 = 21, friction = {angle_deg = 33}}\n",
+        "utf-8",
+    )
+    with pytest.raises(ValueError, match=r"ground = 23\.9: must be a table \[ground\]"):
+        load(path)

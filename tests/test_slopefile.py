@@ -11,10 +11,13 @@ import numpy as np
 import pytest
 
 import slipcircle
+from slipcircle.core import with_parameters
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.scenefile import critical_of_file
+from slipcircle.workbench.files.variation import slope_of
 from slipcircle.workbench.outputs.guide import guide
 from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.studies.searched import searched_factors
 from tests.support.outputs import columns
 
 ACADS = """\
@@ -316,3 +319,29 @@ def test_a_circle_that_cuts_level_ground_alone_is_refused(write: Write, asked: A
         status, _, error = asked(command, write(level.replace("[circle]\n\n", "")))
         assert status == 1
         assert "circle.centre_m: nothing drives the mass from x = 5.83485 to 24.1652" in error
+
+
+def test_factors_of_samples_are_those_of_a_search_of_each() -> None:
+    uncertain = {
+        "friction.peak_deg": {"distribution": "normal", "mean": 19.6, "std": 2.5},
+        "cohesion.cohesion_kPa": {"distribution": "lognormal", "mean": 3, "std": 1},
+    }
+    scene, count = replace(slipcircle.load("real-slope"), uncertain=uncertain), 12
+    study = slipcircle.ensemble(scene, count, rng=1, sensitivity=0, search_each=True)
+    si = {n: u.to_si(study.samples[u.key]) for n, u in study.design.inputs.items()}
+    factors = searched_factors(study.scene, si, np.ones(count, bool))["searched bishop"]
+    stability = stability_of(study.scene)
+    assert stability is not None
+    for k in range(0, count, 3):
+        sample = with_parameters(study.scene, {n: float(values[k]) for n, values in si.items()})
+        searched = slipcircle.critical(slope_of(sample, stability.slope))
+        assert factors[k] == pytest.approx(searched.factor_of_safety["bishop"], rel=2e-4)
+    # Statistics are those of the numbers themselves, and no circle of the means has a lesser factor.
+    assert study.failure["searched bishop"].value == np.mean(factors < 1.0)
+    assert study.factor_quantile("searched bishop", 0.5).value == pytest.approx(
+        np.sort(factors)[count // 2 - 1], rel=2e-3
+    )
+    for p in (0.1, 0.5, 0.9):
+        once, each = (study.factor_quantile(method, p).value for method in ("bishop", "searched bishop"))
+        assert each <= once * (1 + 2e-3)
+    assert "with the circle searched for every sample" in study.warnings[1]

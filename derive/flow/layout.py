@@ -48,7 +48,7 @@ TABLE = {
 }
 STATUS = {
     "START": "not begun",
-    "MOVING": "on its way",
+    "MOVING": "moving",
     "RESTING": "at rest, and may start again",
     "ARRESTED": "at rest for good",
     "PAUSED": "at rest at its end time, beyond which something still changes",

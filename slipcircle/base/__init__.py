@@ -1,3 +1,3 @@
-"""Basics: checks, numbers as text, functions of time."""
+"""What the core and the workbench share: checks of input, functions of time, numbers as text, progress."""
 
 VERSION = "0.1.0"

@@ -269,7 +269,8 @@ def judged(folder: Path, fault: Fault, good: dict[str, Any], limit: float, files
         skip: list[str] = []
         while True:
             target.write_text(planted(fault), "utf-8")
-            green, name = tested(folder, *skip, *sorted(files, key=lambda f: -seen[f]))
+            near = {name for name in files if Path(fault.path).stem in (ROOT / name).read_text("utf-8")}
+            green, name = tested(folder, *skip, *sorted(files, key=lambda f: (f not in near, -seen[f])))
             if green:
                 return f"SURVIVED, skipped {skip}, changes {len(changed)} answers: {changed[:4]}"
             target.write_text(whole, "utf-8")

@@ -278,8 +278,8 @@ class _Builder:
 
     def select(self) -> None:
         """Those on series that serve what is read, and those on cells that serve them."""
-        wanted = {register for register in self.registers.values() if register} | {*self.states}
-        self.series = needed(self.link.series.items(), wanted)
+        read = {register for register in self.registers.values() if register}
+        self.series = needed(self.link.series.items(), read | {*self.states})
         self.lasting = {*self.outputs.values()}
         for operation, _ in self.series:
             self.lasting |= named_in(operation)

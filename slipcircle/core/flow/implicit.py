@@ -169,7 +169,7 @@ class _Implicit(Integrator):
         integrated = self.program.states[: self.integrated]
         self.state_cells = [cell for cell, _, _ in integrated]
         self.rates = [rate for _, _, rate in integrated]
-        self.own = len(self.program.states) // 2  # states beside their tangents, first among them
+        self.without_tangents = len(self.program.states) // 2  # states, the first of them
         self.first_values = [piece.taylor(1)[0, 0] for piece in self.timed]
         self.first_increments = [piece.increment[0] for piece in self.timed]
         self.explicit = self._explicit_step()
@@ -208,25 +208,24 @@ class _Implicit(Integrator):
     def _jacobian(self, times: Floats, points: Floats) -> Floats:
         """df_j/dy_i at points (points, states), as (i, points, j), by the program's tangents in the states' directions.
 
-        Tangents that are integrated beside the states have the same; how it changes with the states is left out, as
+        Tangents that are integrated beside the states have the same; how it changes with the states is neglected, as
         their own equations are linear.
         """
-        own = self.own
+        states = self.without_tangents
         count = len(times)
-        own_cells = self.state_cells[:own]
-        every_time = np.tile(times, own)
-        every_point = np.tile(points, (own, 1))
+        every_time = np.tile(times, states)
+        every_point = np.tile(points, (states, 1))
         cells = self._cells_at(every_time, every_point.T)
         cells[list(self.tangent.cells.values())] = 0.0
-        tangent_cells = [self.tangent.cells[cell] for cell in own_cells]
-        cells[tangent_cells] = np.repeat(np.eye(own), count, axis=1)
+        tangent_cells = [self.tangent.cells[cell] for cell in self.state_cells[:states]]
+        cells[tangent_cells] = np.repeat(np.eye(states), count, axis=1)
         registers = engine().registers(self.program, self._tables(cells.shape[1]), cells)
-        jacobian = np.zeros((own, count, own))
-        for j, rate in enumerate(self.rates[:own]):
+        jacobian = np.zeros((states, count, states))
+        for j, rate in enumerate(self.rates[:states]):
             if rate in self.tangent.registers:
                 by_states = registers[self.tangent.registers[rate]]
-                jacobian[:, :, j] = by_states.reshape(own, count)
-        copies = np.eye(self.integrated // own)
+                jacobian[:, :, j] = by_states.reshape(states, count)
+        copies = np.eye(self.integrated // states)
         blocks = np.einsum("ab,ikj->aikbj", copies, jacobian)
         return blocks.reshape(self.integrated, count, self.integrated)
 

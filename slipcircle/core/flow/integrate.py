@@ -310,7 +310,7 @@ class Integrator(StickPhase):
         self.advance_origin()
         self.begin_phase()
         for piece, before in zip(self.timed, pieces_before, strict=True):
-            scale[piece.number != before] = np.inf  # at a break of a function of time, which may leap there
+            scale[piece.number != before] = np.inf  # at a break of a function of time, where it may jump
         self.carry_net_moment(rate, drive, scale)
         if self.tangents:
             self.tangents.enter(self)
@@ -328,11 +328,11 @@ class Integrator(StickPhase):
         fresh_scale[better] = carried_scale[better]
 
     def on_break_in_time(self) -> None:
-        """A function of time breaks; where its value leaps, contact may change."""
-        leaps = self.pass_breaks()
-        if self.tangents and np.any(leaps):
+        """A function of time breaks; where its value jumps, contact may change."""
+        jumps = self.pass_breaks()
+        if self.tangents and np.any(jumps):
             self.tangents.pass_break(self)
-        self.apply_to(leaps, "on_discontinuity")
+        self.apply_to(jumps, "on_discontinuity")
 
     def end(self, rate: Floats, status: Floats) -> None:
         """What is asked for ends while the lane moves."""

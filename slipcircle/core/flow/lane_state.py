@@ -120,15 +120,15 @@ class LaneState(LaneEntries):
         return np.isfinite(self.next_break())
 
     def pass_breaks(self) -> Any:
-        """Enter the next piece of each function of time that breaks now; whether a value leaps there."""
-        leaps = np.zeros(self.count, dtype=bool)
+        """Enter the next piece of each function of time that breaks now; whether a value jumps there."""
+        jumps = np.zeros(self.count, dtype=bool)
         for k, piece in enumerate(self.timed):
             breaks = piece.upper <= self.time
             if np.any(breaks):
                 part = self.part(breaks)
-                leaps[breaks] |= part.timed[k].pass_break()
+                jumps[breaks] |= part.timed[k].pass_break()
                 self.cells[:, breaks] = part.cells
-        return leaps
+        return jumps
 
     def may_start(self) -> Any:
         """Whether a mass at rest may start the way it faces: shaking starts a one-way mass only as gravity pulls."""

@@ -16,7 +16,7 @@ Log = list[tuple[int, float, float, float]]  # events: kind, time, rotation, dir
 
 
 class Samples(NamedTuple):
-    """States at given times, filled while the lanes walk: (states, times, lanes)."""
+    """States at given times, filled on the way: (states, times, lanes)."""
 
     times: Floats  # dimensionless, increasing, (times, lanes)
     states: Floats  # rotation, angular velocity, its rate, slip, then the further states
@@ -79,10 +79,10 @@ class Program:
 
     def blank(self, lanes: int) -> NDArray[np.float64]:
         """Cells of lanes of which nothing is known but the constants; memory that nobody writes to is not taken."""
-        found = np.zeros((len(self.cells), lanes))
+        cells = np.zeros((len(self.cells), lanes))
         for name, value in self.constants.items():
-            found[self.places[name]] = value
-        return found
+            cells[self.places[name]] = value
+        return cells
 
 
 # Cells that the integrator reads, by role: the drive, the size of its terms, what presses, the weight's components.

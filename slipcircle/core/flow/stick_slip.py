@@ -47,7 +47,7 @@ class StickPhase(Recorder):
         """A phase begins where the net moment at rest passes zero: the drive is zero then, but after a sudden leap."""
         self.face()
         if self.tangents:
-            # t' = -drive'/(d drive/dt); a leap comes with a break of what changes with time
+            # t' = -drive'/(d drive/dt); a jump comes with a break of what changes with time
             self.tangents.leave_rest(self, bool(sudden[0]))
             self.face()
         drive = self.role("drive")
@@ -216,7 +216,7 @@ class StickPhase(Recorder):
     def pass_breaks_at_rest(self) -> None:
         self.apply_to(self.pass_breaks(), "on_discontinuity")
 
-    # --- leaps of what changes with time -----------------------------------------------------------------------------
+    # --- jumps of what changes with time -----------------------------------------------------------------------------
 
     def on_discontinuity(self) -> None:
         """Where forces have leapt, contact is decided again; if it changes, the phase goes on from where it is."""

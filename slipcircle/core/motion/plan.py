@@ -1,5 +1,6 @@
 """How a scene will be solved. A plan depends on which effects and which law a scene has, never on their values."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -74,12 +75,14 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
         If the accuracy is not between 0 and 1, or for an argument that is not a scene.
     """
     checked(scene, "plan")
-    wanted = accuracy if accuracy is not None else scene.accuracy if scene.accuracy is not None else DEFAULT_ACCURACY
     if accuracy is not None and not (isinstance(accuracy, float) and 0.0 < accuracy < 1.0):
         raise_all("plan", accuracy_mistakes(accuracy))
+    if accuracy is None:
+        accuracy = DEFAULT_ACCURACY if scene.accuracy is None else scene.accuracy
     called = scene.called
-    moving = tuple((e, n) for e, given in called.items() for n, value in given.items() if callable(value))
-    return Plan(scene, **_choice(tuple(called), scene_laws(scene), moving, wanted), accuracy=wanted)
+    functions = [(e, name) for e, given in called.items() for name, value in given.items() if callable(value)]
+    choice = _choice(tuple(called), scene_laws(scene), tuple(functions), accuracy)
+    return Plan(scene, **choice, accuracy=accuracy)
 
 
 def scene_laws(scene: Scene) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -90,18 +93,15 @@ def scene_laws(scene: Scene) -> tuple[tuple[str, ...], tuple[str, ...]]:
 @cache
 def _choice(called: tuple[str, ...], laws: Any, moving: tuple[tuple[str, str], ...], accuracy: float) -> dict[str, Any]:
     """What a plan is made of but for the scene's values, so that it is chosen once."""
-    effects, (names, depends) = tuple(e for e in ALL_EFFECTS if e in called), laws
-    own = [(e, p) for e in effects for p in ALL_EFFECTS[e].parameters if (e, p.name) in moving]
-    program = build_program(effects, names, tuple(p.symbol for _, p in own))
-    timed = [e for e, p in own if p.kind == "series"]
-    reasons = [
-        f"{e} {'turns the mass' if ALL_EFFECTS[e].turns else f'depends on {WORDS.get(x, x)}'}"
-        for e in effects
-        for x in ALL_EFFECTS[e].depends_on
-        if x != "speed squared" and (x != "time" or e in timed)
-    ]
-    reasons += [f"{e} depends on time" for e in dict.fromkeys(timed) if "time" not in ALL_EFFECTS[e].depends_on]
-    reasons += [f"{e} depends on the rotation" for e, p in own if p.kind == "rotation"]
+    names, depends = laws
+    effects = tuple(e for e in ALL_EFFECTS if e in called)
+    functions = [(e, p) for e in effects for p in ALL_EFFECTS[e].parameters if (e, p.name) in moving]
+    program = build_program(effects, names, tuple(p.symbol for _, p in functions))
+    of_rotation = [e for e, p in functions if p.kind == "rotation"]
+    of_time = dict.fromkeys(e for e, p in functions if p.kind == "series")
+    reasons = [reason for e in effects for reason in _reasons(e, e in of_time)]
+    reasons += [f"{e} depends on time" for e in of_time if "time" not in ALL_EFFECTS[e].depends_on]
+    reasons += [f"{e} depends on the rotation" for e in of_rotation]
     reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends]
     terms = order(accuracy)
     return {
@@ -114,6 +114,15 @@ def _choice(called: tuple[str, ...], laws: Any, moving: tuple[tuple[str, str], .
         "operations": counted(program),
         "cost": STEPS * flops(program, terms),
     }
+
+
+def _reasons(effect: str, in_time: bool) -> Iterator[str]:
+    """What asks for an integration: that an effect turns the mass, or what it depends on."""
+    declared = ALL_EFFECTS[effect]
+    for variable in declared.depends_on:
+        if variable == "speed squared" or (variable == "time" and not in_time):
+            continue
+        yield f"{effect} turns the mass" if declared.turns else f"{effect} depends on {WORDS.get(variable, variable)}"
 
 
 def step_operations(effects: tuple[str, ...], laws: tuple[str, ...], moving: tuple[str, ...]) -> str:
@@ -129,8 +138,12 @@ def counted(program: Program) -> str:
 
 def flops(program: Program, order: int) -> int:
     """Floating-point operations of one step: products take as many terms as their coefficient has factors."""
+    per_order = {"sqr": order, "turn": 4 * order, "tim": 1, "ramp": 0}
     total = 0
-    for kind, *rest in program.series:
-        each = {"lin": 2 * len(rest[-1]) if kind == "lin" else 0, "sqr": order, "turn": 4 * order, "tim": 1, "ramp": 0}
-        total += (order + 1) * each.get(kind, 2 * order)
+    for kind, *names in program.series:
+        if kind == "lin":
+            terms = names[-1]
+            total += (order + 1) * 2 * len(terms)
+        else:
+            total += (order + 1) * per_order.get(kind, 2 * order)
     return total

@@ -52,13 +52,13 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     if any(outputs.values()):
         values[:] = _derivatives(lanes, list(units))
     at = dict(outputs) | {n: float(np.asarray(scene.numbers[n])) for n in units}
-    said = [] if any(outputs.values()) else ["does not move, so that small changes have no effect"]
+    warnings = [] if any(outputs.values()) else ["does not move, so that small changes have no effect"]
     if isinstance(scene.arc, Section) and through_vertex(scene.arc):
-        said.append(
+        warnings.append(
             "the circle passes through a vertex of the ground: derivatives by its coordinates and the circle's "
             "are those towards the side on which it lies outside the mass"
         )
-    return Sensitivity(OUTPUTS, units, at, values, scene, tuple(said))
+    return Sensitivity(OUTPUTS, units, at, values, scene, tuple(warnings))
 
 
 def _parameters(scene: Scene) -> list[str]:

@@ -69,10 +69,10 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     log: list[Any] = []
     if lanes.count <= BLOCK:
         return Motion(chosen, lanes, final_entries(lanes.solve(log if single else None), single), log)
-    found = np.empty((len(FINAL_ENTRIES), lanes.count))
+    final = np.empty((len(FINAL_ENTRIES), lanes.count))
     for which, part in lanes.parts():
-        found[:, which] = part.solve()[list(FINAL_ENTRIES)]
-    return Motion(chosen, lanes, dict(zip(FINAL_ENTRIES, found, strict=True)), log)
+        final[:, which] = part.solve()[list(FINAL_ENTRIES)]
+    return Motion(chosen, lanes, dict(zip(FINAL_ENTRIES, final, strict=True)), log)
 
 
 def _refuse(motion: Motion) -> None:

@@ -165,9 +165,14 @@ def _work(way: Way, arguments: Floats, count: int) -> Callable[[], object]:
     """One pass over so many elements: a call on numbers, or on an array."""
     if count == 1:
         numbers = arguments[:, 0].tolist()
-        return partial(way.function, *(numbers if way.kind == "float64" else map(np.dtype(way.kind).type, numbers)))
+        if way.kind != "float64":
+            numbers = list(map(np.dtype(way.kind).type, numbers))
+        return partial(way.function, *numbers)
     rows = arguments[:, :count].astype(way.kind, copy=False)
-    return partial(way.into, *rows, np.empty_like(rows[0])) if way.into else partial(way.function, *rows)
+    if way.into is None:
+        return partial(way.function, *rows)
+    result = np.empty_like(rows[0])
+    return partial(way.into, *rows, result)
 
 
 def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:

@@ -17,9 +17,10 @@ _OTHERS = {"marker": "s", "color": LINES["other"]["color"], "mfc": "white"}
 
 def overview(rows: Sequence[Row], figure: Any) -> None:
     """Rows of any functions on an empty figure of `size`, of each its frontier above its errors."""
-    functions = [[r for r in rows if r.function == name] for name in dict.fromkeys(row.function for row in rows)]
-    panels = figure.subplots(2 * len(functions), 1)
-    for above, below, of_function in zip(panels[::2], panels[1::2], functions, strict=True):
+    names = list(dict.fromkeys(row.function for row in rows))
+    panels = figure.subplots(2 * len(names), 1)
+    for name, above, below in zip(names, panels[::2], panels[1::2], strict=True):
+        of_function = [row for row in rows if row.function == name]
         frontier(of_function, above)
         over_alpha(of_function, below)
 
@@ -78,9 +79,12 @@ def _worst_in_bins(profile: Profile) -> tuple[Floats, Floats]:
     """Middles of bins of `both_ends` and the worst error in each, where there is one."""
     edges = np.linspace(-_DECADES, _DECADES, _BINS + 1)
     places = np.digitize(both_ends(profile.points), edges) - 1
-    worst = np.array([np.max(profile.relative[places == k], initial=0.0) for k in range(_BINS)])
+    worst = np.zeros(_BINS)
+    inside = (places >= 0) & (places < _BINS)
+    np.maximum.at(worst, places[inside], profile.relative[inside])
     middles = (edges[1:] + edges[:-1]) / 2
-    return middles[worst > 0], np.clip(worst[worst > 0], _BEST, _NONE)
+    is_seen = worst > 0.0
+    return middles[is_seen], np.clip(worst[is_seen], _BEST, _NONE)
 
 
 def over_alpha(rows: Sequence[Row], ax: Any = None) -> Any:
@@ -102,14 +106,23 @@ def over_alpha(rows: Sequence[Row], ax: Any = None) -> Any:
         axes.plot([], [], color=REST[0], label=f"{len(others)} others")
     for row, style in zip(known, SERIES, strict=False):
         _draw_profile(axes, row, style, row.way)
-    near = {f"$10^{{-{k}}}$": float(both_ends(np.array(10.0**-k))) for k in (16, 12, 8, 4)}
-    places = [*near.values(), 0, *(-x for x in near.values())]
-    axes.set_xticks(places, [*near, "$\\pi/4$", *(f"$\\pi/2 -$\n{word}" for word in near)])
+    _tick_both_ends(axes)
     axes.set(yscale="log", xlim=(-_DECADES, _DECADES), ylim=(_BEST, _NONE * 2))
     axes.set(xlabel="alpha, rad", ylabel="relative error, worst in each bin (thin: proved)")
     axes.grid(alpha=0.3)
     axes.legend(fontsize="small", ncols=2, loc="upper right")
     return axes
+
+
+def _tick_both_ends(axes: Any) -> None:
+    """Ticks at powers of ten from both ends, and in the middle."""
+    places, words = [0.0], ["$\\pi/4$"]
+    for power in (16, 12, 8, 4):
+        place = float(both_ends(np.array(10.0**-power)))
+        distance = f"$10^{{-{power}}}$"
+        places += [place, -place]
+        words += [distance, f"$\\pi/2 -$\n{distance}"]
+    axes.set_xticks(places, words)
 
 
 def _draw_profile(axes: Any, row: Row, style: tuple[str, Any, str], label: str | None = None) -> None:

@@ -110,20 +110,34 @@ def table(rows: Sequence[Row]) -> tuple[list[str], list[list[str]]]:
     numbers = {row.way: str(number) for number, row in enumerate(rows, 1)}
     texts = [_cells(row, numbers) for row in rows]
     filled = [any(column) for column in zip(*texts, strict=True)]
-    return [*compress(COLUMNS, filled)], [[*compress(cells, filled)] for cells in texts]
+    head = list(compress(COLUMNS, filled))
+    body = [list(compress(cells, filled)) for cells in texts]
+    return head, body
 
 
 def _cells(row: Row, numbers: Mapping[str, str]) -> list[str]:
     """A cell for each of `COLUMNS`."""
     winner = numbers.get(row.verdict.removeprefix(LOST))
     seen = "" if math.isnan(row.error) else f"{row.error:.1e}"
-    ulp = ""
-    if row.ulp is not None:
-        ulp = shown(row.ulp, 3) if row.ulp < MANY_ULP else f"{row.ulp:.0e}".replace("+", "")
     memory = "" if row.memory is None else f"{row.memory / 1e6:.3g} MB"
     ended = f"beaten {winner}" if winner else row.verdict
-    place = ", ".join(f"{x:.0e}" if 0 < x < 1e-4 else f"{x:.2g}" for x in row.worst_input_ulp)
-    return [numbers[row.way], row.way, _proved(row), seen, ulp, place, *_times(row), memory, ended]
+    place = ", ".join(map(_place, row.worst_input_ulp))
+    return [numbers[row.way], row.way, _proved(row), seen, _ulp(row), place, *_times(row), memory, ended]
+
+
+def _ulp(row: Row) -> str:
+    """The worst error in ulp, where it is known."""
+    if row.ulp is None:
+        return ""
+    if row.ulp < MANY_ULP:
+        return shown(row.ulp, 3)
+    return f"{row.ulp:.0e}".replace("+", "")
+
+
+def _place(value: float) -> str:
+    """An argument, in few digits."""
+    is_tiny = 0 < value < 1e-4
+    return f"{value:.0e}" if is_tiny else f"{value:.2g}"
 
 
 def _proved(row: Row) -> str:

@@ -75,7 +75,7 @@ def gauss(points: int, x: Floats, y: Floats, radius: Floats, left: Floats, right
     """The double integrals of the definitions over vertical strips under each edge, by Gauss-Legendre both ways."""
     nodes, weights = np.polynomial.legendre.leggauss(points)
     shares = (1 + nodes) / 2
-    rule = [*zip(shares, weights / 2, strict=True)]
+    rule = list(zip(shares, weights / 2, strict=True))
     x, y, radius, left, right = np.array([x, y, radius, left, right])[:, :, None]
     corners = np.clip(GROUND[:, 0], left, right)
     starts = corners[:, :-1]
@@ -91,10 +91,9 @@ def gauss(points: int, x: Floats, y: Floats, radius: Floats, left: Floats, right
         for inner, inner_weight in rule:
             vertical = bottom + inner * height
             r = np.hypot(horizontal, vertical)
-            measures = (np.ones_like(r), r, r * r, horizontal / r, vertical / r, horizontal, vertical)
+            measures = np.stack([np.ones_like(r), r, r * r, horizontal / r, vertical / r, horizontal, vertical])
             share_of_area = inner_weight * strip
-            for row, measure in enumerate(measures):
-                total[row] += (share_of_area * measure).sum(axis=1)
+            total += (share_of_area * measures).sum(axis=2)
     return total
 
 

@@ -114,7 +114,7 @@ def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
 
 def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
     """A sentence for each boundary that rises above one before it; that boundaries reach the ground is ordinary."""
-    ground = np.asarray(given["ground"].get("ground", [[0.0, 0.0], [0.0, 0.0]]))
+    ground = np.asarray(given.get("ground", {}).get("ground", 0.0))
     if ground.ndim != 2:  # a mistake of its own
         return
     ends = ground[[0, -1], 0]

@@ -11,7 +11,7 @@ from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.search import critical
-from slipcircle.workbench.stability.stability import soil
+from slipcircle.workbench.stability.stability import Slope, soil
 
 
 def other_way(scene: Scene) -> Scene:
@@ -31,19 +31,25 @@ def along_means(scene: Scene) -> Scene:
     found = scene.stability
     drawn = uncertain_numbers(scene)
     mean = with_parameters(scene, {n: float(u.number.to_si(u.moments[0])) for n, u in drawn.items()})
-    assert isinstance(mean.arc, Section)
     assert isinstance(scene.arc, Section)
-    if isinstance(mean.arc, LayeredSection):
-        soils: dict[str, Any] = {"layers": mean.arc.layers}
-    else:
-        soils = soil(mean.friction, mean.called) | {"unit_weight": float(np.asarray(mean.arc.unit_weight))}
-    slope = replace(found.slope, ground=mean.arc.ground, level=mean.arc.level, **soils)
+    slope = slope_of(mean, found.slope)
     pairs = zip(_leaves(slope.arrays()), _leaves(found.slope.arrays()), strict=True)
     if all(one is other or np.allclose(one, other, rtol=1e-12, atol=0.0) for one, other in pairs):
         return scene
     found = critical(slope, found.method, **found.limits)
     section = replace(scene.arc, centre=found.centre, radius=found.radius, between=found.between)
     return replace(scene, arc=section, stability=found.without_map())
+
+
+def slope_of(scene: Scene, like: Slope) -> Slope:
+    """The slope with the ground, level and soils of a scene, otherwise like another."""
+    arc = scene.arc
+    assert isinstance(arc, Section)
+    if isinstance(arc, LayeredSection):
+        soils: dict[str, Any] = {"layers": arc.layers}
+    else:
+        soils = soil(scene.friction, scene.called) | {"unit_weight": float(np.asarray(arc.unit_weight))}
+    return replace(like, ground=arc.ground, level=arc.level, **soils)
 
 
 def _leaves(value: Any) -> Iterator[Any]:

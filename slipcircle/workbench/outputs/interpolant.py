@@ -15,6 +15,7 @@ TOLERANCE = 2e-6  # of the greatest value
 _FIRST = 17  # even times at the start
 _BESIDE = 1e-7  # of the duration, before and after a jump of the acceleration
 _HALVINGS = 24
+_FEW = 100  # times at which what is given in time may jump; more are the samples of a record, which does not
 _TICKS = 100_000_000, 10_000_000, 10_000_000, 1_000_000  # of time, displacement, velocity and acceleration
 
 
@@ -84,17 +85,19 @@ def _errors_at(motion: Motion, times: Floats, others: Floats) -> Floats:
 
 
 def _first_times(motion: Motion, most: int) -> Floats:
-    """Even times, and both sides of each time at which the acceleration may jump."""
+    """Even times, both sides of each time at which the acceleration may jump, and kinks of records on the way."""
     duration = float(motion.duration)
-    jumps = [0.0, duration]
+    jumps, kinks = [0.0, duration], [np.linspace(0.0, duration, _FIRST)]
     for phase in motion.phases:
         jumps += np.ravel([phase.start, phase.end]).tolist()
     for function in in_time(motion.plan.scene.called).values():
-        kinks = np.asarray(function.kinks)
-        if 3 * kinks.size < most:  # no record of ground motion, whose accelerations are continuous
-            jumps += kinks.tolist()
+        times = np.clip(function.kinks, 0.0, duration)
+        times = times[motion.at(times).velocity != 0.0]
+        if times.size < _FEW:
+            jumps += times.tolist()
+        elif times.size < most / 2:
+            kinks.append(times)
     beside = _BESIDE * duration
     before = np.array(jumps) - beside
-    even = np.linspace(0.0, duration, _FIRST)
-    times = np.concatenate([even, before, before + 2 * beside])
-    return np.unique(np.clip(times, 0.0, duration))
+    every = np.concatenate([*kinks, before, before + 2 * beside])
+    return np.unique(np.clip(every, 0.0, duration))

@@ -24,7 +24,7 @@ from slipcircle.workbench.studies import motions as study_motions
 from slipcircle.workbench.studies.ensemble import varied_number
 
 MOST_CASES = 61
-_POINTS, _MOST_POINTS = 6000, 1500  # of all motions together, of one
+_POINTS = 9000  # of all motions together
 _SHORTEST, _LONGEST = 4.0, 10.0  # seconds in which a slide is played, as in `live.js`
 _PAGE = Path(__file__).with_name("page")
 _SHELL = """
@@ -74,7 +74,7 @@ def framed(motion: Motion) -> Raw:
 
 def fragment(motions: Sequence[Motion], name: str, varied: str = "", labels: Sequence[str] = (), first: int = 0) -> Raw:
     """The same as a part of a page, which needs `style` and `script`; the name is its identifier there."""
-    points = max(min(_POINTS // len(motions), _MOST_POINTS), 20)
+    points = _POINTS // len(motions)
     histories = [interpolant(motion, points) for motion in motions]
     frame, magnification = frame_around(motions), common_magnification(motions)
     arcs = {id(motion.plan.scene.arc): motion for motion in motions}  # one of cases that differ in other numbers

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from slipcircle.workbench.outputs.film import Film
 
 _KINDS = ("png", "svg", "pdf", "jpg")
-_FRAMES = 60  # of an animation
+_FRAMES = 12  # of an animation in a second
 _HOLD, _COLOURS = 2000, 64  # milliseconds that its last frame is held; colours of each frame
 
 
@@ -138,7 +138,7 @@ def slide(motion: Motion, seconds: float = 5.0) -> bytes:
     """A motion shown in so many seconds, as a GIF."""
     from slipcircle.workbench.outputs.film import film
 
-    return render(lambda figure: film(motion, figure, _FRAMES, seconds), (7.0, 4.6), ".gif")
+    return render(lambda figure: film(motion, figure, max(2, round(_FRAMES * seconds)), seconds), (7.0, 4.6), ".gif")
 
 
 def write(paths: Iterable[str], what: str, result: Any) -> None:

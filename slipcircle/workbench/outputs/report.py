@@ -38,6 +38,7 @@ from slipcircle.workbench.outputs.tables import Part, interval, motion_column, s
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
+from slipcircle.workbench.studies.searched import SEARCHED
 from slipcircle.workbench.studies.statistics import BEYOND, BIN_ERROR, Estimate
 from slipcircle.workbench.studies.study import Study
 
@@ -261,6 +262,7 @@ def _value(quantity: Quantity, motion: Motion, text: str = "") -> str:
 def parts(study: Study) -> Iterator[Part]:
     """What there is to tell of a study of samples, on the screen and in its report, in this order."""
     yield _probabilities(study)
+    yield _factors(study)
     heads = [q.heading for q in OUTCOMES.values()]
     quantiles = [[f"{1 - p:.2g}", *(study.quantile(name, p) for name in OUTCOMES)] for p in export.QUANTILES]
     yield Part(["exceedance probability", *heads], quantiles, "How far and how fast", "; ".join(_quantile_notes(study)))
@@ -277,11 +279,24 @@ def parts(study: Study) -> Iterator[Part]:
 def _probabilities(study: Study) -> Part:
     """The probability of moving, and those of a factor of safety below 1."""
     rows = [["probability of moving", study.moving]]
-    rows += [[f"probability of F < 1, {METHODS[method][0]}", p] for method, p in study.failure.items()]
+    rows += [[f"probability of F < 1, {_method_words(method)}", p] for method, p in study.failure.items()]
     invalid = study.design.n - study.n
     of_all = f" of {study.design.n}, as {invalid} are no scene" if invalid else ""
     confidence = f"in brackets the interval of {100 * study.confidence:g} % confidence from their number"
     return Part([], rows, "Whether it moves", f"{study.n} samples{of_all}; {confidence}")
+
+
+def _factors(study: Study) -> Part:
+    """Quantiles of the factor of safety at the start, by every method."""
+    methods = [*study.failure]
+    rows = [[f"{p:.2g}", *(study.factor_quantile(method, p) for method in methods)] for p in export.QUANTILES]
+    return Part(["not exceeded by", *map(_method_words, methods)], rows, "Factor of safety at the start")
+
+
+def _method_words(method: str) -> str:
+    """A method of stability, and whether the circle was searched for every sample."""
+    name = METHODS[method.removeprefix(SEARCHED)][0]
+    return f"{name}, circle of each sample" if method.startswith(SEARCHED) else name
 
 
 def _moments(study: Study, heads: Sequence[str]) -> Part:

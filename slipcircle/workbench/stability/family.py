@@ -25,7 +25,7 @@ _LEAST_ON_EDGE = 7  # on each edge of a ground of few edges: the slope between w
 _FEW_EDGES = 12
 _MOST_VERTICES = 48  # of a ground; of more, those nearest to even places
 _SHARES = np.array([0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.64, 0.76, 0.88, 1.0])
-_COARSE_NODES, _FINE_NODES = 4, 6  # of Gauss' rule
+COARSE_NODES, _FINE_NODES = 4, 6  # of Gauss' rule
 _VALLEYS = 12  # that are refined
 _VALLEYS_ON_EDGE = 2  # of those that touch an edge of a boundary
 _APART = 2.5  # spacings of the coarse family between valleys
@@ -182,7 +182,7 @@ class Search:
             positions.append(np.linspace(first, last, _LEAST_ON_EDGE + 1))
         return np.unique(np.concatenate(positions))
 
-    def _coarse_family(self) -> tuple[Floats, Floats]:
+    def coarse_family(self) -> tuple[Floats, Floats]:
         """Circles between all pairs of positions, with all openings, and touching each boundary; and their steps."""
         ends = self._positions()
         numbers = np.indices((len(ends), len(ends), len(_SHARES))).reshape(3, -1)
@@ -199,12 +199,12 @@ class Search:
 
     def coarse(self, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
         """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
-        q, steps = self._coarse_family()
-        values = self.evaluate(q, _COARSE_NODES)
+        q, steps = self.coarse_family()
+        values = self.evaluate(q, COARSE_NODES)
         if not np.any(np.isfinite(values)):
             left = "no circle within these limits can slide; widen entry, exit, depth or base"
             raise InputError("critical", [left])
-        valleys = _valleys(q, values, steps)
+        valleys = valleys_of(q, values, steps, _VALLEYS, _VALLEYS_ON_EDGE)
         tell(f"{len(values)} circles; following {len(valleys)}, from {np.nanmin(values):.4g}")
         return q[valleys], steps[valleys]
 
@@ -221,13 +221,13 @@ class Search:
         return descent.q[order], step[order]
 
 
-def _valleys(q: Floats, values: Floats, steps: Floats) -> list[int]:
+def valleys_of(q: Floats, values: Floats, steps: Floats, most: int, most_on_edge: int) -> list[int]:
     """The best circles that are no neighbours of a better one, of those that touch no boundary and those of each."""
     valleys: list[int] = []
     order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
     for edge in np.unique(q[:, 3]):
         left = order[q[order, 3] == edge]
-        count = _VALLEYS if edge == _NONE else _VALLEYS_ON_EDGE
+        count = most if edge == _NONE else most_on_edge
         while count and left.size:
             best = left[0]
             valleys.append(int(best))

@@ -1,5 +1,7 @@
 """The critical circle of a slope: a coarse family of all circles at once, then the best of its valleys refined."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -75,7 +77,7 @@ class Critical:
         """x of both ends, from left to right, which selects one of the masses that the circle cuts off."""
         return min(self.entry[0], self.exit[0]), max(self.entry[0], self.exit[0])
 
-    def without_map(self) -> "Critical":
+    def without_map(self) -> Critical:
         """A copy without the circles that were evaluated."""
         return replace(self, centres=self.centres[:0], values=self.values[:0])
 

@@ -19,6 +19,7 @@ from slipcircle.workbench.stability.stability import METHODS as STABILITY_METHOD
 from slipcircle.workbench.stability.stability import factors_of_safety, soil
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.sampling import latin, monte_carlo, sobol
+from slipcircle.workbench.studies.searched import searched_factors
 from slipcircle.workbench.studies.statistics import sums
 from slipcircle.workbench.studies.tally import counted
 
@@ -47,6 +48,7 @@ class Design:
     correlation: Floats  # of the inputs' normal scores, (inputs, inputs)
     seed: int
     size: int  # samples of a block, a power of two, 4 at least
+    search_each: bool = False  # whether factors of safety are also those of the circle searched for each sample
 
     @property
     def replicates(self) -> int:
@@ -118,6 +120,7 @@ class _Solved(NamedTuple):
 
     motion: Motion
     moves: Floats  # 1 or 0, NaN of what is no scene
+    si: dict[str, Floats]  # values of the inputs in SI units
     outcomes: dict[str, Floats]  # magnitudes; 0 of what does not move, infinite of what slides without a result
 
 
@@ -131,7 +134,7 @@ def _solve(design: Design, values: list[Floats]) -> _Solved:
     moves = np.where(motion.status == Status.INVALID, np.nan, motion.moves | no_result)
     sizes = {name: np.abs(motion.outcomes[name]) for name in OUTCOMES}
     outcomes = {name: np.where(no_result, np.inf, size) for name, size in sizes.items()}
-    return _Solved(motion, moves, outcomes)
+    return _Solved(motion, moves, si, outcomes)
 
 
 def _factors(motion: Motion) -> dict[str, Floats]:
@@ -143,6 +146,17 @@ def _factors(motion: Motion) -> dict[str, Floats]:
     return factors
 
 
+def _counted_factors(factors: Mapping[str, Floats]) -> Result:
+    """By method: how many are below 1 and how many are not known, and the bins of the others."""
+    result: Result = {}
+    for method, factor in factors.items():
+        unknown = np.isnan(factor)
+        result[f"factor.{method}"] = np.array([np.sum(factor < 1.0), np.sum(unknown)])
+        for part, value in counted(factor[~unknown]).items():
+            result[f"factor bins.{method}.{part}"] = value
+    return result
+
+
 def run_block(design: Design, index: int) -> Result:
     """Compute a block.
 
@@ -150,7 +164,7 @@ def run_block(design: Design, index: int) -> Result:
     -------
     dict of ndarray
         ``status`` counts; of each output the bins that are not empty, their counts, and of its finite values the
-        extremes and the `moments`; of each factor of safety how many are below 1, and how many are not known; the
+        extremes and the `moments`; of each factor of safety the same, and how many are below 1 and not known; the
         samples where they are kept. For sensitivity indices instead the `sums` of each outcome.
     """
     if index >= design.sample_blocks:
@@ -164,15 +178,17 @@ def run_block(design: Design, index: int) -> Result:
     result: Result = {"status": np.bincount(status, minlength=len(Status))}
     for name, outcome in solved.outcomes.items():
         result |= {f"{name}.{part}": value for part, value in counted(outcome[valid]).items()}
-    for method, factor in _factors(solved.motion).items() if design.drawn else ():
-        of_scenes = factor[valid]
-        failing, unknown = np.sum(of_scenes < 1.0), np.sum(np.isnan(of_scenes))
-        result[f"factor.{method}"] = np.array([failing, unknown])
+    factors = _factors(solved.motion)
+    if design.search_each:
+        factors |= searched_factors(design.scene, solved.si, valid)
+    result |= _counted_factors({method: factor[valid] for method, factor in factors.items()})
     if design.keep:
         for number, value in zip(design.inputs.values(), values, strict=True):
             result[f"sample.{number.key}"] = value
         for name, outcome in solved.outcomes.items():
             result[f"sample.{name}"] = np.where(np.isinf(outcome), np.nan, outcome)
+        for method, factor in factors.items() if design.method == "grid" else ():
+            result[f"sample.factor of safety, {method}"] = np.where(np.isinf(factor), np.nan, factor)
         result["sample.status"] = status
     return result
 

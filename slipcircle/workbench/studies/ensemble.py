@@ -4,7 +4,7 @@ import hashlib
 import json
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import fields
 from typing import IO, Any
@@ -23,6 +23,7 @@ from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.studies.design import METHODS, REPLICATES, Design
 from slipcircle.workbench.studies.engines import Folder, as_executor, engine, run_blocks, stored
 from slipcircle.workbench.studies.sampling import MOST_LATIN
+from slipcircle.workbench.studies.searched import search_mistakes
 from slipcircle.workbench.studies.study import Study
 
 _KEEP = 2**20  # samples up to which they are kept by default
@@ -82,6 +83,7 @@ def ensemble(
     folder: str | os.PathLike[str] | None = None,
     progress: IO[str] | None = None,
     correlation: Mapping[tuple[str, str], float] | None = None,
+    search_each: bool = False,
 ) -> Study:
     """Solve a scene for samples of its uncertain numbers.
 
@@ -102,11 +104,12 @@ def ensemble(
         Whether to keep the samples (by default up to 2**20 of them) or to count them in bins of relative width 1/1024;
         samples of a block, a power of two, by default for at least eight blocks.
     confidence, accuracy : float, optional
-        Confidence of all intervals; requested relative error of each solution, by default that of the scene, or 1e-9.
+        Of all intervals; requested relative error of each solution, by default that of the scene, or 1e-9.
     folder, progress : path and stream, optional
         Folder of finished blocks, from which a later call continues; stream for the progress.
-    correlation : mapping, optional
-        Correlation of the normal scores of two uncertain numbers (a Gaussian copula), by a pair of their keys.
+    correlation, search_each : mapping and bool, optional
+        Correlation of the normal scores of two uncertain numbers (a Gaussian copula), by a pair of their keys;
+        whether the circle is searched for every sample too, for factors of safety: motions stay on that of the means.
 
     Examples
     --------
@@ -116,24 +119,35 @@ def ensemble(
     >>> ensemble(replace(load("vaiont"), uncertain=angle), 1000, rng=1).moving.value
     1.0
     """
-    mistakes = _setting_mistakes(n, method, size, confidence)
-    raise_all("ensemble", _scene_mistakes(scene) + mistakes + _sensitivity_mistakes(sensitivity, correlation))
-    seed, n, drawn = _seed(rng, folder), int(n), uncertain_numbers(scene)
-    raise_all("ensemble", _truncated(drawn))
+    raise_all("ensemble", _mistakes(scene, search_each, (n, method, size, confidence), (sensitivity, correlation)))
+    drawn, seed, n = uncertain_numbers(scene), _seed(rng, folder), int(n)
     scene, matrix = along_means(scene), _correlation(drawn, correlation or {})
-    if sensitivity is None:
-        sensitivity = min(_BASE, n) if len(drawn) > 1 and n > 1 and not correlation else 0
-    keep, size = n <= _KEEP if keep is None else keep, size or _size(n, method)
-    inputs, accuracy = {k: u.number for k, u in drawn.items()}, plan(scene, accuracy).accuracy
-    design = Design(scene, accuracy, inputs, drawn, (), method, n, sensitivity, keep, matrix, seed, size)
+    keep, accuracy = n <= _KEEP if keep is None else keep, plan(scene, accuracy).accuracy
+    inputs, base = {k: u.number for k, u in drawn.items()}, _base_points(sensitivity, len(drawn), n, correlation)
+    size = size or _size(n, method)
+    design = Design(scene, accuracy, inputs, drawn, (), method, n, base, keep, matrix, seed, size, search_each)
     return conduct(design, executor, confidence, folder, progress)
 
 
-def _scene_mistakes(scene: Scene) -> list[str]:
+def _base_points(asked: int | None, inputs: int, n: int, correlation: Any) -> int:
+    """Base points of sensitivity indices, by default as many as samples if the inputs are independent."""
+    if asked is not None:
+        return asked
+    return min(_BASE, n) if inputs > 1 and n > 1 and not correlation else 0
+
+
+def _mistakes(scene: Scene, search_each: bool, settings: Sequence[Any], indices: Sequence[Any]) -> list[str]:
+    """A sentence for each mistake."""
+    of_settings = _setting_mistakes(*settings) + _sensitivity_mistakes(*indices)
+    found = _scene_mistakes(scene, search_each) + of_settings
+    return found or _truncated(uncertain_numbers(scene))
+
+
+def _scene_mistakes(scene: Scene, search_each: bool) -> list[str]:
     mistakes = [_OF_ARRAYS] if checked(scene, "ensemble").shape else []
     if not scene.uncertain:
         mistakes.append("no number is uncertain; give Scene(uncertain=...), --uncertain, or a distribution in its file")
-    return mistakes
+    return mistakes + (search_mistakes(scene) if search_each else [])
 
 
 def _setting_mistakes(n: Any, method: Any, size: Any, confidence: Any) -> list[str]:
@@ -283,6 +297,7 @@ def _described(design: Design) -> dict[str, Any]:
     described = {
         "slipcircle": VERSION,
         "outcomes": [*OUTCOMES],
+        "factors": "each" if design.search_each else "means",
         "accuracy": design.accuracy,
         "section": section,
         "numbers": {n: v for n, v in scene.numbers.items() if not section or n not in arc_numbers(arc)},

@@ -37,6 +37,8 @@ def estimates(study: Any) -> Iterator[Row]:
     yield Row("probability of moving", "moves", "", math.nan, study.moving)
     for method, failure in study.failure.items():
         yield Row("probability of failure", "factor_of_safety", method, math.nan, failure)
+        for p in QUANTILES:
+            yield Row("quantile of the factor", "factor_of_safety", method, p, study.factor_quantile(method, p))
     for name in OUTCOMES:
         yield from _of_output(study, name)
     keys = [u.key for u in study.design.inputs.values()]

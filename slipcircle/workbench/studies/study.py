@@ -22,6 +22,7 @@ from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import NO_RESULT, Design, Result
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.propagation import Linear, disagreement, propagated
+from slipcircle.workbench.studies.searched import effect_of_searching
 from slipcircle.workbench.studies.statistics import (
     NOT_GIVEN,
     Estimate,
@@ -34,7 +35,7 @@ from slipcircle.workbench.studies.statistics import (
     value_text,
     width,
 )
-from slipcircle.workbench.studies.tally import Tally
+from slipcircle.workbench.studies.tally import COUNTED, Tally
 
 Floats = NDArray[np.float64]
 
@@ -83,6 +84,7 @@ class Study(Pictured):
         self._counts = np.zeros((replicates, len(Status)), np.int64)
         self._tallies = {name: Tally(replicates) for name in OUTCOMES}
         self._failing: dict[str, NDArray[np.int64]] = {}
+        self._factors: dict[str, Tally] = {}
         self._add_all(results)
 
     def _add_all(self, results: Iterable[Result]) -> None:
@@ -106,12 +108,14 @@ class Study(Pictured):
         """Add a block up."""
         self._counts[replicate] += result["status"]
         for name, tally in self._tallies.items():
-            tally.add(replicate, {part: result[f"{name}.{part}"] for part in ("bins", "counts", "moments", "ends")})
+            tally.add(replicate, {part: result[f"{name}.{part}"] for part in COUNTED})
         for name in result:
             if name.startswith("factor."):
                 method = name.removeprefix("factor.")
                 counts = self._failing.setdefault(method, np.zeros((self.design.replicates, 2), np.int64))
                 counts[replicate] += result[name]
+                tally = self._factors.setdefault(method, Tally(self.design.replicates))
+                tally.add(replicate, {part: result[f"factor bins.{method}.{part}"] for part in COUNTED})
 
     def _is_checkpoint(self, blocks: int) -> bool:
         """Whether the convergence is looked at after so many blocks: whole turns of all replicates, powers of two."""
@@ -241,6 +245,20 @@ class Study(Pictured):
                 estimate = Estimate(math.nan, estimate.low, at_most.high)
             found[method] = estimate
         return found
+
+    def factor_quantile(self, method: str, p: float) -> Estimate:
+        """A quantile of the factor of safety at the start, by method as in `failure`, within `BIN_ERROR` of it.
+
+        Of the samples that have such a factor.
+        """
+        tally = self._factors[method]
+        known = int(tally.histograms.sum())
+        if not known:
+            return NOT_GIVEN
+        lower, upper = ranks(p, known, self.confidence)
+        shares = (p, (lower - 0.5) / known, (upper - 0.5) / known)
+        value, low, high = (tally.quantile(share) if 0.0 <= share <= 1.0 else math.nan for share in shares)
+        return Estimate(value, low, high)
 
     def _single_probability(self, hits: NDArray[np.int64]) -> Estimate:
         return Estimate(*(float(x[0]) for x in self._probability(hits[:, None])))
@@ -374,7 +392,8 @@ class Study(Pictured):
         if stability is None or not stability.method:
             return []
         whose = "scene as it is given" if self.design.method == "grid" else "means"
-        return [
+        found = [
             f"all of them slide along the critical circle of the {whose}, of the "
             f"{least_of(stability.method)}; it is searched once, and kept"
         ]
+        return found + ([effect_of_searching(self, stability.method)] if self.design.search_each else [])

@@ -19,6 +19,8 @@ from slipcircle.workbench.studies.statistics import (
     standard_error,
 )
 
+COUNTED = ("bins", "counts", "moments", "ends")
+
 
 def counted(values: Floats) -> dict[str, Any]:
     """What a block has of an output: bins that are not empty and their counts; of finite values moments, extremes."""

@@ -1,0 +1,51 @@
+"""Factors of safety of samples, each on its own critical circle in the place of that of the means."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.core import Scene, with_parameters
+from slipcircle.workbench.files.loaded import stability_of
+from slipcircle.workbench.files.variation import slope_of
+from slipcircle.workbench.stability.factors import METHOD_NAMES
+from slipcircle.workbench.stability.samples import SampleSearch
+
+Floats = NDArray[np.float64]
+SEARCHED = "searched "  # before the name of a method: by this method, the circle searched for every sample
+
+
+def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: NDArray[np.bool_]) -> dict[str, Floats]:
+    """By ``SEARCHED`` and a method, for values of the scene's numbers in SI units; NaN of what is not valid."""
+    stability = stability_of(scene)
+    assert stability is not None
+    search = SampleSearch(stability.slope, stability.method, stability.limits)
+    values = np.stack([*si.values()], axis=1)
+    spread = values.std(axis=0)
+    places = values / np.where(spread > 0.0, spread, 1.0)
+    factors = {method: np.full(len(values), np.nan) for method in METHOD_NAMES}
+    for k in np.flatnonzero(valid):
+        numbers = dict(zip(si, values[k].tolist(), strict=True))
+        slope = slope_of(with_parameters(scene, numbers), stability.slope)
+        for method, factor in search.factors(slope, places[k]).items():
+            factors[method][k] = factor
+    return {f"{SEARCHED}{method}": values for method, values in factors.items()}
+
+
+def search_mistakes(scene: Any) -> list[str]:
+    """A sentence where a scene has no circle to be searched."""
+    stability = stability_of(scene)
+    if stability is not None and stability.method:
+        return []
+    return ['search_each: the scene searches no circle; give [ground] and critical = "bishop" in [circle]']
+
+
+def effect_of_searching(study: Any, method: str) -> str:
+    """How much it changes factors of safety that the circle is searched for every sample."""
+    method = method if method in METHOD_NAMES else "paper"
+    both = (method, f"{SEARCHED}{method}")
+    below = [f"{study.failure[name].value:.3g}" for name in both]
+    medians = [f"{study.factor_quantile(name, 0.5).value:.4g}" for name in both]
+    of_means = f"on the circle of the means P(F < 1) by {method} is {below[0]} and the median factor {medians[0]}"
+    return f"{of_means}; with the circle searched for every sample {below[1]} and {medians[1]}"
