@@ -78,6 +78,8 @@ class InputError(ValueError):
 
 def plain(value: Any) -> Any:
     """Numbers for computation: a float, ten times cheaper than an array of one, or an array."""
+    if type(value) is float:
+        return value
     return np.add(value, 0.0) if np.ndim(value) else float(value)
 
 

@@ -337,7 +337,7 @@ def _first_only(terms: Collection[str], laws: Any, inputs: Mapping[str, Any]) ->
     (name, parameters), *others = laws
     constant = name == "constant" and not others
     frictionless = parameters["coefficient"] == 0.0 if constant else False
-    may_lift = not UPLIFT.isdisjoint(terms) or bool(np.any(inputs.get("layered_lift")))
+    may_lift = not UPLIFT.isdisjoint(terms) or ("layered_lift" in inputs and np.any(inputs["layered_lift"]))
     swings = choose(frictionless, 1.0, 2.0 if may_lift else 0.0)
     cohesion = inputs.get("cohesion", 0.0) + inputs.get("layered_cohesion", 0.0)
     return choose(cohesion > 0.0, 0.0, swings)

@@ -19,6 +19,7 @@ from slipcircle.base.checks import (
     choose,
     complaint,
     mistakes,
+    plain,
     raise_all,
     shape_mistakes,
     two_sum,
@@ -263,8 +264,7 @@ class Arc(SlidingBody, Generic[Numbers]):
     @cached_property
     def _cosine_of_dip(self) -> Any:
         """cos(psi) = -sin(theta_m), with the rounding of theta_m, which a steep dip shows."""
-        ends = (np.asarray(theta, dtype=np.float64) for theta in (self.theta_1, self.theta_2))
-        total, lost = two_sum(*ends)
+        total, lost = two_sum(plain(self.theta_1), plain(self.theta_2))
         return -(np.sin(total / 2) + np.cos(total / 2) * (lost / 2))
 
     @cached_property

@@ -202,8 +202,10 @@ def layered_mistakes(friction: Any, effects: Mapping[str, Any]) -> list[str]:
 
 def accuracy_mistakes(accuracy: Any) -> list[str]:
     """A sentence if it is given, and no relative error."""
+    if accuracy is None:
+        return []
     one = accuracy if np.ndim(accuracy) == 0 else str(accuracy)
-    return [] if accuracy is None else mistakes({"accuracy": one}, {"accuracy": ACCURACY})
+    return mistakes({"accuracy": one}, {"accuracy": ACCURACY})
 
 
 def checked(scene: Any, what: str) -> Scene:

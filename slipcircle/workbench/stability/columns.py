@@ -110,15 +110,18 @@ class SlopeArrays:
     @cached_property
     def columns(self) -> Columns:
         """The columns between all kinks of the lines and of the surcharge."""
-        at = [line[..., 0] for line in self.lines]
-        at += [crossings(one, other) for one, other in combinations(self.lines, 2)]
-        at += [np.array([[x1, x2]]) for x1, x2, _, _ in self.surcharge]
-        slopes = max(map(len, at))
-        bounds = np.sort(np.concatenate([np.broadcast_to(x, (slopes, x.shape[1])) for x in at], axis=1), axis=1)
+        kinks = [line[..., 0] for line in self.lines]
+        kinks += [crossings(one, other) for one, other in combinations(self.lines, 2)]
+        kinks += [np.array([[x1, x2]]) for x1, x2, _, _ in self.surcharge]
+        slopes = max(map(len, kinks))
+        whole = [np.broadcast_to(x, (slopes, x.shape[1])) for x in kinks]
+        bounds = np.sort(np.concatenate(whole, axis=1), axis=1)
         if slopes == 1:
             bounds = np.unique(bounds, axis=1)
+        before = bounds[:, :1] - 1.0
         inner = (bounds[:, :-1] + bounds[:, 1:]) / 2
-        middle = np.concatenate([bounds[:, :1] - 1.0, inner, bounds[:, -1:] + 1.0], axis=1)
+        beyond = bounds[:, -1:] + 1.0
+        middle = np.concatenate([before, inner, beyond], axis=1)
         surfaces = self._surfaces([_on_line(line, middle) for line in self.lines])
         height, gradient = np.stack(surfaces, axis=1)
         return Columns(bounds, middle, height, gradient)

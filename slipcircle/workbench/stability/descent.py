@@ -43,7 +43,8 @@ class Descent:
         grid = _OFFSETS * self._step[live, None, :3]
         away = np.concatenate([grid, self._leaps[live]], axis=1)
         near = np.repeat(self.q[live, None], away.shape[1], axis=1)
-        near[..., :3] = np.clip(near[..., :3] + away, [0.0, 0.0, _LEAST_SHARE], self._greatest)
+        least = [0.0, 0.0, _LEAST_SHARE]
+        near[..., :3] = np.clip(near[..., :3] + away, least, self._greatest)
         return near
 
     def move(self, near: Floats, values: Floats) -> None:
@@ -58,21 +59,29 @@ class Descent:
             counts = before - lowest > _GAIN * np.abs(lowest)
         target = np.where(better[:, None], near[rows, least], self.q[live])
         back = (self.q[live] - target)[:, None, :3]
-        leaps = _leaps(values[:, : len(_OFFSETS)])
-        self._leaps[live] = back + leaps * self._step[live, None, :3]
+        on_grid = values[:, : len(_OFFSETS)]
+        leaps = _leaps(on_grid)
+        step = self._step[live, None, :3]
+        self._leaps[live] = back + leaps * step
         self.q[live] = target
         self.best[live] = np.where(better, lowest, before)
         leapt = least >= len(_OFFSETS)
         on_rim = counts & ~leapt & (least != _MIDDLE)
-        smooth = np.all(np.abs(leaps[:, -1]) < 1.0, axis=1) & np.any(leaps[:, -1], axis=1)
+        in_all_numbers = leaps[:, -1]
+        short = np.all(np.abs(in_all_numbers) < 1.0, axis=1)
+        smooth = short & np.any(in_all_numbers, axis=1)
         self._scale_steps(live, on_rim, smooth | (better & leapt))
 
     def _scale_steps(self, live: Any, on_rim: Any, smooth: Any) -> None:
         """Greater steps where the best neighbour is on the rim of a grid, none where a circle is hopeless."""
-        scale = np.where(on_rim, _GROWTH, np.where(smooth, _SHRINK_SMOOTH, _SHRINK))
-        self._step[live] = np.minimum(self._step[live] * scale[:, None], self._first_step[live])
+        shrink = np.where(smooth, _SHRINK_SMOOTH, _SHRINK)
+        scale = np.where(on_rim, _GROWTH, shrink)
+        step = self._step[live] * scale[:, None]
+        self._step[live] = np.minimum(step, self._first_step[live])
         least_of_all = self.best.min()
-        self._step[self.best > least_of_all + _HOPELESS * max(abs(least_of_all), 0.1)] = 0.0
+        range_of_hope = _HOPELESS * max(abs(least_of_all), 0.1)
+        hopeless = self.best > least_of_all + range_of_hope
+        self._step[hopeless] = 0.0
 
 
 def _leaps(values: Floats) -> Floats:
@@ -85,13 +94,17 @@ def _leaps(values: Floats) -> Floats:
     both = _SUBSETS[:, :, None] & _SUBSETS[:, None, :]
     system = np.where(both, curvature[:, None], alone)
     right = np.where(_SUBSETS, -gradient[:, None], 0.0)
-    known = np.all(np.isfinite(system), axis=(2, 3)) & np.all(np.isfinite(right), axis=2)
+    known = np.all(np.isfinite(system), axis=(2, 3))
+    known &= np.all(np.isfinite(right), axis=2)
     system = np.where(known[..., None, None], system, alone)
-    convex = known & np.all(np.linalg.eigvalsh(system) > 0.0, axis=2)
+    eigenvalues = np.linalg.eigvalsh(system)
+    convex = known & np.all(eigenvalues > 0.0, axis=2)
     system = np.where(convex[..., None, None], system, alone)
-    leaps = np.linalg.solve(system, np.where(convex[..., None], right, 0.0)[..., None])[..., 0]
+    right = np.where(convex[..., None], right, 0.0)
+    leaps = np.linalg.solve(system, right[..., None])[..., 0]
+    short = np.clip(leaps, -2.0, 2.0)
     # Rounded, so that slopes that differ by rounding have the same circle.
-    return np.asarray(np.round(np.clip(leaps, -2.0, 2.0), 2))
+    return np.asarray(np.round(short, 2))
 
 
 def _derivatives(grid: Floats) -> tuple[Floats, Floats]:
@@ -101,10 +114,14 @@ def _derivatives(grid: Floats) -> tuple[Floats, Floats]:
     with np.errstate(invalid="ignore"):
         for i in range(3):
             line = np.moveaxis(grid, i + 1, -1)[:, 1, 1]
-            gradient[:, i] = (line[:, 2] - line[:, 0]) / 2
-            curvature[:, i, i] = line[:, 2] - 2 * line[:, 1] + line[:, 0]
+            behind, here, ahead = line.T
+            gradient[:, i] = (ahead - behind) / 2
+            curvature[:, i, i] = ahead - 2 * here + behind
             for j in range(i):
                 plane = np.moveaxis(grid, (i + 1, j + 1), (-2, -1))[:, 1]
-                mixed = plane[:, 2, 2] + plane[:, 0, 0] - plane[:, 2, 0] - plane[:, 0, 2]
-                curvature[:, i, j] = curvature[:, j, i] = mixed / 4
+                alike = plane[:, 2, 2] + plane[:, 0, 0]
+                opposed = plane[:, 2, 0] + plane[:, 0, 2]
+                mixed = (alike - opposed) / 4
+                curvature[:, i, j] = mixed
+                curvature[:, j, i] = mixed
     return gradient, curvature

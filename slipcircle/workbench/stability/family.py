@@ -83,15 +83,19 @@ class Search:
         """Centres, radii, left and right ends."""
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
-        half_chord = np.hypot(*(right - left).T) / 2
+        chord = right - left
+        half_chord = np.hypot(*chord.T) / 2
         greatest = self._greatest_half_angle(left, right)
         half_angle = q[:, 2] * greatest
         for k, edge in enumerate(self.boundary_edges):
             touches = q[:, 3] == k
             half_angle[touches] = _touching_half_angle(left[touches], right[touches], edge)
         valid = (half_angle > 0.0) & (half_angle <= greatest * (1 + 1e-9))
-        centre, radius = circle_through(left, right, radius=half_chord / np.sin(np.where(valid, half_angle, 1.0)))
-        return centre, np.where(valid, radius, np.nan), left, right
+        some_angle = np.where(valid, half_angle, 1.0)
+        radius = half_chord / np.sin(some_angle)
+        centre, radius = circle_through(left, right, radius=radius)
+        radius = np.where(valid, radius, np.nan)
+        return centre, radius, left, right
 
     def _greatest_half_angle(self, left: Floats, right: Floats) -> Floats:
         """Of circles through two points that are upright at an end, or touch the base between them."""
@@ -99,14 +103,22 @@ class Search:
         upright = np.arctan2(chord[:, 0], np.abs(chord[:, 1])) * (1 - 1e-12)
         if self.slope.base is None:
             return upright
+        base = self.slope.base
         lower = np.minimum(left[:, 1], right[:, 1])
-        upright = np.where(lower - self.slope.base >= -self.rounding, upright, np.nan)
-        centre, _ = circle_touching(left, right, np.minimum(self.slope.base, lower))
-        beyond_left = left[:, 0] <= centre[:, 0] + self.rounding
-        before_right = centre[:, 0] - self.rounding <= right[:, 0]
-        ends = (np.arctan2(np.abs(p[:, 0] - centre[:, 0]), centre[:, 1] - p[:, 1]) for p in (left, right))
-        touching = sum(ends) / 2 * (1 - 1e-12)
-        return np.where(beyond_left & before_right, np.minimum(upright, touching), upright)
+        above_base = lower - base >= -self.rounding
+        upright = np.where(above_base, upright, np.nan)
+        centre, _ = circle_touching(left, right, np.minimum(base, lower))
+        x = centre[:, 0]
+        beyond_left = left[:, 0] <= x + self.rounding
+        before_right = x - self.rounding <= right[:, 0]
+        half_angles = []
+        for end in (left, right):
+            beside = np.abs(end[:, 0] - x)
+            below = centre[:, 1] - end[:, 1]
+            half_angles.append(np.arctan2(beside, below))
+        touching = sum(half_angles) / 2 * (1 - 1e-12)
+        deepest = np.minimum(upright, touching)
+        return np.where(beyond_left & before_right, deepest, upright)
 
     def evaluate(self, q: Floats, nodes: int = NODES) -> Floats:
         """The factor of each circle, NaN where there is none, or none within the limits."""
@@ -152,8 +164,11 @@ class Search:
 
     def thickness(self, q: Floats, centre: Floats, radius: Floats) -> Floats:
         """Greatest distance from arc to ground along the radius; -1 where the ground leaves the circle in between."""
-        line = self.points(np.clip(self.along, q[:, :1], q[:, 1:2])) - centre[:, None]  # repeats its ends beyond them
-        inside = np.all(np.hypot(line[..., 0], line[..., 1]) <= (1 + 1e-12) * radius[:, None], axis=1)
+        lengths = np.clip(self.along, q[:, :1], q[:, 1:2])  # repeats the ends beyond them
+        line = self.points(lengths) - centre[:, None]
+        distance = np.hypot(line[..., 0], line[..., 1])
+        most = (1 + 1e-12) * radius[:, None]
+        inside = np.all(distance <= most, axis=1)
         if not self.depth:
             return np.where(inside, 0.0, -1.0)
         start = line[:, :-1]
@@ -187,9 +202,11 @@ class Search:
         ends = self._positions()
         numbers = np.indices((len(ends), len(ends), len(_SHARES))).reshape(3, -1)
         i, j, k = numbers[:, numbers[0] < numbers[1]]
+        count = len(i)
+        q = np.column_stack([ends[i], ends[j], _SHARES[k], np.full(count, _NONE)])
         spacing = np.gradient(ends)
-        q = np.column_stack([ends[i], ends[j], _SHARES[k], np.full(len(i), _NONE)])
-        steps = np.column_stack([spacing[i], spacing[j], np.gradient(_SHARES)[k], np.zeros(len(i))])
+        share_spacing = np.gradient(_SHARES)
+        steps = np.column_stack([spacing[i], spacing[j], share_spacing[k], np.zeros(count)])
         pairs = np.flatnonzero(k == 0)
         families = [q]
         for edge in range(len(self.boundary_edges)):
