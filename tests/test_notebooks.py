@@ -43,6 +43,7 @@ METADATA = {
 DESCRIBED = """
 from functools import wraps
 from derive import progress
+from slipcircle.base import progress as progress_of_commands
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from slipcircle.workbench.outputs.plotstyle import described
 
@@ -54,6 +55,7 @@ def print_png(canvas, target, **more):
 
 FigureCanvasAgg.print_png = print_png
 progress.FIRST = float("inf")
+progress_of_commands._SELDOM = float("inf")
 """
 each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 

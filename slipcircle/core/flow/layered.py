@@ -11,7 +11,7 @@ from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.strength import OfRotation
 
 Floats = NDArray[np.float64]
-FINEST = 1e-13  # the last coefficients of tables for single scenes, over their greatest
+FINEST = 1e-14  # the first coefficients left out of tables for single scenes, over their greatest
 _SOME = 256  # lanes of which it is
 _TRIED = np.linspace(0.0, 1.0, 41)  # shares of the rotation at which the energy is estimated
 

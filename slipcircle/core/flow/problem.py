@@ -143,13 +143,13 @@ def build_problem(
     recipe = _recipe(called, tuple(name for name, _ in laws))
     effects, _, moving, _ = recipe
     rotating = rotates(effects)
-    numbers = _Numbers(arc)
+    upslope = "shaking" in effects or bool(np.any(velocity != 0.0))
+    tolerance = FINEST_TABLES if lanes == 1 else accuracy / 100
+    numbers = _Numbers(arc, upslope, tolerance)
     for effect in effects:
         numbers.add_effect(effect, called[effect], rotating)
     if "layered_strength" in effects:
-        upslope = "shaking" in effects or bool(np.any(velocity != 0.0))
-        tolerance = FINEST_TABLES if lanes == 1 else accuracy / 100
-        numbers.add_layers(called["layered_strength"], upslope, tolerance, friction)
+        numbers.add_layers(called["layered_strength"], friction)
     for name, parameters in laws:
         numbers.add_law(name, parameters)
     numbers.add_start(velocity, end_time)
@@ -206,6 +206,8 @@ class _Numbers:
     """The dimensionless numbers and tables of a scene, by the names that its program has for them."""
 
     arc: Arc | Section
+    upslope: bool  # whether the mass may move beyond where it began
+    tolerance: float  # of tables of the rotation
     functions: dict[str, Callable[[Any], Any]] = field(default_factory=dict)
     # Of each table: its data, the scale of its argument, the factor of its values.
     tables: dict[str, tuple[Data, Any, Any]] = field(default_factory=dict)
@@ -241,16 +243,38 @@ class _Numbers:
             elif p.kind == "rotation":
                 assert isinstance(self.arc, Section)
                 unit = p.dimensionless(1.0, scales)
-                self.tables[p.symbol] = under_water(self.arc, rotating), 1.0, unit
+                self.tables[p.symbol] = self._under_water(rotating), 1.0, unit
             else:
                 factor = p.dimensionless(factor_of(effect, given, p.name), scales)
                 self.tables[p.symbol] = tables.of_time(value), self.time_scale, factor
 
-    def add_layers(self, given: Mapping[str, Any], upslope: bool, tolerance: float, friction: Any) -> None:
+    def _under_water(self, rotating: bool) -> Data:
+        """The mean pore pressure under a section's water level, Pa, until its weight presses no more."""
+        section = self.arc
+        assert isinstance(section, Section)
+
+        def pressure(rotation: Any) -> Any:
+            return section.mean_pressure(rotation if section.shape else rotation[:, 0]).reshape(1, *rotation.shape)
+
+        coefficients = section.moment_coefficients
+        upright = np.arctan2(coefficients.normal_load, coefficients.normal_load_slope)  # J_r cos - J_r' sin falls to 0
+        last = np.ravel(upright)
+        if rotating:
+            first = last - np.pi if self.upslope else np.zeros_like(last)
+            kinks = np.atleast_2d(section.pressure_kinks).T
+            breaks, values = tables.between_kinks(pressure, kinks, first, last, self.tolerance)
+        else:
+            breaks = np.zeros((1, last.size))
+            values = np.zeros((1, tables.TERMS, 1, last.size))
+            values[0, 0] = pressure(breaks)[:, 0]
+        table = Data(breaks, np.ascontiguousarray(values[:, :, 0]), np.zeros(len(breaks)))
+        return table if section.shape else table._replace(breaks=breaks[:, 0], coefficients=values[:, :, 0, 0])
+
+    def add_layers(self, given: Mapping[str, Any], friction: Any) -> None:
         """What the soils of a layered section give that changes with the rotation."""
         assert isinstance(self.arc, LayeredSection)
         symbols = {p.name: p.symbol for p in ALL_EFFECTS["layered_strength"].parameters}
-        rotations = RotationTables(self.arc, given, symbols, tolerance, upslope)
+        rotations = RotationTables(self.arc, given, symbols, self.tolerance, self.upslope)
         if not rotations.functions:
             return
         self.rotations = rotations
@@ -296,42 +320,6 @@ def scales_of(arc: Arc | Section) -> dict[str, Any]:
 def rotates(effects: Iterable[str]) -> bool:
     """Whether an effect lets the mass rotate."""
     return any(ALL_EFFECTS[effect].turns for effect in effects)
-
-
-def under_water(section: Section, rotating: bool, others: Any = None, count: int = 1) -> Data:
-    """The mean pore pressure under a section's water level, Pa, at all rotations until its weight presses no more.
-
-    Or, of a single section, so many other functions of the rotation that have the same kinks.
-    """
-    shape = section.shape or (count,)
-
-    def pressure(rotation: Any) -> Any:
-        if section.shape:
-            return section.mean_pressure(rotation)
-        return section.mean_pressure(rotation[..., 0])[..., None]
-
-    function = others or pressure
-    if rotating:
-        table = _between_kinks(section, function, shape)
-    else:
-        constant = np.zeros((1, tables.TERMS, *shape))
-        constant[0, 0] = function(np.zeros(shape))
-        table = Data(np.zeros((1, *shape)), constant, np.zeros(1))
-    if section.shape or others:
-        return table
-    return table._replace(breaks=table.breaks[:, 0], coefficients=table.coefficients[..., 0])
-
-
-def _between_kinks(section: Section, function: Callable[[Any], Any], shape: tuple[int, ...]) -> Data:
-    """A function of the rotation in pieces between kinks of the pressure, until J_r cos - J_r' sin falls to 0."""
-    coefficients = section.moment_coefficients
-    upright = np.arctan2(coefficients.normal_load, coefficients.normal_load_slope)
-    last = np.broadcast_to(upright, shape)
-    kinks = np.moveaxis(section.pressure_kinks, -1, 0)
-    if not section.shape:
-        kinks = kinks[:, None]
-    kinks = np.broadcast_to(kinks, (len(kinks), *shape))
-    return tables.turning(function, kinks, last - np.pi, last)
 
 
 def _one_way(shaking: Mapping[str, Any]) -> float:

@@ -1,7 +1,7 @@
 """Functions in pieces, as the flow walks them: laws by table, records, pulses, and functions given in Python."""
 
+import math
 from collections.abc import Callable, Mapping
-from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -147,40 +147,6 @@ _NODES = np.cos(np.pi * (np.arange(TERMS) + 0.5) / TERMS)
 _POWERS = np.array(
     [Chebyshev.basis(k)(Polynomial([-1.0, 1.0])).coef.tolist() + [0.0] * (TERMS - 1 - k) for k in range(TERMS)]
 ).T
-WIDEST = 0.2  # of a piece, where no derivative is greater than the function's size: (0.1)^8/(2^7 8!) is 2e-15 of it
-
-
-def turning(function: Callable[[Any], Any], kinks: Floats, least: Floats, most: Floats) -> Data:
-    """A function of the rotation that is a sum of 1, phi, sin phi and cos phi between kinks, by interpolation.
-
-    Parameters
-    ----------
-    function : callable
-        Takes rotations, (..., lanes), rad.
-    kinks : ndarray
-        (kinks, lanes), increasing.
-    least, most : ndarray
-        Between which it is asked for, (lanes,); beyond, it is a constant.
-    """
-    inner = np.concatenate([[least], np.clip(kinks, least, most), [most]])
-    edges = [inner[:1]]
-    for first, second in pairwise(inner):
-        count = int(np.ceil((second - first).max() / WIDEST))  # none, where kinks coincide
-        share = np.arange(1, count + 1)[:, None] / max(count, 1)
-        edges.append(np.where(share < 1.0, first + share * (second - first), second))
-    breaks = np.concatenate(edges)
-    half = np.diff(breaks, axis=0) / 2
-    values = function(breaks[:-1, None] + half[:, None] * (1.0 + _NODES[:, None]))
-    # First the coefficients of Chebyshev, which fall, so that the powers' great numbers do not cancel.
-    chebyshev = np.linalg.inv(np.cos(np.outer(np.arccos(_NODES), np.arange(TERMS)))) @ values
-    with np.errstate(divide="ignore", invalid="ignore"):
-        terms = _POWERS @ chebyshev / half[:, None] ** np.arange(TERMS)[:, None]
-    terms = np.where(half[:, None] > 0.0, terms, 0.0)
-    last = np.zeros_like(terms[:1])
-    last[0, 0] = function(most)
-    return Data(breaks, np.concatenate([terms, last]), np.zeros(len(breaks)))
-
-
 _TO_CHEBYSHEV = np.linalg.inv(np.cos(np.outer(np.arccos(_NODES), np.arange(TERMS))))
 _SHORTEST = 2e-3  # width of a piece, rad
 
@@ -199,7 +165,7 @@ def between_kinks(
     least, most : ndarray
         Between which the functions are needed, (n,); beyond, each is a constant.
     tolerance : float
-        The last coefficient of Chebyshev of a piece over the greatest value.
+        The first coefficient of Chebyshev that a piece leaves out, over the greatest value.
 
     Returns
     -------
@@ -208,21 +174,51 @@ def between_kinks(
     coefficients : ndarray
         In powers of what is beyond, (pieces, TERMS, functions, n).
     """
-    inner = np.concatenate([[least], np.clip(kinks, least, most), [most]])
-    wide = np.any(np.diff(inner, axis=0) > 1e-13, axis=1)
-    first, last = inner[:-1][wide], inner[1:][wide]
-    pieces = list[tuple[Floats, Floats]]()  # where they begin, and their coefficients
+    widest = 2 * (tolerance * 2.0 ** (TERMS - 1) * math.factorial(TERMS)) ** (1 / TERMS)  # if no derivative exceeds 1
+    first, last = _between(kinks, least, most, widest)
+    starts, coefficients = list[Floats](), list[Floats]()
     scale = 0.0
     while len(first):
         chebyshev = _chebyshev(function, first, last)
         scale = max(scale, float(np.abs(chebyshev).max(initial=0.0)))
-        rough = np.abs(chebyshev[:, -2:]).max(axis=(1, 2, 3)) > tolerance * scale
+        rough = _remainder(chebyshev).max(axis=(1, 2)) > tolerance * scale
         rough &= (last - first).max(axis=1) > _SHORTEST
-        smooth = np.flatnonzero(~rough)
-        pieces += zip(first[smooth], _in_powers(chebyshev[smooth], last[smooth] - first[smooth]), strict=True)
+        starts.append(first[~rough])
+        coefficients.append(_in_powers(chebyshev[~rough], (last - first)[~rough]))
         middle = (first[rough] + last[rough]) / 2
         first, last = np.concatenate([first[rough], middle]), np.concatenate([middle, last[rough]])
-    return _in_order(pieces, inner[-1], function(inner[-1:])[:, 0])
+    end = np.broadcast_to(most, starts[0].shape[1:])[None]
+    return _in_order(np.concatenate(starts), np.concatenate(coefficients), end, function(end)[:, 0])
+
+
+def _in_order(starts: Floats, coefficients: Floats, end: Floats, value: Floats) -> tuple[Floats, Floats]:
+    """Breaks and coefficients of pieces from the least rotation on; beyond the end a constant."""
+    constant = np.zeros((1, *coefficients.shape[1:]))
+    constant[0, 0] = value
+    order = np.argsort(starts.sum(axis=1), kind="stable")
+    return np.concatenate([starts[order], end]), np.concatenate([coefficients[order], constant])
+
+
+def _remainder(chebyshev: Floats) -> Floats:
+    """The size of the coefficients that come next, as the last two pairs of them fall, (pieces, functions, n)."""
+    last = np.abs(chebyshev[:, -2:]).max(axis=1)
+    before = np.abs(chebyshev[:, -4:-2]).max(axis=1)
+    return np.asarray(last * np.minimum(last / np.where(before > 0.0, before, 1.0), 1.0))
+
+
+def _between(kinks: Floats, least: Floats, most: Floats, widest: float) -> tuple[Floats, Floats]:
+    """Both ends of the pieces to begin with, (pieces, n), none wider than some."""
+    edges = np.concatenate([[least], np.clip(kinks, least, most), [most]])
+    step = np.diff(edges, axis=0)
+    count = np.ceil(step.max(axis=1) / widest - 1e-9).astype(np.intp)
+    count[step.max(axis=1) <= 1e-13] = 0
+    piece = np.repeat(np.arange(len(step)), count)
+    number = np.arange(len(piece)) - np.repeat(np.cumsum(count) - count, count)
+    first = edges[piece] + step[piece] * (number / count[piece])[:, None]
+    last = edges[piece] + step[piece] * ((number + 1) / count[piece])[:, None]
+    at_end = number + 1 == count[piece]
+    last[at_end] = edges[1:][piece[at_end]]
+    return first, last
 
 
 def in_pieces(function: Callable[[Any], Any], breaks: Floats) -> Floats:
@@ -230,21 +226,14 @@ def in_pieces(function: Callable[[Any], Any], breaks: Floats) -> Floats:
 
     Those of ``function`` take rotations (M, 1) and return values (functions, M, 1); ``breaks`` are (pieces,).
     """
+    end = function(breaks[-1:, None])
+    constant = np.zeros((1, TERMS, len(end)))
+    constant[0, 0] = end[:, 0, 0]
+    if len(breaks) == 1:
+        return constant
     first, last = breaks[:-1, None], breaks[1:, None]
     coefficients = _in_powers(_chebyshev(function, first, last), last - first)
-    constant = np.zeros_like(coefficients[:1])
-    constant[0, 0] = function(breaks[-1:, None])[:, 0]
-    return np.concatenate([coefficients, constant])[..., 0]
-
-
-def _in_order(pieces: list[tuple[Floats, Floats]], end: Floats, value: Floats) -> tuple[Floats, Floats]:
-    """Breaks and coefficients of pieces from the least rotation on; beyond the end a constant."""
-    pieces = sorted(pieces, key=lambda piece: float(piece[0].sum()))
-    constant = np.zeros_like(pieces[0][1])
-    constant[0] = value
-    breaks = [start for start, _ in pieces]
-    coefficients = [powers for _, powers in pieces]
-    return np.stack([*breaks, end]), np.stack([*coefficients, constant])
+    return np.concatenate([coefficients[..., 0], constant])
 
 
 def _chebyshev(function: Callable[[Any], Any], first: Floats, last: Floats) -> Floats:

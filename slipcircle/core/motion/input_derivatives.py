@@ -17,7 +17,7 @@ from generated.flow import INPUTS, PIECES
 from generated.growth import arc_growth
 from slipcircle.base.series import Pulse
 from slipcircle.core.flow.lanes import Lanes
-from slipcircle.core.flow.problem import rotates, scales_of, under_water
+from slipcircle.core.flow.problem import scales_of
 from slipcircle.core.flow.tables import Data, in_pieces, of_law
 from slipcircle.core.flow.tangents import InputGrowth, TableGrowth
 from slipcircle.core.scene.arc import Arc
@@ -125,8 +125,6 @@ class InputDerivatives:
 
     def _add_rotations(self, functions: Mapping[str, OfRotation]) -> None:
         """Derivatives of functions of the rotation, in the pieces of their tables."""
-        problem = self.lanes.problem
-        tables = {table.name: data for table, data in zip(problem.program.tables, problem.tables, strict=True)}
         count = len(self.names)
         names = {name for function in functions.values() for name in function.coefficients}
 
@@ -135,13 +133,18 @@ class InputDerivatives:
             return np.concatenate([derivative(f.combined(parts)).T[..., None] for f in functions.values()])
 
         if functions:
-            breaks = tables[next(iter(functions))].breaks
-            coefficients = in_pieces(values, breaks)
-            jumps = np.zeros(len(breaks))
+            every = self._in_pieces_of(next(iter(functions)), values)
             for k, name in enumerate(functions):
-                columns = coefficients[..., k * count : (k + 1) * count]
-                by_number = [Data(breaks, np.ascontiguousarray(columns[..., j]), jumps) for j in range(count)]
-                self.tables[name] = TableGrowth(self.none, self.none, by_number)
+                self.tables[name] = TableGrowth(self.none, self.none, every[k * count : (k + 1) * count])
+
+    def _in_pieces_of(self, name: str, functions: Any) -> list[Data]:
+        """Functions of the rotation, (functions, M, 1) of (M, 1), as tables in the pieces of one that there is."""
+        problem = self.lanes.problem
+        (place,) = (k for k, table in enumerate(problem.program.tables) if table.name == name)
+        breaks = problem.tables[place].breaks
+        coefficients = in_pieces(functions, breaks)
+        jumps = np.zeros(len(breaks))
+        return [Data(breaks, np.ascontiguousarray(column), jumps) for column in np.moveaxis(coefficients, -1, 0)]
 
     def _arc(self, arc: Arc, coefficients: Mapping[str, float]) -> "_Geometry":
         """A change of the half angle scales the coefficients; one of the dip turns them into their slopes."""
@@ -186,8 +189,7 @@ class InputDerivatives:
         inputs["resistance_factor"] = coefficients["resistance_factor"] * (lambda_growth - inertia_growth)
         heights = 2 * alpha * float(section.mean_cover / section.radius)
         cover_growth = section_dot.heights / heights + integrals_dot["radial_y"] / integrals["radial_weight"]
-        rotating = rotates(self.lanes.called)
-        self.pressure = under_water(section, rotating, section_dot.pressure, len(self.names))
+        self.pressure = section_dot.pressure
         return inputs, alpha_dot, inertia_growth, cover_growth
 
     def one(self, name: str) -> Floats:
@@ -223,7 +225,13 @@ class InputDerivatives:
         """Of one parameter, a number or a function; ``growth`` is the relative derivative of its unit."""
         amount = given.get(p.name, 0.0)
         if callable(amount) and p.kind == "rotation":
-            by_parameter = [self.pressure.lanes(k) for k in range(len(self.names))]
+
+            def pressures(rotation: Floats) -> Floats:
+                return np.asarray(self.pressure(np.broadcast_to(rotation, (len(rotation), len(self.names))))).T[
+                    ..., None
+                ]
+
+            by_parameter = self._in_pieces_of(p.symbol, pressures)
             self.tables[p.symbol] = TableGrowth(self.none, growth, by_parameter)
             return
         if callable(amount):
