@@ -15,7 +15,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from slipcircle import Motion, Scene, load, solve
+from slipcircle import LayeredSection, Motion, Scene, Soil, load, solve
 from slipcircle.base.series import Series
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import RESULTS
@@ -175,6 +175,17 @@ def test_inputs_of_a_file_and_of_a_scene_without_one() -> None:
 
 
 @pytest.mark.usefixtures("unseen")
+def test_layers_made_in_python_are_inputs_of_their_report() -> None:
+    soils = [Soil(name="sand", unit_weight=18e3, friction=0.5), Soil(name="clay", unit_weight=19e3, friction=0.2)]
+    ground = [[-60, 20], [0, 20], [40, 0], [120, 0]]
+    section = LayeredSection(ground, (30, 45), 48, layers=[(soils[0], None), (soils[1], 10.0)])
+    motion = solve(Scene(section, effects=["rotation"]))
+    given = {one.path: (one.value, one.unit) for one in inputs(motion.plan.scene)}
+    assert (given["soils.clay.friction"], given["layers.2.top"]) == (("0.2", ""), ("10.0", "m"))
+    assert "friction" not in given
+    assert "soils.sand.unit_weight" in report([motion])
+
+
 def test_uncertain_inputs_are_marked() -> None:
     drawn = {"friction.angle_deg": {"distribution": "normal", "mean": 10, "std": 1},
              "arc.radius_m": {"distribution": "uniform", "low": 1400, "high": 1500}}  # fmt: skip

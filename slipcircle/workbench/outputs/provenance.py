@@ -107,7 +107,8 @@ def _of_scene(scene: Scene) -> Iterator[Input]:
         yield Input(name, _shown(scene.numbers[name]), keys[name].si)
     for name, coefficient in (scene.arc.given or {}).items():
         yield Input(f"given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given")
-    for place, (name, given) in enumerate(law_parts(scene.friction)):
+    is_layered = "layered_strength" in scene.called  # then strength is that of the soils, whose numbers are above
+    for place, (name, given) in enumerate(() if is_layered else law_parts(scene.friction)):
         path = "friction.rate" if place else "friction"
         if name == "constant":
             yield Input(path, _shown(given["coefficient"]), "", "friction coefficient, tan(phi)")
@@ -116,7 +117,8 @@ def _of_scene(scene: Scene) -> Iterator[Input]:
         else:
             yield Input(path, name, "", "Python function of slip")
     for name, given in scene.called.items():
-        yield from _declared(name, "yes", EFFECTS[name], given)
+        if name in EFFECTS:
+            yield from _declared(name, "yes", EFFECTS[name], given)
     end = ("when the mass rests", "") if scene.end_time is None else (_shown(scene.end_time), "s")
     yield Input("end_time", *end, "time of the end")
 

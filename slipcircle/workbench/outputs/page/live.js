@@ -222,7 +222,7 @@ function start(figure, addressed) {
   function read() {
     if (!addressed) return;
     const given = new URLSearchParams(location.hash.slice(1));
-    const t = Number(given.get('t') ?? NaN), v = Number(given.get('v') ?? NaN);
+    const t = parseFloat(given.get('t')), v = parseFloat(given.get('v'));
     if (Number.isFinite(t)) time = Math.min(Math.max(t, 0), data.duration);
     if (Number.isInteger(v) && v >= 0 && v < cases.length) chosen = v;
   }
