@@ -293,6 +293,9 @@ def test_the_picture(rows: list[Row]) -> None:
     profiled = [row for row in rows if row.function == MEASURED and row.profile is not None]
     front, named = canvas().subplots(1, 2)
     assert "our good" in [text.get_text() for text in costplot.frontier(both[-3:], front).texts]
+    level = judged(("exact", 1e-16, 10.0), ("rough", 1e-10, 11.0))  # both on the frontier, which does not go up
+    (steps,) = (x for x in costplot.frontier(level, canvas().subplots()).lines if x.get_label() == "frontier")
+    assert np.all(np.diff(np.asarray(steps.get_ydata())) <= 0.0)
     costplot.over_alpha(profiled, named)
     colours = {line.get_label(): line.get_color() for line in named.lines if not str(line.get_label()).startswith("_")}
     assert len(colours) == 9
