@@ -57,6 +57,7 @@ if TYPE_CHECKING:
     from slipcircle.core.scene.soils_along import Stretch as Stretch
     from slipcircle.core.scene.soils_along import mean_normal_stress as mean_normal_stress
     from slipcircle.core.scene.soils_along import stretches as stretches
+    from slipcircle.core.scene.strips import line_crossings as line_crossings
     from slipcircle.core.scene.weights import Dimensionless as Dimensionless
 
 # Public names by the module that defines them.
@@ -82,6 +83,7 @@ _PUBLIC = {
     "core.scene.section": "Section",
     "core.scene.soils": "Soil layer_mistakes",
     "core.scene.soils_along": "Stretch mean_normal_stress stretches",
+    "core.scene.strips": "line_crossings",
     "core.scene.weights": "Dimensionless",
 }
 _MODULES = {name: f"slipcircle.{module}" for module, names in _PUBLIC.items() for name in names.split()}

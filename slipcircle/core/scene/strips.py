@@ -121,7 +121,7 @@ def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats |
     """Edges of the strips, (circles, strips + 1), sorted."""
     count = len(first)
     cuts = [first[:, None], last[:, None], *(line[..., 0] for line in lines), *map(meets_circle, lines)]
-    cuts += [meets(one, other) for one, other in combinations(lines, 2)]
+    cuts += [line_crossings(one, other) for one, other in combinations(lines, 2)]
     cuts += [] if extra is None else [extra]
     every = np.concatenate([np.broadcast_to(x, (count, x.shape[-1])) for x in cuts], axis=1)
     edges = np.sort(np.clip(every, first[:, None], last[:, None]), axis=1)
@@ -150,8 +150,11 @@ def meets_circle(line: Floats) -> Floats:
     return np.concatenate(crossings, axis=1)
 
 
-def meets(one: Floats, other: Floats) -> Floats:
-    """x where the edges of two lines (n or 1, V, 2) cross each other, likewise, (n, E1 E2)."""
+def line_crossings(one: Floats, other: Floats) -> Floats:
+    """x where the edges of two lines (n or 1, V, 2) cross each other, (n, E1 E2); that of a vertex where they do not.
+
+    The vertex is the second of the first line: the first one may be far outside, where a line is continued.
+    """
     start = one[:, :-1, None]
     edge = np.diff(one, axis=1)[:, :, None]
     other_edge = np.diff(other, axis=1)[:, None]
@@ -162,7 +165,7 @@ def meets(one: Floats, other: Floats) -> Floats:
     share = _cross(apart, other_edge) / safe
     other_share = _cross(apart, edge).real / safe.real
     inside = (share.real > 0.0) & (share.real < 1.0) & (other_share > 0.0) & (other_share < 1.0)
-    x = np.where(inside & ~parallel, start[..., 0] + share * edge[..., 0], start[..., 0])
+    x = np.where(inside & ~parallel, start[..., 0] + share * edge[..., 0], one[:, 1, 0, None, None])
     return x.reshape(len(x), -1)
 
 

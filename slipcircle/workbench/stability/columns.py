@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.series import Floats
+from slipcircle.core import line_crossings
 
 
 class SoilArrays(NamedTuple):
@@ -111,7 +112,7 @@ class SlopeArrays:
     def columns(self) -> Columns:
         """The columns between all kinks of the lines and of the surcharge."""
         kinks = [line[..., 0] for line in self.lines]
-        kinks += [crossings(one, other) for one, other in combinations(self.lines, 2)]
+        kinks += [line_crossings(one, other) for one, other in combinations(map(_extended, self.lines), 2)]
         kinks += [np.array([[x1, x2]]) for x1, x2, _, _ in self.surcharge]
         slopes = max(map(len, kinks))
         whole = [np.broadcast_to(x, (slopes, x.shape[1])) for x in kinks]
@@ -160,26 +161,6 @@ def level_line(height: Any, ground: Floats) -> Floats:
     height = np.reshape(height, (-1, 1))
     x = np.broadcast_to(ground[:, [0, -1], 0], (max(len(height), len(ground)), 2))
     return np.stack(np.broadcast_arrays(x, height), axis=-1)
-
-
-def crossings(one: Floats, other: Floats) -> Floats:
-    """x where two lines cross each other, (1 or n, any); that of a vertex where edges do not."""
-    one, other = _extended(one), _extended(other)
-    start, from_start = one[:, :-1, None], np.diff(one, axis=1)[:, :, None]
-    begin, from_begin = other[:, None, :-1], np.diff(other, axis=1)[:, None]
-    apart = begin - start
-    across = _cross(from_start, from_begin)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        share = _cross(apart, from_begin) / across
-        other_share = _cross(apart, from_start) / across
-    meets = (share > 0.0) & (share < 1.0) & (other_share > 0.0) & (other_share < 1.0)
-    vertex = one[:, 1, 0, None, None]
-    x = np.where(meets, start[..., 0] + share * from_start[..., 0], vertex)
-    return x.reshape(len(x), -1)
-
-
-def _cross(u: Floats, v: Floats) -> Floats:
-    return u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
 
 
 def _extended(lines: Floats) -> Floats:
