@@ -2,7 +2,6 @@
 
 import json
 import math
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
@@ -32,7 +31,7 @@ SOFTENING = Scene(
 
 def quake(seed: int, samples: int = 500, step: float = 0.01) -> Series:
     """Noise of about 2.5 Hz that swells and fades; 0.35 g at most."""
-    time = step * np.arange(samples)
+    time = np.asarray(step * np.arange(samples), dtype=np.float64)
     swing = np.exp(-time[:80] / 0.15) * np.sin(5.0 * np.pi * time[:80])
     noise = np.convolve(np.random.default_rng(seed).normal(size=samples), swing)[:samples]
     values = noise * time * np.exp(-time)
@@ -205,9 +204,13 @@ def same(one: SuiteStudy, other: SuiteStudy) -> bool:
 
 def test_every_record_sees_the_same_samples_and_every_executor_gives_the_same_bits(tmp_path: Path) -> None:
     records = [quake(1), quake(2), quake(3)]
-    run: Callable[..., SuiteStudy] = lambda **more: ensemble(  # noqa: E731
-        SOFTENING, 40, 7, records=records, polarities=True, scales=[1.0, 2.0], size=16, **more
-    )
+
+    def run(records: list[Series] = records, **more: Any) -> SuiteStudy:
+        study: SuiteStudy = ensemble(
+            SOFTENING, 40, 7, records=records, polarities=True, scales=[1.0, 2.0], size=16, **more
+        )
+        return study
+
     whole = run(folder=tmp_path / "blocks")
     assert whole.values["reach"].shape == (3, 2, 2, 40)
     with ThreadPoolExecutor(1) as pool:
@@ -217,7 +220,7 @@ def test_every_record_sees_the_same_samples_and_every_executor_gives_the_same_bi
         path.unlink()
     assert same(whole, run(folder=tmp_path / "blocks"))
     with pytest.raises(ValueError, match="holds blocks of another study: records differ"):
-        ensemble(SOFTENING, 40, 7, records=records[:2], polarities=True, scales=[1.0, 2.0], folder=tmp_path / "blocks")
+        run(records[:2], folder=tmp_path / "blocks")
     peak = whole.samples["friction.peak"]
     lane = solve(
         replace(
