@@ -201,7 +201,10 @@ def test_each_soil_has_a_friction_law_of_its_own(
 )
 def test_equal_laws_of_soils_are_one_law(shaking: dict[str, Any]) -> None:
     """As they slide, and as they stick and slip again."""
-    strong = [replace(soil, cohesion=soil.cohesion + 2e4 * bool(shaking)) for soil in profile("softening").soils]
+    strong = [
+        replace(soil, cohesion=float(np.asarray(soil.cohesion)) + 2e4 * bool(shaking))
+        for soil in profile("softening").soils
+    ]
     section = replace(profile("softening", "mass"), layers=list(zip(strong, TOPS, strict=True)))
     effects = {name: {} for name in TURNING} | shaking
     one = solve(Scene(section, effects=effects))
