@@ -94,7 +94,7 @@ def test_layered_scenes_that_ship_slide(name: str, records: Any) -> None:
 
 
 def test_numbers_have_names_by_soil_in_every_study(write: Write) -> None:
-    keys = {
+    keys: dict[str, tuple[Any, Any]] = {
         "soils.clay.friction.peak_deg": (24, 23.0),
         "soils.soft clay.cohesion_kPa": (25, 24.0),
         "layers.3.top_m": (2, 2.5),  # below which the cohesion grows
@@ -122,6 +122,21 @@ def test_a_law_of_speed_multiplies_the_friction_of_all_soils(write: Write) -> No
     slower = slipcircle.solve(slipcircle.load(write(SCENE, rate.format(0.8))))
     without = slipcircle.solve(slipcircle.load(write(SCENE)))
     assert study.samples["run_out"] == pytest.approx([slower.run_out, without.run_out], rel=1e-9)
+
+
+def test_each_soil_may_have_a_law_of_its_own(write: Write) -> None:
+    """A sum of them in the plan, their numbers by soil in studies, and refused with the strength of the base."""
+    table = 'friction = { law = "tabulated", slip_m = [0, 1, 3], angle_deg = [28, 25, 23] }'
+    slip = '[slip]\nstrength = "{}"\n'
+    scene = SCENE.replace("friction = { angle_deg = 28 }", table)
+    study = grid(slipcircle.load(write(scene, slip.format("mass"))), {"soils.clay.friction.length_m": [0.4]})
+    motion = slipcircle.solve(slipcircle.load(write(scene.replace("0.8 }", "0.4 }"), slip.format("mass"))))
+    assert float(study.samples["run_out"][0]) == pytest.approx(motion.run_out, rel=1e-9)
+    text = str(motion.plan.equation)
+    assert "soil_mu_0 = mu(slip)" in text
+    assert "soil_mu_1 = residual_1 + (peak_1 - residual_1) exp(-slip/length_1)" in text
+    with pytest.raises(ValueError, match=r"with slip\.strength = 'mass' each may have a law of its own"):
+        slipcircle.load(write(scene, slip.format("base")))
 
 
 def test_uncertain_soils_slide_along_the_circle_of_the_means(write: Write) -> None:

@@ -16,12 +16,11 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from generated.effects import LAWS
 from slipcircle.base.checks import mistakes, raise_all
-from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.cracks import CrackedSection
 from slipcircle.core.scene.friction import rate_mistakes
 from slipcircle.core.scene.ground import FAR
+from slipcircle.core.scene.layered_numbers import LayeredNumbers
 from slipcircle.core.scene.profile import (
     AREA,
     HEAD,
@@ -36,22 +35,14 @@ from slipcircle.core.scene.profile import (
     profile_of,
 )
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.soils import (
-    LANE_NUMBERS,
-    SOIL_NUMBERS,
-    Soil,
-    datum_mistakes,
-    datum_of,
-    layer_mistakes,
-    soil_mistakes,
-)
+from slipcircle.core.scene.soils import LANE_NUMBERS, Soil, datum_mistakes, datum_of, layer_mistakes, soil_mistakes
 from slipcircle.core.scene.strength import ArcStrength, MeanFriction, over_circles
 from slipcircle.core.scene.stretches import OF_GEOMETRY
 from slipcircle.core.scene.strips import Floats, Strips, cut_into_strips
 
 
 @dataclass(frozen=True, eq=False)
-class LayeredSection(CrackedSection):
+class LayeredSection(LayeredNumbers, CrackedSection):
     """A slip circle through layered ground, with the mass between ground and arc.
 
     Parameters
@@ -115,11 +106,6 @@ class LayeredSection(CrackedSection):
     # --- soils -------------------------------------------------------------------------------------------------------
 
     @cached_property
-    def soils(self) -> tuple[Soil, ...]:
-        """The soils of the layers, and that of the foreland."""
-        return (*(soil for soil, _ in self.layers), *([self.foreland] if self.foreland else []))
-
-    @cached_property
     def shape(self) -> tuple[int, ...]:
         """Of results that depend on the geometry alone."""
         tops = [np.shape(top) for _, top in self.layers if top is not None]
@@ -134,7 +120,7 @@ class LayeredSection(CrackedSection):
         return np.broadcast_shapes(self.shape, *(np.shape(x) for x in numbers if x is not None))
 
     @cached_property
-    def datums(self) -> tuple[Floats | None, ...]:
+    def datums(self) -> tuple[Any, ...]:
         """Heights below which the cohesion of the soils grows, m, (circles,) each; None where it does not grow."""
         raise_all("LayeredSection", [m for soil in self.soils for m in datum_mistakes(soil, self.layers)])
         heights = [datum_of(soil, self.layers) for soil in self.soils]
@@ -293,62 +279,12 @@ class LayeredSection(CrackedSection):
         self, effects: Mapping[str, Mapping[str, Any]], complete: bool = False
     ) -> Mapping[str, Mapping[str, Any]]:
         """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
-        terms = self.arc_strength.terms("rotation" in effects, "shaking" in effects, complete)
+        how = "rotation" in effects, "shaking" in effects, complete
+        terms = {"layered_strength": self.arc_strength.terms(*how), **self.arc_strength.soil_terms(*how)}
         if "centripetal" not in effects:
-            terms = {name: term for name, term in terms.items() if not name.endswith("inertia")}
-        return {**effects, "layered_strength": terms}
-
-    # --- numbers that vary -------------------------------------------------------------------------------------------
-
-    def other_numbers(self) -> dict[str, Any]:
-        """``soils.NAME.cohesion``, ``soils.NAME.friction.peak``, ...; ``layers.2.top``, of a line its first point's.
-
-        Of a factor of speed ``rate.peak``, ...; ``surcharge.1.pressure``, the greater one of both ends; ``crack``.
-        """
-        numbers: dict[str, Any] = {}
-        for soil in self.soils:
-            for name in SOIL_NUMBERS:
-                if (value := getattr(soil, name)) is not None:
-                    numbers[f"soils.{soil.name}.{name}"] = value
-            if isinstance(soil.friction, Mapping):
-                numbers |= {f"soils.{soil.name}.friction.{n}": v for n, v in soil.friction.items() if n != "law"}
-            else:
-                numbers[f"soils.{soil.name}.friction"] = soil.friction
-        for k, (_, top) in enumerate(self.layers):
-            if top is not None:
-                numbers[f"layers.{k + 1}.top"] = np.asarray(top)[..., 0, 1][()] if np.ndim(top) > 1 else top
-        if self.rate and LAWS[self.rate["law"]].parameters[0].kind != "list":
-            numbers |= {f"rate.{name}": value for name, value in self.rate.items() if name != "law"}
-        for k, (_, _, left, right) in enumerate(self.surcharge, 1):
-            numbers[f"surcharge.{k}.pressure"] = np.maximum(left, right)
-        return numbers | ({"crack": self.crack} if np.any(self.crack) else {})
-
-    def fields_with(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Layers, foreland, factor of speed, surcharges and crack with other values of these."""
-        known = self.other_numbers()
-        changed = {name: value for name, value in values.items() if value is not known[name]}
-        if not changed:
-            return {}
-        lengths = [value for name, value in changed.items() if name.endswith(".friction.length")]
-        if lengths:  # which all soils share
-            of_soils = {name for name in known if name.endswith(".friction.length")}
-            changed = {**dict.fromkeys(of_soils, lengths[0]), **changed}
-        soils = {id(soil): _soil_with(soil, changed) for soil in self.soils}
-        layers = []
-        for k, (soil, top) in enumerate(self.layers):
-            name = f"layers.{k + 1}.top"
-            if name in changed and not np.array_equal(changed[name], known[name]):
-                top = _moved(top, changed[name])
-            layers.append((soils[id(soil)], top))
-        rate = {n.removeprefix("rate."): value for n, value in changed.items() if n.startswith("rate.")}
-        loads = [_scaled(load, changed.get(f"surcharge.{k}.pressure")) for k, load in enumerate(self.surcharge, 1)]
-        return {
-            "layers": tuple(layers),
-            "foreland": self.foreland and soils[id(self.foreland)],
-            "rate": {**self.rate, **rate} if self.rate and rate else self.rate,
-            "surcharge": tuple(loads),
-            "crack": changed.get("crack", self.crack),
-        }
+            for effect, added in terms.items():
+                terms[effect] = {name: term for name, term in added.items() if not name.endswith("inertia")}
+        return {**effects, **terms}
 
     def takes_geometry(self, other: Section) -> bool:
         """Whether nothing differs from another section but numbers of soils."""
@@ -369,34 +305,3 @@ def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
     same &= [load[:2] for load in one.surcharge] == [load[:2] for load in other.surcharge]
     same &= all(mine is theirs for (_, mine), (_, theirs) in zip(one.layers, other.layers, strict=same))
     return same and all(np.array_equal(mine, theirs) for mine, theirs in zip(one.datums, other.datums, strict=True))
-
-
-def _soil_with(soil: Soil, values: Mapping[str, Any]) -> Soil:
-    """A soil with other values of its numbers, by their names in the section."""
-    start = f"soils.{soil.name}."
-    changed: dict[str, Any] = {n.removeprefix(start): v for n, v in values.items() if n.startswith(start)}
-    law = {n.removeprefix("friction."): changed.pop(n) for n in [*changed] if n.startswith("friction.")}
-    if law:
-        changed["friction"] = {**soil.friction, **law}
-    return replace_unchecked(soil, changed)
-
-
-def _scaled(load: tuple[float, float, Any, Any], greatest: Any) -> tuple[float, float, Any, Any]:
-    """A surcharge with another pressure at the end where it is greater; that at the other end is in proportion."""
-    if greatest is None:
-        return load
-    first, last, *pressures = load
-    known = np.maximum(*pressures)
-    shares = [np.where(known > 0.0, pressure / np.where(known > 0.0, known, 1.0), 1.0) for pressure in pressures]
-    return first, last, greatest * shares[0], greatest * shares[1]
-
-
-def _moved(top: Any, height: Any) -> Any:
-    """The top of a layer at another height; a line moves as a whole, and its first point has that height."""
-    if np.ndim(top) < 2:
-        return height
-    line = np.asarray(top)
-    if line.ndim > 2:  # lanes of one line
-        line = line.reshape(-1, *line.shape[-2:])[0]
-    rise = np.asarray(height - line[0, 1])[..., None]
-    return line + np.stack(np.broadcast_arrays(0.0, rise), axis=-1)
