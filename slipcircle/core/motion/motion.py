@@ -239,7 +239,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
         """Phases of a single motion between its standstills."""
-        scale, duration = float(np.squeeze(self._lanes.time_scale)), float(self.duration)
+        scale, duration = float(np.squeeze(self._lanes.time_scale)), float(np.squeeze(self._duration))
         phases: list[Phase] = []
         for event, time, rotation, direction in self._log:
             if event == ix.NOTE_BEGINS:

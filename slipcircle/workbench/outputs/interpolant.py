@@ -9,6 +9,7 @@ import base64
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from slipcircle.core import ANSWERED, Motion, in_time
 from slipcircle.workbench.outputs.trace import Floats
@@ -63,7 +64,7 @@ def interpolant(motion: Motion, most: int) -> Interpolant:
         if not divided.size:
             break
         times = np.union1d(times, _dividing_times(times, divided, bends))
-    times, velocity, acceleration = map(_rounded, _at(motion, times), _INTEGERS)
+    times, velocity, acceleration = map(_rounded, _at(motion, times)[:3], _INTEGERS)
     points = Interpolant(times, velocity, acceleration, 0.0)
     greatest_displacement = abs(float(motion.reach.displacement)) or 1.0
     of_displacement = np.abs(points.displacement - motion.at(times).displacement) / greatest_displacement
@@ -111,7 +112,7 @@ def _velocity_errors(motion: Motion, points: Interpolant) -> Floats:
     return np.asarray(np.max(np.abs(difference).reshape(between.shape), axis=0) / greatest)
 
 
-def _dividing_times(times: Floats, divided: Floats, bends: Floats) -> Floats:
+def _dividing_times(times: Floats, divided: NDArray[np.intp], bends: Floats) -> Floats:
     """The bend next to the middle of each divided interval, or its middle where the interval has none."""
     start, end = times[divided], times[divided + 1]
     middle = (start + end) / 2
