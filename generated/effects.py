@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ad47723fe27bd19837eb0202bff0b97486869d329fe7bd3fc9d13cc8c37f7792
+# sha256 of the text below: cacb92387a0a7b9f0ee9bad2ef8205b5a32acd4a8d40531afc3e7e5e3bd04f9c
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -289,4 +289,19 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
         'adds Theta (k_h (layered_normal_slope + turning_slope) + layered_inertia omega^2 + (1 - k_v) (layered_normal '
         '+ turning) + (k_h (layered_remaining_slope + remaining_slope) + layered_remaining_inertia omega^2 + (1 - '
         'k_v) (layered_remaining + remaining))/slip_mu) to J_r')),
+    'soil_friction': Effect('soil_friction', '2.23', (
+        Parameter('share', '', -INFINITY, INFINITY, 'share of the normal force at the start', '', 1.0, 'soil_share',
+            lambda value, scales: value, True, 'number', (('value', 1.0),)),
+        Parameter('turning', '', -INFINITY, INFINITY, 'excess of the normal force over this share, at the start 0', '',
+            1.0, 'soil_turning', lambda value, scales: value, True, 'number', (('value', 1.0),)),
+        Parameter('slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'soil_slope', lambda value,
+            scales: value, True, 'number', (('value', 1.0),)),
+        Parameter('inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it', '', 1.0,
+            'soil_inertia', lambda value, scales: value, True, 'number', (('value', 1.0),)),
+        Parameter('lift', '', -INFINITY, INFINITY, 'what water takes from the normal force', '', 1.0, 'soil_lift',
+            lambda value, scales: value, True, 'rotation', (('value', 1.0),)),
+    ), (), 'a soil has a friction law of its own, and its part of the normal force; strength moves with the mass',
+        False, (), ('adds Theta soil_lift soil_mu/(lambda slip_mu) to u',
+        'adds Theta soil_mu (k_h soil_slope + omega^2 soil_inertia + soil_turning (1 - k_v))/slip_mu to J_r',
+        'adds soil_mu soil_share to mu')),
 }

@@ -307,10 +307,10 @@ def test_workers_that_are_gone(gone: type[Exception], monkeypatch: pytest.Monkey
 
 
 def test_a_failing_block_is_no_silence(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fails(design: Design, index: int) -> Result:
+    def fails(_: Design, index: int) -> Result:
         raise MemoryError(f"block {index}")
 
-    monkeypatch.setattr("slipcircle.workbench.studies.engines.run_block", fails)
+    monkeypatch.setattr(Design, "run_block", fails)
     with ThreadPoolExecutor(2) as pool, pytest.raises(MemoryError, match="block"):
         ensemble(SCENE, 100, 1, pool)
 

@@ -116,6 +116,21 @@ def test_a_law_of_speed_multiplies_the_friction_of_all_soils(write: Write) -> No
     assert study.samples["run_out"] == pytest.approx([slower.run_out, without.run_out], rel=1e-9)
 
 
+def test_each_soil_may_have_a_law_of_its_own(write: Write) -> None:
+    """A sum of them in the plan, their numbers by soil in studies, and refused with the strength of the base."""
+    table = 'friction = { law = "tabulated", slip_m = [0, 1, 3], angle_deg = [28, 25, 23] }'
+    slip = '[slip]\nstrength = "{}"\n'
+    scene = SCENE.replace("friction = { angle_deg = 28 }", table)
+    study = grid(slipcircle.load(write(scene, slip.format("mass"))), {"soils.clay.friction.length_m": [0.4]})
+    motion = slipcircle.solve(slipcircle.load(write(scene.replace("0.8 }", "0.4 }"), slip.format("mass"))))
+    assert float(study.samples["run_out"][0]) == pytest.approx(motion.run_out, rel=1e-9)
+    text = str(motion.plan.equation)
+    assert "soil_mu_0 = mu(slip)" in text
+    assert "soil_mu_1 = residual_1 + (peak_1 - residual_1) exp(-slip/length_1)" in text
+    with pytest.raises(ValueError, match=r"with slip\.strength = 'mass' each may have a law of its own"):
+        slipcircle.load(write(scene, slip.format("base")))
+
+
 def test_uncertain_soils_slide_along_the_circle_of_the_means(write: Write) -> None:
     soil = "[soils.clay]\nunit_weight_kN_m3 = 19\nfriction = {{ angle_deg = 10 }}\ncohesion_kPa = {}\n"
     rest = '[[layers]]\nsoil = "clay"\n[circle]\ncritical = "ordinary"\n'

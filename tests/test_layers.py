@@ -1,5 +1,6 @@
 """Layered sections: weights and strength along the arc against their definitions, motions against other solvers."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -151,6 +152,113 @@ def test_derivatives_of_layered_motions_are_those_of_other_motions(strength: str
             expected = (-25.0 * at(0) + 48.0 * at(1) - 36.0 * at(2) + 16.0 * at(3) - 3.0 * at(4)) / (12.0 * step)
         computed = [sensitivity.derivative(output, name) for output in ("peak_velocity", "run_out", "duration")]
         np.testing.assert_allclose(computed, expected, rtol=2e-6, atol=2e-7 * np.abs(expected).max(), err_msg=name)
+
+
+def of_each_soil(**given: Any) -> LayeredSection:
+    """The slope of `MOTIONS` with a friction law of its own for each soil."""
+    laws: list[Any] = [
+        {"law": "linear", "peak": 0.57, "residual": 0.45, "length": 0.3},
+        {"law": "tabulated", "slip": [0.0, 0.5, 2.0, 6.0], "coefficient": [0.36, 0.32, 0.23, 0.21]},
+        {"law": "rate_weakening", "peak": 0.16, "residual": 0.1, "velocity": 2.0},
+        {"law": "hyperbolic", "peak": 0.44, "residual": 0.36, "length": 1.0},
+    ]
+    soils = [Soil(w, c, law, name=n) for w, c, law, n in zip(UNIT_WEIGHTS, COHESIONS, laws, "abcd", strict=True)]
+    layers = list(zip(soils, TOPS, strict=True))
+    return LayeredSection(GROUND, (30, 45), 48.0, layers=layers, strength="mass", **given)
+
+
+UNIT_WEIGHTS = (18e3, 19e3, 17e3, 21e3)
+COHESIONS = (3e3, 2e3, 1e3, 0.0)
+BELOW_GROUND = [(-60, 12), (0, 9), (40, -1.4), (120, -1.8)]
+SLOWER = {"law": "rate_weakening", "peak": 1.0, "residual": 0.8, "velocity": 0.5}
+STEADY = {name: Series(np.array([0.0, 100.0]), np.full(2, k)) for name, k in (("horizontal", 0.03), ("vertical", 0.02))}
+
+
+@pytest.mark.parametrize(
+    ("given", "shaking", "expected"),
+    [
+        ({"surcharge": [(-3.0, 2.0, 2e4, 4e4)], "rate": SLOWER}, {}, (3.42716319536, 15.4005871165)),
+        ({"level": BELOW_GROUND}, STEADY, (4.17568402086, 18.183057204)),
+    ],
+    ids=["with a factor of speed", "shaken, under water"],
+)
+def test_each_soil_has_a_friction_law_of_its_own(
+    given: dict[str, Any], shaking: dict[str, Any], expected: tuple[float, float]
+) -> None:
+    """Peak velocity and run-out by `AlongTheArc(section, 14).motion`, DOP853 of the definition; energy is kept."""
+    section = of_each_soil(**given)
+    effects: dict[str, Any] = {name: {} for name in TURNING} | ({"shaking": shaking} if shaking else {})
+    motion = solve(Scene(section, effects=effects, end_time=60.0))
+    assert (motion.peak.velocity, motion.run_out) == pytest.approx(expected, rel=1e-9)
+    assert motion.energy_error_estimate < 1e-11
+    assert motion.error_estimate < 1e-11
+    with compiled.numpy_only():
+        assert solve(motion.plan.scene).run_out == pytest.approx(motion.run_out, rel=1e-11)
+
+
+@pytest.mark.parametrize(
+    "shaking", [{}, {"shaking": {"pulse": "sine", "amplitude": 0.3, "duration": 9.0, "cycles": 7}}]
+)
+def test_equal_laws_of_soils_are_one_law(shaking: dict[str, Any]) -> None:
+    """As they slide, and as they stick and slip again."""
+    strong = [
+        replace(soil, cohesion=float(np.asarray(soil.cohesion)) + 2e4 * bool(shaking))
+        for soil in profile("softening").soils
+    ]
+    section = replace(profile("softening", "mass"), layers=list(zip(strong, TOPS, strict=True)))
+    effects = {name: {} for name in TURNING} | shaking
+    one = solve(Scene(section, effects=effects))
+    last = {**section.soils[3].friction, "length": 0.8 * (1.0 + 4e-16)}
+    layers = [*section.layers[:3], (replace(section.soils[3], friction=last), TOPS[3])]
+    each = solve(Scene(replace(section, layers=layers), effects=effects))
+    assert len(each.phases) == len(one.phases) == (7 if shaking else 1)
+    for name in ("factor_of_safety", "limit_friction", "run_out", "duration"):
+        assert getattr(each, name) == pytest.approx(getattr(one, name), rel=1e-13)
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        {"law": "rate_tabulated", "speed": [0.01, 0.1, 1.0, 3.0], "coefficient": [0.27, 0.24, 0.2, 0.19]},
+        {"law": "prescribed", "time": [0.0, 2.0, 4.0], "coefficient": [0.27, 0.2, 0.24]},
+        {"law": "tabulated", "slip": [0.0, 0.5, 2.0, 6.0], "coefficient": [0.27, 0.25, 0.2, 0.19]},
+        {"law": "rate_weakening", "peak": 0.27, "residual": 0.2, "velocity": 0.5},
+    ],
+    ids=lambda law: law["law"],
+)
+def test_one_law_in_soils_of_many_names_is_the_homogeneous_section(law: dict[str, Any]) -> None:
+    layers = [(Soil(19e3, 0.0, law, name=str(top)), top) for top in (None, 17.0, -1.0)]
+    layered = LayeredSection(GROUND, (30, 45), 48.0, layers=layers, strength="mass", level=BELOW_GROUND)
+    one = solve(Scene(Section(GROUND, (30, 45), 48.0, 19e3, level=BELOW_GROUND), law, TURNING))
+    many = solve(Scene(layered, effects=TURNING))
+    for name in ("factor_of_safety", "limit_friction", "run_out", "duration"):
+        assert getattr(many, name) == pytest.approx(getattr(one, name), rel=1e-12)
+
+
+def test_numbers_of_laws_of_soils_vary() -> None:
+    """Lanes are the scenes that they stand for, and derivatives those of other motions."""
+    scene = Scene(of_each_soil(level=BELOW_GROUND), effects=TURNING)
+    steps = {"soils.a.friction.length": 1e-3, "soils.c.friction.velocity": 2e-3, "soils.d.friction.length": 1e-3,
+             "soils.d.friction.peak": 1e-3, "soils.b.unit_weight": 10.0, "radius": 5e-3}  # fmt: skip
+    sensitivity = solve(scene).sensitivity()
+    for name, step in steps.items():
+        values = np.array(sensitivity.at[name] + step * np.array([-2, -1, 1, 2]))
+        lanes = solve(with_parameters(scene, {name: values}), accuracy=1e-13)
+        one = solve(with_parameters(scene, {name: float(values[3])}))
+        assert lanes.run_out[3] == pytest.approx(one.run_out, rel=1e-11)
+        for output, y in (("peak_velocity", lanes.peak.velocity), ("run_out", lanes.run_out)):
+            expected = (8.0 * (y[2] - y[1]) - (y[3] - y[0])) / (12.0 * step)
+            assert sensitivity.derivative(output, name) == pytest.approx(expected, rel=1e-5), name
+
+
+def test_laws_of_soils_that_a_motion_does_not_allow() -> None:
+    sliding = {"law": "linear", "peak": 0.4, "residual": 0.0, "length": 1.0}
+    soils = [Soil(19e3, 0.0, law, name=name) for law, name in ((sliding, "a"), ({**sliding, "length": 2.0}, "b"))]
+    layers = list(zip(soils, (None, 2.0), strict=True))
+    with pytest.raises(ValueError, match="has slipped less than the sole; with strength = 'mass' each may have"):
+        LayeredSection(GROUND, (30, 45), 48.0, layers=layers)
+    with pytest.raises(ValueError, match="one of them must keep some friction"):
+        LayeredSection(GROUND, (30, 45), 48.0, layers=layers, strength="mass")
 
 
 def test_where_a_boundary_touches_the_arc_there_is_no_derivative() -> None:

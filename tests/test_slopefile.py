@@ -225,7 +225,7 @@ def test_an_ensemble_keeps_the_circle_of_the_means_and_says_so(write: Write, tmp
     assert words in page.read_text("utf-8")
     study = slipcircle.ensemble(slipcircle.load(path), 64, rng=1, sensitivity=0)
     of_means = found_in(write(ACADS))
-    assert study.scene.arc.centre == of_means.centre  # type: ignore[union-attr]
+    assert study.scene.arc.centre == of_means.centre
     assert study.scene.arc.radius == of_means.radius
     # Every sample slides along it: the greatest cohesion of them alone is another motion along the same circle.
     k = int(np.argmax(study.samples["reach"]))
@@ -239,7 +239,7 @@ def test_means_given_with_the_command_have_their_own_circle(write: Write, asked:
     drawn = {"friction.peak_deg": {"distribution": "normal", "mean": 30, "std": 2}}
     study = slipcircle.ensemble(replace(scene, uncertain=drawn), 64, rng=1, sensitivity=0)
     expected = found_in(write(ACADS.replace("19.6", "30")))
-    assert study.scene.arc.centre == expected.centre  # type: ignore[union-attr]
+    assert study.scene.arc.centre == expected.centre
     assert stability_of(study.scene) == expected
     higher = {"ground.points_m.2.y": {"distribution": "normal", "mean": 36, "std": 0.2}}
     study = slipcircle.ensemble(replace(scene, uncertain=higher), 64, rng=1, sensitivity=0)
@@ -247,7 +247,7 @@ def test_means_given_with_the_command_have_their_own_circle(write: Write, asked:
     _, _, err = asked("sweep", write(SCENE), "--grid friction.peak_deg=18,19")
     assert "the critical circle of the scene as it is given" in err
     fixed = slipcircle.ensemble(replace(slipcircle.load(write(FIXED)), uncertain=drawn), 64, rng=1)
-    assert np.array_equal(fixed.scene.arc.centre, [29.5, 53.6])  # type: ignore[union-attr]
+    assert np.array_equal(fixed.scene.arc.centre, [29.5, 53.6])
     assert not any("critical" in said for said in fixed.warnings)
 
 

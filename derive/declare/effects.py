@@ -80,7 +80,7 @@ class Effect:
 
     ``stress`` is what it adds to the mean normal stress and ``pressure`` to the pore pressure, over sigma_ref;
     ``resistance`` is a moment that opposes the motion. ``driving_moment`` and ``normal_load`` are what it adds
-    to J_theta and J_r.
+    to J_theta and J_r, ``friction`` to the friction coefficient.
     ``turns`` lets the geometry move with the mass. ``states`` are symbols that change with time, and ``growth``
     is their derivative by the rotation. At least one parameter of ``any_of`` is needed.
     ``depends_on`` decides which methods can solve it.
@@ -97,6 +97,7 @@ class Effect:
     turns: bool = False
     driving_moment: sp.Expr = sp.Integer(0)
     normal_load: sp.Expr = sp.Integer(0)
+    friction: sp.Expr = sp.Integer(0)
     states: tuple[sp.Symbol, ...] = ()
     growth: sp.Expr = sp.Integer(0)
     any_of: tuple[str, ...] = ()
@@ -179,6 +180,10 @@ _NORMAL, _NORMAL_SLOPE, _INERTIA, _LIFT, _COHESIVE = sp.symbols(
 _REMAINING, _REMAINING_SLOPE, _REMAINING_INERTIA, _REMAINING_LIFT = sp.symbols(
     "layered_remaining layered_remaining_slope layered_remaining_inertia layered_remaining_lift", real=True
 )
+# Of one soil with a law of slip of its own: its coefficient, its share of the normal force at the start, and what the
+# normal force on its stretches exceeds this share by, over Theta*.
+SOIL_MU, SOIL_TURNING, SOIL_SLOPE = sp.symbols("soil_mu soil_turning soil_slope", real=True)
+_SHARE, _SOIL_INERTIA, _SOIL_LIFT = sp.symbols("soil_share soil_inertia soil_lift", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
 
@@ -282,6 +287,7 @@ _EXCESS_NORMAL, _EXCESS_SLOPE = _NORMAL + TURNING, _NORMAL_SLOPE + TURNING_SLOPE
 _LEFT_NORMAL, _LEFT_SLOPE = _REMAINING + REMAINING, _REMAINING_SLOPE + REMAINING_SLOPE
 _EXCESS_PRESS = (1 - K_V) * _EXCESS_NORMAL + K_H * _EXCESS_SLOPE + _INERTIA * OMEGA_2
 _LEFT_PRESS = (1 - K_V) * _LEFT_NORMAL + K_H * _LEFT_SLOPE + _REMAINING_INERTIA * OMEGA_2
+_SOIL_PRESS = (1 - K_V) * SOIL_TURNING + K_H * SOIL_SLOPE + _SOIL_INERTIA * OMEGA_2
 SECTION_EFFECTS = (
     Effect("layered_strength", "2.23", (
         _of_section("turning", "excess of friction's normal force over the mean, of strength with the mass", TURNING),
@@ -301,6 +307,15 @@ SECTION_EFFECTS = (
            "each soil along the arc has its strength, with the normal stress from the weight above it (2.23)",
            normal_load=THETA * (_EXCESS_PRESS + _LEFT_PRESS / SLIP_MU),
            pressure=THETA / LAMBDA * (_LIFT + _REMAINING_LIFT / SLIP_MU), resistance=THETA * _COHESIVE),
+    Effect("soil_friction", "2.23", (
+        _of_section("share", "share of the normal force at the start", _SHARE),
+        _of_section("turning", "excess of the normal force over this share, at the start 0", SOIL_TURNING),
+        _of_section("slope", "its derivative by the dip", SOIL_SLOPE),
+        _of_section("inertia", "what the square of the angular velocity adds to it", _SOIL_INERTIA),
+        _of_section("lift", "what water takes from the normal force", _SOIL_LIFT, "rotation")), (),
+           "a soil has a friction law of its own, and its part of the normal force; strength moves with the mass",
+           normal_load=THETA * _SOIL_PRESS * SOIL_MU / SLIP_MU,
+           pressure=THETA / LAMBDA * _SOIL_LIFT * SOIL_MU / SLIP_MU, friction=_SHARE * SOIL_MU),
 )  # fmt: skip
 ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
 
@@ -330,6 +345,7 @@ def formulas(effect: Effect) -> tuple[str, ...]:
         "resistance": effect.resistance,
         "J_theta": effect.driving_moment,
         "J_r": effect.normal_load,
+        "mu": effect.friction,
     }
     lines = ["psi = psi_0 - phi"] if effect.turns else []
     for quantity, term in terms.items():
@@ -346,4 +362,5 @@ def formulas(effect: Effect) -> tuple[str, ...]:
 BY_PSI = {DRIVING_MOMENT: DRIVING_MOMENT_SLOPE, DRIVING_MOMENT_SLOPE: -DRIVING_MOMENT,
           NORMAL_LOAD: NORMAL_LOAD_SLOPE, NORMAL_LOAD_SLOPE: -NORMAL_LOAD,
           TURNING: TURNING_SLOPE, TURNING_SLOPE: -TURNING,
-          REMAINING: REMAINING_SLOPE, REMAINING_SLOPE: -REMAINING}  # fmt: skip
+          REMAINING: REMAINING_SLOPE, REMAINING_SLOPE: -REMAINING,
+          SOIL_TURNING: SOIL_SLOPE, SOIL_SLOPE: -SOIL_TURNING}  # fmt: skip

@@ -101,6 +101,7 @@ def of_effect(effect: declared.Effect) -> tuple[Term, ...]:
         "sigma": effect.stress + effect.normal_load / LAMBDA,
         "u": effect.pressure,
         "T": effect.resistance,
+        "mu": effect.friction,
     }
     terms = [term(q, x) for q, e in adds.items() if e != 0 for x in sp.Add.make_args(sp.expand(e))]
     terms += [term(f"d{x}/dphi", effect.growth) for x in effect.states]

@@ -28,6 +28,8 @@ from derive.declare.effects import (
     RESISTANCE_FACTOR,
     SLIP,
     SLIP_MU,
+    SOIL_MU,
+    SOIL_SLOPE,
     SPEED,
     THETA,
     TURNING_SLOPE,
@@ -49,6 +51,8 @@ INPUTS = {
 }
 # What effects add to, over Theta*: the moments that drive and resist, lambda sigma* that presses, lambda u* that lifts.
 QUANTITIES = ("driving", "resisting", "pressing", "lifting")
+# The same of soils with friction laws of their own, times mu.
+SOIL_SUMS = {"pressing": "soil_pressing", "lifting": "soil_lifting"}
 
 DIRECTION, ROTATION, BEGAN, GRIP = (cell(x) for x in ("DIRECTION", "ROTATION", "SLIP", "grip"))
 NORMAL = cell("normal")
@@ -60,7 +64,7 @@ CALLABLE = Law("callable", "1.14", (), ("slip",), "a function of the slip, in pi
 
 
 # What changes its sign in a mirror, in which the slope falls the other way.
-ODD = {DRIVING_MOMENT, NORMAL_LOAD_SLOPE, TURNING_SLOPE, REMAINING_SLOPE, K_H}
+ODD = {DRIVING_MOMENT, NORMAL_LOAD_SLOPE, TURNING_SLOPE, REMAINING_SLOPE, SOIL_SLOPE, K_H}
 
 
 def seen(q: Symbol) -> Symbol:
@@ -101,13 +105,17 @@ def scaled(e: Expr) -> Expr:
 
 
 def quantities(effect: Effect) -> dict[str, Expr]:
-    """What an effect adds to the quantities of the balance."""
-    return {
+    """What an effect adds to the quantities of the balance; of one soil times mu, by which `soils` divides."""
+    adds = {
         "driving": scaled(effect.driving_moment),
         "resisting": scaled(effect.resistance),
         "pressing": scaled(effect.normal_load + LAMBDA * effect.stress),
         "lifting": scaled(LAMBDA * effect.pressure),
+        "mu": effect.friction,
     }
+    if SOIL_MU not in effect.friction.free_symbols:
+        return adds
+    return adds | dict.fromkeys(SOIL_SUMS, ZERO) | {y: expand(adds[x] * SLIP_MU) for x, y in SOIL_SUMS.items()}
 
 
 def odd(effect: Effect) -> set[Symbol]:
@@ -137,7 +145,8 @@ def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]
     variables |= {OMEGA: speed, SPEED: speed, SLIP: (BEGAN, series("x"))}
     if effect is None:
         return variables
-    variables[SLIP_MU] = varying("slip_mu")
+    for x in (SLIP_MU, SOIL_MU):
+        variables[x] = varying(str(x))
     variables |= {x: (sign(x) * x, series(f"d{x}", sign(x))) for x in (K_H, K_V)}
     odd_parameters = odd(effect)
     for p in effect.parameters:
@@ -356,4 +365,7 @@ def fragments(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAW
     factors = {cell(x): varying(x) for x in ("slip_mu", "rate_mu")}
     product = Lowering("product", factors)
     every["product"] = product.fragment(["mu = mu(slip) mu(speed)"], {"mu": Mul(*factors)})
+    soils = Lowering("soils", {cell(x): varying(x) for x in (*SOIL_SUMS.values(), "slip_mu")})
+    words = ["what soils with friction laws of their own add, over mu"]
+    every["soils"] = soils.fragment(words, {x: cell(y) / SLIP_MU for x, y in SOIL_SUMS.items()})
     return every | {"balance": balance(), "energy": energy()}

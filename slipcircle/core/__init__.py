@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from slipcircle.core.scene.forcing import STRONGEST as STRONGEST
     from slipcircle.core.scene.forcing import in_time as in_time
     from slipcircle.core.scene.friction import RATE_LAWS as RATE_LAWS
+    from slipcircle.core.scene.friction import friction_at_rest as friction_at_rest
     from slipcircle.core.scene.friction import law_depends as law_depends
     from slipcircle.core.scene.friction import law_mistakes as law_mistakes
     from slipcircle.core.scene.friction import law_names as law_names
@@ -73,7 +74,7 @@ _PUBLIC = {
     "core.scene.arc": "ARC_BOUNDS GIVEN GRAVITY WIDTH Arc",
     "core.scene.coordinates": "arc_numbers",
     "core.scene.forcing": "STRONGEST in_time",
-    "core.scene.friction": "RATE_LAWS law_depends law_mistakes law_names law_parts may_have_rate",
+    "core.scene.friction": "RATE_LAWS friction_at_rest law_depends law_mistakes law_names law_parts may_have_rate",
     "core.scene.ground": "circle_through circle_touching pond_errors simple_slope slope_errors",
     "core.scene.layers": "LayeredSection",
     "core.scene.parameters": (

@@ -14,6 +14,7 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 from scipy.integrate import solve_ivp
+from scipy.interpolate import PchipInterpolator
 
 from slipcircle import Scene, solve
 from slipcircle.core import LayeredSection, Soil
@@ -194,6 +195,21 @@ def computed(section: Any) -> tuple[list[float], list[list[float]]]:
     return moments.tolist(), parts
 
 
+def coefficient(law: Any, slip: float, speed: float) -> float:
+    """A soil's friction coefficient from the definition of its law."""
+    if not isinstance(law, dict):
+        return float(law)
+    if law["law"] == "tabulated":
+        return float(PchipInterpolator(law["slip"], law["coefficient"])(min(slip, law["slip"][-1])))
+    share = {
+        "exponential": lambda: np.exp(-slip / law["length"]),
+        "linear": lambda: max(1.0 - slip / law["length"], 0.0),
+        "hyperbolic": lambda: 1.0 / (1.0 + slip / law["length"]),
+        "rate_weakening": lambda: 1.0 / (1.0 + speed / law["velocity"]),
+    }[law["law"]]()
+    return float(law["residual"] + (law["peak"] - law["residual"]) * share)
+
+
 class AlongTheArc:
     """A section's weights and strengths along its arc from their definitions, by Gauss' rule between kinks.
 
@@ -283,7 +299,9 @@ class AlongTheArc:
         lever = {name: self.radius * np.cos(b) for name in names[:-1]}  # dx = R cos(b) db
         return {name: sums[name] * lever.get(name, 1.0) for name in names}
 
-    def resistance(self, rotation: float, omega_2: float, shaking: Any = (0.0, 0.0), slip: float = 0.0) -> Any:
+    def resistance(
+        self, rotation: float, omega_2: float, shaking: Any = (0.0, 0.0), slip: float = 0.0, speed: float = 0.0
+    ) -> Any:
         """Friction, water's part of it, and cohesion after a rotation, N/m; omega^2 is over g/R."""
         section = self.section
         moved = rotation if section.strength == "base" else 0.0
@@ -300,8 +318,7 @@ class AlongTheArc:
         head = np.maximum(self.height(self.level, x) - y, 0.0) if self.level is not None else 0.0
         ratio = self.of_base("pore_ratio", base)
         pressure = np.where(ratio > 0.0, ratio * strips["vertical"], section.water_unit_weight * head)
-        peak, residual = self.of_base("peak", base), self.of_base("residual", base)
-        mu = residual + (peak - residual) * self.softened(slip)
+        mu = np.array([coefficient(soil.friction, slip, speed) for soil in self.soils])[self.soil_at(base)]
         cohesion = self.of_base("cohesion", base)
         if any(soil.datum is not None for soil in self.soils):
             _, depth = self.arc(np.clip(base, self.first, self.last))
@@ -309,11 +326,6 @@ class AlongTheArc:
             cohesion = cohesion + self.of_base("cohesion_gradient", base) * below
         values = (mu * turned, mu * pressure * self.radius, cohesion * self.radius)
         return np.array([(step * value).sum() for value in values])
-
-    def softened(self, slip: float) -> float:
-        """The share of friction between peak and residual that is left of the exponential law that soils have."""
-        laws = [soil.friction for soil in self.soils if isinstance(soil.friction, dict)]
-        return float(np.exp(-slip / laws[0]["length"])) if laws else 1.0
 
     def _of_water(self, rotation: float) -> Any:
         return [] if self.level is None else self.facing * self.section._water.kinks[0] - rotation
@@ -336,7 +348,8 @@ class AlongTheArc:
             y = moments["y"] * np.cos(rotation) + moments["x"] * np.sin(rotation)
             drive = -(1.0 - k_v) * x - k_h * y
             omega_2 = omega**2 * self.radius / gravity
-            friction, water, cohesion = self.resistance(rotation, omega_2, (k_h, k_v), abs(rotation) * self.radius)
+            slip, speed = abs(rotation) * self.radius, abs(omega) * self.radius
+            friction, water, cohesion = self.resistance(rotation, omega_2, (k_h, k_v), slip, speed)
             factor = rate(abs(omega) * self.radius) if rate else 1.0
             return drive - self.radius * (factor * max(0.0, friction - water) + cohesion)
 

@@ -1,17 +1,16 @@
-"""Plant random faults in the runtime and see which the tests miss.
+"""Plant random faults in `slipcircle` and `derive`, and see which of them no test notices.
 
-``python -m tests.campaigns.mutants --count 60 --seed 1`` plants so many. A fault is one changed node of a module's
-syntax tree: a sign, a comparison, a constant, swapped arguments, a statement left out. Each is planted alone in a copy
-of the project. It counts if it changes an answer (numbers of the golden scenes, ensembles, what the command line prints
-and writes); then a test has to turn red that is green in the same copy without it. Asked are all files of tests that
-know the package, those first that caught most. What hangs is caught. A verdict is printed when it falls, with the
-counts so far; ``--only 7 12`` repeats single faults of the same seed, ``--tests test_arc.py`` asks fewer files. The
-exit status is 1 below 90 per cent.
+``python -m tests.campaigns.mutants --count 100 --seed 1`` plants so many, one at a time, in a copy of the project. A
+fault is one changed node of a module's syntax tree: an operator, a comparison, a constant, a sign, swapped arguments, a
+negated condition, a missing statement. First all tests run
+once with ``pytest-cov``, to be installed beside, which notes the lines that each test reaches (``--map FILE`` keeps
+that for the next seed). A fault is caught if one of the tests that reach its line fails, the quickest first; a test
+that hangs has failed. What survives either changes no answer (numbers of the golden scenes and ensembles, what commands
+print and write) or is a gap in the tests.
 """
 
 import argparse
 import ast
-import compileall
 import contextlib
 import io
 import json
@@ -20,104 +19,68 @@ import os
 import random
 import re
 import shutil
-import signal
 import subprocess
 import sys
 import tempfile
-import threading
 import time
-from collections import Counter
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
-from py_compile import PycInvalidationMode
 from queue import Queue
 from typing import Any, NamedTuple
 
 ROOT = Path(__file__).parents[2]
-COPIED = ("slipcircle", "generated", "derive", "tests", "notebooks")
-FIRST = ("test_outputs", "test_records", "test_scenefile", "test_ensemble_states", "test_backanalysis", "test_ensemble")
-# Slow, or of other things.
-NEVER = ("test_house", "test_notebooks", "test_cost", "test_compiled", "test_build",
-         "test_extending", "test_all_weights")  # fmt: skip
-SLOW = 5  # times what the tree itself takes for its answers is a hang
-HANG_S = 90  # of one test; the slowest takes a tenth of it
+PACKAGES = ("slipcircle", "derive")
+NOT_OF_BEHAVIOUR = ("test_house", "test_book")  # style and layout, which every change of a tree can offend
+HANG_S = 120  # of one test; the slowest takes a fifth of it
+LIMIT_S = 900  # of all tests of one fault
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
-
-
-COMMANDS = """run vaiont vaiont-softening wet-slope | run vaiont --json | run vaiont-shaken --json
-run wet-slope --json
-run newmark-pulse --csv {}/a.csv | run wet-slope vaiont-heated --csv {}/b.csv | run lifted.toml --json | run lifted.toml
-run vaiont --report {}/c.html | plan vaiont-shaken | plan vaiont --json | plan wet-slope | sensitivity wet-slope
-sensitivity vaiont --json | backanalyse vaiont --run-out-m 500+-20 --json | backanalyse wet-slope --run-out-m 6
+COMMANDS = """run vaiont vaiont-softening wet-slope layered-slope | run vaiont --json | run vaiont-shaken --json
+run newmark-pulse --csv a.csv | run wet-slope vaiont-heated --csv b.csv | plan vaiont-shaken | plan vaiont --json
+sensitivity vaiont --json | search weak-toe --json | backanalyse vaiont --run-out-m 500+-20 --json
 backanalyse vaiont --run-out-m 700+-10 --peak-velocity-m-s 29+-1 --field friction --field initial_velocity=0:5
-sweep vaiont --grid friction.angle_deg=8:24:9 --json
+sweep vaiont --grid friction.angle_deg=8:24:9 --json | sweep weak-toe --grid layers.2.top_m=1:2:3 --json
 sweep wet-slope --samples 300 --seed 4 --uncertain pore_pressure.ratio=uniform:0:0.4
-sweep vaiont --samples 128 --seed 1 --method sobol --uncertain friction.angle_deg=normal:12:1 --csv {}/d.csv
-sweep vaiont --samples 64 --seed 1 --method latin-hypercube --uncertain friction.angle_deg=uniform:8:12 --sensitivity 16
-sweep vaiont-softening --samples 64 --seed 2 --uncertain friction.length_m=lognormal:1:0.5 --json
-run none | run broken.toml | schema --text"""
-LIFTED = """name = "lifted"\nend_time_s = 3\n[arc]\nradius_m = 60\ntheta_1_deg = 220\ntheta_2_deg = 290
-unit_weight_kN_m3 = 19\n[friction]\nangle_deg = 11\n[rotation]\n[pore_pressure]\npressure_kPa = 260\n"""
+sweep vaiont --samples 128 --seed 1 --method sobol --uncertain friction.angle_deg=normal:12:1 --csv d.csv
+run none | schema --text"""
 
 
 def answers() -> Iterator[tuple[str, Any]]:
-    """Numbers and texts by a name, as the package in the path gives them."""
+    """Numbers and texts by a name, as the packages on the path give them."""
     from slipcircle.__main__ import main
     from tests.support import ensembles, golden
 
     for name in golden.rows():
-        try:
-            motion = golden.solved(name)
-            numbers: Any = golden.numbers(motion, golden.times(motion))
-        except Exception as error:
-            numbers = repr(error)
-        yield name, numbers
+        motion = golden.solved(name)
+        yield name, golden.numbers(motion, golden.times(motion))
     for law in ensembles.LAWS[:5]:
         for effects in ensembles.EFFECTS[:8]:
-            try:
-                found = ensembles.together(ensembles.lanes(law, effects))
-                both = [[getattr(s, f).tolist() for f in golden.STATE] for s in (found.end, found.peak)]
-            except Exception as error:
-                both = [[repr(error)]]
-            yield f"lanes {law} {effects}", both
+            motion = ensembles.together(ensembles.lanes(law, effects))
+            yield f"lanes {law} {effects}", [getattr(motion.end, part).tolist() for part in golden.STATE]
     with tempfile.TemporaryDirectory() as folder:
-        here = Path(folder)
-        (here / "lifted.toml").write_text(LIFTED, "utf-8")
-        (here / "broken.toml").write_text(LIFTED.replace("radius_m = 60", "radius_m = -6\nbreadth = 1"), "utf-8")
-        os.chdir(here)
+        os.chdir(folder)
         for line in re.split(r" \| |\n", COMMANDS):
-            out = io.StringIO()
-            with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):
-                try:
-                    status: Any = main(line.format(".").split())
-                except (SystemExit, Exception) as error:
-                    status = repr(error)
-            yield line, [status, out.getvalue().replace(folder, ".")]
-        for path in sorted(here.glob("*.csv")) + sorted(here.glob("*.html")):
-            yield path.name, re.sub(r"(?s)<svg.*?</svg>|<img[^>]*>", "", path.read_text("utf-8"))
+            printed = io.StringIO()
+            with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(io.StringIO()):
+                status = main(line.split())
+            yield line, [status, printed.getvalue().replace(folder, ".")]
+        for path in sorted(Path(folder).glob("*.csv")):
+            yield path.name, path.read_text("utf-8")
 
 
 def differ(one: Any, other: Any) -> bool:
-    """Whether two answers differ by more than rounding, which residuals are all, and by the time that it took."""
-    if isinstance(one, dict) and isinstance(other, dict):
-        return one.keys() != other.keys() or any(differ(one[k], other[k]) for k in one)
-    if isinstance(one, list) and isinstance(other, list):
+    """Whether two answers differ by more than rounding."""
+    if isinstance(one, dict):
+        return one.keys() != other.keys() or any(differ(one[key], other[key]) for key in one)
+    if isinstance(one, list):
         return len(one) != len(other) or any(map(differ, one, other))
-    if isinstance(one, str) and isinstance(other, str):
-        if one == other:
-            return False
-        texts = [[x for x in t.splitlines() if "residual" not in x and " a second, in " not in x] for t in (one, other)]
-        lines = list(zip(*texts, strict=False))
-        return len(texts[0]) != len(texts[1]) or any(
-            NUMBER.sub("#", a) != NUMBER.sub("#", b)
-            or any(differ(float(x), float(y)) for x, y in zip(NUMBER.findall(a), NUMBER.findall(b), strict=True))
-            for a, b in lines
-        )
     if isinstance(one, float) and isinstance(other, float):
-        return not (
-            one == other or (one != one and other != other) or math.isclose(one, other, rel_tol=1e-8, abs_tol=1e-11)
-        )
+        both_nan = math.isnan(one) and math.isnan(other)
+        return not (both_nan or math.isclose(one, other, rel_tol=1e-8, abs_tol=1e-11))
+    if isinstance(one, str) and one != other:
+        same_words = NUMBER.sub("#", one) == NUMBER.sub("#", other)
+        numbers = ([float(number) for number in NUMBER.findall(text)] for text in (one, other))
+        return not same_words or differ(*numbers)
     return bool(one != other)
 
 
@@ -132,18 +95,12 @@ OPERATORS: dict[type, type] = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast
 class Fault(NamedTuple):
     path: str
     place: int  # among the module's changes
-    line: int
+    lines: range
     words: str
-    reach: range  # its lines in the normal form of the module
-
-
-def normal(text: str) -> str:
-    """The form that planting gives a module, so that the fault alone is what differs from the tree that is measured."""
-    return ast.unparse(ast.parse(text))
 
 
 def changes(tree: ast.AST) -> Iterator[tuple[ast.AST, str, Callable[[], None]]]:
-    """Every fault that a tree may get: where, what it is called, and what plants it."""
+    """Every fault that a tree can get: its node, what it is called, and what plants it."""
     texts = {id(n.value) for n in ast.walk(tree) if isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant)}
     typing = {id(n) for a in ast.walk(tree) for field in ("annotation", "returns")
               if (part := getattr(a, field, None)) for n in ast.walk(part)}  # fmt: skip
@@ -167,24 +124,20 @@ def changes(tree: ast.AST) -> Iterator[tuple[ast.AST, str, Callable[[], None]]]:
                 yield node, "condition", lambda n=node, t=test: setattr(n, "test", ast.UnaryOp(ast.Not(), t))  # type: ignore[misc]
         for body in (getattr(node, field, None) for field in ("body", "orelse")):
             for k, line in enumerate(body if isinstance(body, list) else []):
-                plain = isinstance(line, ast.Expr) and id(line.value) not in texts
-                if (
-                    plain
-                    or isinstance(line, ast.AugAssign | ast.Raise)
-                    or (isinstance(line, ast.If) and not line.orelse)
-                ):
-                    yield line, "left out", lambda b=body, k=k: b.__setitem__(k, ast.Pass())  # type: ignore[misc]
+                effect = isinstance(line, ast.Expr) and id(line.value) not in texts
+                guard = isinstance(line, ast.If) and not line.orelse
+                if effect or guard or isinstance(line, ast.AugAssign | ast.Raise):
+                    yield line, "missing", lambda b=body, k=k: b.__setitem__(k, ast.Pass())  # type: ignore[misc]
 
 
 def faults() -> Iterator[Fault]:
-    """Every fault of the package."""
-    for path in sorted((ROOT / "slipcircle").rglob("*.py")):
-        text = path.read_text("utf-8")
-        given, written = (changes(ast.parse(t)) for t in (text, normal(text)))
-        for place, ((old, words, _), (new, _, _)) in enumerate(zip(given, written, strict=True)):
-            words = f"{words}: {ast.unparse(old).partition(chr(10))[0][:70]}"
-            reach = range(new.lineno, new.end_lineno + 1)  # type: ignore[attr-defined]
-            yield Fault(str(path.relative_to(ROOT)), place, old.lineno, words, reach)  # type: ignore[attr-defined]
+    """Every fault of the packages, except those of templates, which are texts of `generated`."""
+    for path in sorted(path for package in PACKAGES for path in (ROOT / package).rglob("*.py")):
+        found = [] if "templates" in path.parts else changes(ast.parse(path.read_text("utf-8")))
+        for place, (node, kind, _) in enumerate(found):
+            words = f"{kind}: {ast.unparse(node).partition(chr(10))[0][:70]}"
+            lines = range(node.lineno, node.end_lineno + 1)  # type: ignore[attr-defined]
+            yield Fault(str(path.relative_to(ROOT)), place, lines, words)
 
 
 def planted(fault: Fault) -> str:
@@ -197,138 +150,114 @@ def planted(fault: Fault) -> str:
 
 
 def copied(folder: Path) -> Path:
-    for name in COPIED:
-        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", ".*"))
-    for path in (p for p in ROOT.iterdir() if p.is_file()):
-        shutil.copy(path, folder)
-    for path in (folder / "slipcircle").rglob("*.py"):
-        path.write_text(normal(path.read_text("utf-8")), "utf-8")
-    compileall.compile_dir(folder, quiet=1, invalidation_mode=PycInvalidationMode.CHECKED_HASH)
-    return folder
+    """A copy of the project, its compiled modules included."""
+    ignored = shutil.ignore_patterns("__pycache__", ".git", ".venv", ".*_cache")
+    return shutil.copytree(ROOT, folder, ignore=ignored)
 
 
-def run(folder: Path, limit: float | None, *argv: str) -> tuple[int | None, str]:
-    """Exit status, none of a hang, and output of a Python in the copy, which is ended with all that it started."""
+def run(folder: Path, limit: float | None, *argv: str | Path) -> str | None:
+    """Output of a Python in the copy; none if it hangs. All that it started is ended too."""
     env = os.environ | {"PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1", "OMP_NUM_THREADS": "1"}
-    with tempfile.TemporaryFile("w+") as out:
-        child = subprocess.Popen([sys.executable, *argv], cwd=folder, env=env, stdin=subprocess.DEVNULL, stdout=out,
-                                 stderr=subprocess.DEVNULL, start_new_session=True)  # fmt: skip
-        try:
-            status: int | None = child.wait(limit)
-        except subprocess.TimeoutExpired:
-            status = None
-        finally:
-            with contextlib.suppress(ProcessLookupError):
-                os.killpg(child.pid, signal.SIGKILL)
-            child.wait()
-        out.seek(0)
-        return status, out.read()
+    limited = ["timeout", "-k", "1", str(limit)] if limit else []
+    command = [*limited, sys.executable, *argv]
+    done = subprocess.run(command, cwd=folder, env=env, capture_output=True, text=True, errors="replace", check=False)
+    return None if limit and done.returncode in (124, 137) else done.stdout
 
 
-def probed(folder: Path, limit: float | None = None, what: str = "--answers") -> Any:
-    status, text = run(folder, limit, "-m", "tests.campaigns.mutants", what)
-    return json.loads(text) if status == 0 else None
+def measured_tests(folder: Path, jobs: int) -> dict[str, Any]:
+    """Seconds of each test, and the tests that reach each line ``path:line``; a fixture counts for all of its file."""
+    ignored = [f"--ignore=tests/{name}.py" for name in NOT_OF_BEHAVIOUR]
+    cover = [*(f"--cov={package}" for package in PACKAGES), "--cov-context=test", "--cov-report="]
+    pytest = ("-m", "pytest", "-q", "-p", "no:cacheprovider", "-n", f"{jobs}", "--durations=0", "--durations-min=0.0")
+    printed = run(folder, None, *pytest, *cover, *ignored, "tests") or ""
+    print(printed.strip().rpartition("\n")[2], file=sys.stderr)
+    run(folder, None, "-m", "coverage", "json", "--show-contexts", "-o", "map.json")
+    seconds: dict[str, float] = {}
+    for duration, test in re.findall(r"^([\d.]+)s \w+ +(tests/\S+?)(?:\[.*)?$", printed, re.MULTILINE):
+        seconds[test] = seconds.get(test, 0.0) + float(duration)
+    reached: dict[str, list[str]] = {}
+    for path, of_file in json.loads((folder / "map.json").read_text("utf-8"))["files"].items():
+        for line, contexts in of_file["contexts"].items():
+            tests = {re.split(r"[\[|]", context)[0] for context in contexts}
+            fixtures = {context.partition("::")[0] for context in contexts if context.endswith("|setup")}
+            tests |= {test for test in seconds if test.partition("::")[0] in fixtures}
+            reached[f"{path}:{line}"] = sorted(tests & seconds.keys())
+    return {"seconds": seconds, "reached": reached}
 
 
-def tested(folder: Path, *names: str) -> tuple[bool, str]:
-    """Whether tests are green, and the function of the first that is not."""
-    hang = ("-o", f"faulthandler_timeout={HANG_S}", "-o", "faulthandler_exit_on_timeout=true")
-    status, text = run(folder, None, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *hang, *names)
-    red = re.search(r"^(?:FAILED|ERROR) (tests/[^\s\[]*)", text, re.MULTILINE)
-    return status == 0, red[1] if red else ""
+def tests_near(fault: Fault, measured: dict[str, Any]) -> list[str]:
+    """The tests that reach a fault, the quickest first; those of its module, or all, for what imports run."""
+    seconds, reached = measured["seconds"], measured["reached"]
+    near = set().union(*(reached.get(f"{fault.path}:{line}", ()) for line in fault.lines))
+    near = near or set().union(*(tests for line, tests in reached.items() if line.startswith(f"{fault.path}:")))
+    return sorted(near or seconds, key=lambda test: seconds[test])
 
 
-def reached(folder: Path) -> list[str]:
-    """The lines of the package that the answers run, ``path:line``."""
-    found: dict[str, None] = {}
-
-    def follow(frame: Any, event: str, _: Any) -> Any:
-        if not frame.f_code.co_filename.startswith(f"{folder}/slipcircle/"):
-            return None
-        if event == "line":
-            found[f"{frame.f_code.co_filename[len(str(folder)) + 1 :]}:{frame.f_lineno}"] = None
-        return follow
-
-    threading.settrace(follow)
-    sys.settrace(follow)
-    dict(answers())
-    sys.settrace(None)
-    return list(found)
-
-
-def judged(folder: Path, fault: Fault, good: dict[str, Any], limit: float, files: list[str], seen: Counter[str]) -> str:
-    """What became of a fault: no answer changed, caught by which test, or SURVIVED."""
-    target = folder / fault.path
-    whole, begin = target.read_text("utf-8"), time.monotonic()
+def judged(folder: Path, fault: Fault, measured: dict[str, Any], good: dict[str, Any]) -> str:
+    """What became of a fault: the test that caught it, no changed answer, or SURVIVED."""
+    near, target = tests_near(fault, measured), folder / fault.path
+    begin = time.monotonic()
     try:
         target.write_text(planted(fault), "utf-8")
-        found = probed(folder, limit)
-        changed = [k for k in good if differ(good[k], found.get(k))] if found else ["everything"]
-        if not changed:
-            return "no answer changed"
-        skip: list[str] = []
-        while True:
-            target.write_text(planted(fault), "utf-8")
-            near = {name for name in files if Path(fault.path).stem in (ROOT / name).read_text("utf-8")}
-            green, name = tested(folder, *skip, *sorted(files, key=lambda f: (f not in near, -seen[f])))
-            if green:
-                return f"SURVIVED, skipped {skip}, changes {len(changed)} answers: {changed[:4]}"
-            target.write_text(whole, "utf-8")
-            if not name or tested(folder, name)[0]:
-                seen[name.partition("::")[0]] += 1
-                return f"caught by {name or 'a hang'} after {time.monotonic() - begin:.0f} s"
-            skip.append(f"--deselect={name}")  # red without the fault too
+        hang = ("-o", f"faulthandler_timeout={HANG_S}", "-o", "faulthandler_exit_on_timeout=true")
+        (folder / "chosen").write_text("\n".join(near), "utf-8")
+        pytest = ("-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *hang, "@chosen")
+        printed = run(folder, LIMIT_S, *pytest)
+        took = f"{time.monotonic() - begin:.0f} s, {len(near)} tests"
+        if printed is None or not re.search(r"^\d+ (passed|skipped)", printed, re.MULTILINE):
+            red = re.search(r"^(?:FAILED|ERROR) (tests/[^\s\[]*)", printed or "", re.MULTILINE)
+            return f"caught by {red[1] if red else 'a hang or crash'} ({took})"
+        text = run(folder, LIMIT_S, "-m", "tests.campaigns.mutants", "--answers")
+        found = json.loads(text) if text else {}
+        changed = [name for name in good if name not in found or differ(good[name], found[name])]
+        return f"SURVIVED, changes {changed[:4]} ({took})" if changed else f"survived, no answer changed ({took})"
     finally:
-        target.write_text(whole, "utf-8")
+        shutil.copy(ROOT / fault.path, target)
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=str(__doc__).partition("\n")[0])
-    parser.add_argument("--count", type=int, default=60)
+    parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", type=int, nargs="+", help="these of them alone, by number")
-    parser.add_argument("--tests", nargs="+", default=["test_*.py"], help="files of tests asked, all unless given")
+    parser.add_argument("--map", type=Path, help="where the lines that each test reaches are kept")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--answers", action="store_true", help="print the answers of this tree, and do nothing else")
-    parser.add_argument("--lines", action="store_true", help="print the lines that they run, and do nothing else")
     options = parser.parse_args()
-    if options.answers or options.lines:
-        print(json.dumps(reached(ROOT) if options.lines else dict(answers())))
+    if options.answers:
+        print(json.dumps(dict(answers())))
         return 0
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(options.jobs) as pool:
         free: Queue[Path] = Queue()
         for k in range(options.jobs):
             free.put(first := copied(Path(folder) / f"{k}"))
+        if options.map and options.map.exists():
+            measured = json.loads(options.map.read_text("utf-8"))
+        else:
+            measured = measured_tests(first, options.jobs)
+        if options.map:
+            options.map.write_text(json.dumps(measured), "utf-8")
+        good = json.loads(run(first, None, "-m", "tests.campaigns.mutants", "--answers") or "{}")
+        places = list(faults())
+        random.Random(options.seed).shuffle(places)
 
-        def away(work: Callable[..., Any], *arguments: Any) -> Any:
+        def away(fault: Fault) -> str:
             here = free.get()
             try:
-                return work(here, *arguments)
+                return judged(here, fault, measured, good)
             finally:
                 free.put(here)
 
-        lines, begin = set(probed(first, None, "--lines")), time.monotonic()
-        places = [f for f in faults() if any(f"{f.path}:{line}" in lines for line in f.reach)]
-        one, two = probed(first), probed(first)
-        limit = SLOW * (time.monotonic() - begin)
-        good = {k: v for k, v in one.items() if not differ(v, two[k])}  # what holds no time of this run
-        random.Random(options.seed).shuffle(places)
-        chosen = {k: f for k, f in enumerate(places[: options.count]) if k in (options.only or range(options.count))}
-        able = {p for word in options.tests for p in (ROOT / "tests").glob(word) if p.stem not in NEVER}
-        known = [p.stem for p in able if "slipcircle" in p.read_text("utf-8")]
-        order = [stem for stem in FIRST if stem in known] + sorted({*known} - {*FIRST})
-        files = [f"tests/{stem}.py" for stem in order]
-        seen: Counter[str] = Counter()
-        assert tested(first, files[0])[0], f"{files[0]} is red without a fault"
-        falls = {pool.submit(away, judged, f, good, limit, files, seen): (k, f) for k, f in chosen.items()}
-        caught = counted = 0
-        for fall in as_completed(falls):
-            (k, fault), verdict = falls[fall], fall.result()
-            caught += verdict.startswith("caught")
-            counted += not verdict.startswith("no answer")
-            print(f"{k} {fault.path}:{fault.line}: {fault.words}: {verdict} [{caught} of {counted}]", flush=True)
-    print(f"{counted} of {len(falls)} faults change an answer; {caught} are caught, {counted - caught} survive")
-    return int(caught < 0.9 * counted)
+        chosen = {k: places[k] for k in options.only or range(options.count)}
+        waiting = {pool.submit(away, fault): (k, fault) for k, fault in chosen.items()}
+        verdicts = []
+        for done in as_completed(waiting):
+            (k, fault), verdict = waiting[done], done.result()
+            verdicts.append(verdict.partition(" ")[0])
+            print(f"{k} {fault.path}:{fault.lines[0]}: {fault.words}: {verdict}", flush=True)
+    caught, survived = verdicts.count("caught"), verdicts.count("SURVIVED")
+    print(f"{caught} caught, {survived} SURVIVED, {verdicts.count('survived,')} survive but change no answer")
+    return int(caught < 0.9 * (caught + survived))
 
 
 if __name__ == "__main__":

@@ -16,8 +16,10 @@ from typing import Any, NamedTuple
 
 from generated.flow import FRAGMENTS, INPUTS, QUANTITIES
 from generated.layout import CELLS, TABLE
+from slipcircle.core.flow.fragments import fragment_of
 from slipcircle.core.flow.link import ONE, PRIME, ZERO, Linker, Operation, named_in, needed, places_of, tangent
 from slipcircle.core.flow.program import OUTPUT_CELLS, READ_REGISTERS, Program, Table, Tangent
+from slipcircle.core.scene.friction import OF_SOIL, soil_number
 
 
 class TableDeclaration(NamedTuple):
@@ -60,7 +62,8 @@ def build_program(
     effects : tuple of str
         Names, as in `generated.effects.EFFECTS`.
     laws : tuple of str
-        The friction law, as in `generated.effects.LAWS` or "callable", and the law of speed that multiplies it, if any.
+        The friction law, as in `generated.effects.LAWS` or "callable", or the laws of soils, ``linear#0``; then the law
+        of speed that multiplies it, if any.
     moving : tuple of str
         Symbols of parameters that are functions of time, or of the rotation.
     absent : tuple of str
@@ -78,8 +81,8 @@ def build_program(
     fragments = tuple(name for name in outputs if name in FRAGMENTS)
     registers = tuple(name for name in outputs if name not in FRAGMENTS)
     builder = _Builder(registers, directions)
-    builder.declare_effects(effects, moving, absent)
     builder.declare_laws(laws)
+    builder.declare_effects(effects, moving, absent)
     builder.declare_functions_of_time(moving)
     builder.declare_balance(effects, laws, fragments, absent)
     builder.resolve()
@@ -113,12 +116,15 @@ class _Builder:
     # --- 1. definitions ----------------------------------------------------------------------------------------------
 
     def declare_effects(self, effects: tuple[str, ...], moving: tuple[str, ...], absent: tuple[str, ...]) -> None:
-        """Take the definitions of gravity and of effects."""
+        """Take the definitions of gravity and of effects, of a soil with those of what turns with the mass."""
         self._take("gravity")
         for effect in effects:
-            self._take(effect)
-            for declared in FRAGMENTS[effect].tables:
+            self._take(effect, self.factors[0])
+            for declared in fragment_of(effect).tables:
                 self._effect_table(TableDeclaration(*declared), moving, absent)
+            if number := soil_number(effect):
+                for turned in ("gravity", *(e for e in effects if e == "rotation")):
+                    self.link.define_cells(fragment_of(turned + number).scalar)
 
     def _effect_table(self, table: TableDeclaration, moving: tuple[str, ...], absent: tuple[str, ...]) -> None:
         """An effect's table where the scene gives a function; else a number that does not change, or none."""
@@ -131,14 +137,22 @@ class _Builder:
             self.inputs.append(table.name)
 
     def declare_laws(self, laws: tuple[str, ...]) -> None:
-        """Take the definitions of the friction law, or of two whose coefficients are factors of friction."""
-        factors = ["slip_mu", "rate_mu"] if len(laws) > 1 else ["mu"]
-        for law, factor in zip(laws, factors, strict=True):
-            self._take(law, factor)
-            self.tables += [TableDeclaration(*declared) for declared in FRAGMENTS[law].tables]
-        if len(laws) > 1:
+        """Take the definitions of the friction law, or of two whose coefficients are factors of friction.
+
+        The first factor may be a sum over soils.
+        """
+        of_soils = [law for law in laws if OF_SOIL in law]
+        others = [law for law in laws if law not in of_soils]
+        has_rate = len(others) > (0 if of_soils else 1)
+        self.factors = ["slip_mu", "rate_mu"] if has_rate else ["mu"]
+        quantities = [f"soil_mu{soil_number(law)}" for law in of_soils] + self.factors[-len(others) :]
+        for law, quantity in zip((*of_soils, *others), quantities, strict=False):
+            self._take(law, quantity)
+            self.tables += [TableDeclaration(*declared) for declared in fragment_of(law).tables]
+        if of_soils:
+            self._take("soils")
+        if has_rate:
             self._take("product")
-        self.factors = factors
 
     def declare_functions_of_time(self, moving: tuple[str, ...]) -> None:
         """Parameters that change with time: a value where the phase begins, and the increment since, a ramp."""
@@ -161,9 +175,9 @@ class _Builder:
         not_shaken = () if "shaking" in effects else ("k_h", "k_v")
         for symbol in (*absent, *not_shaken):
             link.cell_definitions[symbol] = ("set", ZERO)
-        for quantity in dict.fromkeys((*QUANTITIES, "mu", *self.factors)):
+        for quantity in dict.fromkeys((*QUANTITIES, "mu", *self.sums)):
             self._sum(quantity)
-        if len(laws) == 1:  # what multiplies a law of speed is the whole of it
+        if self.factors == ["mu"]:  # what multiplies a law of speed is the whole of it
             link.cell_definitions["slip_mu_0"] = ("set", "mu_0")
             link.series_definitions["dslip_mu"] = ("lin", "dslip_mu", "", ((ONE, "dmu"),))
         self._collect_inputs(("gravity", *effects, *laws, *extra))
@@ -174,7 +188,7 @@ class _Builder:
         self.inputs = [*INPUTS, *self.inputs]
         self.rates = {"x": "omega", "omega": "net"}
         for name in names:
-            fragment = FRAGMENTS[name]
+            fragment = fragment_of(name)
             self.inputs += [symbol for symbol in fragment.inputs if symbol not in defined]
             self.rates.update(fragment.states)
         self.states = dict(self.rates)
@@ -183,8 +197,8 @@ class _Builder:
                 self.states[tangent(state, j)] = tangent(rate, j)
 
     def _take(self, name: str, friction: str = "mu") -> None:
-        """Take a fragment's definitions; the friction coefficient of a law may be one of two factors."""
-        fragment = FRAGMENTS[name]
+        """Take a fragment's definitions; the friction coefficient of a law may be a soil's, or one of two factors."""
+        fragment = fragment_of(name)
         self.link.define_cells(fragment.scalar)
         self.link.define_series(fragment.series)
         for quantity, added in fragment.adds.items():

@@ -24,8 +24,8 @@ class RotationTables(NamedTuple):
     section : LayeredSection
     terms : mapping
         What the soils add to the balance, by the names of its parameters.
-    symbols : mapping
-        The names of the program's tables by these.
+    functions : mapping
+        Those that are functions of the rotation, by the names of the program's tables.
     tolerance : float
         The last coefficients of a piece over the greatest one.
     upslope : bool
@@ -34,14 +34,9 @@ class RotationTables(NamedTuple):
 
     section: LayeredSection
     terms: Mapping[str, Any]
-    symbols: Mapping[str, str]
+    functions: Mapping[str, OfRotation]
     tolerance: float
     upslope: bool
-
-    @property
-    def functions(self) -> dict[str, OfRotation]:
-        """The terms that are functions."""
-        return {self.symbols[n]: term for n, term in self.terms.items() if isinstance(term, OfRotation)}
 
     @property
     def upright(self) -> Floats:
@@ -101,7 +96,7 @@ class RotationTables(NamedTuple):
 
         Of some of many lanes, and with a margin: what moves farther is integrated again with all of the tables.
         """
-        if self.upslope or "rate" in friction:
+        if self.upslope or "rate" in friction or "soils" in friction:
             return np.inf
         upright = float(self.upright.max())
         rotation = _TRIED[:, None] * upright

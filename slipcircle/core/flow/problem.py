@@ -24,7 +24,7 @@ from slipcircle.core.flow.program import Program
 from slipcircle.core.flow.tables import Data
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.forcing import factor as factor_of
-from slipcircle.core.scene.friction import law_parts
+from slipcircle.core.scene.friction import law_parts, soil_number, without_soil
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.strength import OfRotation
@@ -33,7 +33,7 @@ Floats = NDArray[np.float64]
 Effects = Mapping[str, Mapping[str, Any]]  # by name, each with its parameters
 FINEST = 1e-14  # accuracy to which single scenes are solved
 LOWEST = 5  # order, as the radius of convergence compares the last coefficients with the first five
-UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation", "layered_lift"))
+UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)
 
 
@@ -58,7 +58,7 @@ class Problem(NamedTuple):
         effects, laws, moving, absent = self.recipe
         shaking = {p.symbol for p in ALL_EFFECTS["shaking"].parameters}
         others = [symbol for symbol in absent if symbol not in shaking]
-        with_shaking = tuple(name for name in ALL_EFFECTS if name in (*effects, "shaking"))
+        with_shaking = in_order({*effects, "shaking"})
         still_moving = tuple(symbol for symbol in moving if symbol not in shaking)
         program = build_program(with_shaking, laws, still_moving, (*others, "k_v"))
         return self._with_program(program)._replace(rotations=None)
@@ -140,7 +140,7 @@ def build_problem(
     Problem
     """
     laws = law_parts(friction)
-    recipe = _recipe(called, tuple(name for name, _ in laws))
+    recipe = recipe_of(called, tuple(name for name, _ in laws))
     effects, _, moving, _ = recipe
     rotating = rotates(effects)
     upslope = "shaking" in effects or bool(np.any(velocity != 0.0))
@@ -148,8 +148,8 @@ def build_problem(
     numbers = _Numbers(arc, upslope, tolerance)
     for effect in effects:
         numbers.add_effect(effect, called[effect], rotating)
-    if "layered_strength" in effects:
-        numbers.add_layers(called["layered_strength"], friction)
+    if isinstance(arc, LayeredSection):
+        numbers.add_layers({effect: called[effect] for effect in effects if effect in called}, friction)
     for name, parameters in laws:
         numbers.add_law(name, parameters)
     numbers.add_start(velocity, end_time)
@@ -182,23 +182,32 @@ def _assembled(numbers: "_Numbers", recipe: tuple[tuple[str, ...], ...], lanes: 
     return Problem(program, data, cells, numbers.time_scale, functions, recipe, rotations=numbers.rotations)
 
 
-def _recipe(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
+def recipe_of(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
     """The arguments of `build_program`: effects, laws, symbols of functions, symbols of what is not given."""
-    effects = tuple(name for name in ALL_EFFECTS if name in called)
+    effects = in_order(called)
     moving = list[str]()
     absent = list[str]()
     for effect in effects:
-        for p in ALL_EFFECTS[effect].parameters:
-            if not p.symbol:
-                continue
-            value = called[effect].get(p.name)
+        for name, symbol in symbols_of(effect).items():
+            value = called[effect].get(name)
             if value is None:
-                absent.append(p.symbol)
+                absent.append(symbol)
             elif callable(value):
-                moving.append(p.symbol)
+                moving.append(symbol)
     if "layered_strength" in effects and "shaking" not in effects:
         absent += ["k_h", "k_v"]  # of which its terms are made too
     return effects, laws, tuple(moving), tuple(absent)
+
+
+def in_order(effects: Collection[str]) -> tuple[str, ...]:
+    """Effects by name in the order in which they are declared."""
+    return tuple(name for declared in ALL_EFFECTS for name in effects if without_soil(name) == declared)
+
+
+def symbols_of(effect: str) -> dict[str, str]:
+    """The symbols of an effect's parameters in the balance, by their names; of one soil with its number."""
+    declared = ALL_EFFECTS[without_soil(effect)].parameters
+    return {p.name: f"{p.symbol}{soil_number(effect)}" for p in declared if p.symbol}
 
 
 @dataclass
@@ -228,7 +237,8 @@ class _Numbers:
 
     def add_effect(self, effect: str, given: Mapping[str, Any], rotating: bool) -> None:
         """What an effect gives: numbers by their symbols, functions of time or of the rotation as tables."""
-        declared = ALL_EFFECTS[effect].parameters
+        declared = ALL_EFFECTS[without_soil(effect)].parameters
+        symbols = symbols_of(effect)
         in_balance = [p for p in declared if p.symbol]
         if not in_balance:
             return
@@ -239,7 +249,7 @@ class _Numbers:
             if isinstance(value, OfRotation):
                 continue  # `add_layers` lays out all of these together
             if not callable(value):
-                self.inputs[p.symbol] = p.dimensionless(value, scales)
+                self.inputs[symbols[p.name]] = p.dimensionless(value, scales)
             elif p.kind == "rotation":
                 assert isinstance(self.arc, Section)
                 unit = p.dimensionless(1.0, scales)
@@ -270,11 +280,17 @@ class _Numbers:
         table = Data(breaks, np.ascontiguousarray(values[:, :, 0]), np.zeros(len(breaks)))
         return table if section.shape else table._replace(breaks=breaks[:, 0], coefficients=values[:, :, 0, 0])
 
-    def add_layers(self, given: Mapping[str, Any], friction: Any) -> None:
+    def add_layers(self, given: Effects, friction: Any) -> None:
         """What the soils of a layered section give that changes with the rotation."""
         assert isinstance(self.arc, LayeredSection)
-        symbols = {p.name: p.symbol for p in ALL_EFFECTS["layered_strength"].parameters}
-        rotations = RotationTables(self.arc, given, symbols, self.tolerance, self.upslope)
+        functions = {
+            symbols_of(effect)[name]: term
+            for effect, terms in given.items()
+            for name, term in terms.items()
+            if isinstance(term, OfRotation)
+        }
+        terms = given["layered_strength"]
+        rotations = RotationTables(self.arc, terms, functions, self.tolerance, self.upslope)
         if not rotations.functions:
             return
         self.rotations = rotations
@@ -285,6 +301,8 @@ class _Numbers:
     def add_law(self, name: str, given: Mapping[str, Any]) -> None:
         """What a friction law gives: a table, or dimensionless numbers under its own name."""
         speed = self.radius / self.time_scale
+        cell = name
+        name = without_soil(name)
         if name == "callable":
             function = given["function"]
             first_slip = float(np.max(self.radius)) / 256
@@ -292,16 +310,16 @@ class _Numbers:
             self.tables[name] = tables.sampled(function, first_slip), self.radius, 1.0
         elif name in PIECES:
             length = given[PIECES[name][0]]
-            self.tables[name] = tables.of_law(name, given), self.radius / length, 1.0
+            self.tables[cell] = tables.of_law(name, given), self.radius / length, 1.0
         elif LAWS[name].parameters[0].kind == "list":
             (argument,) = LAWS[name].depends_on
             places, values = (np.asarray(given[p.name], dtype=np.float64) for p in LAWS[name].parameters)
             scales = {"slip": self.radius, "speed": speed, "time": self.time_scale}
-            self.tables[name] = tables.of_list(argument, places, values), scales[argument], 1.0
+            self.tables[cell] = tables.of_list(argument, places, values), scales[argument], 1.0
         else:
             units = {"m": self.radius, "m/s": speed, "": 1.0}
             for p in LAWS[name].parameters:
-                self.inputs[f"{name}.{p.name}"] = given[p.name] / units[p.unit]
+                self.inputs[f"{cell}.{p.name}"] = given[p.name] / units[p.unit]
 
 
 def scales_of(arc: Arc | Section) -> dict[str, Any]:
@@ -337,7 +355,8 @@ def _first_only(terms: Collection[str], laws: Any, inputs: Mapping[str, Any]) ->
     (name, parameters), *others = laws
     constant = name == "constant" and not others
     frictionless = parameters["coefficient"] == 0.0 if constant else False
-    may_lift = not UPLIFT.isdisjoint(terms) or ("layered_lift" in inputs and np.any(inputs["layered_lift"]))
+    lifts = [n for n in {*terms, *inputs} if n.startswith(("layered_lift", "soil_lift"))]
+    may_lift = not UPLIFT.isdisjoint(terms) or any(n in terms or np.any(inputs[n]) for n in lifts)
     swings = choose(frictionless, 1.0, 2.0 if may_lift else 0.0)
     cohesion = inputs.get("cohesion", 0.0) + inputs.get("layered_cohesion", 0.0)
     return choose(cohesion > 0.0, 0.0, swings)

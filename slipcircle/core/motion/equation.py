@@ -14,7 +14,7 @@ import numpy as np
 from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import BALANCE, COEFFICIENTS, EQUATION_QUANTITIES, LATEX, TERMS
 from slipcircle.core.flow.lanes import Lanes, lanes_of
-from slipcircle.core.scene.friction import law_parts
+from slipcircle.core.scene.friction import OF_SOIL, law_parts, law_paths, soil_number, without_soil
 from slipcircle.core.scene.scene import Scene
 
 VARIABLES = {
@@ -139,19 +139,45 @@ def _terms_of_effects(effects: tuple[str, ...], absent: tuple[str, ...]) -> list
     position = next((name for name in effects if ALL_EFFECTS[name].turns), "frozen")
     terms = list[EquationTerm]()
     for name in dict.fromkeys(("gravity", *effects, position)):
-        for quantity, formula, latex, symbols in TERMS[name]:
-            if not {*absent} & {*symbols}:
-                terms.append(EquationTerm(quantity, formula, name, latex=latex))
+        number = soil_number(name)
+        missing = {*absent} - {f"soil_turning{number}"}
+        for quantity, formula, latex, symbols in TERMS[without_soil(name)]:
+            if not missing & {*symbols, *(symbol + number for symbol in symbols)}:
+                terms.append(_numbered(EquationTerm(quantity, formula, name, latex=latex), number))
+        if number and position != "frozen":
+            terms.append(_numbered(EquationTerm("soil_turning", "-soil_slope sin(phi)", name), number))
     return terms
+
+
+def _numbered(term: EquationTerm, number: str) -> EquationTerm:
+    """A term of one soil, whose symbols end on its number: ``soil_mu_0``, ``peak_0``."""
+    if not number:
+        return term
+    index = number.replace(OF_SOIL, "_")
+    law = LAWS.get(without_soil(term.effect))
+    own = [r"soil_\w+", *(p.name for p in (law.parameters if law else ()) if p.kind == "number")]
+    symbol = re.sub(rf"^({'|'.join(own)})$", rf"\1{index}", term.symbol)
+    if term.value is not None:  # of a number the formula is what it is, in words
+        return term._replace(symbol=symbol)
+    formula = re.sub(rf"\b({'|'.join(own)})\b", rf"\1{index}", term.formula)
+    return term._replace(symbol=symbol, formula=formula, latex=rf"\mathrm{{{formula}}}")
 
 
 def _terms_of_friction(laws: tuple[str, ...]) -> list[EquationTerm]:
     """The friction coefficient of a law, or the product of a law of slip and one of speed."""
-    if len(laws) == 1:
+    terms = [
+        _numbered(EquationTerm("soil_mu", TERMS[without_soil(law)][0][1], law), soil_number(law))
+        for law in laws
+        if soil_number(law)
+    ]
+    laws = laws[len(terms) :]
+    if terms and not laws:
+        return terms
+    if len(laws) == 1 and not terms:
         _, formula, latex, _ = TERMS[laws[0]][0]
         return [EquationTerm("mu", formula, laws[0], latex=latex)]
-    terms = [EquationTerm("mu", "mu_slip mu_rate", "friction", latex=r"\mu_{slip} \mu_{rate}")]
-    for factor, law in zip(("slip", "rate"), laws, strict=True):
+    terms.append(EquationTerm("mu", "mu_slip mu_rate", "friction", latex=r"\mu_{slip} \mu_{rate}"))
+    for factor, law in zip(("slip", "rate")[-len(laws) :], laws, strict=True):
         _, formula, latex, _ = TERMS[law][0]
         if factor == "rate" and law in LAWS:
             names = "|".join(p.name for p in LAWS[law].parameters)
@@ -182,23 +208,28 @@ def _numbers(scene: Scene, lanes: Lanes, moving: tuple[str, ...]) -> Iterator[Eq
         yield EquationTerm(symbol, COEFFICIENTS[symbol], "gravity", _per_lane(value, scene))
     problem = lanes.problem
     for effect in problem.recipe[0]:
-        for p in ALL_EFFECTS[effect].parameters:
-            if p.symbol in moving:
+        for p in ALL_EFFECTS[without_soil(effect)].parameters:
+            number = soil_number(effect)
+            symbol = p.symbol and p.symbol + number
+            if symbol in moving:
                 of = "the rotation" if p.kind == "rotation" else "time"
-                yield EquationTerm(p.symbol, f"{p.help.partition(',')[0]}, a function of {of}", effect)
-            elif p.symbol in problem.program.places:
-                value = problem.cells[problem.program.places[p.symbol]]
-                yield EquationTerm(p.symbol, _definition(effect, p), effect, _per_lane(value, scene))
-    for (name, given), prefix in zip(law_parts(scene.friction), ("", "rate_"), strict=False):
-        for p in LAWS[name].parameters if name in LAWS else ():
+                term = EquationTerm(p.symbol, f"{p.help.partition(',')[0]}, a function of {of}", effect)
+                yield _numbered(term, number)
+            elif symbol in problem.program.places:
+                value = problem.cells[problem.program.places[symbol]]
+                yield _numbered(EquationTerm(p.symbol, _definition(effect, p), effect, _per_lane(value, scene)), number)
+    for path, (name, given) in zip(law_paths(scene.friction), law_parts(scene.friction), strict=True):
+        law, number = LAWS.get(without_soil(name)), soil_number(name)
+        prefix = "rate_" if path == "friction.rate" else ""
+        for p in law.parameters if law else ():
             if p.kind == "number":
-                yield EquationTerm(prefix + p.name, p.help, name, given[p.name], p.unit)
+                yield _numbered(EquationTerm(prefix + p.name, p.help, name, given[p.name], p.unit), number)
 
 
 def _definition(effect: str, p: Any) -> str:
     """How a number is made of the scene's, or what it is."""
     start = f"{p.symbol}* = "
-    made = [text.removeprefix(start) for text in ALL_EFFECTS[effect].formulas if text.startswith(start)]
+    made = [text.removeprefix(start) for text in ALL_EFFECTS[without_soil(effect)].formulas if text.startswith(start)]
     return made[0] if made else str(p.help).partition(",")[0]
 
 

@@ -12,18 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
-from generated.effects import ALL_EFFECTS, EFFECTS, LAWS, Parameter
+from generated.effects import EFFECTS, LAWS, Parameter
 from generated.flow import INPUTS, PIECES
 from generated.growth import arc_growth
 from slipcircle.base.series import Pulse
 from slipcircle.core.flow.lanes import Lanes
-from slipcircle.core.flow.problem import scales_of
+from slipcircle.core.flow.problem import scales_of, symbols_of
 from slipcircle.core.flow.tables import Data, in_pieces, of_law
 from slipcircle.core.flow.tangents import InputGrowth, TableGrowth
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.complex_step import derivative, with_derivatives
 from slipcircle.core.scene.forcing import factor
-from slipcircle.core.scene.friction import law_parts
+from slipcircle.core.scene.friction import law_parts, law_paths, without_soil
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.strength import OfRotation
@@ -69,7 +69,7 @@ class InputDerivatives:
         for effect, given in lanes.called.items():
             if effect in EFFECTS:
                 self._add_effect(effect, given, scales)
-        for path, (law, given) in zip(("friction", "friction.rate"), law_parts(lanes.friction), strict=False):
+        for path, (law, given) in zip(law_paths(lanes.friction), law_parts(lanes.friction), strict=True):
             self._add_law(path, law, given)
         end_dot = self.one("end_time") / float(lanes.time_scale)
         self.growth = InputGrowth(self.time_growth, end_dot, self.tables)
@@ -111,15 +111,20 @@ class InputDerivatives:
         inputs = {n: derivative(value) for n, value in other.moment_coefficients._asdict().items()}
         friction = dict(other.friction)
         rate = friction.pop("rate", {})
+        friction.pop("soils", None)  # whose laws are by their own numbers
         numbers = {f"friction.{n}": x for n, x in friction.items()} | {f"friction.rate.{n}": x for n, x in rate.items()}
         self.of_friction = {n: derivative(x) + self.none for n, x in numbers.items() if not isinstance(x, str)}
         if "friction.coefficient" in self.of_friction:
             self.of_friction["friction"] = self.of_friction["friction.coefficient"]
         effects = {name: given for name, given in self.lanes.called.items() if name in EFFECTS}
-        terms = other.section_effects(effects, complete=True)["layered_strength"]
-        symbols = {p.name: p.symbol for p in ALL_EFFECTS["layered_strength"].parameters}
-        inputs |= {symbols[n]: derivative(term) for n, term in terms.items() if not isinstance(term, OfRotation)}
-        self._add_rotations({symbols[n]: term for n, term in terms.items() if isinstance(term, OfRotation)})
+        terms = {
+            symbols_of(effect)[name]: term
+            for effect, added in other.section_effects(effects, complete=True).items()
+            if effect not in EFFECTS
+            for name, term in added.items()
+        }
+        inputs |= {symbol: derivative(term) for symbol, term in terms.items() if not isinstance(term, OfRotation)}
+        self._add_rotations({symbol: term for symbol, term in terms.items() if isinstance(term, OfRotation)})
         inertia = derivative(other.moments["moment_of_inertia"]) / float(section.moments["moment_of_inertia"])
         return inputs, derivative(other.half_angle), inertia, self.none
 
@@ -257,20 +262,22 @@ class InputDerivatives:
         by_peak = self.relative(f"{effect}.peak", amount * greatest)
         return by_scale + by_peak
 
-    def _add_law(self, path: str, name: str, given: Mapping[str, Any]) -> None:
+    def _add_law(self, path: str, table: str, given: Mapping[str, Any]) -> None:
         """Of a friction law: numbers, or a table, whose argument has a unit of its own."""
+        name = without_soil(table)
         if name == "callable":
             self.tables[name] = TableGrowth(self.radius_growth, self.none, None)
         elif name in PIECES:
-            self._add_pieces(path, name, given)
+            self._add_pieces(path, table, given)
         elif LAWS[name].parameters[0].kind == "list":
             growths = {"slip": self.radius_growth, "speed": self.speed_growth, "time": self.time_growth}
-            self.tables[name] = TableGrowth(growths[LAWS[name].depends_on[0]], self.none, None)
+            self.tables[table] = TableGrowth(growths[LAWS[name].depends_on[0]], self.none, None)
         else:
-            self._add_law_numbers(path, name, given)
+            self._add_law_numbers(path, table, given)
 
-    def _add_pieces(self, path: str, name: str, given: Mapping[str, Any]) -> None:
+    def _add_pieces(self, path: str, table: str, given: Mapping[str, Any]) -> None:
         """Of a law of slip in pieces: its length scales the argument, and the pieces are linear in its coefficients."""
+        name = without_soil(table)
         length, _, _ = PIECES[name]
         coefficients = {key: float(value) for key, value in given.items()}
         names = [n for n in coefficients if n != length]
@@ -281,18 +288,19 @@ class InputDerivatives:
             changes = sum(dot[k] * data.coefficients for dot, data in zip(dots, pieces, strict=True))
             by_parameter.append(pieces[0]._replace(coefficients=changes))
         length_growth = self.relative(f"{path}.{length}", given[length])
-        self.tables[name] = TableGrowth(self.radius_growth - length_growth, self.none, by_parameter)
+        self.tables[table] = TableGrowth(self.radius_growth - length_growth, self.none, by_parameter)
 
-    def _add_law_numbers(self, path: str, name: str, given: Mapping[str, Any]) -> None:
+    def _add_law_numbers(self, path: str, law: str, given: Mapping[str, Any]) -> None:
         growths = {"m": self.radius_growth, "m/s": self.speed_growth, "": self.none}
         problem = self.lanes.problem
         places = problem.program.places
+        name = without_soil(law)
         for p in LAWS[name].parameters:
-            cell = f"{name}.{p.name}"
+            cell = f"{law}.{p.name}"
             scaled = float(problem.cells[places[cell], 0]) if cell in places else 0.0
             value = float(given[p.name])
             by_value = scaled / value if value else 1.0
-            parameter = "friction" if name == "constant" else f"{path}.{p.name}"
+            parameter = path if name == "constant" else f"{path}.{p.name}"
             self.inputs[cell] = by_value * self.one(parameter) - scaled * growths[p.unit]
 
 

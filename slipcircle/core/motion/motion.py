@@ -140,6 +140,11 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return self._shaped(np.asarray(self._final[ix.TURNS], int))
 
     @property
+    def slips(self) -> Any:
+        """Number of times the mass has begun to slide."""
+        return self._shaped(np.asarray(self._final[ix.PHASES], int))
+
+    @property
     def brake(self) -> Any:
         """q, twice the decrease of the rate per unit of omega*^2 at the start: the speed decays like exp(-q phi/2)."""
         return self._shaped(self._lanes.brake)

@@ -8,10 +8,10 @@ from typing import Any
 from generated.effects import ALL_EFFECTS, EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.core.flow.build import build_program
-from slipcircle.core.flow.problem import order
+from slipcircle.core.flow.problem import order, recipe_of
 from slipcircle.core.flow.program import Program
 from slipcircle.core.motion.equation import Equation, equation_of
-from slipcircle.core.scene.friction import law_depends, law_names
+from slipcircle.core.scene.friction import law_depends, law_names, without_soil
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
 
 DEFAULT_ACCURACY = 1e-9
@@ -79,24 +79,19 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
         raise_all("plan", accuracy_mistakes(accuracy))
     if accuracy is None:
         accuracy = DEFAULT_ACCURACY if scene.accuracy is None else scene.accuracy
-    called = scene.called
-    functions = [(e, name) for e, given in called.items() for name, value in given.items() if callable(value)]
-    choice = _choice(tuple(called), scene_laws(scene), tuple(functions), accuracy)
+    recipe = recipe_of(scene.called, law_names(scene.friction))
+    choice = _choice(recipe, law_depends(scene.friction), accuracy)
     return Plan(scene, **choice, accuracy=accuracy)
 
 
-def scene_laws(scene: Scene) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """The names of a scene's laws, and what they depend on."""
-    return law_names(scene.friction), law_depends(scene.friction)
-
-
 @cache
-def _choice(called: tuple[str, ...], laws: Any, moving: tuple[tuple[str, str], ...], accuracy: float) -> dict[str, Any]:
+def _choice(recipe: tuple[tuple[str, ...], ...], depends: tuple[str, ...], accuracy: float) -> dict[str, Any]:
     """What a plan is made of but for the scene's values, so that it is chosen once."""
-    names, depends = laws
-    effects = tuple(e for e in ALL_EFFECTS if e in called)
-    functions = [(e, p) for e in effects for p in ALL_EFFECTS[e].parameters if (e, p.name) in moving]
-    program = build_program(effects, names, tuple(p.symbol for _, p in functions))
+    instances, laws, moving, _ = recipe
+    program = build_program(*recipe)
+    effects = tuple(dict.fromkeys(map(without_soil, instances)))
+    symbols = {*map(without_soil, moving)}
+    functions = [(e, p) for e in effects for p in ALL_EFFECTS[e].parameters if p.symbol in symbols]
     of_rotation = [e for e, p in functions if p.kind == "rotation"]
     of_time = dict.fromkeys(e for e, p in functions if p.kind == "series")
     reasons = [reason for e in effects for reason in _reasons(e, e in of_time)]
@@ -107,10 +102,10 @@ def _choice(called: tuple[str, ...], laws: Any, moving: tuple[tuple[str, str], .
     return {
         "effects": effects,
         "left_out": tuple(e for e in EFFECTS if e not in effects),
-        "law": " times ".join(names),
+        "law": " times ".join(dict.fromkeys(map(without_soil, laws))),
         "method": FLOW,
         "why": "; ".join(reasons),
-        "fragments": ("gravity", *effects, *names, "balance"),
+        "fragments": ("gravity", *instances, *laws, "balance"),
         "operations": counted(program),
         "cost": STEPS * flops(program, terms),
     }

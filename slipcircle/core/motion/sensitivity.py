@@ -25,6 +25,7 @@ from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.parameters import parameters
 from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.section import Section
+from slipcircle.core.scene.soils import share_one_law
 from slipcircle.core.scene.transport import active_parameters, through_vertex
 
 Floats = NDArray[np.float64]
@@ -86,7 +87,7 @@ def _numbers_of_soils(section: LayeredSection) -> list[str]:
     for name, value in numbers.items():
         start, _, number = name.rpartition(".")
         soil = start.removeprefix("soils.").removesuffix(".friction")
-        shared = number == "length" and soil != first
+        shared = number == "length" and soil != first and share_one_law(section.soils)
         flat = number == "cohesion_gradient" and soil not in depends_on_depth
         if not (shared or flat or (number == "pore_ratio" and not value)):
             names.append(name)

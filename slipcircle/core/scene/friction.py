@@ -1,5 +1,6 @@
 """Friction as a scene gives it, a number, a law by name from `generated.effects` or a function: names and mistakes."""
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -8,6 +9,7 @@ import numpy as np
 from generated.effects import LAWS
 from slipcircle.base.checks import mistakes, parameter_mistakes, shown
 
+OF_SOIL = "#"  # before the number of a soil, in the name of its law
 RATE_LAWS = tuple(name for name, law in LAWS.items() if law.depends_on == ("speed",))
 
 
@@ -70,13 +72,38 @@ def _table_faults(path: str, name: str, parameters: Mapping[str, Any]) -> list[s
 
 
 def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:
-    """The laws that a scene's friction is a product of: each by name, with its parameters."""
+    """The laws that a scene's friction is a product of: each by name, with its parameters.
+
+    The laws of soils, of which it is a sum, are by names with the number of the soil, ``linear#0``.
+    """
     if callable(friction):
         return (("callable", {"function": friction}),)
     if not isinstance(friction, Mapping):
         return (("constant", {"coefficient": friction}),)
-    own = {n: v for n, v in friction.items() if n not in ("law", "rate")}
-    return ((friction["law"], own), *(law_parts(friction["rate"]) if "rate" in friction else ()))
+    rate = law_parts(friction["rate"]) if "rate" in friction else ()
+    if "soils" in friction:
+        of_soils = [law_parts(law)[0] for law in friction["soils"].values()]
+        return (*((f"{name}{OF_SOIL}{k}", given) for k, (name, given) in enumerate(of_soils)), *rate)
+    parameters = {n: v for n, v in friction.items() if n not in ("law", "rate")}
+    return ((friction["law"], parameters), *rate)
+
+
+def law_paths(friction: Any) -> tuple[str, ...]:
+    """Where the numbers of each of `law_parts` are among the numbers of a scene."""
+    first: tuple[str, ...] = ("friction",)
+    if isinstance(friction, Mapping) and "soils" in friction:
+        first = tuple(f"soils.{soil}.friction" for soil in friction["soils"])
+    return (*first, "friction.rate")[: len(law_parts(friction))]
+
+
+def without_soil(name: str) -> str:
+    """The name of a law or an effect without the number of a soil."""
+    return name.partition(OF_SOIL)[0]
+
+
+def soil_number(name: str) -> str:
+    """The number of the soil whose law or effect this is, after its mark; empty for that of a whole arc."""
+    return "".join(name.partition(OF_SOIL)[1:])
 
 
 def law_names(given: Any) -> tuple[str, ...]:
@@ -86,4 +113,27 @@ def law_names(given: Any) -> tuple[str, ...]:
 
 def law_depends(given: Any) -> tuple[str, ...]:
     """What a scene's friction depends on: some of slip, speed, time."""
-    return tuple(what for n in law_names(given) for what in (LAWS[n].depends_on if n in LAWS else ("slip",)))
+    names = map(without_soil, law_names(given))
+    return tuple(dict.fromkeys(x for n in names for x in (LAWS[n].depends_on if n in LAWS else ("slip",))))
+
+
+def friction_at_rest(friction: Any) -> Any:
+    """The coefficient before any slip, at no speed and at the start."""
+    coefficients = []
+    if isinstance(friction, Mapping) and "soils" in friction:  # with the mean of the whole arc
+        friction = {**friction, "law": "constant"}
+        del friction["soils"]
+    for name, given in law_parts(friction):
+        if name == "callable":
+            coefficients.append(float(np.ravel(given["function"](0.0))[0]))
+            continue
+        value = given["peak" if "peak" in given else "coefficient"]
+        is_table = LAWS[name].parameters[0].kind == "list"
+        coefficients.append(value[0] if is_table else value)
+    return math.prod(coefficients)
+
+
+def least_friction(friction: Any) -> float:
+    """The least coefficient of a law without a law of speed beside it, of any lane."""
+    _, given = law_parts(friction)[0]
+    return min(float(np.min(given[n])) for n in ("coefficient", "peak", "residual") if n in given)

@@ -36,7 +36,7 @@ from slipcircle.core.scene.profile import (
     profile_of,
 )
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.soils import LANE_NUMBERS, SOIL_NUMBERS, Soil, layer_mistakes, soil_mistakes
+from slipcircle.core.scene.soils import LANE_NUMBERS, SOIL_NUMBERS, Soil, layer_mistakes, share_one_law, soil_mistakes
 from slipcircle.core.scene.strength import ArcStrength, MeanFriction, over_circles
 from slipcircle.core.scene.stretches import OF_GEOMETRY
 from slipcircle.core.scene.strips import Floats, Strips, cut_into_strips
@@ -269,10 +269,12 @@ class LayeredSection(CrackedSection):
         self, effects: Mapping[str, Mapping[str, Any]], complete: bool = False
     ) -> Mapping[str, Mapping[str, Any]]:
         """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
-        terms = self.arc_strength.terms("rotation" in effects, "shaking" in effects, complete)
+        how = "rotation" in effects, "shaking" in effects, complete
+        terms = {"layered_strength": self.arc_strength.terms(*how), **self.arc_strength.soil_terms(*how)}
         if "centripetal" not in effects:
-            terms = {name: term for name, term in terms.items() if not name.endswith("inertia")}
-        return {**effects, "layered_strength": terms}
+            for effect, added in terms.items():
+                terms[effect] = {name: term for name, term in added.items() if not name.endswith("inertia")}
+        return {**effects, **terms}
 
     # --- numbers that vary -------------------------------------------------------------------------------------------
 
@@ -287,7 +289,10 @@ class LayeredSection(CrackedSection):
                 if (value := getattr(soil, name)) is not None:
                     numbers[f"soils.{soil.name}.{name}"] = value
             if isinstance(soil.friction, Mapping):
-                numbers |= {f"soils.{soil.name}.friction.{n}": v for n, v in soil.friction.items() if n != "law"}
+                declared = LAWS[soil.friction["law"]].parameters
+                numbers |= {
+                    f"soils.{soil.name}.friction.{p.name}": soil.friction[p.name] for p in declared if p.kind != "list"
+                }
             else:
                 numbers[f"soils.{soil.name}.friction"] = soil.friction
         for k, (_, top) in enumerate(self.layers):
@@ -304,7 +309,7 @@ class LayeredSection(CrackedSection):
         if not changed:
             return {}
         lengths = [value for name, value in changed.items() if name.endswith(".friction.length")]
-        if lengths:  # which all soils share
+        if lengths and share_one_law(self.soils):
             of_soils = {name for name in known if name.endswith(".friction.length")}
             changed = {**dict.fromkeys(of_soils, lengths[0]), **changed}
         soils = {id(soil): _soil_with(soil, changed) for soil in self.soils}

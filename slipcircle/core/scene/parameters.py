@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from generated import effects as declared
 from slipcircle.core.scene.arc import ARC_BOUNDS
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
-from slipcircle.core.scene.friction import law_parts
+from slipcircle.core.scene.friction import law_parts, law_paths, without_soil
 from slipcircle.core.scene.ground import FAR
 from slipcircle.core.scene.scene import Scene
 
@@ -76,8 +76,9 @@ def parameters(scene: Scene) -> dict[str, Parameter]:
         of_arc.append(DIP)
     of_arc += [Parameter(name, *SOIL_BOUNDS[name.rpartition(".")[2]]) for name in arc.other_numbers()]
     of_law: list[Parameter] = []
-    for path, (law, _) in zip(("friction", "friction.rate"), law_parts(scene.friction), strict=False):
-        if law in declared.LAWS:
+    for path, (name, _) in zip(law_paths(scene.friction), law_parts(scene.friction), strict=True):
+        law = without_soil(name)
+        if law in declared.LAWS and not path.startswith("soils."):
             of_law += _scalars(path, declared.LAWS[law].parameters)
     of_effects = [p for name, effect in declared.EFFECTS.items() for p in _scalars(name, effect.parameters)]
     return {p.name: p for p in (*_MOTION, *of_arc, *of_law, *of_effects)}

@@ -17,7 +17,7 @@ from slipcircle.base.series import Pulse, Series
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.core.scene.forcing import factor, resolved
-from slipcircle.core.scene.friction import law_mistakes, law_parts
+from slipcircle.core.scene.friction import law_mistakes, law_parts, law_paths
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.strength import MeanFriction
@@ -163,7 +163,7 @@ class Scene(Generic[Numbers]):
         if isinstance(self.arc, LayeredSection):
             pass  # numbers of its soils
         elif isinstance(law, Mapping):
-            for path, (name, own) in zip(("friction", "friction.rate"), law_parts(law), strict=False):
+            for path, (name, own) in zip(law_paths(law), law_parts(law), strict=True):
                 tables = LAWS[name].parameters[0].kind == "list"
                 found |= {f"{path}.{n}": value for n, value in own.items() if not tables}
         elif not callable(law):

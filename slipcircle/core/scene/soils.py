@@ -2,7 +2,7 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import mistakes, raise_all
-from slipcircle.core.scene.friction import law_mistakes
+from slipcircle.core.scene.friction import friction_at_rest, law_mistakes, least_friction
 from slipcircle.core.scene.ground import FAR, points_errors
 
 # The numbers of a soil that vary beside its friction, and all of them as one a lane.
@@ -29,8 +29,8 @@ class Soil:
     cohesion : float or array_like
         c, Pa; with a gradient, its value at and above the datum.
     friction : float, array_like or mapping
-        Friction coefficient tan(phi); or a law of slip, ``{"law": "exponential", "peak": 0.4, "residual": 0.2,
-        "length": 0.5}``; all soils along an arc share the law and its length.
+        Friction coefficient tan(phi); or a law, ``{"law": "linear", "peak": 0.4, "residual": 0.2, "length": 0.5}``.
+        All soils along an arc share a law of slip and its length, unless strength moves with the mass.
     saturated_unit_weight : float or array_like, optional
         Below the water level, N/m^3.
     cohesion_gradient : float or array_like
@@ -57,12 +57,17 @@ class Soil:
     @property
     def peak(self) -> Any:
         """Friction coefficient at the start."""
-        return self.friction["peak"] if isinstance(self.friction, Mapping) else self.friction
+        return friction_at_rest(self.friction)
 
     @property
     def residual(self) -> Any:
         """Friction coefficient after much slip."""
-        return self.friction["residual"] if isinstance(self.friction, Mapping) else self.friction
+        if not isinstance(self.friction, Mapping):
+            return self.friction
+        coefficient = self.friction.get("coefficient", 0.0)
+        return self.friction.get(
+            "residual", coefficient[-1] if {"slip", "speed", "time"} & {*self.friction} else coefficient
+        )
 
 
 def soil_mistakes(soil: Soil) -> list[str]:
@@ -77,8 +82,8 @@ def soil_mistakes(soil: Soil) -> list[str]:
     }
     numbers = {name: getattr(soil, name) for name in bounds if getattr(soil, name) is not None}
     found = mistakes(numbers, {name: bounds[name] for name in numbers}) + law_mistakes(soil.friction)
-    if isinstance(soil.friction, Mapping) and not {"peak", "residual", "length"} <= {*soil.friction}:
-        found.append("friction.law: must have a peak, a residual and a length, to be shared along an arc")
+    if callable(soil.friction):
+        found.append("friction: must be a number or a law by name")
     if isinstance(soil.friction, Mapping) and "rate" in soil.friction:
         found.append(
             "friction.rate: is given to the section, LayeredSection(..., rate=...), for all soils along an arc"
@@ -89,14 +94,17 @@ def soil_mistakes(soil: Soil) -> list[str]:
 
 
 def layer_mistakes(
-    layers: Sequence[tuple[Soil, Any]], surcharge: Sequence[Any], strength: str = "base", foreland: Any = None
+    layers: Sequence[tuple[Soil, Any]], surcharge: Sequence[Any], strength: str = "", foreland: Any = None
 ) -> list[str]:
-    """A sentence for each mistake in the layers of a section, its foreland and its surcharges."""
+    """A sentence for each mistake in the layers of a section, its foreland and its surcharges.
+
+    Without ``strength``, of what does not move.
+    """
     pairs = list(layers)
     if not pairs or not all(isinstance(p, tuple | list) and len(p) == 2 and isinstance(p[0], Soil) for p in pairs):
         return ["layers: must be pairs of a Soil and its top, from the ground down; the top of the first is None"]
     found = [m for k, (_, top) in enumerate(pairs) for m in _top_mistakes(k, top)]
-    if strength not in ("base", "mass"):
+    if strength not in ("", "base", "mass"):
         found.append(f"strength = {strength!r}: must be 'base' or 'mass'")
     if foreland is not None and not isinstance(foreland, Soil):
         found.append(f"foreland = {foreland!r}: must be a Soil")
@@ -105,7 +113,7 @@ def layer_mistakes(
             "{foreland}: cannot be combined with {strength} = 'mass', by which the sole of the mass keeps its own"
         )
     used = [soil for soil, _ in pairs] + ([foreland] if isinstance(foreland, Soil) else [])
-    found += _together_mistakes(list({id(soil): soil for soil in used}.values()))
+    found += _together_mistakes(list({id(soil): soil for soil in used}.values()), strength)
     for k, load in enumerate(surcharge):
         if np.shape(load) != (4,) or not np.all(np.isfinite(load)) or not load[0] < load[1] or min(load[2:]) < 0.0:
             found.append(f"surcharge[{k}] = {load!r}: must be x1 < x2 in m and pressures there of at least 0 in Pa")
@@ -125,17 +133,31 @@ def _top_mistakes(k: int, top: Any) -> list[str]:
     return mistakes({name: top}, {name: (-FAR, FAR, "a height in m, or points from left to right")})
 
 
-def _together_mistakes(soils: list[Soil]) -> list[str]:
-    """What keeps soils from lying along one arc: equal names, laws of their own."""
-    names = [soil.name for soil in soils]
-    twice = sorted({name for name in names if names.count(name) > 1})
-    found = [f"layers: {name!r} is the name of two soils; give each its own" for name in twice]
+def share_one_law(soils: Iterable[Soil]) -> bool:
+    """Whether soils have one law of slip and one length, or a friction that does not change."""
     laws = set()
     for soil in soils:
         if isinstance(soil.friction, Mapping):
+            if not {"peak", "residual", "length"} <= {*soil.friction}:
+                return False
             shared = {name: value for name, value in soil.friction.items() if name not in ("peak", "residual")}
             laws.add(repr(sorted(shared.items())))
-    if len(laws) > 1:
+    return len(laws) <= 1
+
+
+def _together_mistakes(soils: list[Soil], strength: str) -> list[str]:
+    """What keeps soils from lying along one arc: equal names, and friction laws that the motion does not allow."""
+    names = [soil.name for soil in soils]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    found = [f"layers: {name!r} is the name of two soils; give each its own" for name in twice]
+    if not strength or share_one_law(soils):
+        return found
+    if strength == "base":
         others = ", ".join(soil.name for soil in soils if isinstance(soil.friction, Mapping))
-        found.append(f"layers: the soils along an arc share one law of slip and one length, and not {others}")
+        found.append(
+            f"layers: the soils along an arc share one law of slip with one length, and not {others}, as base that the "
+            "mass reaches has slipped less than the sole; with {strength} = 'mass' each may have a law of its own"
+        )
+    elif all(least_friction(soil.friction) == 0.0 for soil in soils):
+        found.append("layers: with a friction law of its own for each soil, one of them must keep some friction")
     return found

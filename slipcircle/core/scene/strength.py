@@ -15,7 +15,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.core.scene.friction import OF_SOIL
 from slipcircle.core.scene.profile import INERTIA, RADIAL_Y, Floats
+from slipcircle.core.scene.soils import share_one_law
 from slipcircle.core.scene.stretches import StretchIntegrals
 
 
@@ -138,9 +140,13 @@ class ArcStrength(StretchIntegrals):
     @cached_property
     def friction(self) -> MeanFriction:
         """The friction of the arc as a whole, as a `Scene` takes it: its mean, by the normal forces at the start."""
+        rate = {} if self.section.rate is None else {"rate": self.section.rate}
+        if self._own_laws:
+            by_soil = {soil.name: soil.friction for soil in self._distinct_soils}
+            mean = self.section._shaped(self.mean_peak)
+            return MeanFriction(law="of each soil", coefficient=mean, soils=by_soil, **rate)
         laws = [s.friction for s in self.section.soils if isinstance(s.friction, Mapping)]
         peak, residual = self.section._shaped(self.mean_peak), self.section._shaped(self.mean_residual)
-        rate = {} if self.section.rate is None else {"rate": self.section.rate}
         if not laws:
             return MeanFriction(law="constant", coefficient=peak, **rate)
         return MeanFriction(laws[0], peak=peak, residual=residual, **rate)
@@ -154,17 +160,52 @@ class ArcStrength(StretchIntegrals):
         """
         key = rotates, shaken, complete
         if key not in self._terms:
+            terms = {"strength": self._cohesion(rotates, complete)}
             share, remaining = self._shares
-            terms = self._gripping(("normal", "turning", "inertia"), share - 1.0, rotates, shaken)
-            if np.any(self._peak):
-                terms["lift"] = self._lift(share, rotates)
-            terms["strength"] = self._cohesion(rotates, complete)
-            if np.any(remaining) or (complete and self._softens):
+            if not self._own_laws:
+                terms |= self._gripping(("normal", "turning", "inertia"), share - 1.0, rotates, shaken)
+                if np.any(self._peak):
+                    terms["lift"] = self._lift(share, rotates)
+            if not self._own_laws and (np.any(remaining) or (complete and self._softens)):
                 left = ("remaining_normal", "remaining", "remaining_inertia")
                 terms |= self._gripping(left, remaining, rotates, shaken)
                 terms["remaining_lift"] = self._lift(remaining, rotates)
             self._terms[key] = {name: term for name, term in terms.items() if complete or _counts(term)}
         return self._terms[key]
+
+    # --- a friction law of its own for each soil -----------------------------------------------------------------
+
+    @cached_property
+    def _own_laws(self) -> bool:
+        return not share_one_law(self.section.soils)
+
+    @property
+    def _distinct_soils(self) -> list[Any]:
+        return list({id(soil): soil for soil in self.section.soils}.values())
+
+    def soil_terms(self, rotates: bool, shaken: bool, complete: bool) -> dict[str, dict[str, Any]]:
+        """What each soil with a friction law of its own adds to the balance, over Theta*, by the name of its effect.
+
+        With n_i the share of soil i of the normal force at the start, mu = sum n_i mu_i, and N_i - n_i N is what the
+        normal force on the soil exceeds its share by as the mass turns.
+        """
+        if not self._own_laws:
+            return {}
+        total = -self.section._per_mean_weight[RADIAL_Y]
+        terms = {}
+        for k, soil in enumerate(self._distinct_soils):
+            along = np.array([[float(other is soil)] for other in self.section.soils])
+            share = self._at_start("normal", along) / total
+            excess = self._gripping(("", "turning", "inertia"), along - share, rotates, shaken)
+            terms[f"soil_friction{OF_SOIL}{k}"] = {
+                "share": self.section._shaped(share),
+                "slope": excess["turning_slope"],
+                "inertia": excess["inertia"],
+            }
+            lift = self._lift(along, rotates)
+            if complete or _counts(lift):
+                terms[f"soil_friction{OF_SOIL}{k}"]["lift"] = lift
+        return terms
 
     @property
     def _theta(self) -> Floats:

@@ -129,7 +129,7 @@ def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespac
             return grid(scene, levels, executor, folder=options.resume, progress=sys.stderr)
         form = "KEY,KEY=R, each pair once, such as friction.angle_deg,cohesion.cohesion_kPa=-0.5"
         pairs = read.by_key("correlation", options.correlation, form, float)
-        return ensemble(
+        study: Study = ensemble(
             scene,
             options.samples,
             options.seed,
@@ -142,6 +142,7 @@ def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespac
             search_each=options.search_each,
             correlation=cast(Any, {tuple(keys.split(",")): r for keys, r in pairs.items()}),
         )
+        return study
 
 
 class _Tables(NamedTuple):

@@ -127,7 +127,8 @@ def _seen(way: Way, subject: Subject) -> dict[str, Any]:
         return {"error": float("nan"), "worst_input": ()}
     exact = subject.reference(way.kind)
     ulp, relative = exact.errors(way.function(*exact.points.astype(way.kind)))
-    at, points = int(np.argmax(relative)), exact.points.T
+    points = exact.points.T
+    at = int(np.argmax(relative))
     seen = {"error": float(relative[at]), "worst_input": tuple(points[at].tolist()), "points": len(points)}
     if ulp is None:
         return seen
@@ -186,7 +187,10 @@ def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
         if took < _LONG:  # what is slow at first only shall not pass for long work
             took = min(_timed(work, 1), _timed(work, 1))
         loops = max(1, int(_TICK / took))
-        plans.append((loops, min(REPEATS, max(3 if took < _LONG else 1, int(_PATIENCE / (took * loops))))))
+        least = 3 if took < _LONG else 1
+        affordable = int(_PATIENCE / (took * loops))
+        repeats = min(REPEATS, max(least, affordable))
+        plans.append((loops, repeats))
     samples: list[list[float]] = [[] for _ in works]
     for turn in range(REPEATS):
         for work, (loops, repeats), sample in zip(works, plans, samples, strict=True):

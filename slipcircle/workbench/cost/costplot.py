@@ -33,12 +33,13 @@ def size(rows: Sequence[Row]) -> tuple[float, float]:
 def frontier(rows: Sequence[Row], ax: Any = None) -> Any:
     """Error against time, with the frontier drawn; ways bear their number in the table, those on it names."""
     axes = axis(ax, (9.0, 5.5))
-    front = sorted((r for r in rows if r.verdict == FRONTIER), key=lambda r: r.price)
+    front = [row for row in rows if row.verdict == FRONTIER]
+    front.sort(key=lambda row: row.price)
     prices = [row.price for row in front]
-    least_errors = np.minimum.accumulate([_height(row) for row in front])  # ways that take about as long are on it too
-    axes.step(
-        prices, least_errors, where="post", color="0.75", lw=5, zorder=1, solid_capstyle="round", label="frontier"
-    )
+    heights = [_height(row) for row in front]
+    least_errors = np.minimum.accumulate(heights)  # ways that take about as long are on it too
+    broad: dict[str, Any] = {"color": "0.75", "lw": 5, "zorder": 1, "solid_capstyle": "round"}
+    axes.step(prices, least_errors, where="post", label="frontier", **broad)
     for number, row in enumerate(rows, 1):
         _mark(axes, row, number)
     axes.plot([], [], ls="", label="ours, worst seen; a bar up to what is proved", **_OURS)
@@ -55,11 +56,12 @@ def frontier(rows: Sequence[Row], ax: Any = None) -> Any:
 
 def _mark(axes: Any, row: Row, number: int) -> None:
     """A way at its time and error, by its name where it is on the frontier; one without an error at its time."""
-    if row.error != row.error:
+    if np.isnan(row.error):
         axes.axvline(row.price, color="0.3", ls=":", lw=1.2, label=row.way)
         return
     height = _height(row)
-    axes.plot(row.price, height, ls="", **(_OURS if row.ours else _OTHERS))
+    marker = _OURS if row.ours else _OTHERS
+    axes.plot(row.price, height, ls="", **marker)
     name = row.way if row.verdict == FRONTIER else str(number)
     label(axes, name, (row.price, height), gid=MEASURED)
     if row.bound is not None:
@@ -72,22 +74,27 @@ def _height(row: Row) -> float:
 
 def both_ends(alpha: Floats) -> Floats:
     """A coordinate that is logarithmic at 0 and at pi/2: decades of the distance to the nearer end, 0 at pi/4."""
-    rest = np.maximum((HALF_PI[0] - alpha) + HALF_PI[1], HALF_PI[1])
-    nearer = np.minimum(alpha, rest) / (HALF_PI[0] / 2)
+    half_pi, remainder = HALF_PI
+    middle = half_pi / 2
+    to_right_angle = np.maximum((half_pi - alpha) + remainder, remainder)
+    nearer = np.minimum(alpha, to_right_angle) / middle
     with np.errstate(divide="ignore"):
-        return np.copysign(np.log10(nearer), alpha - HALF_PI[0] / 2)
+        decades = np.log10(nearer)
+    return np.copysign(decades, alpha - middle)
 
 
 def _worst_in_bins(profile: Profile) -> tuple[Floats, Floats]:
     """Middles of bins of `both_ends` and the worst error in each, where there is one."""
     edges = np.linspace(-_DECADES, _DECADES, _BINS + 1)
-    places = np.digitize(both_ends(profile.points), edges) - 1
+    places = both_ends(profile.points)
+    bins = np.digitize(places, edges) - 1
+    inside = (bins >= 0) & (bins < _BINS)
     worst = np.zeros(_BINS)
-    inside = (places >= 0) & (places < _BINS)
-    np.maximum.at(worst, places[inside], profile.relative[inside])
+    np.maximum.at(worst, bins[inside], profile.relative[inside])
+    has_points = worst > 0.0
     middles = (edges[1:] + edges[:-1]) / 2
-    is_seen = worst > 0.0
-    return middles[is_seen], np.clip(worst[is_seen], _BEST, _NONE)
+    errors = np.clip(worst, _BEST, _NONE)
+    return middles[has_points], errors[has_points]
 
 
 def over_alpha(rows: Sequence[Row], ax: Any = None) -> Any:
@@ -132,6 +139,8 @@ def _draw_profile(axes: Any, row: Row, style: tuple[str, Any, str], label: str |
     """The errors of a way over alpha, and the bound that is proved where it has a colour."""
     colour, dashes, _ = style
     if row.profile is not None:
-        axes.plot(*_worst_in_bins(row.profile), color=colour, ls=dashes, lw=2 if row.ours else 1, label=label)
+        middles, worst = _worst_in_bins(row.profile)
+        width = 2 if row.ours else 1
+        axes.plot(middles, worst, color=colour, ls=dashes, lw=width, label=label)
     if label and row.bound is not None:
         axes.axhline(row.bound, color=colour, lw=0.8)

@@ -70,7 +70,9 @@ def _above_bound(row: Row) -> bool:
     if row.profile is not None:
         proved_there = row.profile.points >= UNDERFLOW
         ulp = float(np.max(np.abs(row.profile.ulp[proved_there]), initial=0.0))
-    return row.error > (row.bound or math.inf) or ulp > (row.bound_ulp or math.inf)
+    bound = row.bound or math.inf
+    bound_ulp = row.bound_ulp or math.inf
+    return row.error > bound or ulp > bound_ulp
 
 
 def _losses(ours: Sequence[Row], rows: Sequence[Row]) -> str:
@@ -80,7 +82,8 @@ def _losses(ours: Sequence[Row], rows: Sequence[Row]) -> str:
     for row in ours:
         if row.verdict.startswith(LOST):
             winner = by_name[row.verdict.removeprefix(LOST)]
-            losses.append(f"{row.way} to {winner.way} ({shown(row.price / winner.price, 2)} times slower)")
+            ratio = shown(row.price / winner.price, 2)
+            losses.append(f"{row.way} to {winner.way} ({ratio} times slower)")
     return f"Of ours, these lose: {'; '.join(losses)}." if losses else "None of ours is beaten."
 
 
@@ -94,7 +97,8 @@ def _faster(ours: Sequence[Row], others: Sequence[Row]) -> Iterator[str]:
         if gain > BEATEN:
             gains.setdefault(fastest, []).append(f"{shown(gain, 2)} times at {label}")
     for row, sizes in gains.items():
-        yield f"Faster than anything of ours: {row.way}, {', '.join(sizes)}, with an error of {row.error:.1e}."
+        where = ", ".join(sizes)
+        yield f"Faster than anything of ours: {row.way}, {where}, with an error of {row.error:.1e}."
 
 
 def _time(row: Row, size: str) -> float:
@@ -118,11 +122,12 @@ def table(rows: Sequence[Row]) -> tuple[list[str], list[list[str]]]:
 def _cells(row: Row, numbers: Mapping[str, str]) -> list[str]:
     """A cell for each of `COLUMNS`."""
     winner = numbers.get(row.verdict.removeprefix(LOST))
+    verdict = f"beaten {winner}" if winner else row.verdict
     seen = "" if math.isnan(row.error) else f"{row.error:.1e}"
-    memory = "" if row.memory is None else f"{row.memory / 1e6:.3g} MB"
-    ended = f"beaten {winner}" if winner else row.verdict
     place = ", ".join(map(_place, row.worst_input_ulp))
-    return [numbers[row.way], row.way, _proved(row), seen, _ulp(row), place, *_times(row), memory, ended]
+    errors = [_proved(row), seen, _ulp(row), place]
+    memory = "" if row.memory is None else f"{row.memory / 1e6:.3g} MB"
+    return [numbers[row.way], row.way, *errors, *_times(row), memory, verdict]
 
 
 def _ulp(row: Row) -> str:
@@ -171,6 +176,7 @@ def table_csv(rows: Sequence[Row]) -> bytes:
     """All rows as a table for machines."""
     lines = []
     for row in rows:
-        values = record(row).values()
-        lines.append([" ".join(map(repr, value)) if isinstance(value, list) else value for value in values])
+        line = record(row)
+        points = {name: " ".join(map(repr, value)) for name, value in line.items() if isinstance(value, list)}
+        lines.append(list((line | points).values()))
     return files.table(RECORDED, lines)

@@ -94,7 +94,8 @@ def closed_form(equation: Equation, mu: Any) -> Floats:
     brake = mu * equation.polar
     phi = motion.frozen_rotation(drive, brake, 0.0, end)
     omega = motion.frozen_angular_velocity(drive, brake, 0.0, end)
-    return np.array(equation.answer(phi, omega, np.full_like(mu, end)))
+    time = np.full_like(mu, end)
+    return np.array(equation.answer(phi, omega, time))
 
 
 def dop853(equation: Equation, tolerance: float, mu: Any) -> Floats:
@@ -120,15 +121,16 @@ def dop853(equation: Equation, tolerance: float, mu: Any) -> Floats:
     vars(peak).update(direction=-1.0)
     options: dict[str, Any] = {"method": "DOP853", "rtol": tolerance, "atol": 1e-3 * tolerance}
     options["events"] = [standstill, peak]
-    span, start = (0.0, equation.end), equation.start()
+    span = (0.0, equation.end)
+    start = equation.start()
     columns = []
     for friction in np.atleast_1d(mu).tolist():
         path = solve_ivp(rate, span, start, args=(friction,), **options)
         rotation, speed = path.y[:2]
-        speeds = speed if record else [speed[-1]]
-        for state in path.y_events[1]:
-            speeds = [*speeds, state[1]]
-        columns.append(equation.answer(rotation[-1], max(speeds), path.t[-1]))
+        speeds = speed if record else speed[-1:]
+        at_peaks = [state[1] for state in path.y_events[1]]
+        fastest = max([*speeds, *at_peaks])
+        columns.append(equation.answer(rotation[-1], fastest, path.t[-1]))
     return np.array(columns).T
 
 
@@ -149,14 +151,15 @@ def heyoka(equation: Equation, tolerance: float, lanes: int, mu: Any) -> Floats:
         if equation.ends_at_rest:
             integrator.reset_cooldowns()
         until = np.full(lanes, equation.end)
-        moving = np.full(lanes, True)
+        moving = np.ones(lanes, dtype=bool)
         while moving.any():  # it returns whenever a lane has come to rest; as a rule neighbours do so in one step
             integrator.propagate_until(until)
             faster = integrator.state[1] > STANDING
             moving = faster & (integrator.time < until)
             until = np.where(moving, until, integrator.time)
         end = np.array(integrator.time)
-        columns.append(equation.answer(integrator.state[0].copy(), no_peak, end))
+        rotation = integrator.state[0].copy()
+        columns.append(equation.answer(rotation, no_peak, end))
     return np.concatenate(columns, axis=1)[:, : mu.size]
 
 

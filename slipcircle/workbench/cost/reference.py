@@ -31,11 +31,13 @@ def inputs(kind: str = "float64") -> NDArray[Any]:
 
     def patterns(low: float) -> NDArray[Any]:
         """Numbers whose bit patterns are uniform from `low` to pi/2."""
-        first, last = np.array([low, np.pi / 2], kind).view(whole).tolist()
+        ends = np.array([low, np.pi / 2], kind)
+        first, last = ends.view(whole).tolist()
         bits = rng.integers(first, last, fifth, dtype=np.int64, endpoint=True)
         return bits.astype(whole).view(kind)
 
-    near = 10.0 ** rng.uniform(-16.5, -0.5, fifth)  # distances; the format rounds many to the same number
+    decades = rng.uniform(-16.5, -0.5, fifth)
+    near = 10.0**decades  # distances; the format rounds many to the same number
     uniform = rng.uniform(0.0, np.pi / 2, 2 * fifth)
     by_pattern = patterns(least), patterns(1e-16)
     by_value = (uniform, np.pi / 2 - near, np.array(_LANDMARKS))
@@ -118,9 +120,12 @@ def _balls(kind: str) -> dict[float, dict[str, Any]]:
         with ctx.workprec(320 + 3 * thin):
             # float32's nearest number to pi/2 lies above it, and the domain ends there.
             right_angle = arb.pi() / 2
-            half = arb(alpha) if arb(alpha) < right_angle else right_angle
-            tangent = half.sin() / (1 + half.cos())  # of x/2, as artanh(sin x) = 2 artanh(tan(x/2))
-            log = arb(0) if half.cos().contains(0) else 2 * tangent.atanh()
+            half = arb(alpha)
+            if not half < right_angle:
+                half = right_angle
+            sine, cosine = half.sin(), half.cos()
+            tangent = sine / (1 + cosine)  # of x/2, as artanh(sin x) = 2 artanh(tan(x/2))
+            log = arb(0) if cosine.contains(0) else 2 * tangent.atanh()
             balls = SimpleNamespace(sin=arb.sin, cos=arb.cos, atanh=lambda sine, log=log: log)
             values[alpha] = {name: form(balls, half) for name, form in CLOSED.items()}
     return values

@@ -36,9 +36,12 @@ FROZEN, CLOSED_FORM = "frozen geometry", "closed form in time"
 
 def _record() -> Series:
     """k_h over time: twelve sines under an envelope, sampled; straight lines between."""
-    rng, time = np.random.default_rng(1963), np.linspace(0.0, RECORD_END, RECORD_SAMPLES)
-    frequencies, phases = rng.uniform(3.0, 40.0, 12), rng.uniform(0.0, 6.3, 12)
-    waves = np.sin(time[:, None] * frequencies + phases).sum(axis=1)
+    rng = np.random.default_rng(1963)
+    time = np.linspace(0.0, RECORD_END, RECORD_SAMPLES)
+    frequencies = rng.uniform(3.0, 40.0, 12)
+    phases = rng.uniform(0.0, 6.3, 12)
+    angles = time[:, None] * frequencies + phases
+    waves = np.sin(angles).sum(axis=1)
     envelope = np.sin(np.pi * time / RECORD_END) ** 2
     return Series(time, 0.01 * waves * envelope)
 
@@ -75,14 +78,18 @@ def equation(name: str) -> Equation:
 
 def frictions(count: int) -> Floats:
     """Friction coefficients of an ensemble, or that of one scene."""
-    return np.tan(np.radians(np.linspace(ANGLES[0], ANGLES[-1], count) if count > 1 else ANGLES[1:2]))
+    first, single, last = ANGLES
+    angles = np.linspace(first, last, count) if count > 1 else [single]
+    return np.tan(np.radians(angles))
 
 
 def solved(name: str, accuracy: float, mu: Any) -> Floats:
     """Run-out, peak velocity and duration by this package, (3, scenes)."""
-    one = np.size(mu) == 1
-    outcomes = solve(_single_scene(name, float(np.squeeze(mu))) if one else scene(name, mu), accuracy).outcomes
-    return np.array([outcomes[key] for key in ("run_out", "peak_velocity", "duration")]).reshape(3, -1)
+    is_single = np.size(mu) == 1
+    chosen = _single_scene(name, float(np.squeeze(mu))) if is_single else scene(name, mu)
+    outcomes = solve(chosen, accuracy).outcomes
+    rows = [outcomes[key] for key in ("run_out", "peak_velocity", "duration")]
+    return np.array(rows).reshape(3, -1)
 
 
 def solved_in_numpy(name: str, accuracy: float, mu: Any) -> Floats:
@@ -94,16 +101,15 @@ def solved_in_numpy(name: str, accuracy: float, mu: Any) -> Floats:
 def subject(name: str, many: bool) -> Subject:
     """One scene, or many of one arc: ways from friction coefficients to run-out, peak velocity and duration."""
     known = json.loads(ANSWERS.read_text("utf-8"))[name]
-    which = [*known][1:] if many else [*known][:1]
+    single, *lanes = known
+    which = lanes if many else [single]
     answers = [[Decimal(known[mu][outcome]) for mu in which] for outcome in range(3)]
-    exact = reference(np.array([which], dtype=np.float64), answers)
+    points = np.array([which], dtype=np.float64)
+    exact = reference(points, answers)
+    title = f"{name}, 10000 scenes" if many else name
+    sizes = (1,) if many else (0,)
     return Subject(
-        f"{name}, 10000 scenes" if many else name,
-        [*_ways(name, many)],
-        lambda kind: exact,
-        lambda count: frictions(count)[None],
-        (1,) if many else (0,),
-        PATIENCE,
+        title, [*_ways(name, many)], lambda kind: exact, lambda count: frictions(count)[None], sizes, PATIENCE
     )
 
 
@@ -112,7 +118,9 @@ def _ways(name: str, many: bool) -> Iterator[Way]:
     for accuracy in ACCURACIES:
         yield Way(f"slipcircle, {accuracy:.0e}", partial(solved, name, accuracy), ours=True)
     with numpy_only() as compiled:
-        in_numpy = ACCURACIES[::2] if not shaken else () if many else (1e-9,)
+        in_numpy: tuple[float, ...] = ACCURACIES[::2]
+        if shaken:
+            in_numpy = () if many else (1e-9,)
         for accuracy in in_numpy if compiled else ():
             yield Way(f"slipcircle, NumPy, {accuracy:.0e}", partial(solved_in_numpy, name, accuracy), ours=True)
     by_hand = equation(name)

@@ -22,7 +22,9 @@ ANSWERS, COUNT, MEASURES = Path(__file__).with_name("sections.json"), 12, 7
 PATIENCE = 80.0  # of a pass, as of `Subject`: a million sections of ours take less
 _X = np.linspace(-60.0, 60.0, 11)
 GROUND = np.stack([_X, 10.0 - _X / 5 + 1.5 * np.sin(_X / 9)], axis=1)
-_BLOCK, _GAUSS, _SEGMENTS = 1 << 13, (4, 8, 16), (8, 64, 512)
+_BLOCK = 1 << 13
+_GAUSS = (4, 8, 16)  # points in each direction
+_SEGMENTS = (8, 64, 512)  # chords of a quarter of the circle
 _BASE = -1e3  # m, below every circle
 
 
@@ -79,21 +81,25 @@ def gauss(points: int, x: Floats, y: Floats, radius: Floats, left: Floats, right
     x, y, radius, left, right = np.array([x, y, radius, left, right])[:, :, None]
     corners = np.clip(GROUND[:, 0], left, right)
     starts = corners[:, :-1]
-    widths = np.diff(corners, axis=1)
+    edges = np.diff(corners, axis=1)
     total = np.zeros((MEASURES, len(radius)))
     for share, weight in rule:
-        across = starts + share * widths
+        across = starts + share * edges
         ground = np.interp(across, *GROUND.T)
         horizontal = (across - x) / radius
         bottom = -np.sqrt(1.0 - horizontal**2)
-        height = (ground - y) / radius - bottom
-        strip = weight * widths / radius * height
+        top = (ground - y) / radius
+        height = top - bottom
+        width = weight * edges / radius
+        strip = width * height
         for inner, inner_weight in rule:
             vertical = bottom + inner * height
             r = np.hypot(horizontal, vertical)
-            measures = np.stack([np.ones_like(r), r, r * r, horizontal / r, vertical / r, horizontal, vertical])
+            unit_vector = [horizontal / r, vertical / r]
+            measures = np.stack([np.ones_like(r), r, r * r, *unit_vector, horizontal, vertical])
             share_of_area = inner_weight * strip
-            total += (share_of_area * measures).sum(axis=2)
+            integrals = share_of_area * measures
+            total += integrals.sum(axis=2)
     return total
 
 
@@ -103,14 +109,17 @@ def polygons(segments: int, x: Floats, y: Floats, radius: Floats, *_: Floats) ->
 
     base = [(_X[-1], _BASE), (_X[0], _BASE)]
     soil = shapely.Polygon([*GROUND, *base])
-    discs = shapely.buffer(shapely.points(x, y), radius, quad_segs=segments)
+    centres = shapely.points(x, y)
+    discs = shapely.buffer(centres, radius, quad_segs=segments)
     masses = shapely.intersection(discs, soil)
     centroid = shapely.centroid(masses)
     area = shapely.area(masses) / radius**2
     results = np.full((MEASURES, len(radius)), np.nan)
     results[0] = area
-    results[5] = area * (shapely.get_x(centroid) - x) / radius
-    results[6] = area * (shapely.get_y(centroid) - y) / radius
+    to_right = (shapely.get_x(centroid) - x) / radius
+    upwards = (shapely.get_y(centroid) - y) / radius
+    results[5] = area * to_right
+    results[6] = area * upwards
     return results
 
 
@@ -123,7 +132,8 @@ def subject() -> Subject:
     for segments in _SEGMENTS:
         cut = partial(blocks, partial(polygons, segments))
         ways.append(Way(f"shapely, {4 * segments} chords", cut, needs="shapely"))
-    known = [[*map(Decimal, row)] for row in json.loads(ANSWERS.read_text("utf-8"))]
+    digits = json.loads(ANSWERS.read_text("utf-8"))
+    known = [[*map(Decimal, row)] for row in digits]
     size = np.abs(np.array(known, dtype=np.float64))
     for pair in ([3, 4], [5, 6]):  # components of a vector: relative to its length
         size[pair] = np.hypot(*size[pair])

@@ -103,8 +103,12 @@ def gauss_legendre(power: int, turned: bool, count: int, alpha: Any) -> Floats:
         half = angles[first : first + size, None]
         u = half * (nodes + 1) / 2
         cos = np.cos(u)
-        depth = 2 * np.sin((half - u) / 2) * np.sin((half + u) / 2) / cos
-        ring = sum(weight * (1 - depth * (1 + node) / 2) ** power for node, weight in radial)
+        drop = 2 * np.sin((half - u) / 2) * np.sin((half + u) / 2)  # cos u - cos half
+        depth = drop / cos
+        ring = np.zeros_like(depth)
+        for node, weight in radial:
+            r = 1 - depth * (1 + node) / 2
+            ring += weight * r**power
         ring = ring * depth / 2
         if turned:
             ring *= cos

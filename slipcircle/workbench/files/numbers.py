@@ -48,15 +48,24 @@ def lengths(arc: Any) -> set[str]:
     return {name for name in arc_numbers(arc) if name.partition(".")[0] in ("radius", *_POINTS)}
 
 
+def _tables(scene: Any) -> dict[str, Any]:
+    """The tables that a file of the scene may have, with its laws."""
+    arc = scene.arc
+    if not isinstance(arc, LayeredSection):
+        law, *rate = law_names(scene.friction)
+        return tables_of("constant" if law == "callable" else law, *rate)
+    rate = [arc.rate["law"]] if arc.rate else []
+    tables = tables_of("constant", *rate)
+    tables = {path: table for path, table in tables.items() if path.partition(".")[0] not in NOT_WITH_LAYERS}
+    laws = {soil.name: law_names(soil.friction)[0] for soil in arc.soils}
+    return tables | layered_tables(laws, len(arc.layers), *rate)
+
+
 def by_key(scene: Any) -> dict[str, Number]:
     """The numbers that a scene with its friction and arc may have, by their keys."""
-    arc, (law, *rate) = scene.arc, law_names(scene.friction)
-    tables = tables_of("constant" if law == "callable" else law, *rate)
-    if isinstance(arc, LayeredSection):
-        laws = {soil.name: law_names(soil.friction)[0] for soil in arc.soils}
-        tables = {path: table for path, table in tables.items() if path.partition(".")[0] not in NOT_WITH_LAYERS}
-        tables |= layered_tables(laws, len(arc.layers), *rate)
-    known = numbers(tables)
+    arc = scene.arc
+    law = "constant" if isinstance(arc, LayeredSection) else law_names(scene.friction)[0]
+    known = numbers(_tables(scene))
     if law == "callable":
         known = {k: n for k, n in known.items() if not n.name.startswith("friction")}
     if "ground" not in arc.quantities:

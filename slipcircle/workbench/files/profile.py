@@ -109,14 +109,15 @@ def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:
 def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
     """A soil; its cohesion grows below the tops of its layers, where these are one height."""
     numbers = dict(given[f"soils.{name}"])
-    friction = given.get(f"soils.{name}.friction", {"coefficient": 0.0})
+    friction = given.get(f"soils.{name}.friction", {"law": "constant", "coefficient": 0.0})
+    is_constant = friction.get("law", "constant") == "constant"
     if numbers.get("cohesion_gradient") and "datum" not in numbers:
         heights = {top for top in tops if np.ndim(top) == 0}
         if None in heights or len(heights) != 1 or any(np.ndim(top) for top in tops):
             needs = "{datum}: is missing: y below which the cohesion grows, as no one height is the top of its layers"
             raise InputError("", [needs])
         (numbers["datum"],) = heights
-    return Soil(name=name, friction=friction.get("coefficient", friction), **numbers)
+    return Soil(name=name, friction=friction["coefficient"] if is_constant else friction, **numbers)
 
 
 def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:

@@ -149,7 +149,7 @@ LOADS: Mapping[str, Table] = {  # beside them
 
 # --- soils and layers ------------------------------------------------------------------------------------------------
 
-SOIL_LAWS = ("constant", *(n for n, law in LAWS.items() if {"peak", "residual", "length"} <= {*_names(law)}))
+SOIL_LAWS = tuple(LAWS)
 NOT_WITH_LAYERS = ("friction", "cohesion", "pore_pressure")
 _SOIL = table_of(
     "a soil, by its name",
@@ -193,7 +193,7 @@ _SLIP = table_of(
 
 
 def soil_friction(law: str) -> Table:
-    """Friction of a soil, by a law with a peak and a residual."""
+    """Friction of a soil."""
     return law_table(law, SOIL_LAWS)._replace(title="friction of the soil, by default none")
 
 

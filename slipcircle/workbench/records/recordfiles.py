@@ -1,9 +1,8 @@
-"""Files of samples, as PEER's AT2, ESM's and K-NET's ASCII, or a table: times, values and their unit."""
+"""Files of samples, with a header of a known kind or as a table: times, values and their unit."""
 
 import io
 import re
 from array import array
-from collections.abc import Mapping
 from itertools import repeat
 from pathlib import Path
 from typing import NamedTuple
@@ -11,63 +10,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.checks import INFINITY, InputError
+from slipcircle.base.checks import InputError
 from slipcircle.base.series import Floats
+from slipcircle.workbench.records.headers import ACCELERATION, Header, Quantity, fixed_columns, header_of, unit_of
 
-UNITS = {"g": 0.0, "m/s2": 1.0, "cm/s2": 1e-2, "mm/s2": 1e-3, "%g": 0.0}  # m/s^2; g is the scene's own gravity
-_SAME = {
-    "m/s/s": "m/s2",
-    "cm/s/s": "cm/s2",
-    "cm/sec2": "cm/s2",
-    "cm/sec/sec": "cm/s2",
-    "mm/s/s": "mm/s2",
-    "m/sec2": "m/s2",
-    "gal": "cm/s2",
-    "gals": "cm/s2",
-    "m_s2": "m/s2",
-    "cm_s2": "cm/s2",
-    "mm_s2": "mm/s2",
-    "ms-2": "m/s2",
-    "g's": "g",
-    "gs": "g",
-}
 MOST_BYTES = 2**30
-
-
-class Quantity(NamedTuple):
-    """What a file may hold: its units and their other names in lower case, how columns say them, kinds of files."""
-
-    name: str
-    units: Mapping[str, float]
-    same: Mapping[str, str]
-    choice: str
-    suffix: str  # of a column's name
-    kinds: str
-
-
-ACCELERATION = Quantity(
-    "acceleration",
-    UNITS,
-    _SAME,
-    f"{', '.join(UNITS)}, gal",
-    "(?:[cm]?m_s2)|g|gal",
-    "CSV, AT2, or ESM's or K-NET's ASCII",
-)
-PORE_PRESSURE = Quantity(
-    "pore pressure",
-    {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "ratio": 1.0},
-    {"r_u": "ratio", "ru": "ratio", "-": "ratio"},
-    "Pa, kPa, MPa, ratio",
-    "[kKM]?Pa",
-    "CSV",
-)
-
-
-def unit_of(text: str, quantity: Quantity = ACCELERATION) -> str | None:
-    """The unit of a quantity that a text stands for, as its ``units`` have it; None if it is none."""
-    plain = re.sub(r"\s|\^|\*\*", "", text.strip().lower()).replace("²", "2")
-    plain = quantity.same.get(plain, plain)
-    return next((u for u in quantity.units if u.lower() == plain), None)
 
 
 class Found(NamedTuple):
@@ -101,107 +48,62 @@ def _text(quantity: Quantity, path: Path, name: str) -> str:
 def parse(quantity: Quantity, name: str, path: Path, column: int | str | None, step: float | None) -> Found:
     """By what the first lines say."""
     text = _text(quantity, path, name)
-    first = text[:20000].split("\n") if quantity is ACCELERATION else []
-    headers = {"an AT2 file": _at2(name, first), "an ESM file": _esm(name, first), "a K-NET file": _knet(name, first)}
-    for kind, header in headers.items():
-        if header:
-            for what, given in (("column", column), ("step", step)):
-                if given is not None:
-                    raise InputError(
-                        "", [f"{name}: {{{what}}} = {given!r}: {kind} has one column and its own step; leave it out"]
-                    )
-            found = _wrapped(name, text, header)
-            break
-    else:
+    headed = header_of(name, _first_lines(text)) if quantity is ACCELERATION else None
+    if headed is None:
         found = _table(quantity, name, text, column, step)
+    else:
+        kind, header = headed
+        for what, given in (("column", column), ("step", step)):
+            if given is not None:
+                own = f"{kind} has one column and its own step; leave it out"
+                raise InputError("", [f"{name}: {{{what}}} = {given!r}: {own}"])
+        found = _wrapped(name, text, header)
     if (count := found.time.size) < 2:
         raise ValueError(f"{name}: holds {count} sample{'s' * (count != 1)}: a record has two at least")
     return found
 
 
-class Header(NamedTuple):
-    """What the header of a file without times says."""
-
-    lines: int
-    samples: int
-    step: float  # s between them
-    units: str
-    scale: float = 1.0  # of the numbers in the file
-    about_mean: bool = False  # whether the instrument's offset, the mean, is to be taken off
+def _first_lines(text: str) -> list[str]:
+    return text[:20000].split("\n")
 
 
-def _at2(name: str, first: list[str]) -> Header | None:
-    """PEER: ``NPTS= 5590, DT= .0050 SEC``, formerly ``5590 .0050 NPTS, DT``."""
-    head = next((k for k, line in enumerate(first[:10], 1) if "NPTS" in line.upper() and "DT" in line.upper()), 0)
-    if not head:
-        return None
-    above, line = " ".join(first[:head]).upper(), first[head - 1].upper()
-    if "VELOCITY" in above or "DISPLACEMENT" in above:
-        raise ValueError(f"{name}: its header says that it holds no acceleration; take the AT2 file of the record")
-    number = r"([-+]?\d*\.?\d+(?:[ED][-+]?\d+)?)"
-    new = re.search(rf"NPTS\s*=\s*{number}.*?DT\s*=\s*{number}", line)
-    match = new or re.search(rf"^\s*{number}[\s,]+{number}[\s,]+NPTS", line)
-    count, dt = (float(x.replace("D", "E")) for x in match.groups()) if match else (0.0, 0.0)
-    if not (count >= 1.0 and count == int(count) and dt > 0.0):
-        raise ValueError(
-            f"{name}, line {head}: {first[head - 1].strip()!r}: must give NPTS and DT, as in 'NPTS= 4000, DT= .0050 "
-            "SEC'"
-        )
-    said = re.search(r"UNITS OF\s+(\S+)", above)
-    unit = unit_of(said.group(1).rstrip(".,")) if said else "g"
-    if unit is None:
-        raise ValueError(f"{name}: its header says {said and said.group(0)!r}: must be one of {ACCELERATION.choice}")
-    return Header(head, int(count), dt, unit)
+class Component(NamedTuple):
+    """One record of a file: its name in a table of several, and the arguments with which `parse` reads it."""
+
+    name: str = ""
+    column: int | None = None
+    step: float | None = None
 
 
-def _esm(name: str, first: list[str]) -> Header | None:
-    """ESM and ITACA: 64 lines ``KEY: value``, then a value a line."""
-    head = next((k for k, line in enumerate(first) if not re.match(r"#?\s*[A-Z][A-Z0-9_/()^-]*\s*:", line)), len(first))
-    pairs = (line.lstrip("# ").partition(":") for line in first[:head])
-    said = {key.strip(): value.strip() for key, _, value in pairs}
-    if "SAMPLING_INTERVAL_S" not in said:
-        return None
-    kind = said.get("DATA_TYPE", "ACCELERATION")
-    if kind.upper() != "ACCELERATION":
-        raise ValueError(f"{name}: DATA_TYPE = {kind!r}: must be ACCELERATION; take the record's file of accelerations")
-    try:
-        dt, count = float(said["SAMPLING_INTERVAL_S"]), int(said["NDATA"])
-    except (KeyError, ValueError) as error:
-        raise ValueError(
-            f"{name}: SAMPLING_INTERVAL_S and NDATA in its header must be a step in s and a count"
-        ) from error
-    if not 0.0 < dt < INFINITY:
-        raise ValueError(f"{name}: SAMPLING_INTERVAL_S = {dt!r}: must be a positive time in s")
-    unit = unit_of(said["UNITS"]) if said.get("UNITS") else ""
-    if unit is None:
-        raise ValueError(f"{name}: UNITS = {said['UNITS']!r}: must be one of {ACCELERATION.choice}")
-    return Header(head, count, dt, unit)
+def components(name: str, path: Path, step: float | None) -> list[Component]:
+    """The records of acceleration in a file; the step is for files without times."""
+    text = _text(ACCELERATION, path, name)
+    if header_of(name, _first_lines(text)):
+        return [Component()]
+    head = _table_head(ACCELERATION, name, text)
+    has_no_times = head.width == 1 or (
+        not head.fields and _along_lines(_values(name, text, head.lines, head.separator)[1])
+    )
+    if has_no_times:
+        return [Component(step=step)]
+    clock = _clock(name, head.fields, head.names, head.width, None)
+    columns = [k for k in range(head.width) if k != clock and not _is_other(head, k)]
+    of_table = [Component(head.names[k] if head.names else str(k + 1), k + 1) for k in columns]
+    return of_table if len(of_table) > 1 else [component._replace(name="") for component in of_table]
 
 
-def _knet(name: str, first: list[str]) -> Header | None:
-    """K-NET and KiK-net: 17 lines of key and value, then counts, of which ``Scale Factor 3920(gal)/6182761`` is one.
-
-    The instrument's offset is the mean of its counts, which "Max. Acc." in the header has been freed of.
-    """
-    keys = ("Sampling Freq(Hz)", "Duration Time(s)", "Scale Factor")
-    text = {key: line[len(key) :].strip() for line in first[:30] for key in keys if line.startswith(key)}
-    if "Scale Factor" not in text:
-        return None
-    head = next((k for k, line in enumerate(first, 1) if line.startswith("Memo")), 17)
-    numbers = re.fullmatch(r"([\d.]+)\s*\(gal\)\s*/\s*([\d.]+)", text["Scale Factor"])
-    frequency = re.match(r"[\d.]+", text.get(keys[0], ""))
-    seconds = re.match(r"[\d.]+", text.get(keys[1], ""))
-    if numbers is None or frequency is None or seconds is None:
-        raise ValueError(
-            f"{name}: its header must say Sampling Freq(Hz), Duration Time(s), and Scale Factor as in 3920(gal)/6182761"
-        )
-    rate, scale = float(frequency[0]), float(numbers[1]) / float(numbers[2])
-    return Header(head, round(rate * float(seconds[0])), 1.0 / rate, "cm/s2", scale, about_mean=True)
+def _is_other(head: "_TableHead", column: int) -> bool:
+    """Whether a column says that it holds no acceleration, by its name or its unit."""
+    if not head.fields:
+        return False
+    unit = re.search(head.suffix, head.fields[column])
+    is_other_unit = unit is not None and unit_of(unit.group(1) or unit.group(2) or "") is None
+    return is_other_unit or re.match("vel|dis", head.names[column], re.IGNORECASE) is not None
 
 
 def _wrapped(name: str, text: str, header: Header) -> Found:
     """Values without times, however many are on a line."""
-    values, lines = _values(name, text, header.lines, None)
+    values, lines = _fixed(name, text, header) if header.width else _values(name, text, header.lines, None)
     if values.size != header.samples:
         raise ValueError(
             f"{name}: holds {values.size} values, but its header says {header.samples}; is the file cut short, or "
@@ -212,10 +114,41 @@ def _wrapped(name: str, text: str, header: Header) -> Found:
     return Found(header.step * np.arange(float(header.samples)), values * header.scale, header.units, lines)
 
 
+def _fixed(name: str, text: str, header: Header) -> tuple[Floats, NDArray[np.int64]]:
+    """As `_values` has them, of columns of fixed width up to the line that ends the samples."""
+    below = text.split("\n")[header.lines :]
+    end = next((k for k, line in enumerate(below) if line.lstrip().lower().startswith("end")), len(below))
+    if any(" acceleration pts" in line.lower() for line in below[end:]):
+        raise ValueError(f"{name}: holds several channels; save each in a file")
+    rows = [fixed_columns([row], header.width) for row in below[:end]]
+    numbers = [header.lines + 1 + k for k, row in enumerate(rows) for _ in row]
+    fields = [field for row in rows for field in row]
+    values = list(map(_number, repeat(name), numbers, fields))
+    return np.array(values), np.array(numbers)
+
+
+class _TableHead(NamedTuple):
+    """What stands above a table: lines, what separates columns, how many there are, and what the last line says."""
+
+    lines: int
+    separator: str | None
+    width: int
+    fields: list[str]  # of each column with its unit; empty if there are none
+    names: list[str]  # the same without units
+    suffix: str  # expression of a unit in a field
+
+
+def _table_head(quantity: Quantity, name: str, text: str) -> _TableHead:
+    lines, separator, width = _first_row(quantity, name, text)
+    fields = _fields(text.split("\n", lines)[:lines], separator, width)
+    suffix = rf"\s*[(\[]([^)\]]*)[)\]]\s*$|_({quantity.suffix})$"
+    names = [re.sub(suffix, "", f) for f in fields]
+    return _TableHead(lines, separator, width, fields, names, suffix)
+
+
 def _table(quantity: Quantity, name: str, text: str, column: int | str | None, step: float | None) -> Found:
     """Numbers in columns after any header lines."""
-    head, separator, width = _first_row(quantity, name, text)
-    fields = _fields(text.split("\n", head)[:head], separator, width)
+    head, separator, width, fields, names, suffix = _table_head(quantity, name, text)
     if step is not None and column is None and not fields and width > 1:
         found = _row_by_row(name, text, head, separator, step)
         if found is not None:
@@ -224,8 +157,6 @@ def _table(quantity: Quantity, name: str, text: str, column: int | str | None, s
     if any(map(_is_number, fields)) and width > 1:  # no header, but a sample that is spoilt
         _values(name, text, head - 1, separator, width)
     numbers, lines = values.reshape(-1, width), lines[::width]
-    suffix = rf"\s*[(\[]([^)\]]*)[)\]]\s*$|_({quantity.suffix})$"
-    names = [re.sub(suffix, "", f) for f in fields]
     clock = _clock(name, fields, names, width, step)
     chosen = _column(quantity, name, column, names, [k for k in range(width) if k != clock])
     unit = re.search(suffix, fields[chosen]) if fields else None

@@ -17,7 +17,8 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import EPS, INFINITY, Bounds, InputError, mistakes, raise_all
 from slipcircle.base.series import Floats, Series, bad_sample
 from slipcircle.core import STRONGEST
-from slipcircle.workbench.records.recordfiles import ACCELERATION, PORE_PRESSURE, UNITS, Found, Quantity, parse, unit_of
+from slipcircle.workbench.records.headers import ACCELERATION, PORE_PRESSURE, UNITS, Quantity, unit_of
+from slipcircle.workbench.records.recordfiles import Found, parse
 
 _GAP = 1.5  # of an evenly sampled record's step
 
@@ -77,9 +78,14 @@ def read_record(
             f'holds = {holds!r}: must be "ground" (acceleration of the ground) or "driving" (its opposite)'
         )
     raise_all(str(path), mistakes({"gravity": gravity}, {"gravity": (0.0, INFINITY, "a positive number in m/s^2")}))
-    found = _read(ACCELERATION, path, units, column, step, start, gaps)
+    found = read_samples(ACCELERATION, path, units, column, step, start, gaps)
+    return shaking_of(found, str(path), holds, gravity, scaled)
+
+
+def shaking_of(found: Found, name: str, holds: str, gravity: float, scaled: bool = False) -> Series:
+    """Accelerations of a file as shaking; the arguments are those of `read_record`."""
     if not scaled:
-        _check_unit(str(path), found.values, found.units)
+        _check_unit(name, found.values, found.units)
     return Series(found.time, _over_gravity(found.values, found.units, holds, gravity), held=False)
 
 
@@ -184,7 +190,7 @@ def read_pore_pressure(
     ValueError
         Names the file, the line, the value, what is allowed, and the remedy.
     """
-    found = _read(PORE_PRESSURE, path, units, column, step, start, gaps)
+    found = read_samples(PORE_PRESSURE, path, units, column, step, start, gaps)
     is_ratio = found.units == "ratio"
     bad = np.flatnonzero((found.values < 0.0) | (is_ratio & (found.values >= 1.0)))
     if bad.size:
@@ -203,7 +209,7 @@ _TIMES: dict[str, Bounds] = {
 }
 
 
-def _read(
+def read_samples(
     quantity: Quantity,
     path: str | PathLike[str],
     units: str | None,
@@ -211,8 +217,9 @@ def _read(
     step: float | None,
     start: float | None,
     gaps: str,
+    default_units: str | None = None,
 ) -> Found:
-    """What a file holds, its samples checked, its units known."""
+    """What a file holds, its samples checked, its units known: the default ones if neither it nor the call says."""
     name = str(path)
     if gaps not in ("refuse", "linear"):
         raise ValueError(f'gaps = {gaps!r}: must be "refuse" or "linear"')
@@ -226,9 +233,10 @@ def _read(
         raise ValueError(
             f"{name}: units = {units!r}, but its header says {found.units}; leave units out, or correct the header"
         )
-    if not found.units and not asked:
+    unit = found.units or asked or default_units
+    if not unit:
         raise ValueError(f"{name}: units are missing: its header names none; give units, one of {quantity.choice}")
-    return found._replace(time=_checked_times(name, found, start, gaps), units=asked or found.units)
+    return found._replace(time=_checked_times(name, found, start, gaps), units=unit)
 
 
 def _checked_times(name: str, found: Found, start: float | None, gaps: str) -> Floats:

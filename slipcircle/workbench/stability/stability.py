@@ -5,7 +5,6 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -13,10 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from generated.effects import LAWS
 from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.series import Floats
-from slipcircle.core import LayeredSection, Section, Soil, law_parts, layer_mistakes, pond_errors, slope_errors
+from slipcircle.core import LayeredSection, Section, Soil, friction_at_rest, layer_mistakes, pond_errors, slope_errors
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
@@ -294,17 +292,9 @@ def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, A
             return value(0.0)
         return value[0] if "time" in water and np.ndim(value) == 1 else value
 
-    def at_rest(law: str, parameters: Mapping[str, Any]) -> Any:
-        if law == "callable":
-            return float(np.ravel(parameters["function"](0.0))[0])
-        table = LAWS[law].parameters[0].kind == "list"
-        value = parameters["peak" if "peak" in parameters else "coefficient"]
-        return value[0] if table else value
-
     cohesion = effects.get("cohesion", {})
     water = effects.get("pore_pressure", {})
-    coefficients = [at_rest(*part) for part in law_parts(friction)]
-    strength = {"friction": math.prod(coefficients), "cohesion": at_start(cohesion.get("cohesion", 0.0))}
+    strength = {"friction": friction_at_rest(friction), "cohesion": at_start(cohesion.get("cohesion", 0.0))}
     if "record" in water or not any(np.any(value) for value in strength.values()):
         return {}
     return strength | {

@@ -1,7 +1,7 @@
 """The design of a study: the scenes that it solves, sampled or on a grid, in independent blocks.
 
-`run_block` is a pure function of the design and the block's index: where and when it runs does not matter, nor how
-often. Blocks of samples come first, then those for the sensitivity indices.
+`Design.run_block` is a pure function of the design and the block's index: where and when it runs does not matter, nor
+how often. Blocks of samples come first, then those for the sensitivity indices.
 """
 
 from collections.abc import Mapping
@@ -95,6 +95,44 @@ class Design:
         draw = sobol if self.method == "sobol" else monte_carlo
         return draw(self.seed, stream, start, length, dimensions)
 
+    def values(self, index: int) -> list[Floats]:
+        """Values of each input at the samples of a block, in its key's unit."""
+        if self.method == "grid":
+            return _on_grid(self, index)
+        return _drawn(self, self.points(index, len(self.inputs)))
+
+    def run_block(self, index: int) -> Result:
+        """Compute a block.
+
+        Returns
+        -------
+        dict of ndarray
+            ``status`` counts; of each output the bins that are not empty, their counts, and of its finite values the
+            extremes and the `moments`; of each factor of safety the same, and how many are below 1 and not known; the
+            samples where they are kept. For sensitivity indices instead the `sums` of each outcome.
+        """
+        if index >= self.sample_blocks:
+            return {"sums": _sums(self, index)}
+        values = self.values(index)
+        solved = _solve(self, values)
+        valid, status = ~np.isnan(solved.moves), solved.motion.status
+        result: Result = {"status": np.bincount(status, minlength=len(Status))}
+        for name, outcome in solved.outcomes.items():
+            result |= {f"{name}.{part}": value for part, value in counted(outcome[valid]).items()}
+        factors = _factors(solved.motion)
+        if self.search_each:
+            factors |= searched_factors(self.scene, solved.si, valid)
+        result |= _counted_factors({method: factor[valid] for method, factor in factors.items()})
+        if self.keep:
+            for number, value in zip(self.inputs.values(), values, strict=True):
+                result[f"sample.{number.key}"] = value
+            for name, outcome in solved.outcomes.items():
+                result[f"sample.{name}"] = np.where(np.isinf(outcome), np.nan, outcome)
+            for method, factor in factors.items() if self.method == "grid" else ():
+                result[f"sample.factor of safety, {method}"] = np.where(np.isinf(factor), np.nan, factor)
+            result["sample.status"] = status
+        return result
+
 
 def _drawn(design: Design, points: Any) -> list[Floats]:
     """Values of each input, in its key's unit, at points of the unit cube, (inputs, ...)."""
@@ -154,42 +192,6 @@ def _counted_factors(factors: Mapping[str, Floats]) -> Result:
         result[f"factor.{method}"] = np.array([np.sum(factor < 1.0), np.sum(unknown)])
         for part, value in counted(factor[~unknown]).items():
             result[f"factor bins.{method}.{part}"] = value
-    return result
-
-
-def run_block(design: Design, index: int) -> Result:
-    """Compute a block.
-
-    Returns
-    -------
-    dict of ndarray
-        ``status`` counts; of each output the bins that are not empty, their counts, and of its finite values the
-        extremes and the `moments`; of each factor of safety the same, and how many are below 1 and not known; the
-        samples where they are kept. For sensitivity indices instead the `sums` of each outcome.
-    """
-    if index >= design.sample_blocks:
-        return {"sums": _sums(design, index)}
-    if design.method == "grid":
-        values = _on_grid(design, index)
-    else:
-        values = _drawn(design, design.points(index, len(design.inputs)))
-    solved = _solve(design, values)
-    valid, status = ~np.isnan(solved.moves), solved.motion.status
-    result: Result = {"status": np.bincount(status, minlength=len(Status))}
-    for name, outcome in solved.outcomes.items():
-        result |= {f"{name}.{part}": value for part, value in counted(outcome[valid]).items()}
-    factors = _factors(solved.motion)
-    if design.search_each:
-        factors |= searched_factors(design.scene, solved.si, valid)
-    result |= _counted_factors({method: factor[valid] for method, factor in factors.items()})
-    if design.keep:
-        for number, value in zip(design.inputs.values(), values, strict=True):
-            result[f"sample.{number.key}"] = value
-        for name, outcome in solved.outcomes.items():
-            result[f"sample.{name}"] = np.where(np.isinf(outcome), np.nan, outcome)
-        for method, factor in factors.items() if design.method == "grid" else ():
-            result[f"sample.factor of safety, {method}"] = np.where(np.isinf(factor), np.nan, factor)
-        result["sample.status"] = status
     return result
 
 

@@ -22,12 +22,12 @@ from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExec
 from contextlib import contextmanager
 from pathlib import Path
 from threading import Event
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
 from slipcircle.workbench.common.files import replacing, write
-from slipcircle.workbench.studies.design import Design, Result, run_block
+from slipcircle.workbench.studies.design import Result
 
 ENGINES = ("threads", "dask")
 _INTERRUPTED = Event()  # Ctrl-C, while Dask computes
@@ -208,8 +208,19 @@ def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
     return description
 
 
+class Blocks(Protocol):
+    """A study in independent blocks, each a pure function of its index."""
+
+    @property
+    def blocks(self) -> int: ...
+
+    def scenes(self, index: int) -> int: ...
+
+    def run_block(self, index: int) -> Result: ...
+
+
 def run_blocks(
-    design: Design, executor: Executor, folder: Folder | None = None, progress: Callable[[int, int], None] | None = None
+    design: Blocks, executor: Executor, folder: Folder | None = None, progress: Callable[[int, int], None] | None = None
 ) -> Iterator[Result]:
     """Results of all blocks of a design, in their order; `Progress` is called with each that is finished."""
     finished: dict[int, Result] = {}
@@ -228,7 +239,7 @@ def run_blocks(
         if kept is not None:
             finish(index, kept, computed=False)
         else:
-            running[executor.submit(run_block, design, index)] = index
+            running[executor.submit(design.run_block, index)] = index
 
     begun = 0
     try:

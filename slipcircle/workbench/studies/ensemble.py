@@ -4,10 +4,10 @@ import hashlib
 import json
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import nullcontext
-from dataclasses import fields
-from typing import IO, Any
+from dataclasses import fields, replace
+from typing import IO, Any, TypeVar, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,12 +20,14 @@ from slipcircle.core import Scene, Section, arc_numbers, checked, parameter_valu
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, uncertain_numbers
 from slipcircle.workbench.files.variation import along_means
-from slipcircle.workbench.studies.design import METHODS, REPLICATES, Design
-from slipcircle.workbench.studies.engines import Folder, as_executor, engine, run_blocks, stored
+from slipcircle.workbench.studies.design import METHODS, REPLICATES, Design, Result
+from slipcircle.workbench.studies.engines import Blocks, Folder, as_executor, engine, run_blocks, stored
 from slipcircle.workbench.studies.sampling import MOST_LATIN
 from slipcircle.workbench.studies.searched import search_mistakes
 from slipcircle.workbench.studies.study import Study
+from slipcircle.workbench.studies.suitestudy import OfRecords, SuiteDesign, SuiteStudy, suite_design
 
+T = TypeVar("T")
 _KEEP = 2**20  # samples up to which they are kept by default
 _BASE = 2**14
 _MOST_GRID = 2**26
@@ -70,7 +72,7 @@ def _seed(rng: Any, folder: Any) -> int:
 
 def ensemble(
     scene: Scene,
-    n: int,
+    n: int = 1,
     rng: Any = None,
     executor: Any = None,
     *,
@@ -84,22 +86,22 @@ def ensemble(
     progress: IO[str] | None = None,
     correlation: Mapping[tuple[str, str], float] | None = None,
     search_each: bool = False,
-) -> Study:
-    """Solve a scene for samples of its uncertain numbers.
+    records: Any = None,
+    **of_records: Unpack[OfRecords],
+) -> Any:
+    """Solve a scene for samples of its uncertain numbers, under its own shaking or each record of a suite.
 
     Parameters
     ----------
-    scene, n : Scene and int
+    scene, n
         A scene with ``uncertain`` numbers, independent except for ``correlation``, and the number of samples.
-    rng : int, SeedSequence or Generator, optional
-        Seed, or source of one; the same seed gives bitwise the same results with any executor.
-    executor : concurrent.futures.Executor or dask.distributed.Client, optional
-        Where blocks are computed; by default one thread per processor.
-    method : str, optional
-        "monte-carlo"; "sobol": 16 independently scrambled sequences, whose spread gives the intervals; or
-        "latin-hypercube", in memory, whose intervals are those of Monte Carlo and therefore too wide.
-    sensitivity : int, optional
-        Base points of the sensitivity indices, each with (inputs + 2) scenes; by default n, at most 16384.
+    rng, executor : int, SeedSequence or Generator; concurrent.futures.Executor or dask.distributed.Client, optional
+        Seed, or source of one; the same seed gives bitwise the same results with any executor. Where blocks are
+        computed; by default one thread per processor.
+    method, sensitivity : str and int, optional
+        "monte-carlo"; "sobol": 16 independently scrambled sequences, whose spread gives the intervals; or "latin-
+        hypercube", in memory, whose intervals are those of Monte Carlo and therefore too wide. Base points of the
+        sensitivity indices, each with (inputs + 2) scenes; by default n, at most 16384.
     keep, size : bool and int, optional
         Whether to keep the samples (by default up to 2**20 of them) or to count them in bins of relative width 1/1024;
         samples of a block, a power of two, by default for at least eight blocks.
@@ -108,8 +110,11 @@ def ensemble(
     folder, progress : path and stream, optional
         Folder of finished blocks, from which a later call continues; stream for the progress.
     correlation, search_each : mapping and bool, optional
-        Correlation of the normal scores of two uncertain numbers (a Gaussian copula), by a pair of their keys;
-        whether the circle is searched for every sample too, for factors of safety: motions stay on that of the means.
+        Of the normal scores of two uncertain numbers (a Gaussian copula), by a pair of their keys; whether the circle
+        is searched for every sample too, for factors of safety: motions stay on that of the means.
+    records, **of_records
+        Ground motions that shake every sample in place of the scene's: a `Suite`, paths as `read_suite` has them, or
+        `Series`, in a sequence or by name; and how, as `OfRecords` has it. The result is then a `SuiteStudy`.
 
     Examples
     --------
@@ -119,14 +124,47 @@ def ensemble(
     >>> ensemble(replace(load("vaiont"), uncertain=angle), 1000, rng=1).moving.value
     1.0
     """
-    raise_all("ensemble", _mistakes(scene, search_each, (n, method, size, confidence), (sensitivity, correlation)))
-    drawn, seed, n = uncertain_numbers(scene), _seed(rng, folder), int(n)
-    scene, matrix = along_means(scene), _correlation(drawn, correlation or {})
-    keep, accuracy = n <= _KEEP if keep is None else keep, plan(scene, accuracy).accuracy
-    inputs, base = {k: u.number for k, u in drawn.items()}, _base_points(sensitivity, len(drawn), n, correlation)
+    settings = method, sensitivity, keep, size, search_each
+    raise_all("ensemble", _mistakes(scene, n, confidence, settings, correlation, records is not None))
+    design = _design(scene, int(n), _seed(rng, folder), settings, correlation or {}, accuracy)
+    if records is None:
+        return conduct(design, executor, confidence, folder, progress)
+    return _over_records(design, records, of_records, executor, folder, progress)
+
+
+def _design(
+    scene: Scene,
+    n: int,
+    seed: int,
+    settings: tuple[Any, ...],
+    correlation: Mapping[tuple[str, str], float],
+    accuracy: float | None,
+) -> Design:
+    """The design of an ensemble whose settings are valid."""
+    method, sensitivity, keep, size, search_each = settings
+    drawn = uncertain_numbers(scene)
+    scene, matrix = along_means(scene), _correlation(drawn, correlation)
+    keep = n <= _KEEP if keep is None else keep
+    inputs = {k: u.number for k, u in drawn.items()}
+    base = _base_points(sensitivity, len(drawn), n, correlation)
+    accuracy = plan(scene, accuracy).accuracy
     size = size or _size(n, method)
-    design = Design(scene, accuracy, inputs, drawn, (), method, n, base, keep, matrix, seed, size, search_each)
-    return conduct(design, executor, confidence, folder, progress)
+    return Design(scene, accuracy, inputs, drawn, (), method, n, base, keep, matrix, seed, size, search_each)
+
+
+def _over_records(
+    sampling: Design,
+    records: Any,
+    shaken: OfRecords,
+    executor: Any,
+    folder: str | os.PathLike[str] | None,
+    progress: IO[str] | None,
+) -> SuiteStudy:
+    """The study of a scene under records."""
+    design = suite_design(replace(sampling, base=0), records, shaken)
+    scenes = sum(map(design.scenes, range(design.blocks)))
+    described = _described(design.sampling) | _suite_described(design)
+    return computed(design, scenes, described, executor, folder, progress, lambda r: SuiteStudy(design, r))
 
 
 def _base_points(asked: int | None, inputs: int, n: int, correlation: Any) -> int:
@@ -136,16 +174,21 @@ def _base_points(asked: int | None, inputs: int, n: int, correlation: Any) -> in
     return min(_BASE, n) if inputs > 1 and n > 1 and not correlation else 0
 
 
-def _mistakes(scene: Scene, search_each: bool, settings: Sequence[Any], indices: Sequence[Any]) -> list[str]:
+def _mistakes(
+    scene: Scene, n: Any, confidence: Any, settings: Sequence[Any], correlation: Any, with_records: bool
+) -> list[str]:
     """A sentence for each mistake."""
-    of_settings = _setting_mistakes(*settings) + _sensitivity_mistakes(*indices)
-    found = _scene_mistakes(scene, search_each) + of_settings
+    method, points, _, size, search_each = settings
+    of_settings = _setting_mistakes(n, method, size, confidence) + _sensitivity_mistakes(points, correlation)
+    found = _scene_mistakes(scene, search_each, with_records) + of_settings
+    if with_records and (search_each or points):
+        found.append("search_each and sensitivity do not go with records; leave them out")
     return found or _truncated(uncertain_numbers(scene))
 
 
-def _scene_mistakes(scene: Scene, search_each: bool) -> list[str]:
+def _scene_mistakes(scene: Scene, search_each: bool, with_records: bool) -> list[str]:
     mistakes = [_OF_ARRAYS] if checked(scene, "ensemble").shape else []
-    if not scene.uncertain:
+    if not scene.uncertain and not with_records:
         mistakes.append("no number is uncertain; give Scene(uncertain=...), --uncertain, or a distribution in its file")
     return mistakes + (search_mistakes(scene) if search_each else [])
 
@@ -209,7 +252,7 @@ def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str],
             one, other = places
             matrix[one, other] = matrix[other, one] = value
     raise_all("ensemble", mistakes)
-    if np.linalg.eigvalsh(matrix)[0] <= 1e-12:
+    if np.linalg.eigvalsh(matrix).min(initial=1.0) <= 1e-12:
         raise ValueError("ensemble: correlation: these are inconsistent: no numbers can have all of them")
     return matrix
 
@@ -279,13 +322,27 @@ def conduct(
     design: Design, executor: Any, confidence: float, folder: str | os.PathLike[str] | None, progress: IO[str] | None
 ) -> Study:
     """Compute a design's blocks and add them up."""
-    blocks = Folder(folder, _described(design)) if folder is not None else None
     scenes = design.n + design.base * (len(design.inputs) + 2)
+    described = _described(design)
+    return computed(design, scenes, described, executor, folder, progress, lambda r: Study(design, confidence, r))
+
+
+def computed(
+    design: Blocks,
+    scenes: int,
+    described: dict[str, Any],
+    executor: Any,
+    folder: str | os.PathLike[str] | None,
+    progress: IO[str] | None,
+    add_up: Callable[[Iterable[Result]], T],
+) -> T:
+    """What the results of a design's blocks add up to, with the number of scenes for the progress."""
+    blocks = Folder(folder, described) if folder is not None else None
     with engine("threads") if executor is None else nullcontext(as_executor(executor)) as workers:
         if progress is None:
-            return Study(design, confidence, run_blocks(design, workers, blocks))
+            return add_up(run_blocks(design, workers, blocks))
         with Progress(scenes, "scenes", progress) as shown:
-            study = Study(design, confidence, run_blocks(design, workers, blocks, shown))
+            study = add_up(run_blocks(design, workers, blocks, shown))
     print(shown.text(), file=progress, flush=True)
     return study
 
@@ -316,3 +373,13 @@ def _described(design: Design) -> dict[str, Any]:
         "correlation": design.correlation,
     }
     return dict(json.loads(json.dumps(described, default=_known)))
+
+
+def _suite_described(design: SuiteDesign) -> dict[str, Any]:
+    """What identifies a study over records beside its samples."""
+    return {
+        "records": [entry.digest for entry in design.suite],
+        "shaking": dict(design.shaking),
+        "polarities": [*design.polarities],
+        "scale_to_pga" if design.to_pga else "scales": design.scales.tolist(),
+    }

@@ -1,0 +1,42 @@
+"""Newmark's sliding block, integrated exactly."""
+
+from typing import Any
+
+import mpmath as mp
+
+
+def exactly(time: Any, rates: Any, tail: float) -> tuple[list[Any], list[Any], Any]:
+    """Rotation and speed at the samples, and the last stop, of a one-way block with straight lines of acceleration.
+
+    In mpmath, segment by segment: each is cut where the acceleration passes zero; ``tail`` acts after the last sample.
+    """
+    x, v, stop = mp.mpf(0), mp.mpf(0), mp.mpf(0)
+    xs, vs = [x], [v]
+
+    def follow(a: Any, b: Any, h: Any, since: Any) -> None:
+        """With an acceleration from a to b of one sign."""
+        nonlocal x, v, stop
+        bend = (b - a) / h
+        if v + (a + b) / 2 * h >= 0:
+            x, v = x + v * h + (2 * a + b) * h * h / 6, v + (a + b) / 2 * h
+            return
+        if v > 0:
+            s = (-a - mp.sqrt(a * a - 2 * bend * v)) / bend if bend else -v / a
+            s = s if 0 <= s <= h else (-a + mp.sqrt(a * a - 2 * bend * v)) / bend
+            x, stop = x + v * s + a * s * s / 2 + bend * s**3 / 6, since + s
+        v = mp.mpf(0)
+
+    knots, a = [mp.mpf(float(t)) for t in time], [mp.mpf(float(r)) if isinstance(r, float) else r for r in rates]
+    for k in range(len(knots) - 1):
+        h = knots[k + 1] - knots[k]
+        if a[k] * a[k + 1] < 0:
+            s = h * a[k] / (a[k] - a[k + 1])
+            follow(a[k], mp.mpf(0), s, knots[k])
+            follow(mp.mpf(0), a[k + 1], h - s, knots[k] + s)
+        else:
+            follow(a[k], a[k + 1], h, knots[k])
+        xs.append(x)
+        vs.append(v)
+    if v > 0:
+        follow(mp.mpf(tail), mp.mpf(tail), 2 * v / -mp.mpf(tail), knots[-1])
+    return [*xs, x], vs, stop

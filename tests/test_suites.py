@@ -1,0 +1,271 @@
+"""Suites of records: folders read in mixed formats, and a scene shaken by every record, polarity and scale."""
+
+import json
+import math
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from slipcircle import Arc, Scene, Series, ensemble, solve
+from slipcircle.core import Status
+from slipcircle.workbench.records.suite import Suite, place_of, read_suite
+from slipcircle.workbench.studies.suitestudy import LANE_RESULTS, SuiteStudy
+from tests.support.blocks import exactly
+
+GRAVITY = 9.81
+ARC = Arc(60.0, math.radians(220.0), math.radians(290.0), 19e3)
+FROZEN = Scene(ARC, math.tan(math.radians(20.0)), name="frozen")
+SOFTENING = Scene(
+    ARC,
+    {"law": "exponential", "peak": 0.37, "residual": 0.3, "length": 0.4},
+    ["rotation", "centripetal"],
+    uncertain={"friction.peak": {"distribution": "uniform", "low": 0.36, "high": 0.4}},
+    name="softening",
+)
+
+
+def quake(seed: int, samples: int = 500, step: float = 0.01) -> Series:
+    """Noise of about 2.5 Hz that swells and fades; 0.35 g at most."""
+    time = np.asarray(step * np.arange(samples), dtype=np.float64)
+    swing = np.exp(-time[:80] / 0.15) * np.sin(5.0 * np.pi * time[:80])
+    noise = np.convolve(np.random.default_rng(seed).normal(size=samples), swing)[:samples]
+    values = noise * time * np.exp(-time)
+    return Series(time, 0.35 * values / np.abs(values).max(), held=False)
+
+
+def at2(record: Series) -> str:
+    values = "\n".join(f"{value:.12E}" for value in record.values.tolist())
+    count, step = record.time.size, record.time[1]
+    return f"PEER\nSomewhere\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= {count}, DT= {step:.4f} SEC\n{values}\n"
+
+
+def cosmos(record: Series) -> str:
+    """In cm/s^2 and ten columns without blanks; of 100 real values the 62nd is the step in ms."""
+    reals = [-999.0] * 100
+    reals[61] = 1e3 * float(record.time[1])
+    lines = ["Corrected acceleration   (Format v01.20 with 13 text lines)", *12 * ["text"]]
+    lines += ["  10 Integer-header values follow on   1 lines, Format=(10I8)", "".join(10 * ["    -999"])]
+    lines += [" 100 Real-header values follow on  17 lines, Format= (6F13.6)"]
+    lines += ["".join(f"{value:13.6f}" for value in reals[k : k + 6]) for k in range(0, 100, 6)]
+    seconds = round(record.time[-1])
+    lines += ['   1 Comment line(s) follow, each starting with a "|":', "| 1 2 3"]
+    lines += [f"{record.time.size} acceleration pts, approx {seconds} secs, units=cm/s^2 (4),Format=(8F12.6)"]
+    fields = [f"{981.0 * value:12.6f}" for value in record.values.tolist()]
+    lines += ["".join(fields[k : k + 8]) for k in range(0, len(fields), 8)]
+    return "\n".join([*lines, "End-of-data for Chan  1 acceleration", ""])
+
+
+def two_columns(record: Series) -> str:
+    pairs = zip(record.time.tolist(), record.values.tolist(), strict=True)
+    return "time (s),acceleration (g)\n" + "".join(f"{time!r},{value!r}\n" for time, value in pairs)
+
+
+def one_column(record: Series) -> str:
+    return "".join(f"{value!r}\n" for value in record.values.tolist())
+
+
+def three_components(record: Series) -> str:
+    rows = (
+        f"{time!r},{value!r},{-value!r},{2 * value!r}\n" for time, value in zip(record.time, record.values, strict=True)
+    )
+    return "t (s),NS (g),EW (g),disp (cm)\n" + "".join(rows).replace("np.float64(", "").replace(")", "")
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Six files of one record, in five formats, in two folders."""
+    (tmp_path / "more").mkdir()
+    record = quake(1)
+    for name, write in {
+        "RSN6_ELC180.AT2": at2,
+        "RSN6_ELC270.AT2": at2,
+        "RSN6_ELC-UP.AT2": at2,
+        "more/CE.1.HNE.V2c": cosmos,
+        "more/slammer": one_column,
+        "more/table.csv": three_components,
+        "site.txt": two_columns,
+    }.items():
+        (tmp_path / name).write_text(write(record), "utf-8")
+    (tmp_path / ".hidden").write_text("no record")
+    return tmp_path
+
+
+# --- what is read ----------------------------------------------------------------------------------------------------
+
+
+def test_a_folder_of_mixed_formats_is_one_suite(folder: Path) -> None:
+    suite = read_suite([folder], holds="driving", step=0.01, units="g")
+    assert [(entry.name, entry.component) for entry in suite] == [
+        ("RSN6_ELC180.AT2", "180"),
+        ("RSN6_ELC270.AT2", "270"),
+        ("CE.1.HNE.V2c", "E"),
+        ("slammer", ""),
+        ("table.csv NS", "NS"),
+        ("table.csv EW", "EW"),
+        ("site.txt", ""),
+    ]
+    assert [entry.name for entry in suite.verticals] == ["RSN6_ELC-UP.AT2"]
+    assert not suite.unread
+    assert [[entry.component for entry in pair] for pair in suite.pairs] == [["180", "270"], ["NS", "EW"]]
+    expected = quake(1)
+    for entry in suite:
+        record = entry.record()
+        sign = -1.0 if entry.component == "EW" else 1.0
+        assert record.values == pytest.approx(sign * expected.values, abs=1e-9)
+        assert record.time == pytest.approx(expected.time, abs=1e-12)
+        assert (entry.samples, entry.step, entry.peak) == pytest.approx((500, 0.01, 0.35), rel=1e-9)
+    assert suite.entries[2].unit == "cm/s2"
+
+
+@pytest.mark.parametrize(
+    ("name", "station", "component", "vertical"),
+    [
+        ("RSN1_HELENA.A_A-HMC180.AT2", "RSN1_HELENA.A_A-HMC", "180", False),
+        ("CHY101-V.AT2", "CHY101", "V", True),
+        ("IT.ACC..HNZ.D.20161030.ASC", "IT.ACC.D.20161030", "Z", True),
+        ("MYG0131103111446.EW", "MYG0131103111446", "EW", False),
+        ("IBRH111103111446.UD2", "IBRH1111031114462", "UD", True),
+        ("Kobe1995.txt", "Kobe1995", "", False),
+    ],
+)
+def test_components_by_the_names_of_files(name: str, station: str, component: str, vertical: bool) -> None:
+    place = place_of(name)
+    assert (*place, place.is_vertical) == (station, component, vertical)
+
+
+BAD: dict[str, tuple[str, str]] = {
+    "corrupt.AT2": (at2(quake(1))[:900], "but its header says 500; is the file cut short"),
+    "nan.csv": ("t (s),a (g)\n0,0.1\n0.1,nan\n", "line 3: value = nan: must be a finite number"),
+    "still.AT2": ("PEER\nNPTS= 4, DT= .0000 SEC\n1 2 3 4\n", "must give NPTS and DT"),
+    "unit.csv": ("t (s),a\n0,0.1\n0.1,0.2\n", "units are missing"),
+    "notes.txt": ("nothing here\n", "has no line of numbers"),
+    "counts.V2c": (cosmos(quake(1)).replace("cm/s^2", "counts"), "units=counts: must be one of g"),
+    "step.V2c": (cosmos(quake(1)).replace("10.000000", "99.000000"), "the real header has no such step"),
+}
+
+
+def test_what_is_no_record_is_listed_and_the_rest_goes_on(folder: Path) -> None:
+    for name, (text, _) in BAD.items():
+        (folder / name).write_text(text, "utf-8")
+    suite = read_suite([folder], step=0.01)
+    unread = {Path(file).name: reason for file, reason in suite.unread}
+    assert {*unread} == {*BAD, "slammer"}  # which has no units
+    assert all(reason in unread[name] for name, (_, reason) in BAD.items())
+    assert len(suite) == 6
+    with pytest.raises(ValueError, match=r"(?s)corrupt.AT2.*nan.csv.*unit.csv"):
+        read_suite([folder], strict=True)
+    empty = folder / "empty"
+    empty.mkdir()
+    (empty / "a.csv").write_text("nothing")
+    with pytest.raises(ValueError, match=r"empty: holds no horizontal record; .*a.csv: has no line of numbers"):
+        read_suite([empty])
+
+
+# --- what is solved --------------------------------------------------------------------------------------------------
+
+
+def test_frozen_slopes_slide_as_the_exact_block() -> None:
+    """Gamma times Newmark's block, in both polarities and at each scale; none moves that does not reach k_y."""
+    weight, radial = (float(x) for x in ARC.amplitudes_per_inertia)
+    psi, mu = abs(float(ARC.dip)), float(FROZEN.friction)  # type: ignore[arg-type]
+    gamma = weight * math.cos(psi) + mu * radial * math.sin(psi)
+    k_y = (mu * radial * math.cos(psi) - weight * math.sin(psi)) / gamma
+    records = {"one": quake(1, 300), "other": quake(2, 200, 0.02)}
+    study = ensemble(FROZEN, records=records, polarities=True, scale_to_pga=[0.9 * k_y, 0.3, 0.9])
+    displacement = study.displacement
+    assert displacement.shape == (2, 2, 3, 1)
+    assert np.all(displacement[:, :, 0] == 0.0)
+    assert np.all(study.values["status"][:, :, 0] == Status.STAYS)
+    for r, record in enumerate(records.values()):
+        for p, sign in enumerate((1.0, -1.0)):
+            for s, peak in ((1, 0.3), (2, 0.9)):
+                scaled = record.scaled(sign * peak / record.greatest)
+                with mp.workdps(25):
+                    unit = mp.mpf(gamma) * GRAVITY
+                    xs, _, _ = exactly(
+                        scaled.time, [unit * (mp.mpf(k) - k_y) for k in scaled.values.tolist()], -unit * k_y
+                    )
+                lane = r, p, s, 0
+                assert displacement[lane] == pytest.approx(float(xs[-1]), rel=1e-11)
+                single = solve(replace(FROZEN, effects={"shaking": {"horizontal": scaled}}))
+                assert study.values["slips"][lane] == len(single.phases)
+
+
+def same(one: SuiteStudy, other: SuiteStudy) -> bool:
+    return all(
+        np.array_equal(one.values[name], other.values[name], equal_nan=True) for name in (*LANE_RESULTS, "status")
+    )
+
+
+def test_every_record_sees_the_same_samples_and_every_executor_gives_the_same_bits(tmp_path: Path) -> None:
+    records = [quake(1), quake(2), quake(3)]
+
+    def run(records: list[Series] = records, **more: Any) -> SuiteStudy:
+        study: SuiteStudy = ensemble(
+            SOFTENING, 40, 7, records=records, polarities=True, scales=[1.0, 2.0], size=16, **more
+        )
+        return study
+
+    whole = run(folder=tmp_path / "blocks")
+    assert whole.values["reach"].shape == (3, 2, 2, 40)
+    with ThreadPoolExecutor(1) as pool:
+        assert same(whole, run(executor=pool))
+    files = sorted((tmp_path / "blocks").glob("block-*.npz"))
+    for path in files[::2]:
+        path.unlink()
+    assert same(whole, run(folder=tmp_path / "blocks"))
+    with pytest.raises(ValueError, match="holds blocks of another study: records differ"):
+        run(records[:2], folder=tmp_path / "blocks")
+    peak = whole.samples["friction.peak"]
+    lane = solve(
+        replace(
+            SOFTENING,
+            friction={"law": "exponential", "peak": float(peak[31]), "residual": 0.3, "length": 0.4},
+            effects={"rotation": {}, "centripetal": {}, "shaking": {"horizontal": records[2].scaled(-2.0)}},
+            uncertain={},
+        )
+    )
+    assert whole.values["run_out"][2, 1, 1, 31] == pytest.approx(lane.run_out, rel=1e-8)
+    assert whole.values["rotation"][2, 1, 1, 31] == pytest.approx(lane.end.rotation, rel=1e-8)
+
+
+def test_tables_have_the_record_as_a_dimension() -> None:
+    study = ensemble(SOFTENING, 3, 1, records={"a": quake(1), "b": quake(2)}, polarities=True, scales=[1.0, 2.0])
+    data, frame = study.to_xarray(), study.to_pandas()
+    assert data["run_out"].dims == ("record", "polarity", "scale", "sample")
+    value = study.values["run_out"][1, 1, 0, 2]
+    assert float(data["run_out"].sel(record="b", polarity=-1.0, scale=1.0).isel(sample=2)) == value
+    assert frame.loc["b", -1.0, 1.0, 2]["run_out"] == value
+    assert frame.loc["b", -1.0, 1.0, 2]["friction.peak"] == study.samples["friction.peak"][2]
+    held = json.loads(json.dumps(study.to_dict()))
+    assert held["run_out"][1][1][0][2] == value
+    rows = study.by_record(1)
+    medians = np.median(study.displacement[:, :, 1], axis=-1)
+    assert rows["mean_m"] == pytest.approx(medians.mean(axis=1), rel=1e-15)
+    assert rows["pga_g"] == pytest.approx([0.7, 0.7], rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"scales": [1.0], "scale_to_pga": 0.3}, "exclude each other"),
+        ({"scales": [0.0, 1.0]}, r"scales = \[0.0, 1.0\]: must be one or more positive numbers"),
+        ({"scales": 20.0}, "1: would reach 7 g, and no ground has shaken with more than 5 g"),
+        ({"search_each": True}, "search_each and sensitivity do not go with records"),
+    ],
+)
+def test_what_cannot_be_is_refused(settings: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        ensemble(FROZEN, records=[quake(1)], **settings)
+
+
+def test_a_record_of_zeros_has_no_peak_and_counts() -> None:
+    zeros = Series(np.arange(3.0), np.zeros(3), held=False)
+    assert ensemble(FROZEN, records=Suite.of([zeros])).displacement.tolist() == [[[[0.0]]]]
+    with pytest.raises(ValueError, match="1: is zero at all times"):
+        ensemble(FROZEN, records=[zeros], scale_to_pga=0.3)
