@@ -72,6 +72,8 @@ def estimate(lanes: Lanes, final: Mapping[int, Any]) -> Any:
     """
     summary = summary_vector(final)
     size = np.maximum(np.abs(summary), LEAST_SIZE)
+    spread: Any
+    known: Any
     if lanes.count == 1:
         spread, unlike = _of_single(lanes, final, summary, size)
         known = min(max(ROUNDED * spread, LEAST), 1.0)

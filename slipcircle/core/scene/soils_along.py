@@ -57,18 +57,31 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
     weight = _from_entry(section, AREA, ends)
     shares = np.diff(weight) / weight[-1]
     normal = mean_normal_stress(section, ends)
-    vertical = np.diff(_from_entry(section, HEAD, ends)) / np.diff(ends) * _radius(section)
-    growth = np.diff(section.arc_strength._growth(ends[:, None])[..., 0], axis=1) * _radius(section) / np.diff(ends)
+    angles = np.diff(ends)
+    heads = _from_entry(section, HEAD, ends)
+    vertical = np.diff(heads) / angles * _radius(section)
+    depths = section.arc_strength._growth(ends[:, None])[..., 0]
+    growth = np.diff(depths, axis=1) * _radius(section) / angles
     rows = []
     for k, layer in enumerate(layers):
-        soil = section.layers[layer][0]
-        ratio = float(np.asarray(soil.pore_ratio))
-        pressure = ratio * vertical[k] if ratio else _head(section, ends[k], ends[k + 1])
-        cohesion = np.asarray(soil.cohesion) + np.asarray(soil.cohesion_gradient) * growth[layer, k]
-        strength = float(cohesion + np.asarray(soil.peak) * (normal[k] - pressure))
+        soil, _ = section.layers[layer]
         start, end = float(ends[k]), float(ends[k + 1])
-        length = _radius(section) * (end - start)
-        rows.append(Stretch(soil, start, end, length, float(shares[k]), float(normal[k]), float(pressure), strength))
+        ratio = float(np.asarray(soil.pore_ratio))
+        pressure = ratio * vertical[k] if ratio else _head(section, start, end)
+        gradient = np.asarray(soil.cohesion_gradient)
+        cohesion = np.asarray(soil.cohesion) + gradient * growth[layer, k]
+        friction = np.asarray(soil.peak) * (normal[k] - pressure)
+        stretch = Stretch(
+            soil=soil,
+            start=start,
+            end=end,
+            length=_radius(section) * (end - start),
+            weight_share=float(shares[k]),
+            normal_stress=float(normal[k]),
+            pore_pressure=float(pressure),
+            strength=float(cohesion + friction),
+        )
+        rows.append(stretch)
     return tuple(rows)
 
 
