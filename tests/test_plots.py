@@ -100,6 +100,31 @@ def test_words_stand_once_beside_each_other() -> None:
     assert np.allclose(side.get_ylim(), np.degrees(np.array(ax.get_ylim()) / radius))
 
 
+@pytest.mark.parametrize(
+    ("law", "words", "of", "levels"),
+    [
+        ({"law": "linear", "peak": 0.41, "residual": 0.17, "length": 60.0}, ["residual friction"], "path", [60.0]),
+        ({"law": "tabulated", "slip": [0.0, 60.0], "coefficient": [0.41, 0.17]}, ["end of the table"], "path", [60.0]),
+        (
+            {"law": "rate_tabulated", "speed": [5.0, 10.0], "coefficient": [0.35, 0.17]},
+            ["5 m/s", "10 m/s"],
+            "velocity",
+            [5.0, 10.0],
+        ),
+    ],
+)
+def test_bends_of_friction_have_a_line_and_the_reason(
+    law: dict[str, object], words: list[str], of: str, levels: list[float]
+) -> None:
+    m = solve(Scene(load("vaiont").arc, law, ["rotation", "centripetal"]))
+    ax = plots.history(m, "friction", drawn())
+    assert {*words} <= {*legend(ax)}
+    bends = [float(line.get_xdata()[0]) for line in ax.lines if len(line.get_xdata()) == 2]
+    reached = [float(m.path_at(t) if of == "path" else m.at(t).velocity) for t in bends]
+    for level in levels:
+        assert min(abs(value - level) for value in reached) < 1e-3 * level
+
+
 def test_friction_is_that_of_the_time() -> None:
     columns = trace(motion("by time"))
     assert np.allclose(columns["friction"], np.interp(columns["time"], [0.0, 2.0, 5.0], [0.45, 0.2, 0.35]), rtol=1e-14)
