@@ -1,6 +1,8 @@
 """Scenes of arrays: every field of every lane is that of the scene solved by itself, and no lane knows of another."""
 
+import json
 import math
+from collections import defaultdict
 from dataclasses import replace
 from typing import Any
 
@@ -8,7 +10,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Motion, Scene, load, solve
-from tests.support import golden
+from tests.support import golden, references
 from tests.support.ensembles import EFFECTS, LANES, LAWS, lanes, together
 
 
@@ -135,6 +137,32 @@ def test_the_accuracy_asked_for() -> None:
         for one, other in ((found.duration, exact.duration), (found.run_out, exact.run_out),
                            (found.peak.velocity, exact.peak.velocity)):  # fmt: skip
             np.testing.assert_allclose(one[well], other[well], rtol=accuracy + 1e-12)
+
+
+def test_references_together() -> None:
+    """The 300 references, one ensemble for each combination of effects and law."""
+    groups: dict[str, list[Any]] = defaultdict(list)
+    for record in json.loads(references.FILE.read_text("utf-8"))[:300]:
+        given = record["scene"]
+        law: Any = given["friction"] if isinstance(given["friction"], dict) else {"law": "constant"}
+        law = law if law["law"] == "tabulated" else law["law"]  # tables are no axis
+        names = [(e, *sorted(p)) for e, p in sorted(given["effects"].items())]
+        groups[json.dumps([names, law, given["end_time"] is None])].append(record)
+    seen = 0
+    for members in groups.values():
+        rows = [r["scene"] for r in members] * (1 if len(members) > 1 else 2)
+        if rows[0] == rows[1]:
+            rows[1] = rows[1] | {"initial_velocity": rows[1]["initial_velocity"] + 1.0}  # or it is no ensemble
+        found = together(rows)
+        for k, record in enumerate(members):
+            wanted = record["reference"]
+            bound = 1e-14 + float(found.error_estimate[k])
+            assert (found.moves[k], found.arrested[k]) == (wanted["moves"], wanted["arrested"])
+            assert found.duration[k] == pytest.approx(float(wanted["duration"]), rel=bound)
+            assert found.run_out[k] == pytest.approx(float(wanted["run_out"]), rel=bound)
+            assert found.peak.velocity[k] == pytest.approx(float(wanted["peak_velocity"]), rel=bound)
+            seen += bound < 1e-11
+    assert seen > 160
 
 
 def test_extreme_lanes_among_ordinary_ones() -> None:
