@@ -1,7 +1,7 @@
 """The extension modules of `generated`, compiled in place: `python -m derive.build`, and at install time.
 
-With the machine's C compiler, or else that of the package index (``pip install ziglang``). Flags of
-the environment are ignored: the proofs of the kernels hold for the operations as they are written.
+The compiler is the machine's, or else that of the package index (``pip install ziglang``). Flags of the environment are
+ignored: the proofs of the kernels hold for the operations as they are written.
 """
 
 import importlib.util

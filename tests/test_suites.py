@@ -269,3 +269,23 @@ def test_a_record_of_zeros_has_no_peak_and_counts() -> None:
     assert ensemble(FROZEN, records=Suite.of([zeros])).displacement.tolist() == [[[[0.0]]]]
     with pytest.raises(ValueError, match="1: is zero at all times"):
         ensemble(FROZEN, records=[zeros], scale_to_pga=0.3)
+
+
+def test_the_command(folder: Path, asked: Any, said: Any) -> None:
+    """The same numbers in its table, CSV and JSON; a warning for each file that is no record, unless strict."""
+    (folder / "corrupt.AT2").write_text(BAD["corrupt.AT2"][0], "utf-8")
+    line = f"sweep newmark-pulse --records {folder} --polarities --scale-to-pga 0.2,0.4 --units g --step 0.01"
+    status, out, err = asked(f"{line} --csv {folder / 'all.csv'}")
+    assert status == 0
+    assert err.count("corrupt.AT2: holds ") == 1
+    assert "RSN6_ELC-UP.AT2: is a vertical component by its name; not used" in err
+    held = json.loads(said(f"{line} --json"))
+    assert [len(held["run_out"]), held["scale_is"], held["scale"]] == [7, "pga_g", [0.2, 0.4]]
+    rows = (folder / "all.csv").read_text().splitlines()
+    assert len(rows) == 1 + 7 * 2 * 2
+    first = dict(zip(rows[0].split(","), rows[1].split(","), strict=True))
+    assert float(first["run_out"]) == held["run_out"][0][0][0][0]
+    one, other = (f"{abs(held['run_out'][0][p][1][0]):.4g}" for p in (0, 1))
+    assert any(row.split()[:4] == ["RSN6_ELC180.AT2", "0.4", one, other] for row in out.splitlines())
+    assert "corrupt.AT2: holds" in asked(f"{line} --strict")[2]
+    assert asked("sweep newmark-pulse --polarities")[0] != 0

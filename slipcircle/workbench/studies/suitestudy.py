@@ -209,11 +209,15 @@ class SuiteStudy(Pictured):
         found = [f"the records replace the scene's own {name} shaking" for name in self.design.replaces]
         found += [f"{unread}; not used" for unread in self.suite.unread]
         found += [f"{entry.name}: is a vertical component by its name; not used" for entry in self.suite.verticals]
-        counts = np.bincount(self.values["status"].ravel(), minlength=len(Status))
-        total = self.values["status"].size
-        return found + [
-            f"{counts[s]} of {total} motions without a result: {s.reason}" for s in Status if s.reason and counts[s]
-        ]
+        if bool(np.any(motions(self.scene, {}, self.design.sampling.accuracy).moves)):
+            found.append("the mass moves without shaking too: displacements are not those of the records alone")
+        counts, total = np.bincount(self.values["status"].ravel(), minlength=len(Status)), self.values["status"].size
+        for status in (s for s in Status if counts[s]):
+            if status.reason:
+                found.append(f"{counts[status]} of {total} motions have no result: {status.reason}")
+            elif status is Status.MOVING:
+                found.append(f"{counts[status]} of {total} still move at their end: displacements are those until then")
+        return found
 
     def __repr__(self) -> str:
         sizes = ", ".join(f"{name}: {n}" for name, n in zip(DIMENSIONS, self.values["status"].shape, strict=True))
