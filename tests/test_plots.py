@@ -16,14 +16,13 @@ from slipcircle import Arc, Scene, Section, critical, grid, load, solve
 from slipcircle.workbench.common.quantities import record
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.scenefile import find
-from slipcircle.workbench.outputs import layerplot, pictures, plots, plotstyle, searchplot
+from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot
 from slipcircle.workbench.outputs.report import report
 from slipcircle.workbench.outputs.tables import motion_column, stretches_part
 from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
 from tests.support.layered import TURNING, profile
-from tests.support.outputs import words_of
 from tests.support.pictures import SCENES, canvas, clashes, drawn, legend, motion, texts
 
 matplotlib.use("agg")
@@ -285,13 +284,6 @@ def test_the_map_of_a_search_is_darkest_where_most_dangerous_and_whole(depth: fl
     assert most > 1.03 * least
 
 
-def test_a_stored_picture_says_what_it_shows() -> None:
-    """Its title, axes, legends and labels are in the file; so pictures in the repository are compared with today's."""
-    said = words_of(pictures.picture("ladder", ladder(SCENES["vaiont"]), "ladder.png"))
-    assert said == ["run-out along the arc (m); dotted: with all effects, 677.3 m"]
-    assert "at rest after 38.08 s and 677.3 m" in words_of(pictures.picture("section", motion("vaiont"), "s.png"))
-
-
 # --- greys and names -----------------------------------------------------------------------------------------------
 
 
@@ -320,14 +312,6 @@ def test_numbers_and_names() -> None:
     assert head.startswith("scene,time_s,")
     assert rows[0].startswith('"swings, a name with $ and <",0.0,')
     assert rows[-1].startswith("wet-slope,")
-
-
-def test_an_axis_is_made_where_none_is_given() -> None:
-    from matplotlib import pyplot
-
-    ax = plots.history(motion("vaiont"))
-    assert ax.figure.number in pyplot.get_fignums()
-    pyplot.close("all")
 
 
 def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from slipcircle import Arc, Scene, Series, ensemble, solve
 from slipcircle.core import Status
 from slipcircle.workbench.records.suite import Suite, place_of, read_suite
 from slipcircle.workbench.studies.suitestudy import LANE_RESULTS, SuiteStudy
-from tests.support.blocks import exactly
+from tests.support.blocks import exactly, quake
 
 GRAVITY = 9.81
 ARC = Arc(60.0, math.radians(220.0), math.radians(290.0), 19e3)
@@ -27,15 +27,6 @@ SOFTENING = Scene(
     uncertain={"friction.peak": {"distribution": "uniform", "low": 0.36, "high": 0.4}},
     name="softening",
 )
-
-
-def quake(seed: int, samples: int = 500, step: float = 0.01) -> Series:
-    """Noise of about 2.5 Hz that swells and fades; 0.35 g at most."""
-    time = np.asarray(step * np.arange(samples), dtype=np.float64)
-    swing = np.exp(-time[:80] / 0.15) * np.sin(5.0 * np.pi * time[:80])
-    noise = np.convolve(np.random.default_rng(seed).normal(size=samples), swing)[:samples]
-    values = noise * time * np.exp(-time)
-    return Series(time, 0.35 * values / np.abs(values).max(), held=False)
 
 
 def at2(record: Series) -> str:
