@@ -57,11 +57,8 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
     weight = _from_entry(section, AREA, ends)
     shares = np.diff(weight) / weight[-1]
     normal = mean_normal_stress(section, ends)
-    angles = np.diff(ends)
-    heads = _from_entry(section, HEAD, ends)
-    vertical = np.diff(heads) / angles * _radius(section)
-    depths = section.arc_strength._growth(ends[:, None])[..., 0]
-    growth = np.diff(depths, axis=1) * _radius(section) / angles
+    vertical = _means(section, ends, _from_entry(section, HEAD, ends))
+    growth = _means(section, ends, section.arc_strength._growth(ends[:, None])[..., 0])
     rows = []
     for k, layer in enumerate(layers):
         soil, _ = section.layers[layer]
@@ -92,8 +89,12 @@ def mean_normal_stress(section: LayeredSection, directions: ArrayLike) -> Floats
     """
     _one_lane(section)
     ends = np.asarray(directions, dtype=np.float64)
-    force = -_from_entry(section, RADIAL_Y, ends)
-    return np.asarray(np.diff(force) / np.diff(ends) * _radius(section))
+    return _means(section, ends, -_from_entry(section, RADIAL_Y, ends))
+
+
+def _means(section: LayeredSection, ends: Floats, integral: Floats) -> Floats:
+    """Means between neighbouring directions, of an integral up to each of them that is over R."""
+    return np.asarray(np.diff(integral, axis=-1) / np.diff(ends) * _radius(section))
 
 
 def _one_lane(section: LayeredSection) -> None:
