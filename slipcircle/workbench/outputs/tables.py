@@ -291,12 +291,15 @@ def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) 
         columns.append([clean(interval(cell) if isinstance(cell, Estimate) else cell) for cell in column])
     first, *rest = columns
     yield from wrap(clean(title), width)
-    lead = _widths([first], max(width * 6 // 10, _LEAST))[0]
+    widest_lead = max(width * 6 // 10, _LEAST)
+    (lead,) = _widths([first], widest_lead)
+    room = width - lead
     while rest:
-        room = width - lead
-        count = next((n for n in range(len(rest), 1, -1) if _total(rest[:n], _LEAST) <= room), 1)
+        counts = range(len(rest), 1, -1)
+        count = next((n for n in counts if _total(rest[:n], _LEAST) <= room), 1)
         beside, rest = rest[:count], rest[count:]
-        most = next((most for most in range(width, _LEAST, -1) if _total(beside, most) <= room), _LEAST)
+        wraps = range(width, _LEAST, -1)
+        most = next((most for most in wraps if _total(beside, most) <= room), _LEAST)
         yield from _lines([first, *beside], [lead, *_widths(beside, most)], bool(head))
         yield ""
     yield from wrap(clean(note), width, break_on_hyphens=False)

@@ -67,7 +67,8 @@ def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Number
     bars = []
     for name, (key, step) in steps.items():
         value = float(key.from_si(table.at[name]))
-        change = table.derivative(output, name) * key.slope(value) * step
+        per_unit = table.derivative(output, name) * key.slope(value)
+        change = per_unit * step
         words = f"{quantity_words(key)} {number(value)} ± {step:.3g} {unit_of(key)}"
         bars.append((change, words.rstrip()))
     return sorted(bars, key=lambda bar: -abs(bar[0]))
@@ -96,13 +97,16 @@ def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[d
     if any(name in keys for name in uncertain):
         deviations = {name: (u.number, u.moments[1]) for name, u in uncertain.items() if name in keys}
         return deviations, ", by a standard deviation of each"
-    steps = {}
-    for name, key in keys.items():
-        value = float(key.from_si(table.at[name]))
-        slope = key.slope(value)
-        (size,) = scales(table.scene, {name: value * slope}).tolist()
-        steps[name] = key, _SHARE * size / slope
-    return steps, f", by {100 * _SHARE:g} % of each"
+    relative = {name: (key, _relative_step(table, name, key)) for name, key in keys.items()}
+    return relative, f", by {100 * _SHARE:g} % of each"
+
+
+def _relative_step(table: "Sensitivity", name: str, key: Number) -> float:
+    """The step of a number that is a share of its size, in the unit of its key."""
+    value = float(key.from_si(table.at[name]))
+    slope = key.slope(value)
+    (size,) = scales(table.scene, {name: value * slope}).tolist()
+    return float(_SHARE * size / slope)
 
 
 def panels(table: "Sensitivity", figure: Any) -> None:
