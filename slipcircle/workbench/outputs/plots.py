@@ -135,9 +135,11 @@ def _mark_times(
 
 def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
     """Points of a curve in view, away from both ends of the time axis, where its label may stand."""
-    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
-    width = right - left
-    inside = (left + 0.1 * width < times) & (times < right - 0.1 * width) & (low < values) & (values < high)
+    left, right = ax.get_xlim()
+    low, high = ax.get_ylim()
+    margin = 0.1 * (right - left)
+    in_middle = (left + margin < times) & (times < right - margin)
+    inside = in_middle & (low < values) & (values < high)
     shown = inside if np.any(inside) else slice(None)
     return np.asarray(points_of(times[shown], values[shown]))
 
@@ -236,7 +238,7 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     ax.set_xlabel("path travelled, as it turns back (m)" if turns_back else "displacement $s$ (m)")
     unit = _energies(motion, ax, along)
     of_width, per = width(motion)
-    ax.set_ylabel(f"energy {of_width} ({unit}{per})")
+    ax.set_ylabel(f"energy {of_width}\n({unit}{per})")
     if not motion.moves:
         return still(motion, ax)
     farthest = float(along[np.argmax(np.abs(along))])
@@ -344,8 +346,9 @@ def overview(motion: Motion, figure: Any) -> Any:
     grid = figure.add_gridspec(1 + rows, 2, height_ratios=(_SECTION, *[_PANEL] * rows))
     axes = [section(motion, figure.add_subplot(grid[0, :]))]
     for k, draw in enumerate(panels):
-        is_alone = k % 2 == 0 and k + 1 == len(panels)
-        place = grid[1 + k // 2, :] if is_alone else grid[1 + k // 2, k % 2]
+        row, column = 1 + k // 2, k % 2
+        is_alone = column == 0 and k + 1 == len(panels)
+        place = grid[row, :] if is_alone else grid[row, column]
         axes.append(draw(motion, ax=figure.add_subplot(place)))
     letter(axes)
     figure.suptitle(title(motion), parse_math=False, fontweight="bold")

@@ -190,10 +190,10 @@ def response(study: "Study", output: str = "reach", ax: Any = None) -> Any:
 
 def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any, output: str) -> Any:
     """Map of an output over both numbers of a grid, darkest at its maximum, blank where there is no result."""
-    first, second = (np.asarray(level) for level in levels)
-    x, y = np.argsort(first), np.argsort(second)
-    across, up = first[x], second[y]
-    ordered = values[np.ix_(x, y)].T
+    first, second = map(np.asarray, levels)
+    columns, rows = np.argsort(first), np.argsort(second)
+    across, up = first[columns], second[rows]
+    ordered = values[np.ix_(columns, rows)].T
     cells = ax.pcolormesh(across, up, ordered, shading="nearest", cmap="viridis_r", rasterized=True)
     ax.figure.colorbar(cells, ax=ax, label=_label(output))
     if np.nanmin(ordered) < np.nanmax(ordered):

@@ -330,15 +330,17 @@ def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
 
 def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool) -> Iterator[str]:
     """Lines of columns side by side, with wrapped cells; rows without any value are omitted."""
+    gap = _GAP * " "
     for number, row in enumerate(zip(*columns, strict=True)):
         if row[0] and not any(row[1:]):
             continue
         cells = [wrap(cell, width, break_on_hyphens=False) or [""] for cell, width in zip(row, widths, strict=True)]
         for parts in zip_longest(*cells, fillvalue=""):
-            padded = [part.ljust(width) for part, width in zip(parts, widths, strict=True)]
-            yield (_GAP * " ").join(padded).rstrip()
+            padded = map(str.ljust, parts, widths)
+            yield gap.join(padded).rstrip()
         if headed and number == 0:
-            yield "-" * (sum(widths) + _GAP * (len(widths) - 1))
+            gaps = _GAP * (len(widths) - 1)
+            yield "-" * (sum(widths) + gaps)
 
 
 def clean(text: str) -> str:

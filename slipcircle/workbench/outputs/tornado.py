@@ -88,14 +88,19 @@ def _two_sided_bars(ax: Any, bars: Sequence[tuple[float, str]]) -> None:
 
 def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Number, float]], str]:
     """Step of each number in the unit of its key, and the rule for the steps in words."""
-    by_names, uncertain = by_name(table.scene), uncertain_numbers(table.scene)
+    by_names = by_name(table.scene)
     keys = {name: by_names[name] for name in table.parameters}
     if changes is not None:
+        choice = [key.key for key in keys.values()]
         for changed in changes:
-            known("tornado: changes", changed, [key.key for key in keys.values()])
+            known("tornado: changes", changed, choice)
         return {name: (key, changes[key.key]) for name, key in keys.items() if changes.get(key.key)}, ""
-    if any(name in keys for name in uncertain):
-        deviations = {name: (u.number, u.moments[1]) for name, u in uncertain.items() if name in keys}
+    deviations = {}
+    for name, uncertain in uncertain_numbers(table.scene).items():
+        if name in keys:
+            _, deviation = uncertain.moments
+            deviations[name] = uncertain.number, deviation
+    if deviations:
         return deviations, ", by a standard deviation of each"
     relative = {name: (key, _relative_step(table, name, key)) for name, key in keys.items()}
     return relative, f", by {100 * _SHARE:g} % of each"
