@@ -239,8 +239,9 @@ DENSITY = {
     "derive": 11.1,
     "slipcircle/base": 10.9,
     "slipcircle/core": 13.0,
-    "slipcircle/workbench": 12.5,
+    "slipcircle/workbench": 12.6,
     "slipcircle/workbench/files": 12.1,
+    "slipcircle/workbench/outputs": 12.7,
 }
 
 
