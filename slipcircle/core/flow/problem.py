@@ -1,4 +1,4 @@
-"""The problem that the integrator is given: a scene's flow program, its tables, and the cells that lanes start with.
+"""The problem that the integrator solves: a scene's flow program, its tables, and the initial cells of lanes.
 
 Here the scene's SI numbers become dimensionless, by the declarations in `generated.effects`.
 """
@@ -39,7 +39,7 @@ STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order
 
 
 class Problem(NamedTuple):
-    """What `integrate` takes, and what turns its numbers back into seconds and metres."""
+    """Arguments of `integrate`, and the scales that make times and lengths dimensionless."""
 
     program: Program
     tables: list[Data]
@@ -51,11 +51,11 @@ class Problem(NamedTuple):
     rotations: RotationTables | None = None  # tables that may be laid out farther
 
     def with_outputs(self, outputs: tuple[str, ...] = (), directions: int = 0) -> "Problem":
-        """The same lanes with further outputs, or with derivatives in so many directions."""
+        """The same lanes with further outputs, or with derivatives in some directions."""
         return self._with_program(build_program(*self.recipe, outputs, directions))._replace(outputs=outputs)
 
     def with_steady_shaking(self) -> "Problem":
-        """The same lanes with a constant horizontal coefficient, at first 0, in the place of their shaking."""
+        """The same lanes with a constant horizontal coefficient, initially 0, in place of their shaking."""
         effects, laws, moving, absent = self.recipe
         shaking = {p.symbol for p in ALL_EFFECTS["shaking"].parameters}
         others = [symbol for symbol in absent if symbol not in shaking]
@@ -75,7 +75,7 @@ class Problem(NamedTuple):
         return self._replace(program=program, cells=cells, tables=tables)
 
     def extend_tables(self, cells: Floats) -> None:
-        """Sample Python functions of slip on, as far as lanes have slipped."""
+        """Extend the tables of Python functions to the slip of the lanes."""
         for k, function in self.functions.items():
             scale = cells[self.program.tables[k].cells + ix.SCALE]
             farthest = float(np.max(cells[ix.SLIP] * scale)) * (1.0 + 1e-12)
@@ -85,7 +85,7 @@ class Problem(NamedTuple):
                 end = float(self.tables[k].breaks[-1])
 
     def extend_rotations(self, rotation: Floats) -> bool:
-        """Lay functions of the rotation out as far as they may be needed, where lanes get beyond what is there."""
+        """Extend functions of the rotation to their full range if a lane exceeds their tables; whether one does."""
         if self.rotations is None:
             return False
         place = {table.name: k for k, table in enumerate(self.program.tables)}
@@ -103,7 +103,7 @@ class Problem(NamedTuple):
 
 @lru_cache(maxsize=256)
 def common_cells(program: Program, other: Program) -> tuple[Any, Any]:
-    """The places of the numbers that two programs are both given, in the one and in the other."""
+    """Places of the inputs that two programs have in common, in each of them."""
     names = [name for name in program.cells[: program.given] if name in other.places]
     places = [program.places[name] for name in names]
     other_places = [other.places[name] for name in names]
@@ -111,7 +111,7 @@ def common_cells(program: Program, other: Program) -> tuple[Any, Any]:
 
 
 def order(accuracy: float) -> int:
-    """Order of the series that leaves less than an accuracy at steps of exp(-2) of the radius of convergence."""
+    """Order of the series with a truncation error below an accuracy, at steps of exp(-2) radii of convergence."""
     digits = -math.log(max(accuracy, 1e-16))
     return max(math.ceil(3.0 + digits / 2.0), LOWEST)
 
@@ -119,7 +119,7 @@ def order(accuracy: float) -> int:
 def build_problem(
     arc: Arc | Section, called: Effects, friction: Any, velocity: Any, end_time: Any, accuracy: float, lanes: int
 ) -> Problem:
-    """The problem of scenes that share their effects and laws.
+    """Build the problem of scenes that share their effects and laws.
 
     Parameters
     ----------
@@ -196,7 +196,7 @@ def recipe_of(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], 
             elif callable(value):
                 moving.append(symbol)
     if "layered_strength" in effects and "shaking" not in effects:
-        absent += ["k_h", "k_v"]  # of which its terms are made too
+        absent += ["k_h", "k_v"]  # which its terms contain, too
     return effects, laws, tuple(moving), tuple(absent)
 
 
@@ -206,14 +206,14 @@ def in_order(effects: Collection[str]) -> tuple[str, ...]:
 
 
 def symbols_of(effect: str) -> dict[str, str]:
-    """The symbols of an effect's parameters in the balance, by their names; of one soil with its number."""
+    """Symbols of an effect's parameters in the balance, by their names; of one soil with its number."""
     declared = ALL_EFFECTS[without_soil(effect)].parameters
     return {p.name: f"{p.symbol}{soil_number(effect)}" for p in declared if p.symbol}
 
 
 @dataclass
 class _Numbers:
-    """The dimensionless numbers and tables of a scene, by the names that its program has for them."""
+    """Dimensionless numbers and tables of a scene, by their names in its program."""
 
     arc: Arc | Section
     upslope: bool  # whether the mass may move beyond where it began
@@ -229,7 +229,7 @@ class _Numbers:
         self.inputs: dict[str, Any] = {name: getattr(coefficients, name) for name in INPUTS}
 
     def add_start(self, velocity: Any, end_time: Any) -> None:
-        """How the motion starts, when it ends, and what the integrator remembers at first."""
+        """Add the initial velocity, the end time, and initial values of the integrator's records."""
         with np.errstate(over="ignore"):  # what overflows is refused where it is asked for
             self.inputs["omega"] = velocity / self.radius * self.time_scale
             self.inputs["END_TIME"] = end_time / self.time_scale
@@ -237,7 +237,7 @@ class _Numbers:
         self.inputs |= {"FACTOR": STEP, "CLOSE": np.inf, "LIFT_TIME": np.nan}
 
     def add_effect(self, effect: str, given: Mapping[str, Any], rotating: bool) -> None:
-        """What an effect gives: numbers by their symbols, functions of time or of the rotation as tables."""
+        """Add the parameters of an effect: numbers by their symbols, functions of time or of the rotation as tables."""
         declared = ALL_EFFECTS[without_soil(effect)].parameters
         symbols = symbols_of(effect)
         in_balance = [p for p in declared if p.symbol]
@@ -260,7 +260,7 @@ class _Numbers:
                 self.tables[p.symbol] = tables.of_time(value), self.time_scale, factor
 
     def _under_water(self, rotating: bool) -> Data:
-        """The mean pore pressure under a section's water level, Pa, until its weight presses no more."""
+        """Mean pore pressure below a section's water level, Pa, as a function of the rotation until contact is lost."""
         section = self.arc
         assert isinstance(section, Section)
 
@@ -282,7 +282,7 @@ class _Numbers:
         return table if section.shape else table._replace(breaks=breaks[:, 0], coefficients=values[:, :, 0, 0])
 
     def add_layers(self, given: Effects, friction: Any) -> None:
-        """What the soils of a layered section give that changes with the rotation."""
+        """Add the functions of the rotation that belong to the soils of a layered section."""
         assert isinstance(self.arc, LayeredSection)
         functions = {
             symbols_of(effect)[name]: term
@@ -300,7 +300,7 @@ class _Numbers:
             self.tables[name] = table, 1.0, 1.0
 
     def add_law(self, name: str, given: Mapping[str, Any]) -> None:
-        """What a friction law gives: a table, or dimensionless numbers under its own name."""
+        """Add a friction law: a table, or dimensionless numbers by its name."""
         speed = self.radius / self.time_scale
         cell = name
         name = without_soil(name)
@@ -324,7 +324,7 @@ class _Numbers:
 
 
 def scales_of(arc: Arc | Section) -> dict[str, Any]:
-    """The numbers of an arc by which parameters of effects are made dimensionless, SI."""
+    """Scales of an arc by which parameters of effects are made dimensionless, SI."""
     return {
         "half_angle": arc.half_angle,
         "gravity": arc.gravity,
@@ -347,7 +347,7 @@ def _one_way(shaking: Mapping[str, Any]) -> float:
 
 
 def _first_only(terms: Collection[str], laws: Any, inputs: Mapping[str, Any]) -> Any:
-    """1 where nothing ever brings the mass to rest, 2 where water or heat may carry it: it is followed to its stop.
+    """1 where nothing brings the mass to rest, 2 where water or heat may lift it; it is integrated to its first stop.
 
     Of effects and symbols of functions.
     """
