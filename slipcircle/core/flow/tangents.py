@@ -266,7 +266,7 @@ class Tangents:
         self.reach_dot = self.rotation_dot(state)
 
     def keep_peak(self, state: LaneState, time: float, rate: float, series: Floats | None) -> None:
-        """Record derivatives of the greatest speed: within a step, at its end, at a jump, or at the start of a phase."""
+        """Derivatives of the greatest speed: within a step, at the end, at a jump, or at the start of a phase."""
         if series is not None:
             since = time - float(state.time[0])
             self.peak_dot = self.along(state.program.roles["omega"], series, since)
