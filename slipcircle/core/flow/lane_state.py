@@ -222,8 +222,11 @@ class _EarlyEnd:
     def shortened(self, order: Floats, n: int, coefficients: Floats, power: int) -> Floats:
         """The orders of lanes, after these coefficients of the watched registers, at a power of the time."""
         term = np.abs(coefficients) * self.room**power
-        counts = (term > NEGLIGIBLE * self.largest) | (self.largest == 0.0) | ~np.isfinite(self.largest)
+        not_comparable = (self.largest == 0.0) | ~np.isfinite(self.largest)
+        counts = (term > NEGLIGIBLE * self.largest) | not_comparable
         self.largest = np.where(term > self.largest, term, self.largest)
-        self.in_a_row = np.where(np.any(counts, axis=0), 0.0, self.in_a_row + 1.0)
+        any_counts = np.any(counts, axis=0)
+        self.in_a_row = np.where(any_counts, 0.0, self.in_a_row + 1.0)
         ends = (self.in_a_row >= 2.0) & (n < order) & (n >= 2)
-        return np.where(ends, np.minimum(order, n + 1), order)
+        shorter = np.minimum(order, n + 1)
+        return np.where(ends, shorter, order)

@@ -38,6 +38,15 @@ UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)
 
 
+class Recipe(NamedTuple):
+    """The first arguments of `build_program`."""
+
+    effects: tuple[str, ...]
+    laws: tuple[str, ...]
+    moving: tuple[str, ...]
+    absent: tuple[str, ...]
+
+
 class Problem(NamedTuple):
     """Arguments of `integrate`, and the scales that make times and lengths dimensionless."""
 
@@ -46,7 +55,7 @@ class Problem(NamedTuple):
     cells: Floats
     time_scale: Any
     functions: Mapping[int, Callable[[Any], Any]]  # of slip, given in Python, by the place of their table
-    recipe: tuple[tuple[str, ...], ...]  # the arguments of `build_program`: effects, laws, moving, absent
+    recipe: Recipe
     outputs: tuple[str, ...] = ()  # further ones of the program
     rotations: RotationTables | None = None  # tables that may be laid out farther
 
@@ -56,12 +65,12 @@ class Problem(NamedTuple):
 
     def with_steady_shaking(self) -> "Problem":
         """The same lanes with a constant horizontal coefficient, initially 0, in place of their shaking."""
-        effects, laws, moving, absent = self.recipe
+        recipe = self.recipe
         shaking = {p.symbol for p in ALL_EFFECTS["shaking"].parameters}
-        others = [symbol for symbol in absent if symbol not in shaking]
-        with_shaking = in_order({*effects, "shaking"})
-        still_moving = tuple(symbol for symbol in moving if symbol not in shaking)
-        program = build_program(with_shaking, laws, still_moving, (*others, "k_v"))
+        with_shaking = in_order({*recipe.effects, "shaking"})
+        moving = tuple(symbol for symbol in recipe.moving if symbol not in shaking)
+        absent = [symbol for symbol in recipe.absent if symbol not in shaking]
+        program = build_program(with_shaking, recipe.laws, moving, (*absent, "k_v"))
         return self._with_program(program)._replace(rotations=None)
 
     def _with_program(self, program: Program) -> "Problem":
@@ -77,12 +86,15 @@ class Problem(NamedTuple):
     def extend_tables(self, cells: Floats) -> None:
         """Extend the tables of Python functions to the slip of the lanes."""
         for k, function in self.functions.items():
-            scale = cells[self.program.tables[k].cells + ix.SCALE]
-            farthest = float(np.max(cells[ix.SLIP] * scale)) * (1.0 + 1e-12)
-            end = float(self.tables[k].breaks[-1])
+            first_cell = self.program.tables[k].cells
+            slip = cells[ix.SLIP] * cells[first_cell + ix.SCALE]
+            farthest = float(np.max(slip)) * (1.0 + 1e-12)
+            table = self.tables[k]
+            end = float(table.breaks[-1])
             while end <= farthest:
-                self.tables[k] = sampled(function, 2 * end, self.tables[k])
-                end = float(self.tables[k].breaks[-1])
+                table = sampled(function, 2 * end, table)
+                end = float(table.breaks[-1])
+            self.tables[k] = table
 
     def extend_rotations(self, rotation: Floats) -> bool:
         """Extend functions of the rotation to their full range if a lane exceeds their tables; whether one does."""
@@ -142,7 +154,7 @@ def build_problem(
     """
     laws = law_parts(friction)
     recipe = recipe_of(called, tuple(name for name, _ in laws))
-    effects, _, moving, _ = recipe
+    effects = recipe.effects
     rotating = rotates(effects)
     upslope = "shaking" in effects or bool(np.any(velocity != 0.0))
     tolerance = FINEST_TABLES if lanes == 1 else accuracy / 100
@@ -156,14 +168,14 @@ def build_problem(
     numbers.add_start(velocity, end_time)
     inputs = numbers.inputs
     inputs["ONE_WAY"] = _one_way(called.get("shaking", {}))
-    first_only = _first_only({*effects, *moving}, laws, inputs)
+    first_only = _first_only({*effects, *recipe.moving}, laws, inputs)
     inputs["FIRST_ONLY"] = choose(end_time == np.inf, first_only, 0.0)
     # The steps of one scene cost next to nothing, whatever their order.
     inputs["ORDER"] = order(min(accuracy, FINEST) if lanes == 1 else accuracy)
     return _assembled(numbers, recipe, lanes)
 
 
-def _assembled(numbers: "_Numbers", recipe: tuple[tuple[str, ...], ...], lanes: int) -> Problem:
+def _assembled(numbers: "_Numbers", recipe: Recipe, lanes: int) -> Problem:
     """A problem from its numbers and tables, each in the place that its program has for it."""
     program = build_program(*recipe)
     places = program.places
@@ -183,8 +195,8 @@ def _assembled(numbers: "_Numbers", recipe: tuple[tuple[str, ...], ...], lanes: 
     return Problem(program, data, cells, numbers.time_scale, functions, recipe, rotations=numbers.rotations)
 
 
-def recipe_of(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
-    """The arguments of `build_program`: effects, laws, symbols of functions, symbols of what is not given."""
+def recipe_of(called: Effects, laws: tuple[str, ...]) -> Recipe:
+    """What the program of scenes with these effects and laws is built from."""
     effects = in_order(called)
     moving = list[str]()
     absent = list[str]()
@@ -197,7 +209,7 @@ def recipe_of(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], 
                 moving.append(symbol)
     if "layered_strength" in effects and "shaking" not in effects:
         absent += ["k_h", "k_v"]  # which its terms contain, too
-    return effects, laws, tuple(moving), tuple(absent)
+    return Recipe(effects, laws, tuple(moving), tuple(absent))
 
 
 def in_order(effects: Collection[str]) -> tuple[str, ...]:
@@ -351,13 +363,22 @@ def _first_only(terms: Collection[str], laws: Any, inputs: Mapping[str, Any]) ->
 
     Of effects and symbols of functions.
     """
-    if not rotates(ALL_EFFECTS.keys() & terms) or "layered_cohesion" in terms:
+    turning = rotates(ALL_EFFECTS.keys() & terms)
+    if not turning or "layered_cohesion" in terms:
         return 0.0
     (name, parameters), *others = laws
-    constant = name == "constant" and not others
-    frictionless = parameters["coefficient"] == 0.0 if constant else False
-    lifts = [n for n in {*terms, *inputs} if n.startswith(("layered_lift", "soil_lift"))]
-    may_lift = not UPLIFT.isdisjoint(terms) or any(n in terms or np.any(inputs[n]) for n in lifts)
-    swings = choose(frictionless, 1.0, 2.0 if may_lift else 0.0)
+    is_constant = name == "constant" and not others
+    frictionless = parameters["coefficient"] == 0.0 if is_constant else False
+    swings = choose(frictionless, 1.0, 2.0 if _may_lift(terms, inputs) else 0.0)
     cohesion = inputs.get("cohesion", 0.0) + inputs.get("layered_cohesion", 0.0)
     return choose(cohesion > 0.0, 0.0, swings)
+
+
+def _may_lift(terms: Collection[str], inputs: Mapping[str, Any]) -> bool:
+    """Whether the pressure of water may exceed the normal stress."""
+    if not UPLIFT.isdisjoint(terms):
+        return True
+    of_soils = ("layered_lift", "soil_lift")
+    if any(name.startswith(of_soils) for name in terms):
+        return True
+    return any(np.any(value) for name, value in inputs.items() if name.startswith(of_soils))

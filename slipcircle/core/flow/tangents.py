@@ -139,10 +139,14 @@ class Tangents:
     def _taylor_dots(self, state: LaneState, piece: Piece, order: int) -> Floats:
         """Derivatives of a function of time's Taylor coefficients about now, at a fixed time, (terms, directions)."""
         growth = self.growth.tables[piece.slot.name]
-        terms = _padded(piece.taylor(order + 1)[:, 0], order + 2)
+        every = _padded(piece.taylor(order + 1)[:, 0], order + 2)
+        terms = every[:-1]
         n = np.arange(order + 1)
-        by_scale = state.time[0] * (n + 1) * terms[1:] + n * terms[:-1]
-        return terms[:-1, None] * growth.factor + by_scale[:, None] * growth.scale
+        slopes = (n + 1) * every[1:]
+        time = state.time[0]
+        by_factor = terms[:, None] * growth.factor
+        by_scale = time * slopes + n * terms
+        return by_factor + by_scale[:, None] * growth.scale
 
     def start_series(self, state: LaneState, series: Floats) -> None:
         """The tangents of functions of time, as increments since the phase began."""
