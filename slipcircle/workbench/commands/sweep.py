@@ -1,6 +1,7 @@
 """`slipcircle sweep`: an ensemble or a grid of one scene, its table and files."""
 
 import argparse
+import math
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError
@@ -79,7 +80,7 @@ def options(parser: argparse.ArgumentParser) -> None:
         help="of a running Dask cluster, tcp://10.0.0.1:8786; without it --engine dask starts one on this machine",
     )
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
-    picture = "exceedance curves and sensitivity indices, or a grid of one or two numbers"
+    picture = "exceedance curves and sensitivity indices, a grid of one or two numbers, or displacements by record"
     arrays = "all results as NumPy arrays, the samples where kept"
     records.options(parser)
     add_files(parser, picture, report=REPORT, csv="one table of all results", npz=arrays)
@@ -120,8 +121,8 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError("sweep: give --samples N, --grid KEY=FROM:TO:COUNT, or --records FOLDER")
     if options.report and options.grid:
         raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
-    if options.records and (options.report or options.plot):
-        raise ValueError("sweep: --report and --plot: not of records yet; give --csv, --npz or --json")
+    if options.records and options.report:
+        raise ValueError("sweep: --report: of samples, not of records; give --plot, --csv, --npz or --json")
     if options.search_each and options.grid:
         raise ValueError("sweep: --search-each: of samples, not of a grid")
     if options.records and options.grid:
@@ -132,13 +133,21 @@ def _check_options(options: argparse.Namespace) -> None:
 
 def _answer_of_records(study: SuiteStudy, options: argparse.Namespace) -> Answer:
     """The tables of a study over records; writes its files."""
+    pictures.write(options.plot, "suite", study)
     if options.csv:
         columns = study.columns()
         files.write(options.csv, files.table(columns, zip(*(c.tolist() for c in columns.values()), strict=True)))
     if options.npz:
         with files.replacing(options.npz) as file:
             np.savez(file, **cast(dict[str, Any], study.arrays()))
-    return Answer(study.to_dict, records.parts(study), [f"{study.scene.name}: {line}" for line in study.warnings])
+    magnitude = math.nan if options.magnitude is None else options.magnitude
+    compared = [c._asdict() for c in study.regressions(study.own_scale, magnitude)]
+    tables = records.parts(study, magnitude)
+    return Answer(
+        lambda: study.to_dict() | {"regressions": compared},
+        tables,
+        [f"{study.scene.name}: {line}" for line in study.warnings],
+    )
 
 
 def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:
