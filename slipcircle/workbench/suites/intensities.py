@@ -1,0 +1,87 @@
+"""Intensity measures of an acceleration record, from the integrals of its straight lines."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.base.series import Series
+
+Floats = NDArray[np.float64]
+_BAND = 0.25, 20.0  # Hz, of the mean period
+_RESOLUTION = 0.05  # Hz, at most, of its spectrum
+
+
+class Intensities(NamedTuple):
+    """Intensity measures of a record.
+
+    Attributes
+    ----------
+    pga : float
+        Peak acceleration over gravity.
+    pgv : float
+        Peak velocity, m/s: the greatest integral of the acceleration, without any correction of the base line.
+    arias : float
+        Arias intensity, pi/(2 g) times the integral of the square of the acceleration, m/s.
+    duration : float
+        Significant duration, s, in which the Arias intensity grows from 5 to 95 %.
+    mean_period : float
+        Mean period of Rathje, Abrahamson and Bray (1998), s: periods weighted with the squares of the Fourier
+        amplitudes from 0.25 to 20 Hz.
+    """
+
+    pga: float
+    pgv: float
+    arias: float
+    duration: float
+    mean_period: float
+
+
+def intensities(record: Series, gravity: float = 9.81) -> Intensities:
+    """Intensity measures of a record over gravity; of one that is zero they are 0, its mean period NaN."""
+    time, values = _with_zeros(record)
+    steps = np.diff(time)
+    before, after = values[:-1], values[1:]
+    means = (before + after) / 2.0
+    velocity = gravity * np.cumsum(steps * means)
+    mean_squares = (before**2 + before * after + after**2) / 3.0
+    squares = np.concatenate([[0.0], np.cumsum(steps * mean_squares)])
+    total = float(squares[-1])
+    arias = math.pi / 2.0 * gravity * total
+    duration = 0.0
+    if total > 0.0:
+        limits = 0.05 * total, 0.95 * total
+        first, last = np.interp(limits, squares, time)
+        duration = float(last - first)
+    pgv = float(np.max(np.abs(velocity)))
+    return Intensities(record.greatest, pgv, arias, duration, _mean_period(record))
+
+
+def _with_zeros(record: Series) -> tuple[Floats, Floats]:
+    """Times and values with the places between samples where the acceleration passes zero: there the velocity peaks."""
+    time, values = record.time, record.values
+    before, after = values[:-1], values[1:]
+    crosses = np.flatnonzero(before * after < 0.0)
+    share = before / np.where(before == after, 1.0, before - after)
+    zeros = time[:-1] + share * np.diff(time)
+    places = crosses + 1
+    with_zeros = np.insert(time, places, zeros[crosses])
+    return with_zeros, np.insert(values, places, 0.0)
+
+
+def _mean_period(record: Series) -> float:
+    """The mean period of evenly spaced samples, padded with zeros to the resolution of the spectrum."""
+    count = record.time.size
+    times, step = np.linspace(record.time[0], record.time[-1], count, retstep=True)
+    needed = math.ceil(1.0 / (_RESOLUTION * step))
+    length = max(count, needed)
+    amplitudes = np.abs(np.fft.rfft(record(times), length))
+    frequencies = np.fft.rfftfreq(length, step)
+    lowest, highest = _BAND
+    inside = (frequencies >= lowest) & (frequencies <= highest)
+    weights = amplitudes[inside] ** 2
+    if not np.any(weights):
+        return math.nan
+    periods = 1.0 / frequencies[inside]
+    return float(np.average(periods, weights=weights))
