@@ -152,7 +152,7 @@ def test_water_that_heat_presses_is_what_friction_has_dissipated() -> None:
 def test_phase_plane_stacks_the_energy() -> None:
     m, ax = motion("wet-slope"), drawn()
     assert plots.phase_plane(m, ax) is ax
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("displacement $s$ (m)", "energy per metre of width (MJ/m)")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("displacement $s$ (m)", "energy per metre of width\n(MJ/m)")
     (right,) = (a for a in ax.figure.axes if a is not ax)
     assert right.get_ylabel() == "speed $|v|$ (m/s)"
     work = 1e6 * ax.lines[0].get_ydata()
@@ -262,7 +262,7 @@ def test_the_section_says_when_and_how_far_and_that_the_circle_goes_on() -> None
 
 def test_energies_say_of_what_width_they_are() -> None:
     wide = replace(load("wet-slope"), arc=replace(load("wet-slope").arc, width=50.0))
-    assert plots.phase_plane(solve(wide), drawn()).get_ylabel() == "energy of 50 m of width (MJ)"
+    assert plots.phase_plane(solve(wide), drawn()).get_ylabel() == "energy of 50 m of width\n(MJ)"
 
 
 @pytest.mark.parametrize("depth", [0.0, 5.0])
