@@ -42,11 +42,13 @@ if TYPE_CHECKING:
     )
     from slipcircle.workbench.files.scenefile import load
     from slipcircle.workbench.records.records import Record
+    from slipcircle.workbench.records.suite import Suite, read_suite
     from slipcircle.workbench.stability.search import Critical, critical
     from slipcircle.workbench.stability.stability import Slope
     from slipcircle.workbench.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.workbench.studies.ensemble import ensemble, grid
     from slipcircle.workbench.studies.study import Study
+    from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
 __version__ = VERSION
 use_forms("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
@@ -70,6 +72,8 @@ _PLACES = {
     "State": "core",
     "Status": "core",
     "Study": "workbench.studies.study",
+    "Suite": "workbench.records.suite",
+    "SuiteStudy": "workbench.studies.suitestudy",
     "Unattainable": "workbench.studies.backanalysis",
     "backanalyse": "workbench.studies.backanalysis",
     "critical": "workbench.stability.search",
@@ -77,6 +81,7 @@ _PLACES = {
     "grid": "workbench.studies.ensemble",
     "load": "workbench.files.scenefile",
     "plan": "core",
+    "read_suite": "workbench.records.suite",
     "solve": "core",
 }
 __all__ = [
@@ -98,6 +103,8 @@ __all__ = [
     "State",
     "Status",
     "Study",
+    "Suite",
+    "SuiteStudy",
     "Unattainable",
     "backanalyse",
     "critical",
@@ -105,6 +112,7 @@ __all__ = [
     "grid",
     "load",
     "plan",
+    "read_suite",
     "solve",
 ]
 

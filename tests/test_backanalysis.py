@@ -51,16 +51,6 @@ def test_round_trip_of_other_fields(field: str, value: float) -> None:
     assert min(abs(s.value / value - 1) for s in found.solutions) < 1e-10
 
 
-def test_round_trip_of_what_a_scene_does_not_have_yet() -> None:
-    dragged = solve(replace(WET, effects={**WET.called, "drag": {"xi": 300.0}})).outcomes["peak_velocity"]
-    found = backanalyse(WET, field="drag.xi", peak_velocity=dragged)
-    assert min(abs(s.value / 300.0 - 1) for s in found.solutions) < 1e-10
-    scene = load("vaiont-softening")
-    wanted = scene.friction["residual"]  # type: ignore[index]
-    found = backanalyse(scene, run_out=solve(scene).run_out, field="friction.residual")
-    assert found.value == pytest.approx(wanted, rel=1e-10)
-
-
 # --- the tilted pendulum -------------------------------------------------------------------------------------------
 
 

@@ -178,7 +178,8 @@ def test_a_negative_zero_is_seen() -> None:
 def test_no_command_prints_a_negative_zero(name: str, tmp_path: Path, asked: Any) -> None:
     """Tables, CSV, JSON and reports; tables without more digits than people read."""
     key = "friction.angle_deg" if isinstance(load(name).friction, float) else "friction.peak_deg"
-    drawn = f"--uncertain {key}=normal:22:1 --uncertain initial_velocity_m_s=normal:0:0.01 --samples 32 --seed 1"
+    drawn = f"--uncertain {key}=normal:22:1 --uncertain initial_velocity_m_s=normal:0:0.01"
+    drawn += " --samples 32 --seed 1 --sensitivity 8"
     report = f"--csv {tmp_path}/a.csv --report {tmp_path}/a.html"
     studies = (
         f"sweep {name} --grid {key}=5,20,44 --csv {tmp_path}/b.csv",

@@ -311,8 +311,8 @@ def test_the_picture(rows: list[Row]) -> None:
 
 
 def test_the_answers_are_made_again() -> None:
-    """The first of each case, to its last digit; frictions are those of the ensemble's lanes."""
-    first = {name: dict([next(iter(of.items()))]) for name, of in answers().items()}
+    """The first of every third case, to its last digit; frictions are those of the ensemble's lanes."""
+    first = {name: dict([next(iter(of.items()))]) for name, of in [*answers().items()][::3]}
     assert json.dumps(first, indent=1) + "\n" == exact_scenes.written(first)
     assert sections.ANSWERS.read_text("utf-8") == exact_scenes.measures()
     for one, *lanes in (map(float, of) for of in answers().values()):

@@ -121,7 +121,7 @@ LINE = "sweep vaiont-rate --uncertain friction.peak_deg=normal:24:1 --samples 1e
 def test_ctrl_c_ends_every_engine(name: str, request: pytest.FixtureRequest, tmp_path: Path) -> None:
     """The signal goes to all processes, as from a terminal; what is kept begins when the first block is done."""
     name, _, on_cluster = name.partition(" ")
-    more = ["--workers", "2"]
+    more = ["--workers", "1"]
     if on_cluster:
         more = ["--scheduler", request.getfixturevalue("cluster").scheduler_address]
     process = subprocess.Popen(

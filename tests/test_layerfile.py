@@ -69,7 +69,7 @@ def test_a_file_is_the_section_that_it_describes(write: Write) -> None:
     law = {"law": "exponential", "peak": tangent[24], "residual": tangent[20], "length": 0.8}
     sand = Soil(18e3, 0.0, tangent[28], name="sand")
     clay = Soil(19e3, 0.0, law, 20e3, pore_ratio=0.1, name="clay")
-    soft = Soil(17e3, 25e3, 0.0, cohesion_gradient=1.5e3, datum=2.0, name="soft clay")
+    soft = Soil(17e3, 25e3, 0.0, cohesion_gradient=1.5e3, name="soft clay")
     layers = [(sand, None), (clay, [(-60, 18.5), (10, 18.5), (20, 12)]), (soft, 2.0)]
     ground = [(-60, 20), (0, 20), (40, 0), (120, 0)]
     for strength, slip in {"base": "", "mass": '[slip]\nstrength = "mass"\n'}.items():
@@ -94,12 +94,20 @@ def test_layered_scenes_that_ship_slide(name: str, records: Any) -> None:
 
 
 def test_numbers_have_names_by_soil_in_every_study(write: Write) -> None:
-    keys = {"soils.clay.friction.peak_deg": 23.0, "soils.soft clay.cohesion_kPa": 24.0, "layers.3.top_m": 2.5}
-    study = grid(slipcircle.load(write(SCENE)), {key: [value] for key, value in keys.items()})
-    changed = SCENE.replace("peak_deg = 24", "peak_deg = 23").replace(
-        "cohesion_kPa = 25", "cohesion_kPa = 24\ndatum_m = 2"
-    )
-    changed = changed.replace("top_m = 2\n", "top_m = 2.5\n")
+    keys: dict[str, tuple[Any, Any]] = {
+        "soils.clay.friction.peak_deg": (24, 23.0),
+        "soils.soft clay.cohesion_kPa": (25, 24.0),
+        "layers.3.top_m": (2, 2.5),  # below which the cohesion grows
+        "surcharge.1.pressure_kPa": ("[20, 40]", "[30, 60]"),
+        "tension_crack.depth_m": (1, 1.5),
+    }
+    scene = changed = SCENE + LOAD + "[tension_crack]\ndepth_m = 1\n"
+    for key, (before, after) in keys.items():
+        name = key.rpartition(".")[2]
+        assert changed.count(f"{name} = {before}\n") == 1 or name == "peak_deg"
+        changed = changed.replace(f"{name} = {before}", f"{name} = {after}")
+    values = {key: [60.0 if "pressure" in key else float(after)] for key, (_, after) in keys.items()}
+    study = grid(slipcircle.load(write(scene)), values)
     motion = slipcircle.solve(slipcircle.load(write(changed)))
     assert float(study.samples["run_out"][0]) == pytest.approx(motion.run_out, rel=1e-9)
     line = grid(slipcircle.load(write(SCENE)), {"layers.2.top_m": [17.5]})

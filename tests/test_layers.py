@@ -1,5 +1,6 @@
 """Layered sections: weights and strength along the arc against their definitions, motions against other solvers."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -11,14 +12,20 @@ from slipcircle.base.series import Series
 from slipcircle.core import LayeredSection, Soil, stretches
 from slipcircle.core.flow import compiled
 from slipcircle.core.scene.coordinates import changed_fields, replace_unchecked
-from slipcircle.core.scene.parameters import with_parameters
+from slipcircle.core.scene.parameters import with_parameter_arrays, with_parameters
 from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.outputs.tables import motion_summary
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 from tests.campaigns.layered_benchmarks import CASES, solved
 from tests.campaigns.layered_benchmarks import differences as differences_of
-from tests.campaigns.layered_sections import differences, random_motions, random_section, strength_by_quadrature
+from tests.campaigns.layered_sections import (
+    AlongTheArc,
+    differences,
+    random_motions,
+    random_section,
+    strength_by_quadrature,
+)
 from tests.support.layered import GROUND, LEVEL, PROFILES, TOPS, TURNING, profile, tangent
 
 # Factor of safety, peak velocity, its time, run-out and duration, by DOP853 in time with rtol = 2e-13, of a program
@@ -91,6 +98,16 @@ def test_stretches_sum_up_to_the_motion(name: str) -> None:
         assert row.soil is section.layers[sum(45.0 - 48.0 * np.cos(middle) < top for top in TOPS[1:])][0]
 
 
+def test_the_normal_stress_of_a_moving_layered_mass_is_that_on_which_its_mean_friction_acts() -> None:
+    section = profile("constant friction")
+    motion = solve(Scene(section, effects=TURNING))
+    state = motion.at(3.0)
+    omega_2 = state.angular_velocity**2 * 48.0 / 9.81
+    friction, _, _ = AlongTheArc(section, 6).resistance(state.rotation, omega_2)
+    length = 48.0 * 2 * float(section.half_angle)
+    assert state.normal_stress * motion.friction * length == pytest.approx(friction, rel=1e-9)
+
+
 @pytest.mark.parametrize(
     ("strength", "expected"), [("base", (4.26345513922, 18.5701151669)), ("mass", (4.41560123103, 19.3144981725))]
 )
@@ -144,9 +161,30 @@ def test_derivatives_of_layered_motions_are_those_of_other_motions(strength: str
         GROUND, (30, 45), 48.0, layers=list(zip(RICH, RICH_TOPS, strict=True)), strength=strength,
         level=[(-60, 12), (0, 9), (40, -1.4), (120, -1.8)], surcharge=[(-3.0, 4.0, 2e4, 3e4)],
     )  # fmt: skip
+    check_derivatives(section, dict(list(NUMBERS.items())[half]))
+
+
+@pytest.mark.parametrize(("way", "numbers"), [
+    (1, {"crack": 5e-3, "centre.y": 5e-3, "ground.0.y": 5e-3, "ground.1.y": 5e-3, "surcharge.1.pressure": 20.0}),
+    (-1, {"crack": 5e-3, "radius": 5e-3, "ground.2.y": 5e-3, "layers.2.top": 2e-3, "soils.d.cohesion_gradient": 1.0}),
+])  # fmt: skip
+def test_derivatives_of_cracked_and_loaded_motions_are_those_of_other_motions(way: int, numbers: Any) -> None:
+    """The crack in sloping ground; a load with two pressures; cohesion that grows below a varied top."""
+    steep = [(-60, 22), (-2, 20), (40, 0), (120, 0)]
+    ground = [(way * x, y) for x, y in steep][::way]
+    left, right = sorted([-3.0 * way, 4.0 * way])
+    soils = [*RICH[:2], Soil(21e3, 1e3, 0.36, cohesion_gradient=200.0, name="d")]
+    section = LayeredSection(
+        ground, (30 * way, 45), 48.0, layers=list(zip(soils, (None, 12.0, 3.0), strict=True)), crack=4.0,
+        surcharge=[(left, right, 2.5e4 - 5e3 * way, 2.5e4 + 5e3 * way)],
+    )  # fmt: skip
+    check_derivatives(section, numbers | {"layers.3.top": 2e-3})
+
+
+def check_derivatives(section: LayeredSection, steps: Mapping[str, float]) -> None:
     scene = Scene(section, effects=TURNING)
     sensitivity = solve(scene).sensitivity()
-    for name, step in list(NUMBERS.items())[half]:
+    for name, step in steps.items():
 
         def at(steps: int, name: str = name, step: float = step) -> Any:
             motion = solve(with_parameters(scene, {name: sensitivity.at[name] + steps * step}))
@@ -272,6 +310,10 @@ def test_where_a_boundary_touches_the_arc_there_is_no_derivative() -> None:
     section = LayeredSection(GROUND, (30, 45), 48.0, layers=[(soils[0], None), (soils[1], 6.0), (soils[2], -3.0)])
     with pytest.raises(ValueError, match=r"layers\.3\.top: touches the slip circle without crossing it"):
         solve(Scene(section, effects=TURNING)).sensitivity()
+    at_brow = 20.0 - (45.0 - np.sqrt(48.0**2 - 30.0**2))  # from the brow at (0, 20) down to the arc
+    cracked = LayeredSection(GROUND, (30, 45), 48.0, layers=[(soils[2], None)], crack=at_brow)
+    with pytest.raises(ValueError, match="crack: is at a vertex of the ground"):
+        solve(Scene(cracked, effects=TURNING)).sensitivity()
 
 
 @pytest.mark.parametrize("strength", ["base", "mass"])
@@ -306,6 +348,28 @@ def test_lanes_of_circles_and_boundaries() -> None:
     for k in range(2):
         one = solve(with_parameters(Scene(section, effects=TURNING), {n: float(v[k]) for n, v in lanes.items()}))
         assert ensemble.run_out[k] == pytest.approx(one.run_out, rel=1e-9)
+
+
+def test_lanes_of_cracks_loads_and_heights_where_cohesion_begins_to_grow() -> None:
+    soils = [RICH[0], Soil(21e3, 1e3, 0.36, cohesion_gradient=200.0, name="d")]
+    layers = list(zip(soils, (None, 3.0), strict=True))
+    section = LayeredSection(GROUND, (30, 45), 48.0, layers=layers, crack=2.0, surcharge=[(-3.0, 4.0, 2e4, 3e4)])
+    values = {"crack": [2.0, 2.5], "surcharge.1.pressure": [3e4, 5e4], "layers.2.top": [3.0, 5.0]}
+    both, invalid = with_parameter_arrays(Scene(section, effects=TURNING), {n: np.array(v) for n, v in values.items()})
+    assert not invalid.any()
+    changed = [
+        LayeredSection(
+            GROUND, (30, 45), 48.0, layers=list(zip(soils, (None, top), strict=True)), crack=crack,
+            surcharge=[(-3.0, 4.0, pressure / 1.5, pressure)],
+        )
+        for crack, pressure, top in zip(*values.values(), strict=True)
+    ]  # fmt: skip
+    ensemble, factors = solve(both, accuracy=1e-12), factors_of_safety(both)
+    for k, one in enumerate(changed):
+        scene = Scene(one, effects=TURNING)
+        assert ensemble.run_out[k] == pytest.approx(solve(scene).run_out, rel=1e-9)
+        for method, factor in factors_of_safety(scene).items():
+            assert factors[method][k] == pytest.approx(factor, rel=1e-9)
 
 
 def test_without_a_compiler_motions_are_the_same() -> None:

@@ -1,4 +1,4 @@
-"""The notebooks run in a fresh kernel, print what they hold, and their numbers are the package's.
+"""The notebooks run from their tops, print what they hold, and their numbers are the package's.
 
 ``./run python tests/test_notebooks.py [NUMBER ...]`` stores fresh outputs, with the figures. The tests compare of
 these what titles, axes and legends say, and do not compare what cells print whose ids start with "timed": it holds
@@ -11,88 +11,113 @@ import math
 import os
 import sys
 import tempfile
+import warnings
 from dataclasses import replace
 from decimal import Decimal
-from functools import cache
+from functools import cache, wraps
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
+import matplotlib
 import nbformat
 import numpy as np
 import pytest
-from nbclient import NotebookClient
+from ipykernel.inprocess.manager import InProcessKernelManager
+from matplotlib import pyplot as plt
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from traitlets.config import Config
 
 import generated
+from derive import progress
 from derive.flow.operations import OPERATIONS as SERIES
 from derive.judge.paper import CLAIMS
 from generated import tiers
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Motion, Status, load, solve
+from slipcircle.base import progress as progress_of_commands
+from slipcircle.workbench.cost import cost
+from slipcircle.workbench.outputs.plotstyle import described
 from slipcircle.workbench.outputs.report import ASSUMED
 from tests.support import oracle
 from tests.support.outputs import QUICK, words_of
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
+undescribed: Any = FigureCanvasAgg.print_png
 METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},
 }
-# Pictures that a notebook shows say in the file what their legends and axes say, as those of commands do.
-# Lines of progress are no output: how many there are depends on the machine.
-DESCRIBED = """
-from functools import wraps
-from derive import progress
-from slipcircle.base import progress as progress_of_commands
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from slipcircle.workbench.outputs.plotstyle import described
-
-undescribed = FigureCanvasAgg.print_png
-
-@wraps(undescribed)
-def print_png(canvas, target, **more):
-    undescribed(canvas, target, **more | {"metadata": {"Description": chr(10).join(described(canvas.figure))}})
-
-FigureCanvasAgg.print_png = print_png
-progress.FIRST = float("inf")
-progress_of_commands._SELDOM = float("inf")
-"""
 each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 
 
-def run(path: Path, first: str = "") -> Any:
-    """The notebook, run in a fresh kernel that knows no settings of the user; nothing volatile is left in it.
+@cache
+def kernel() -> Any:
+    """IPython in this process, which has most of what notebooks import, without history and settings of the user."""
+    manager = InProcessKernelManager(config=Config(HistoryManager={"enabled": False}))
+    manager.start_kernel()
+    with warnings.catch_warnings(action="ignore"):  # the inline backend's, when it is made
+        manager.kernel.shell.run_line_magic("matplotlib", "inline")
+    return manager.kernel
 
-    What is to be run ``first`` leaves no cell either.
+
+def executed(source: str) -> list[Any]:
+    """What a cell puts out; all that it prints stands where its first words do."""
+    client = kernel().parent.client()
+    client.start_channels()
+    client.execute(source)
+    for stream in (kernel().stdout, kernel().stderr):
+        stream.flush()
+    outputs: list[Any] = []
+    for message in client.iopub_channel.get_msgs():
+        if message["msg_type"] in ("stream", "display_data", "execute_result", "error"):
+            output = nbformat.v4.output_from_msg(message)
+            before = [other for other in outputs if other.get("name") == output.get("name", "")]
+            if before:
+                before[0].text += output.text
+            else:
+                outputs.append(output)
+    client.stop_channels()
+    return outputs
+
+
+@wraps(undescribed)
+def print_png(canvas: Any, target: Any, **more: Any) -> None:
+    """Pictures say in the file what their legends and axes say, as those of commands do."""
+    undescribed(canvas, target, **more | {"metadata": {"Description": "\n".join(described(canvas.figure))}})
+
+
+def run(path: Path, first: str = "") -> Any:
+    """The notebook, run from its top, after what is to be run ``first``; nothing volatile is left in it.
+
+    Lines of progress are no output: how many there are depends on the machine.
     """
     notebook = nbformat.read(path, as_version=4)
-    notebook.cells.insert(0, nbformat.v4.new_code_cell(f"{DESCRIBED}\n{first}"))
-    with tempfile.TemporaryDirectory() as folder:
-        # The kernel draws inline whatever the backend here, and keeps no history.
-        env = {name: value for name, value in os.environ.items() if name not in ("MPLBACKEND", "MATPLOTLIBRC")}
-        env |= {"IPYTHONDIR": folder, "PYTHONPATH": str(ROOT), "PYTHONWARNINGS": "default"}
-        client = NotebookClient(
-            notebook,
-            timeout=300,  # a guard; the longest cell takes some seconds
-            kernel_name="python3",
-            record_timing=False,
-            coalesce_streams=True,
-            extra_arguments=["--log-level=ERROR"],
-            resources={"metadata": {"path": folder}},
-        )
-        client.execute(env=env)
-    del notebook.cells[0]
-    failed = [o for cell in notebook.cells for o in cell.get("outputs", []) if o.output_type == "error"]
-    assert not failed, failed  # as of a picture that cannot be displayed, which stops nothing
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        mock.patch.dict(os.environ, IPYTHONDIR=folder, PYDEVD_DISABLE_FILE_VALIDATION="1"),
+        pytest.MonkeyPatch.context() as patch,
+        matplotlib.rc_context(),
+    ):
+        patch.setitem(sys.modules, "__main__", sys.modules["__main__"])  # IPython puts its namespace there
+        patch.chdir(folder)
+        patch.setattr(FigureCanvasAgg, "print_png", print_png)
+        patch.setattr(progress, "FIRST", math.inf)
+        patch.setattr(progress_of_commands, "_SELDOM", math.inf)
+        matplotlib.rcdefaults()
+        assert not executed(f"%reset -f\n{first}")
+        for cell in notebook.cells:
+            cell.metadata = {"tags": cell.metadata.tags} if "tags" in cell.metadata else {}
+            if cell.cell_type == "code":
+                cell.execution_count, cell.outputs = None, executed(cell.source)
+                failed = [output for output in cell.outputs if output.output_type == "error"]
+                assert not failed, "\n".join(failed[0].traceback)  # as of a picture that cannot be displayed
+                for output in cell.outputs:
+                    if output.output_type == "execute_result":
+                        output.execution_count = None
+        plt.switch_backend("agg")
     notebook.metadata = METADATA
-    for cell in notebook.cells:
-        cell.metadata = {"tags": cell.metadata.tags} if "tags" in cell.metadata else {}
-        if cell.cell_type == "code":
-            cell.execution_count = None
-            for output in cell.outputs:
-                output.pop("execution_count", None)
-                if output.output_type == "execute_result":
-                    output.execution_count = None
     return notebook
 
 
@@ -135,9 +160,11 @@ def printed(notebook: Any, cell_id: str) -> str:
 
 
 @each_notebook
-def test_outputs_are_those_of_a_fresh_run(path: Path) -> None:
-    quick = f"from slipcircle.workbench.cost import cost\nvars(cost).update({QUICK | {'_PASS': 1e-3}})"
-    kept, fresh = stored(path.name), run(path, quick)
+def test_outputs_are_those_of_a_fresh_run(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, value in (QUICK | {"SIZES": (1, 4, 16), "REPEATS": 1, "_PASS": 1e-3}).items():
+        monkeypatch.setattr(cost, name, value)
+    # Pictures are drawn once, not a first time to see how large they are.
+    kept, fresh = stored(path.name), run(path, "%config InlineBackend.print_figure_kwargs = {'bbox_inches': None}")
     stale = "stale; to store fresh outputs: ./run python tests/test_notebooks.py"
     for old, new in zip(kept.cells, fresh.cells, strict=True):
         assert old.id.startswith("timed") or texts(old) == texts(new), f"{path.name}, cell {old.id}: {stale}"
@@ -193,7 +220,7 @@ def test_key_numbers_of_the_derivation() -> None:
     assert f"Operations: {numbers['operations']}." in doc
     before, after = numbers["appendix_I_operations"]
     assert before > 50 * after
-    for cell, said in (("picture", "one line, as it stands: finite at 61 of 62 angles"), ("use", "Vaiont: 2.413 MPa"),
+    for cell, said in (("picture", "one line, as it stands: finite at 31 of 32 angles"), ("use", "Vaiont: 2.413 MPa"),
                        ("picture", "certified kernel: within its proved bound everywhere: True"),
                        ("program", "as checked in: True"), ("certificate", "of these programs: True"),
                        ("source", "as checked in: True")):  # fmt: skip

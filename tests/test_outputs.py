@@ -377,16 +377,3 @@ def test_backanalysis_finds_what_was_there(files: dict[str, Path], said: Any, re
     assert cells["run-out (m)"] == [f"{e.run_out:.4g} (observed {e.run_out:.6g} +- 0.25)"]
     assert cells["peak velocity (m/s)"] == [f"{math.copysign(e.peak, e.run_out):.4g}"]
     assert (cells["duration (s)"], cells["swings"]) == ([f"{e.duration:.4g}"], ["0"])
-
-
-def test_a_grid_has_the_numbers_of_its_scenes(files: dict[str, Path], records: Any) -> None:
-    (record,) = records("sweep", files["swings"], "--grid friction.angle_deg=3,8,30")
-    assert len(record["rows"]) == 3
-    for row, angle in zip(record["rows"], (3.0, 8.0, 30.0), strict=True):
-        e = Exact(SCENES["swings"] | {"friction": math.tan(math.radians(angle))})
-        assert row["friction.angle_deg"] == angle
-        assert row["run_out (m)"] == pytest.approx(abs(e.run_out), rel=1e-9, abs=1e-15)  # a size, as of hazards
-        assert row["duration (s)"] == pytest.approx(e.duration, rel=1e-9, abs=1e-15)
-        assert row["peak_velocity (m/s)"] == pytest.approx(e.peak, rel=1e-9, abs=1e-15)
-        ways = {step.side for step in e.motion.steps}
-        assert row["status"] == ("STAYS", "RESTS", "TURNED")[len(ways)]

@@ -16,14 +16,13 @@ from slipcircle import Arc, Scene, Section, critical, grid, load, solve
 from slipcircle.workbench.common.quantities import record
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.scenefile import find
-from slipcircle.workbench.outputs import layerplot, pictures, plots, plotstyle, searchplot
+from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot
 from slipcircle.workbench.outputs.report import report
 from slipcircle.workbench.outputs.tables import motion_column, stretches_part
 from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
 from tests.support.layered import TURNING, profile
-from tests.support.outputs import words_of
 from tests.support.pictures import SCENES, canvas, clashes, drawn, legend, motion, texts
 
 matplotlib.use("agg")
@@ -98,6 +97,31 @@ def test_words_stand_once_beside_each_other() -> None:
     assert "deg" in side.get_ylabel()
     radius = float(np.asarray(m.plan.scene.arc.radius))
     assert np.allclose(side.get_ylim(), np.degrees(np.array(ax.get_ylim()) / radius))
+
+
+@pytest.mark.parametrize(
+    ("law", "words", "of", "levels"),
+    [
+        ({"law": "linear", "peak": 0.41, "residual": 0.17, "length": 60.0}, ["residual friction"], "path", [60.0]),
+        ({"law": "tabulated", "slip": [0.0, 60.0], "coefficient": [0.41, 0.17]}, ["end of the table"], "path", [60.0]),
+        (
+            {"law": "rate_tabulated", "speed": [5.0, 10.0], "coefficient": [0.35, 0.17]},
+            ["5 m/s", "10 m/s"],
+            "velocity",
+            [5.0, 10.0],
+        ),
+    ],
+)
+def test_bends_of_friction_have_a_line_and_the_reason(
+    law: dict[str, object], words: list[str], of: str, levels: list[float]
+) -> None:
+    m = solve(Scene(load("vaiont").arc, law, ["rotation", "centripetal"]))
+    ax = plots.history(m, "friction", drawn())
+    assert {*words} <= {*legend(ax)}
+    bends = [float(line.get_xdata()[0]) for line in ax.lines if len(line.get_xdata()) == 2]
+    reached = [float(m.path_at(t) if of == "path" else m.at(t).velocity) for t in bends]
+    for level in levels:
+        assert min(abs(value - level) for value in reached) < 1e-3 * level
 
 
 def test_friction_is_that_of_the_time() -> None:
@@ -260,13 +284,6 @@ def test_the_map_of_a_search_is_darkest_where_most_dangerous_and_whole(depth: fl
     assert most > 1.03 * least
 
 
-def test_a_stored_picture_says_what_it_shows() -> None:
-    """Its title, axes, legends and labels are in the file; so pictures in the repository are compared with today's."""
-    said = words_of(pictures.picture("ladder", ladder(SCENES["vaiont"]), "ladder.png"))
-    assert said == ["run-out along the arc (m); dotted: with all effects, 677.3 m"]
-    assert "at rest after 38.08 s and 677.3 m" in words_of(pictures.picture("section", motion("vaiont"), "s.png"))
-
-
 # --- greys and names -----------------------------------------------------------------------------------------------
 
 
@@ -295,14 +312,6 @@ def test_numbers_and_names() -> None:
     assert head.startswith("scene,time_s,")
     assert rows[0].startswith('"swings, a name with $ and <",0.0,')
     assert rows[-1].startswith("wet-slope,")
-
-
-def test_an_axis_is_made_where_none_is_given() -> None:
-    from matplotlib import pyplot
-
-    ax = plots.history(motion("vaiont"))
-    assert ax.figure.number in pyplot.get_fignums()
-    pyplot.close("all")
 
 
 def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:

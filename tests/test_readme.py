@@ -19,7 +19,7 @@ import slipcircle
 from generated._compiled import LEVEL, LEVELS
 from generated.effects import EFFECTS
 from generated.tiers import BOUNDS
-from slipcircle import Motion, Unattainable, backanalyse, load, solve
+from slipcircle import Motion, load, solve
 from slipcircle.workbench.cost import cost, costplot
 from slipcircle.workbench.outputs import pictures, plots
 from tests.support import accuracy
@@ -174,19 +174,6 @@ def test_every_command_of_the_table_runs(line: str, tmp_path: Path, monkeypatch:
     elif "--samples" in line and "--uncertain" not in line:
         line += " --uncertain friction.angle_deg=normal:10:1"
     assert said(re.sub(r"\bN\b", "64", line.replace("SCENE ...", "SCENE")).replace("SCENE", "vaiont"))
-
-
-def test_least_squares_of_two_observations() -> None:
-    """It starts where something moves, meets both, and says what is hardly told; where nothing comes near, how far."""
-    asked: dict[str, Any] = {"run_out": (400.0, 20.0), "duration": (40.0, 5.0),
-                             "field": ["friction.angle_deg", "cohesion.cohesion_kPa"]}  # fmt: skip
-    found = backanalyse(load("vaiont"), **asked)
-    assert found.solutions[0].chi_square < 1.0
-    assert solve(found.motion.plan.scene).run_out == pytest.approx(400.0, abs=20.0)
-    assert any("cohesion.cohesion_kPa" in w and "determined" in w for w in found.warnings)
-    assert len(found.solutions) == 1
-    with pytest.raises(Unattainable, match=r"the nearest is run_out = .* standard errors off"):
-        backanalyse(load("wet-slope"), **asked)
 
 
 def test_words() -> None:

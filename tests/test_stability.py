@@ -118,16 +118,6 @@ def test_steep_slopes_without_friction_need_no_base() -> None:
     assert critical(deep).factor_of_safety["bishop"] == pytest.approx(0.552, abs=2e-4)
 
 
-@pytest.mark.parametrize(
-    ("slope", "angle", "number"), [(45, 5, 0.136), (45, 10, 0.108), (45, 20, 0.062), (30, 10, 0.075), (30, 20, 0.025)]
-)
-def test_taylor_s_friction_circles(slope: float, angle: float, number: float) -> None:
-    """c/(gamma H) at which F = 1, by another method, read off his chart to two or three digits."""
-    ground = [(-40, 0), (0, 0), (10 / tangent(slope), 10), (70, 10)]
-    found = critical(Slope(ground, number * 20e3 * 10, tangent(angle), 20e3, base=-20))
-    assert found.factor_of_safety["bishop"] == pytest.approx(1.0, abs=0.012)
-
-
 def sliced(slope: Slope, centre: tuple[float, float], radius: float, found: Section) -> dict[str, float]:
     """The three factors by 200,000 slices, in the words of the text books."""
     ends = sorted((float(found.entry[0]), float(found.exit[0])))
@@ -197,20 +187,6 @@ def test_without_friction_all_methods_agree() -> None:
     expected = 40e3 / (19e3 * 25.0) * 2 * found.half_angle / found.moments["weight_moment"]
     for method in METHODS:
         assert ours[method] == pytest.approx(expected, rel=1e-12)
-
-
-def test_the_ordinary_method_of_one_chord_in_closed_form() -> None:
-    # Without cohesion and water: mu times the integral of h cos^2 over that of -h sin cos, h of a straight chord.
-    p, q, radius = np.array([-20.0, 10.0]), np.array([8.0, 0.0]), 30.0
-    centre, _ = circle_through(p, q, radius=radius)
-    slope = Slope([p - 2 * (q - p), q + 2 * (q - p)], 0.0, 0.5, 2e4)
-    a = math.asin(np.hypot(*(q - p)) / 2 / radius)
-    dip = math.atan2(10.0, 28.0)
-    normal = math.sin(a) - a * math.cos(a) + math.cos(2 * dip) * (
-        (math.sin(a) + math.sin(3 * a) / 3) / 2 - math.cos(a) * math.sin(2 * a) / 2
-    )  # fmt: skip
-    drive = 2 / 3 * math.sin(a) ** 3 * math.sin(dip) * math.cos(dip)
-    assert fixed(slope, tuple(centre), radius)["ordinary"] == pytest.approx(0.5 * normal / drive, rel=1e-12)
 
 
 def test_many_circles_are_single_ones() -> None:

@@ -15,7 +15,7 @@ from slipcircle import Arc, Scene, Series, ensemble, solve
 from slipcircle.core import Status
 from slipcircle.workbench.records.suite import Suite, place_of, read_suite
 from slipcircle.workbench.studies.suitestudy import LANE_RESULTS, SuiteStudy
-from tests.support.blocks import exactly
+from tests.support.blocks import exactly, quake
 
 GRAVITY = 9.81
 ARC = Arc(60.0, math.radians(220.0), math.radians(290.0), 19e3)
@@ -27,15 +27,6 @@ SOFTENING = Scene(
     uncertain={"friction.peak": {"distribution": "uniform", "low": 0.36, "high": 0.4}},
     name="softening",
 )
-
-
-def quake(seed: int, samples: int = 500, step: float = 0.01) -> Series:
-    """Noise of about 2.5 Hz that swells and fades; 0.35 g at most."""
-    time = np.asarray(step * np.arange(samples), dtype=np.float64)
-    swing = np.exp(-time[:80] / 0.15) * np.sin(5.0 * np.pi * time[:80])
-    noise = np.convolve(np.random.default_rng(seed).normal(size=samples), swing)[:samples]
-    values = noise * time * np.exp(-time)
-    return Series(time, 0.35 * values / np.abs(values).max(), held=False)
 
 
 def at2(record: Series) -> str:
@@ -269,3 +260,23 @@ def test_a_record_of_zeros_has_no_peak_and_counts() -> None:
     assert ensemble(FROZEN, records=Suite.of([zeros])).displacement.tolist() == [[[[0.0]]]]
     with pytest.raises(ValueError, match="1: is zero at all times"):
         ensemble(FROZEN, records=[zeros], scale_to_pga=0.3)
+
+
+def test_the_command(folder: Path, asked: Any, said: Any) -> None:
+    """The same numbers in its table, CSV and JSON; a warning for each file that is no record, unless strict."""
+    (folder / "corrupt.AT2").write_text(BAD["corrupt.AT2"][0], "utf-8")
+    line = f"sweep newmark-pulse --records {folder} --polarities --scale-to-pga 0.2,0.4 --units g --step 0.01"
+    status, out, err = asked(f"{line} --csv {folder / 'all.csv'}")
+    assert status == 0
+    assert err.count("corrupt.AT2: holds ") == 1
+    assert "RSN6_ELC-UP.AT2: is a vertical component by its name; not used" in err
+    held = json.loads(said(f"{line} --json"))
+    assert [len(held["run_out"]), held["scale_is"], held["scale"]] == [7, "pga_g", [0.2, 0.4]]
+    rows = (folder / "all.csv").read_text().splitlines()
+    assert len(rows) == 1 + 7 * 2 * 2
+    first = dict(zip(rows[0].split(","), rows[1].split(","), strict=True))
+    assert float(first["run_out"]) == held["run_out"][0][0][0][0]
+    one, other = (f"{abs(held['run_out'][0][p][1][0]):.4g}" for p in (0, 1))
+    assert any(row.split()[:4] == ["RSN6_ELC180.AT2", "0.4", one, other] for row in out.splitlines())
+    assert "corrupt.AT2: holds" in asked(f"{line} --strict")[2]
+    assert asked("sweep newmark-pulse --polarities")[0] != 0

@@ -12,6 +12,7 @@ from derive.judge.claims import VERDICTS
 from derive.judge.verify import Row, rows
 
 SIMPLY = ("holds", "holds to the printed digits", "definition")
+_WIDE = 130  # columns of a terminal, from which on a table has the values too
 COLOURS = {
     "holds": "green",
     "holds to the printed digits": "green",
@@ -49,13 +50,17 @@ def show(form: str = "text", verbose: bool = False) -> None:
 def _show_table(judged: Sequence[Row]) -> None:
     console = import_module("rich.console").Console(markup=False)
     table = import_module("rich.table").Table(
-        "where", "claim", title="Claims of the paper, compared with what follows from its definitions"
+        title="Claims of the paper, compared with what follows from its definitions"
     )
-    for column in ("printed", "from the definitions"):
-        table.add_column(column, no_wrap=True, max_width=30)
-    table.add_column("verdict", no_wrap=True)
+    for column in ("where", "claim"):
+        table.add_column(column, overflow="fold")
+    if console.width >= _WIDE:
+        for column in ("printed", "from the definitions"):
+            table.add_column(column, no_wrap=True, max_width=30)
+    table.add_column("verdict", overflow="fold")
     for row in judged:
-        table.add_row(row.id, row.claim, row.printed, row.computed, row.verdict, style=COLOURS[row.verdict])
+        values = [row.printed, row.computed] if console.width >= _WIDE else []
+        table.add_row(row.id, row.claim, *values, row.verdict, style=COLOURS[row.verdict])
     console.print(table)
     console.print(f"{counts(judged)}. Causes, assumptions and rules: --verbose.")
 

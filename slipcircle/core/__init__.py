@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from slipcircle.core.scene.scene import checked as checked
     from slipcircle.core.scene.section import Section as Section
     from slipcircle.core.scene.soils import Soil as Soil
+    from slipcircle.core.scene.soils import datum_of as datum_of
     from slipcircle.core.scene.soils import layer_mistakes as layer_mistakes
     from slipcircle.core.scene.soils_along import Stretch as Stretch
     from slipcircle.core.scene.soils_along import mean_normal_stress as mean_normal_stress
@@ -82,7 +83,7 @@ _PUBLIC = {
     ),
     "core.scene.scene": "Scene checked",
     "core.scene.section": "Section",
-    "core.scene.soils": "Soil layer_mistakes",
+    "core.scene.soils": "Soil datum_of layer_mistakes",
     "core.scene.soils_along": "Stretch mean_normal_stress stretches",
     "core.scene.strips": "line_crossings",
     "core.scene.weights": "Dimensionless",

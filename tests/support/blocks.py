@@ -1,8 +1,20 @@
-"""Newmark's sliding block, integrated exactly."""
+"""Newmark's sliding block, integrated exactly, and records that shake it."""
 
 from typing import Any
 
 import mpmath as mp
+import numpy as np
+
+from slipcircle.base.series import Series
+
+
+def quake(seed: int, samples: int = 500, step: float = 0.01) -> Series:
+    """Noise of about 2.5 Hz that swells and fades; 0.35 g at most."""
+    time = np.asarray(step * np.arange(samples), dtype=np.float64)
+    swing = np.exp(-time[:80] / 0.15) * np.sin(5.0 * np.pi * time[:80])
+    noise = np.convolve(np.random.default_rng(seed).normal(size=samples), swing)[:samples]
+    values = noise * time * np.exp(-time)
+    return Series(time, 0.35 * values / np.abs(values).max(), held=False)
 
 
 def exactly(time: Any, rates: Any, tail: float) -> tuple[list[Any], list[Any], Any]:

@@ -239,11 +239,11 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
         """Phases of a single motion between its standstills."""
-        scale = self._lanes.time_scale
+        scale, duration = float(np.squeeze(self._lanes.time_scale)), float(np.squeeze(self._duration))
         phases: list[Phase] = []
         for event, time, rotation, direction in self._log:
             if event == ix.NOTE_BEGINS:
-                phases.append(Phase(time * scale, self._duration, rotation, int(direction)))
+                phases.append(Phase(time * scale, duration, rotation, int(direction)))
             elif event == ix.NOTE_STANDS:
                 phases[-1] = phases[-1]._replace(end=time * scale)
         return tuple(phases)

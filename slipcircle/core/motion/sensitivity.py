@@ -82,7 +82,7 @@ def _numbers_of_soils(section: LayeredSection) -> list[str]:
     """Those by which there are derivatives: of a length that all soils share once, and of what is given at all."""
     first = next((soil.name for soil in section.soils if isinstance(soil.friction, Mapping)), "")
     numbers = section.other_numbers()
-    depends_on_depth = {soil.name for soil in section.soils if soil.datum is not None}
+    depends_on_depth = {s.name for s, datum in zip(section.soils, section.datums, strict=True) if datum is not None}
     names = []
     for name, value in numbers.items():
         start, _, number = name.rpartition(".")

@@ -72,6 +72,13 @@ class State:
     time, rotation, angular_velocity, velocity, displacement, acceleration, normal_stress
         s, rad, rad/s, m/s and m along the arc, m/s^2 along the arc, Pa (mean over the arc, including water pressure;
         computed on first use).
+
+    Notes
+    -----
+    With layers ``normal_stress`` is the stress on which the mean friction coefficient of the arc acts: the mean of the
+    normal stress over the arc, each stretch weighted by the friction that its soil loses with slip, or has where no
+    soil softens, over the mean of that at the start. At the start this is the mean of the normal stress; afterwards it
+    differs, as other stretches carry the mass. `slipcircle.core.mean_normal_stress` gives the stress along the arc.
     """
 
     time: Any

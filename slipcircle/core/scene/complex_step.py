@@ -13,14 +13,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
+from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.profile import MOMENTS
-from slipcircle.core.scene.strips import meets_circle
+from slipcircle.core.scene.strips import edge_below, meets_circle
 
 Floats = NDArray[np.float64]
 STEP = 1e-50
-_TOUCHES = 1e-9  # how near to the arc a boundary's foot touches it, over R
+_TOUCHES = 1e-9  # how near to the arc a boundary's foot touches it, or a crack to a vertex, over R
+_PARALLEL = 1e-6  # difference of slopes below which a crack is deep where the mass is deepest
 
 
 def derivative(values: Any) -> Floats:
@@ -34,11 +35,11 @@ def with_derivatives(section: LayeredSection, names: Sequence[str]) -> LayeredSe
     Raises
     ------
     ValueError
-        Where a boundary touches the arc without crossing it: there are no derivatives.
+        Where a boundary touches the arc without crossing it, or a crack meets a vertex of the ground or a ground that
+        is parallel to the arc: there are no derivatives.
     """
-    if section.crack:
-        raise ValueError("sensitivity: has no derivatives of sections with a tension crack; compare motions instead")
     _raise_if_a_boundary_touches(section)
+    _raise_at_a_kink_of_the_crack(section)
     numbers = arc_numbers(section)
     known = {name: numbers[name] for name in names if name in numbers}
     steps = {name: value + 1j * STEP * np.array([float(n == name) for n in names]) for name, value in known.items()}
@@ -46,8 +47,13 @@ def with_derivatives(section: LayeredSection, names: Sequence[str]) -> LayeredSe
     other: Any = object.__new__(_ComplexSection)
     for f in fields(section):
         object.__setattr__(other, f.name, changed.get(f.name, getattr(section, f.name)))
-    vars(other)["real"] = section
-    vars(other)["shape"] = (len(names),)
+    return _beside(section, other, len(names))
+
+
+def _beside(real: LayeredSection, other: Any, lanes: int) -> LayeredSection:
+    """The other section, which takes from the real one what is of real numbers."""
+    vars(other)["real"] = real
+    vars(other)["shape"] = (lanes,)
     section_of_lanes: LayeredSection = other
     return section_of_lanes
 
@@ -56,6 +62,10 @@ class _ComplexSection(LayeredSection):
     """Of the section ``real`` what the geometry of circles, which is of real numbers, gives a layered section."""
 
     real: LayeredSection
+
+    @cached_property
+    def _uncracked(self) -> LayeredSection:
+        return _beside(self.real._uncracked, replace_unchecked(self, {"crack": 0.0}), len(self._facing))
 
     @cached_property
     def _facing(self) -> Floats:
@@ -122,3 +132,18 @@ def _raise_if_a_boundary_touches(section: LayeredSection) -> None:
                 f"sensitivity: layers.{k}.top: touches the slip circle without crossing it, where there are no "
                 "derivatives; move the boundary or the circle a little"
             )
+
+
+def _raise_at_a_kink_of_the_crack(section: LayeredSection) -> None:
+    """A crack whose place is at a vertex of the ground, or jumps, as the mass gets no thicker."""
+    if not section._is_cracked:
+        return
+    (x,) = (section._crack_place - section._circle[1][:, 0]) / section._circle[2]
+    line = section._lowered_ground
+    _, ((slope,),) = edge_below(line, np.array([[x]]), np.array([[x]]))
+    at_vertex = np.any(np.abs(line[0, :, 0] - x) < _TOUCHES)
+    if at_vertex or abs(slope - x / np.sqrt(1.0 - x * x)) < _PARALLEL:
+        raise ValueError(
+            "sensitivity: crack: is at a vertex of the ground, or where the mass is thickest, where there are no "
+            "derivatives; change its depth or the circle a little"
+        )

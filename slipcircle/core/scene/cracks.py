@@ -1,7 +1,7 @@
 """A dry tension crack: a slit in the ground, from which on downwards the arc is the slip surface.
 
-The mass above the crack's side of the arc is what the slit leaves on the lower side; the slit has no width, so that
-nothing else of the ground changes.
+The mass above the lower side of the arc is what the slit leaves; the slit has no width, so that nothing else of the
+ground changes. Numbers may be complex, with derivatives in imaginary parts (`slipcircle.core.scene.complex_step`).
 """
 
 from collections.abc import Iterator
@@ -16,7 +16,7 @@ from slipcircle.base.series import Floats
 from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.errors import geometry_errors
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.strips import meets_circle
+from slipcircle.core.scene.strips import edge_below, meets_circle
 
 _ON_ARC = 1e-9  # over R
 
@@ -24,50 +24,90 @@ _ON_ARC = 1e-9  # over R
 class CrackedSection(Section):
     """A section whose slip surface begins at the bottom of a crack, where it has one."""
 
-    crack: float  # its depth, m
+    crack: Any  # its depth, m
 
     def __post_init__(self) -> None:
-        if self.crack:
+        if self._is_cracked:
             of_whole = geometry_errors(self._uncracked)
             raise_all("LayeredSection", complaint(chain(of_whole, self._crack_errors()), self.shape))
         super().__post_init__()
+
+    @property
+    def _is_cracked(self) -> bool:
+        return bool(np.any(self.crack))
 
     @cached_property
     def _uncracked(self) -> Any:
         """The section of the whole circle."""
         whole: Any = replace_unchecked(self, {"crack": 0.0})
+        vars(whole)["shape"] = self.shape
         return whole
 
     @cached_property
+    def _lowered_ground(self) -> Floats:
+        """The ground from the centre, over R, lower by the depth of the crack, (lanes, V, 2)."""
+        ground, centre, radius = self._uncracked._circle
+        depth = np.broadcast_to(self.crack, self.shape).reshape(-1)
+        down = np.stack([np.zeros_like(depth), depth], axis=1)
+        return (ground - down[:, None] - centre[:, None]) / radius[:, None, None]
+
+    @cached_property
     def _crack_place(self) -> Floats:
-        """x of the crack, m, (lanes,)."""
-        return crack_places(self._uncracked, self.crack)
+        """x of the crack, m, (lanes,): next to the upper end where the ground is the depth of the crack above the arc.
+
+        NaN where the mass is nowhere so thick.
+        """
+        whole = self._uncracked
+        _, centre, radius = whole._circle
+        (left, _), (right, _) = whole._ends
+        x = meets_circle(self._lowered_ground)
+        height, _ = edge_below(self._lowered_ground, x, x)
+        on_arc = np.abs(height + np.sqrt(np.maximum(1.0 - x * x, 0.0))) < _ON_ARC
+        inside = on_arc & (x.real > left[:, None].real) & (x.real < right[:, None].real)
+        from_left = np.where(inside, x, np.inf).min(axis=1)
+        from_right = np.where(inside, x, -np.inf).max(axis=1)
+        place = centre[:, 0] + radius * np.where(whole._facing > 0.0, from_left, from_right)
+        return np.where(np.isfinite(place), place, np.nan)
 
     @cached_property
     def _circle(self) -> tuple[Floats, Floats, Floats]:
         """Ground, centre and radius with one axis of lanes; a crack is a slit in the ground."""
         ground, centre, radius = super()._circle
-        if not self.crack:
+        if not self._is_cracked:
             return ground, centre, radius
-        return with_slits(ground, centre, radius, self._crack_place), centre, radius
+        return _with_slits(ground, centre[:, 1] - 1.1 * radius, self._crack_place), centre, radius
 
     @cached_property
     def _candidates(self) -> tuple[Any, Any, Any, Any, Any]:
         """Of a cracked mass the part on the lower side of the crack."""
         lane, number, left, right, held = super()._candidates
-        if self.crack:
+        if self._is_cracked:
             below = ((left + right) / 2 - self._crack_place[lane]) * self._uncracked._facing[lane] > 0.0
             lane, number, left, right = lane[below], number[below], left[below], right[below]
         return lane, number, left, right, held
 
+    @property
+    def _edges_over_mass(self) -> Any:
+        """Which edges of the ground of one section lie over its mass, wholly or beside a crack."""
+        if not self._is_cracked:
+            return super()._edges_over_mass
+        whole = self._uncracked
+        x = whole._circle[0][0, :, 0]
+        lower_end = x[1:] if whole._facing[0] > 0.0 else x[:-1]
+        return whole._edges_over_mass & ((lower_end - self._crack_place) * whole._facing > 0.0)
+
     def _crack_errors(self) -> Iterator[Fault]:
         """Masses that are nowhere as thick as their crack is deep."""
-        words = f"{{crack}} = {self.crack:.10g}: is deeper than the mass above the circle"
-        yield np.isnan(self._crack_place), lambda _: words
+
+        def sentence(k: int) -> str:
+            depth = np.broadcast_to(self.crack, self.shape).flat[k]
+            return f"{{crack}} = {depth:.10g}: is deeper than the mass above the circle"
+
+        yield np.isnan(self._crack_place), sentence
 
     def geometry_errors(self) -> Iterator[Fault]:
         """Invalid sections, and sections that cannot move."""
-        if self.crack:
+        if self._is_cracked:
             yield from self._uncracked.geometry_errors()
             yield from self._crack_errors()
         yield from super().geometry_errors()
@@ -75,7 +115,7 @@ class CrackedSection(Section):
     @cached_property
     def surface(self) -> Floats:
         """The ground over the mass of one section, from its left to its right end, m; beside a crack its wall."""
-        if not self.crack:
+        if not self._is_cracked:
             return super().surface
         below, (x,) = super().surface, self._crack_place
         (ground,) = self._uncracked._circle[0]
@@ -84,30 +124,11 @@ class CrackedSection(Section):
         return np.insert(below, place, edge, axis=0)
 
 
-def crack_places(whole: Any, depth: float) -> Floats:
-    """x where the ground is the crack's depth above the arc of an uncracked section, next to its upper end, (lanes,).
-
-    NaN where the mass is nowhere so thick.
-    """
-    ground, centre, radius = whole._circle
-    (left, _), (right, _) = whole._ends
-    lowered = (ground - np.array([0.0, depth]) - centre[:, None]) / radius[:, None, None]
-    x = meets_circle(lowered)
-    height = np.stack([np.interp(one, *line.T) for one, line in zip(x, lowered, strict=True)])
-    on_arc = np.abs(height + np.sqrt(np.maximum(1.0 - x * x, 0.0))) < _ON_ARC
-    inside = on_arc & (x > left[:, None]) & (x < right[:, None])
-    from_left = np.where(inside, x, np.inf).min(axis=1)
-    from_right = np.where(inside, x, -np.inf).max(axis=1)
-    place = centre[:, 0] + radius * np.where(whole._facing > 0.0, from_left, from_right)
-    return np.where(np.isfinite(place), place, np.nan)
-
-
-def with_slits(ground: Floats, centre: Floats, radius: Floats, place: Floats) -> Floats:
-    """Grounds (lanes, V + 3, 2) with a slit at an x of each lane that is deeper than its circle."""
-    lines = np.broadcast_to(ground, (len(radius), *ground.shape[1:]))
-    top = np.array([np.interp(x, *line.T) for x, line in zip(place, lines, strict=True)])
-    bottom = centre[:, 1] - 1.1 * radius
-    slit = np.stack([np.stack([place] * 3, axis=1), np.stack([top, bottom, top], axis=1)], axis=2)
+def _with_slits(ground: Floats, bottom: Floats, x: Floats) -> Floats:
+    """Grounds (lanes, V + 3, 2) with a slit down to a height at an x of each lane."""
+    lines = np.broadcast_to(ground, (len(x), *ground.shape[1:]))
+    top = edge_below(lines, x[:, None], x[:, None])[0][:, 0]
+    slit = np.stack([np.stack([x] * 3, axis=1), np.stack([top, bottom, top], axis=1)], axis=2)
     points = np.concatenate([lines, slit], axis=1)
-    order = np.argsort(points[..., 0], axis=1, kind="stable")
+    order = np.argsort(points[..., 0].real, axis=1, kind="stable")
     return np.take_along_axis(points, order[..., None], axis=1)

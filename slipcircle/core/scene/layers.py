@@ -16,12 +16,11 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from generated.effects import LAWS
 from slipcircle.base.checks import mistakes, raise_all
-from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.cracks import CrackedSection
 from slipcircle.core.scene.friction import rate_mistakes
 from slipcircle.core.scene.ground import FAR
+from slipcircle.core.scene.layered_numbers import LayeredNumbers
 from slipcircle.core.scene.profile import (
     AREA,
     HEAD,
@@ -36,14 +35,14 @@ from slipcircle.core.scene.profile import (
     profile_of,
 )
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.soils import LANE_NUMBERS, SOIL_NUMBERS, Soil, layer_mistakes, share_one_law, soil_mistakes
+from slipcircle.core.scene.soils import LANE_NUMBERS, Soil, datum_mistakes, datum_of, layer_mistakes, soil_mistakes
 from slipcircle.core.scene.strength import ArcStrength, MeanFriction, over_circles
 from slipcircle.core.scene.stretches import OF_GEOMETRY
 from slipcircle.core.scene.strips import Floats, Strips, cut_into_strips
 
 
 @dataclass(frozen=True, eq=False)
-class LayeredSection(CrackedSection):
+class LayeredSection(LayeredNumbers, CrackedSection):
     """A slip circle through layered ground, with the mass between ground and arc.
 
     Parameters
@@ -59,13 +58,14 @@ class LayeredSection(CrackedSection):
         Soil along the arc beyond the exit, in place of the soil at the exit; its cohesion varies with depth by its own
         rule.
     surcharge : sequence of (x1, x2, q1, q2)
-        Pressures on the ground that move with the mass and are shaken with it, Pa, linear from x1 to x2, m.
+        Pressures on the ground that move with the mass and are shaken with it, Pa, linear from x1 to x2, m; q1 and q2
+        may be arrays.
     rate : mapping, optional
         A law of speed by which the friction of all soils is multiplied, ``{"law": "rate_weakening", "peak": 1.0,
         "residual": 0.6, "velocity": 0.1}``; a factor of 1 leaves it unchanged.
-    crack : float
+    crack : float or array_like
         Depth of a dry tension crack, m: the slip surface begins at its bottom, where the ground is so high above the
-        arc. It has no derivatives yet.
+        arc.
 
     Notes
     -----
@@ -76,9 +76,9 @@ class LayeredSection(CrackedSection):
     layers: Sequence[tuple[Soil, Any]] = ()
     strength: str = "base"
     foreland: Soil | None = None
-    surcharge: Sequence[tuple[float, float, float, float]] = ()
+    surcharge: Sequence[tuple[float, float, Any, Any]] = ()
     rate: Mapping[str, Any] | None = None
-    crack: float = 0.0
+    crack: Any = 0.0
     quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
 
     def __post_init__(self) -> None:
@@ -86,8 +86,9 @@ class LayeredSection(CrackedSection):
         if not errors:
             errors = [f"soils.{soil.name}.{m}" for soil, _ in self.layers for m in soil_mistakes(soil)]
         raise_all("LayeredSection", errors + rate_mistakes(self.rate))
-        depth = (-5e-324, FAR, "a depth of at least 0 in m")
-        raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}, one=("crack",)))
+        least = 0.0 if np.ndim(self.crack) else -5e-324  # of arrays none is without a crack
+        depth = (least, FAR, "a depth of at least 0 in m, in an array above 0")
+        raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}))
         super().__post_init__()
         first, last = self._angles
         overhangs = max(-float(np.min(first)), float(np.max(last))) > np.pi / 2
@@ -105,26 +106,33 @@ class LayeredSection(CrackedSection):
     # --- soils -------------------------------------------------------------------------------------------------------
 
     @cached_property
-    def soils(self) -> tuple[Soil, ...]:
-        """The soils of the layers, and that of the foreland."""
-        return (*(soil for soil, _ in self.layers), *([self.foreland] if self.foreland else []))
-
-    @cached_property
     def shape(self) -> tuple[int, ...]:
         """Of results that depend on the geometry alone."""
         tops = [np.shape(top) for _, top in self.layers if top is not None]
         leading = [shape[:-2] if len(shape) > 1 else shape for shape in tops]
-        return np.broadcast_shapes(super().shape, *leading)
+        return np.broadcast_shapes(super().shape, np.shape(self.crack), *leading)
 
     @cached_property
     def lanes_shape(self) -> tuple[int, ...]:
         """The broadcast shape of the geometry and of all numbers of soils."""
         numbers = [getattr(s, n) for s in self.soils for n in LANE_NUMBERS]
+        numbers += [pressure for load in self.surcharge for pressure in load[2:]]
         return np.broadcast_shapes(self.shape, *(np.shape(x) for x in numbers if x is not None))
+
+    @cached_property
+    def datums(self) -> tuple[Any, ...]:
+        """Heights below which the cohesion of the soils grows, m, (circles,) each; None where it does not grow."""
+        raise_all("LayeredSection", [m for soil in self.soils for m in datum_mistakes(soil, self.layers)])
+        heights = [datum_of(soil, self.layers) for soil in self.soils]
+        return tuple(None if y is None else np.broadcast_to(y, self.shape).reshape(-1) for y in heights)
 
     def of_soils(self, value: Callable[[Soil], Any]) -> Floats:
         """A number of each soil, (soils, lanes)."""
-        numbers = [np.asarray(value(s)) for s in self.soils]
+        return self._by_lane([value(s) for s in self.soils])
+
+    def _by_lane(self, given: Sequence[Any]) -> Floats:
+        """Numbers or arrays of them, (numbers, lanes)."""
+        numbers = [np.asarray(number) for number in given]
         rows = np.empty((len(numbers), *self.lanes_shape), dtype=np.result_type(np.float64, *numbers))
         for k, number in enumerate(numbers):
             rows[k] = number
@@ -172,11 +180,11 @@ class LayeredSection(CrackedSection):
             surfaces += [(*lines, count) for lines in surfaces]
         _, centre, radius = self._circle
         x, size = centre[:, :1], radius[:, None]
-        loads = [((x1 - x) / size, (x2 - x) / size, q1 / size, q2 / size) for x1, x2, q1, q2 in self.surcharge]
-        cuts = [end for load in loads for end in load[:2]]
-        for soil in self.soils:
-            if soil.datum is not None:
-                depth = np.clip((centre[:, 1:] - soil.datum) / size, -1.0, 1.0)
+        loads = [((x1 - x) / size, (x2 - x) / size) for x1, x2, _, _ in self.surcharge]
+        cuts = [end for load in loads for end in load]
+        for datum in self.datums:
+            if datum is not None:
+                depth = np.clip((centre[:, 1:] - datum[:, None]) / size, -1.0, 1.0)
                 across = np.sqrt((1.0 - depth) * (1.0 + depth))
                 cuts += [across, -across]
         extra = np.concatenate(cuts, axis=1) if cuts else None
@@ -185,7 +193,7 @@ class LayeredSection(CrackedSection):
 
     @cached_property
     def profile(self) -> Profile:
-        """Integrals along the arc of a unit weight below each surface; of surcharges, the last one, as they are."""
+        """Integrals along the arc of a unit weight below each surface, and of unit pressures at ends of surcharges."""
         return profile_of(self._strips)
 
     def heads_between(self, low: Floats, high: Floats) -> Floats:
@@ -196,14 +204,16 @@ class LayeredSection(CrackedSection):
 
     @cached_property
     def weight_steps(self) -> Floats:
-        """Steps of the unit weight below each surface, N/m^3, (surfaces, lanes); 1 of surcharges."""
+        """Steps of the unit weight below each surface, and pressures of surcharges over R, N/m^3, (surfaces, lanes)."""
         count = len(self.layers)
         weight = self.of_soils(lambda s: s.unit_weight)[:count]
         steps = [np.diff(weight, axis=0, prepend=0.0)]
         if self._saturated:
             wet = self.of_soils(lambda s: s.unit_weight if s.saturated_unit_weight is None else s.saturated_unit_weight)
             steps.append(np.diff(wet[:count] - weight, axis=0, prepend=0.0))
-        steps += [np.ones_like(weight[:1])] * bool(self.surcharge)
+        if self.surcharge:
+            pressures = self._by_lane([pressure for load in self.surcharge for pressure in load[2:]])
+            steps.append(pressures / self._circle[2])
         return np.concatenate(steps)
 
     @cached_property
@@ -276,56 +286,6 @@ class LayeredSection(CrackedSection):
                 terms[effect] = {name: term for name, term in added.items() if not name.endswith("inertia")}
         return {**effects, **terms}
 
-    # --- numbers that vary -------------------------------------------------------------------------------------------
-
-    def other_numbers(self) -> dict[str, Any]:
-        """``soils.NAME.cohesion``, ``soils.NAME.friction.peak``, ...; ``layers.2.top``, of a line its first point's.
-
-        Of a factor of speed ``rate.peak``, ...
-        """
-        numbers: dict[str, Any] = {}
-        for soil in self.soils:
-            for name in SOIL_NUMBERS:
-                if (value := getattr(soil, name)) is not None:
-                    numbers[f"soils.{soil.name}.{name}"] = value
-            if isinstance(soil.friction, Mapping):
-                declared = LAWS[soil.friction["law"]].parameters
-                numbers |= {
-                    f"soils.{soil.name}.friction.{p.name}": soil.friction[p.name] for p in declared if p.kind != "list"
-                }
-            else:
-                numbers[f"soils.{soil.name}.friction"] = soil.friction
-        for k, (_, top) in enumerate(self.layers):
-            if top is not None:
-                numbers[f"layers.{k + 1}.top"] = np.asarray(top)[..., 0, 1][()] if np.ndim(top) > 1 else top
-        if self.rate and LAWS[self.rate["law"]].parameters[0].kind != "list":
-            numbers |= {f"rate.{name}": value for name, value in self.rate.items() if name != "law"}
-        return numbers
-
-    def fields_with(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """The layers, the foreland and the factor of speed with other values of these."""
-        known = self.other_numbers()
-        changed = {name: value for name, value in values.items() if value is not known[name]}
-        if not changed:
-            return {}
-        lengths = [value for name, value in changed.items() if name.endswith(".friction.length")]
-        if lengths and share_one_law(self.soils):
-            of_soils = {name for name in known if name.endswith(".friction.length")}
-            changed = {**dict.fromkeys(of_soils, lengths[0]), **changed}
-        soils = {id(soil): _soil_with(soil, changed) for soil in self.soils}
-        layers = []
-        for k, (soil, top) in enumerate(self.layers):
-            name = f"layers.{k + 1}.top"
-            if name in changed and not np.array_equal(changed[name], known[name]):
-                top = _moved(top, changed[name])
-            layers.append((soils[id(soil)], top))
-        rate = {n.removeprefix("rate."): value for n, value in changed.items() if n.startswith("rate.")}
-        return {
-            "layers": tuple(layers),
-            "foreland": self.foreland and soils[id(self.foreland)],
-            "rate": {**self.rate, **rate} if self.rate and rate else self.rate,
-        }
-
     def takes_geometry(self, other: Section) -> bool:
         """Whether nothing differs from another section but numbers of soils."""
         return isinstance(other, LayeredSection) and super().takes_geometry(other) and _same_cut(self, other)
@@ -339,34 +299,9 @@ class LayeredSection(CrackedSection):
 
 
 def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
-    """Whether two sections have the same boundaries, surcharges, and soils that differ in no more than numbers."""
+    """Whether two sections have the same boundaries, crack, places of surcharges, and heights where cohesion grows."""
     same = len(one.layers) == len(other.layers) and len(one.soils) == len(other.soils)
-    same &= (
-        one.surcharge is other.surcharge
-        and one.crack == other.crack
-        and one.strength == other.strength
-        and one._saturated == other._saturated
-    )
+    same &= one.strength == other.strength and one._saturated == other._saturated and one.crack is other.crack
+    same &= [load[:2] for load in one.surcharge] == [load[:2] for load in other.surcharge]
     same &= all(mine is theirs for (_, mine), (_, theirs) in zip(one.layers, other.layers, strict=same))
-    return same and all(mine.datum == theirs.datum for mine, theirs in zip(one.soils, other.soils, strict=True))
-
-
-def _soil_with(soil: Soil, values: Mapping[str, Any]) -> Soil:
-    """A soil with other values of its numbers, by their names in the section."""
-    start = f"soils.{soil.name}."
-    changed: dict[str, Any] = {n.removeprefix(start): v for n, v in values.items() if n.startswith(start)}
-    law = {n.removeprefix("friction."): changed.pop(n) for n in [*changed] if n.startswith("friction.")}
-    if law:
-        changed["friction"] = {**soil.friction, **law}
-    return replace_unchecked(soil, changed)
-
-
-def _moved(top: Any, height: Any) -> Any:
-    """The top of a layer at another height; a line moves as a whole, and its first point has that height."""
-    if np.ndim(top) < 2:
-        return height
-    line = np.asarray(top)
-    if line.ndim > 2:  # lanes of one line
-        line = line.reshape(-1, *line.shape[-2:])[0]
-    rise = np.asarray(height - line[0, 1])[..., None]
-    return line + np.stack(np.broadcast_arrays(0.0, rise), axis=-1)
+    return same and all(np.array_equal(mine, theirs) for mine, theirs in zip(one.datums, other.datums, strict=True))

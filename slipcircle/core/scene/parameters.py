@@ -41,6 +41,8 @@ SOIL_BOUNDS: dict[str, tuple[str, float, float]] = {
     "residual": _COEFFICIENT,
     "length": ("m", *declared.LIMITS["m"]),
     "velocity": ("m/s", *declared.LIMITS["m/s"]),
+    "pressure": ("Pa", *_STRESS),
+    "crack": ("m", 0.0, FAR),
 }
 SMALLEST = 5e-324  # a lower bound of minus this allows zero, as all bounds are open
 

@@ -100,7 +100,7 @@ class _Piece(NamedTuple):
 def profile_of(strips: Strips) -> Profile:
     """The integrals along the arcs of masses in strips, of a unit weight below each surface.
 
-    Where there are loads they are the last surface, and their mass lies on the ground.
+    Surcharges are two further surfaces each: a pressure that falls from 1 to 0, and one that rises from 0 to 1, over R.
     """
     pieces = sorted(_converged(strips), key=lambda piece: float((piece.first + piece.last).real.sum()))
     firsts, lasts, series = (np.stack(column) for column in zip(*pieces, strict=True))
@@ -143,7 +143,7 @@ def _integrands(strips: Strips, strip: NDArray[np.intp], beta: Floats) -> Floats
     if strips.loads:
         middle = (strips.x.T[strip] + strips.x.T[strip + 1]) / 2
         on_ground = strips.y[0].T[strip] + strips.slope[0].T[strip] * beyond
-        columns = np.concatenate([columns, _of_loads(strips, x, on_ground, middle)[:, None]], axis=1)
+        columns = np.concatenate([columns, _of_loads(strips, x, on_ground, middle)], axis=1)
     return np.asarray(columns * c)
 
 
@@ -165,12 +165,12 @@ def _by_strip(values: Any, strip: NDArray[np.intp]) -> Any:
 
 
 def _of_loads(strips: Strips, x: Floats, y: Floats, middle: Floats) -> Floats:
-    """The same of the loads on the ground at (x, y), over x: their pressures, times 1, rho, ... there."""
-    pressure = np.zeros_like(x)
-    for first, last, q_first, q_last in strips.loads:
+    """The same of unit pressures on the ground at (x, y), over x: pressures times 1, rho, ... there."""
+    pressures = []
+    for first, last in strips.loads:
         share = (x - first[:, 0]) / (last[:, 0] - first[:, 0])
         under = (middle > first[:, 0]) & (middle < last[:, 0])
-        pressure = pressure + np.where(under, q_first[:, 0] + share * (q_last - q_first)[:, 0], 0.0)
+        pressures += [np.where(under, 1.0 - share, 0.0), np.where(under, share, 0.0)]
     rho = np.sqrt(x * x + y * y)
     values = np.stack(np.broadcast_arrays(1.0, rho, rho * rho, x / rho, y / rho, x, y, 0.0))
-    return np.asarray(values * pressure)
+    return np.asarray(values[:, None] * np.stack(pressures))

@@ -171,6 +171,11 @@ class Section(SlidingBody, TurningMass):
     def _mine(self) -> Any:
         return self._cut.stretch == self._candidates[1][:, None]
 
+    @property
+    def _edges_over_mass(self) -> Any:
+        """Which edges of the ground of one section lie over its mass."""
+        return self._mine[0] & ((self._cut.e_x[0] != 0.0) | (self._cut.e_y[0] != 0.0))
+
     @cached_property
     def _moments(self) -> dict[str, Floats]:
         return circles.moments(self._cut, self._mine)

@@ -36,7 +36,7 @@ class Soil:
     cohesion_gradient : float or array_like
         Increase of c per metre below the datum, Pa/m.
     datum : float, optional
-        y below which c increases, m.
+        y below which c increases, m; by default the top of the layers of this soil, where that is one height.
     pore_ratio : float or array_like
         r_u, pore pressure over the vertical stress of the layers above, at the start; in place of a water level.
     name : str
@@ -88,8 +88,6 @@ def soil_mistakes(soil: Soil) -> list[str]:
         found.append(
             "friction.rate: is given to the section, LayeredSection(..., rate=...), for all soils along an arc"
         )
-    if soil.datum is None and not found and np.any(np.asarray(soil.cohesion_gradient)):
-        found.append("datum: is missing: y below which the cohesion grows, in m")
     return found
 
 
@@ -113,11 +111,35 @@ def layer_mistakes(
             "{foreland}: cannot be combined with {strength} = 'mass', by which the sole of the mass keeps its own"
         )
     used = [soil for soil, _ in pairs] + ([foreland] if isinstance(foreland, Soil) else [])
-    found += _together_mistakes(list({id(soil): soil for soil in used}.values()), strength)
-    for k, load in enumerate(surcharge):
-        if np.shape(load) != (4,) or not np.all(np.isfinite(load)) or not load[0] < load[1] or min(load[2:]) < 0.0:
-            found.append(f"surcharge[{k}] = {load!r}: must be x1 < x2 in m and pressures there of at least 0 in Pa")
-    return found
+    together = list({id(soil): soil for soil in used}.values())
+    found += _together_mistakes(together, strength) + [m for soil in together for m in datum_mistakes(soil, pairs)]
+    return found + [m for k, load in enumerate(surcharge) for m in _load_mistakes(k, load)]
+
+
+def datum_of(soil: Soil, layers: Sequence[tuple[Soil, Any]]) -> Any:
+    """y below which the cohesion of a soil grows, by default the top of its layers; None where it does not grow."""
+    if soil.datum is not None or not np.any(soil.cohesion_gradient):
+        return soil.datum
+    return next((top for other, top in layers if other is soil), None)
+
+
+def datum_mistakes(soil: Soil, layers: Sequence[tuple[Soil, Any]]) -> list[str]:
+    """A sentence if the cohesion of a soil grows below no height in particular."""
+    if soil.datum is not None or not np.any(soil.cohesion_gradient):
+        return []
+    tops = [top for other, top in layers if other is soil]
+    of_one_height = tops and all(top is not None and np.ndim(top) < 2 and np.array_equal(top, tops[0]) for top in tops)
+    why = "is missing: y below which the cohesion grows, as no one height is the top of its layers"
+    return [] if of_one_height else [f"soils.{soil.name}.datum: {why}"]
+
+
+def _load_mistakes(k: int, load: Any) -> list[str]:
+    """What is wrong with a surcharge, counted from 0."""
+    words = f"surcharge[{k}] = {load!r}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
+    numbers = [np.asarray(number) for number in load] if isinstance(load, Sequence) else []
+    right = len(numbers) == 4 and all(number.dtype.kind in "iuf" and np.all(np.isfinite(number)) for number in numbers)
+    right = right and numbers[0].ndim == numbers[1].ndim == 0 and bool(numbers[0] < numbers[1])
+    return [] if right and min(np.min(numbers[2]), np.min(numbers[3])) >= 0.0 else [words]
 
 
 def _top_mistakes(k: int, top: Any) -> list[str]:

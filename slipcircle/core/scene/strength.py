@@ -72,7 +72,7 @@ class ArcStrength(StretchIntegrals):
         """The parts at the start, by name, (parts, circles)."""
         still = np.zeros((1, len(self.section._facing)))
         names = ["normal", "space"]
-        names += ["growth"] if any(s.datum is not None for s in self.section.soils) else []
+        names += ["growth"] if any(datum is not None for datum in self.section.datums) else []
         names += ["heads"] if self.section.level is not None else []
         return {name: part[:, 0] for name, part in self.parts(still, names).items()}
 

@@ -150,11 +150,11 @@ class StretchIntegrals:
         _, centre, radius = self.section._circle
         first, _ = self.span
         rows = []
-        for soil in self.section.soils:
-            if soil.datum is None:
+        for datum in self.section.datums:
+            if datum is None:
                 rows.append(np.zeros_like(b))
                 continue
-            level = (soil.datum - centre[:, 1]) / radius  # of the datum above the centre
+            level = (datum - centre[:, 1]) / radius  # of the datum above the centre
             reach = np.arccos(np.clip(-level, -1.0, 1.0))  # the datum crosses the arc at -reach and reach
             start, end = np.clip(first, -reach, reach), np.clip(b, -reach, reach)
             rows.append(level * (end - start) + np.sin(end) - np.sin(start))
@@ -185,9 +185,9 @@ class StretchIntegrals:
         """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
         _, centre, radius = self.section._circle
         parts = np.zeros((len(self.section.soils), *length.shape), dtype=length.dtype)
-        for k, s in enumerate(self.section.soils):
-            if s.datum is not None:
-                depth = np.maximum((s.datum - centre[:, 1]) / radius + np.cos(direction), 0.0)
+        for k, datum in enumerate(self.section.datums):
+            if datum is not None:
+                depth = np.maximum((datum - centre[:, 1]) / radius + np.cos(direction), 0.0)
                 parts[k] = np.where(soil == k, depth * length, 0.0)
         return parts
 
@@ -205,9 +205,9 @@ class StretchIntegrals:
         if section.strength == "base":
             kinks.append(_differences(joints, section._strips.beta.real * down))
             _, centre, radius = section._circle
-            for s in section.soils:
-                if s.datum is not None:
-                    reach = np.arccos(np.clip((centre[:, 1].real - s.datum) / radius.real, -1.0, 1.0))
+            for datum in section.datums:
+                if datum is not None:
+                    reach = np.arccos(np.clip((centre[:, 1] - datum).real / radius.real, -1.0, 1.0))
                     kinks.append(_differences(np.stack([reach, -reach], axis=1), ends))
         return np.sort(np.concatenate(kinks, axis=1), axis=1).T
 

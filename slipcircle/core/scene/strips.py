@@ -37,7 +37,7 @@ class Strips:
     base : ndarray
         The layer at the arc, counted from the ground, (circles, strips).
     loads : sequence
-        Pressures on the ground, each x1, x2 and its values there, over R as lengths are, (circles, 1).
+        Surcharges on the ground, each by both its ends, x1 and x2, (circles, 1).
     """
 
     x: Floats
@@ -84,7 +84,7 @@ def cut_into_strips(
     edges = _edges(lines, first, last, extra)
     middle = (edges[:, :-1] + edges[:, 1:]) / 2
     arc = -_depth(middle)
-    start, slope = np.stack([_straight(line, edges, middle) for line in lines], axis=1)
+    start, slope = np.stack([edge_below(line, edges[:, :-1], middle) for line in lines], axis=1)
     at_middle = start + slope * (middle - edges[:, :-1])
     lowest = np.stack([_lowest(at_middle, chosen) for chosen in surfaces])
     above = np.take_along_axis(at_middle, lowest, 0) > arc
@@ -173,14 +173,14 @@ def _cross(a: Floats, b: Floats) -> Floats:
     return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])
 
 
-def _straight(line: Floats, edges: Floats, middle: Floats) -> tuple[Floats, Floats]:
-    """y of a line at the left edge of each strip, and its slope, of its edge which lies over the strip's middle."""
-    points = np.broadcast_to(line, (len(edges), *line.shape[1:]))
+def edge_below(line: Floats, x: Floats, middle: Floats) -> tuple[Floats, Floats]:
+    """y of lines (n or 1, V, 2) at x (n, M), and their slopes, of the edges below or above the points ``middle``."""
+    points = np.broadcast_to(line, (len(x), *line.shape[1:]))
     after = np.count_nonzero(points[:, None, :, 0].real <= middle[..., None].real, axis=-1)
     k = np.clip(after - 1, 0, points.shape[1] - 2)
-    circle = np.arange(len(edges))[:, None]
+    circle = np.arange(len(x))[:, None]
     start, end = points[circle, k], points[circle, k + 1]
     run = end[..., 0] - start[..., 0]
     upright = run.real <= 0.0
     slope = np.where(upright, 0.0, (end[..., 1] - start[..., 1]) / np.where(upright, 1.0, run))
-    return start[..., 1] + slope * (edges[:, :-1] - start[..., 0]), slope
+    return start[..., 1] + slope * (x - start[..., 0]), slope

@@ -54,7 +54,7 @@ def active_parameters(section: Section) -> list[str]:
 
 def _vertices_above(section: Section) -> range:
     """Of the edges over the mass, or, where the arc overhangs, over all of it."""
-    edges = np.flatnonzero(_over_mass(section))
+    edges = np.flatnonzero(section._edges_over_mass)
     if np.any(np.abs(section._angles) > np.pi / 2):
         edges = np.unique(np.clip(_ground_heights(section).edge - 1, 0, np.shape(section.ground)[0] - 2))
     return range(edges[0], edges[-1] + 2)
@@ -64,11 +64,6 @@ def through_vertex(section: Section) -> bool:
     """Whether an end of the arc of a single section is a vertex of its ground."""
     ends = np.array([section.entry, section.exit])
     return bool(np.any(np.isclose(ends[:, None], section._circle[0], rtol=1e-14, atol=0.0).all(axis=2)))
-
-
-def _over_mass(section: Section) -> Any:
-    """Which edges of the ground of a single section."""
-    return section._mine[0] & ((section._cut.e_x[0] != 0.0) | (section._cut.e_y[0] != 0.0))
 
 
 def section_derivatives(section: Section, names: Sequence[str]) -> SectionDerivatives:
@@ -105,7 +100,7 @@ def _chain_rule(section: Section, names: Sequence[str]) -> _Chain:
 
 def _surface(section: Section, edges: Floats) -> _Surface:
     cut = section._cut
-    (vertex,) = np.nonzero(_over_mass(section))
+    (vertex,) = np.nonzero(section._edges_over_mass)
     edge = edges[vertex]
     start = np.stack([cut.x[0], cut.y[0]], axis=1)[vertex]
     part = np.stack([cut.e_x[0], cut.e_y[0]], axis=1)[vertex]

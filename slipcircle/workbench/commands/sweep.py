@@ -11,6 +11,7 @@ import numpy as np
 
 from slipcircle.base.text import shown
 from slipcircle.core import Scene, Status
+from slipcircle.workbench.commands import records
 from slipcircle.workbench.commands import values as read
 from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
 from slipcircle.workbench.common import files
@@ -26,6 +27,7 @@ from slipcircle.workbench.studies.design import METHODS
 from slipcircle.workbench.studies.engines import ENGINES, engine
 from slipcircle.workbench.studies.ensemble import ensemble, grid
 from slipcircle.workbench.studies.study import Study
+from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
 HELP = "a scene on a grid of values, or for samples of its uncertain numbers"
 _MOST_ROWS = 60  # of a grid, on the screen
@@ -33,7 +35,7 @@ _MOST_ROWS = 60  # of a grid, on the screen
 
 def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    what = parser.add_mutually_exclusive_group(required=True)
+    what = parser.add_mutually_exclusive_group()
     what.add_argument("--samples", type=read.count, metavar="N", help="draw the scene's uncertain numbers N times: 1e6")
     what.add_argument(
         "--grid",
@@ -79,17 +81,15 @@ def options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
     picture = "exceedance curves and sensitivity indices, or a grid of one or two numbers"
     arrays = "all results as NumPy arrays, the samples where kept"
+    records.options(parser)
     add_files(parser, picture, report=REPORT, csv="one table of all results", npz=arrays)
     add_scene(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:
     """Compute what the options ask for, and write the files."""
+    _check_options(options)
     scene = _with_distributions(load(options.scene), options.uncertain)
-    if options.report and options.grid:
-        raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
-    if options.search_each and options.grid:
-        raise ValueError("sweep: --search-each: of samples, not of a grid")
     form = "KEY=FROM:TO:COUNT or KEY=A,B,C, each key once, such as friction.angle_deg=8:12:41"
     levels = read.by_key("grid", options.grid or [], form, read.levels)
     if options.plot and levels:
@@ -100,6 +100,8 @@ def run(options: argparse.Namespace) -> Answer:
     except (BrokenExecutor, CancelledError) as error:
         remedy = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
         raise ValueError(f"--engine {options.engine}: a worker died; {remedy}") from error
+    if isinstance(study, SuiteStudy):
+        return _answer_of_records(study, options)
     pictures.write(options.plot, "study", study)
     if options.report:
         files.write(options.report, study_report(study, content, options.line).encode())
@@ -110,6 +112,33 @@ def run(options: argparse.Namespace) -> Answer:
         with files.replacing(options.npz) as file:
             np.savez(file, **cast(dict[str, Any], export.arrays(study)))
     return Answer(lambda: [tables.record()], tables.parts, [f"{scene.name}: {warning}" for warning in study.warnings])
+
+
+def _check_options(options: argparse.Namespace) -> None:
+    """Reject combinations of options that are not possible."""
+    if not (options.samples or options.grid or options.records):
+        raise ValueError("sweep: give --samples N, --grid KEY=FROM:TO:COUNT, or --records FOLDER")
+    if options.report and options.grid:
+        raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
+    if options.records and (options.report or options.plot):
+        raise ValueError("sweep: --report and --plot: not of records yet; give --csv, --npz or --json")
+    if options.search_each and options.grid:
+        raise ValueError("sweep: --search-each: of samples, not of a grid")
+    if options.records and options.grid:
+        raise ValueError("sweep: --records and --grid exclude each other; give uncertain numbers and --samples")
+    if not options.records and (options.scale is not None or options.scale_to_pga is not None or options.polarities):
+        raise ValueError("sweep: --polarities, --scale and --scale-to-pga: are of --records; give them as well")
+
+
+def _answer_of_records(study: SuiteStudy, options: argparse.Namespace) -> Answer:
+    """The tables of a study over records; writes its files."""
+    if options.csv:
+        columns = study.columns()
+        files.write(options.csv, files.table(columns, zip(*(c.tolist() for c in columns.values()), strict=True)))
+    if options.npz:
+        with files.replacing(options.npz) as file:
+            np.savez(file, **cast(dict[str, Any], study.arrays()))
+    return Answer(study.to_dict, records.parts(study), [f"{study.scene.name}: {line}" for line in study.warnings])
 
 
 def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:
@@ -123,25 +152,26 @@ def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:
     return replace(scene, uncertain=others | drawn)
 
 
-def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespace) -> Study:
+def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespace) -> Study | SuiteStudy:
     with engine(options.engine, options.workers, options.scheduler) as executor:
         if levels:
             return grid(scene, levels, executor, folder=options.resume, progress=sys.stderr)
         form = "KEY,KEY=R, each pair once, such as friction.angle_deg,cohesion.cohesion_kPa=-0.5"
         pairs = read.by_key("correlation", options.correlation, form, float)
-        study: Study = ensemble(
-            scene,
-            options.samples,
-            options.seed,
-            executor,
-            method=options.method,
-            sensitivity=options.sensitivity,
-            size=options.block,
-            folder=options.resume,
-            progress=sys.stderr,
-            search_each=options.search_each,
-            correlation=cast(Any, {tuple(keys.split(",")): r for keys, r in pairs.items()}),
-        )
+        settings: dict[str, Any] = {
+            "rng": options.seed,
+            "executor": executor,
+            "method": options.method,
+            "sensitivity": options.sensitivity,
+            "size": options.block,
+            "folder": options.resume,
+            "progress": sys.stderr,
+            "search_each": options.search_each,
+            "correlation": {tuple(keys.split(",")): r for keys, r in pairs.items()},
+        }
+        if options.records:
+            return records.study(scene, options, **settings)
+        study: Study = ensemble(scene, options.samples, **settings)
         return study
 
 

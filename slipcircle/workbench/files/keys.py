@@ -15,7 +15,7 @@ from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, USUAL_FRICTION, P
 from slipcircle.core import ARC_BOUNDS, GIVEN, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
 
 _MOST = {"N/m^3": 1e6, "Pa": 1e12, "Pa/m": 1e12}  # by SI unit, upper bounds that only a wrong unit passes
-VARYING = ("number", "series", "line")  # kinds of keys whose numbers may vary
+VARYING = ("number", "series", "line", "load")  # kinds of keys whose numbers may vary
 _UNITS = {"Pa/m": "kPa/m"}  # of files, where a key does not show it in this order
 
 

@@ -19,7 +19,7 @@ from slipcircle.core import LayeredSection, Scene, arc_numbers, law_names, param
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.files.keys import VARYING, Table, tables_of
 from slipcircle.workbench.files.keys import Number as Number
-from slipcircle.workbench.files.slopekeys import NOT_WITH_LAYERS, layered_tables
+from slipcircle.workbench.files.slopekeys import NOT_WITH_LAYERS, layered_tables, loads_of
 
 
 def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
@@ -30,7 +30,8 @@ def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
             if key.kind in VARYING:
                 constant = path.endswith("friction") and key.name == "coefficient"
                 within = path.removeprefix("slip.")
-                name = key.name if path in ("", "arc") else path if constant else f"{within}.{key.name}"
+                of_scene = path in ("", "arc", "tension_crack")
+                name = key.name if of_scene else path if constant else f"{within}.{key.name}"
                 shown = f"{path}.{k}".lstrip(".")
                 found[shown] = replace(key.number, key=shown, name=name)
     return found
@@ -58,7 +59,7 @@ def _tables(scene: Any) -> dict[str, Any]:
     tables = tables_of("constant", *rate)
     tables = {path: table for path, table in tables.items() if path.partition(".")[0] not in NOT_WITH_LAYERS}
     laws = {soil.name: law_names(soil.friction)[0] for soil in arc.soils}
-    return tables | layered_tables(laws, len(arc.layers), *rate)
+    return tables | layered_tables(laws, len(arc.layers), *rate) | loads_of(len(arc.surcharge))
 
 
 def by_key(scene: Any) -> dict[str, Number]:

@@ -107,7 +107,7 @@ def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:
 
 
 def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
-    """A soil; its cohesion grows below the tops of its layers, where these are one height."""
+    """A soil; without a datum its cohesion grows below the tops of its layers, which have to be one height."""
     numbers = dict(given[f"soils.{name}"])
     friction = given.get(f"soils.{name}.friction", {"law": "constant", "coefficient": 0.0})
     is_constant = friction.get("law", "constant") == "constant"
@@ -116,7 +116,6 @@ def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
         if None in heights or len(heights) != 1 or any(np.ndim(top) for top in tops):
             needs = "{datum}: is missing: y below which the cohesion grows, as no one height is the top of its layers"
             raise InputError("", [needs])
-        (numbers["datum"],) = heights
     return Soil(name=name, friction=friction["coefficient"] if is_constant else friction, **numbers)
 
 

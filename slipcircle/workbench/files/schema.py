@@ -121,7 +121,7 @@ def _schema_of_key(key: Key) -> dict[str, Any]:
         "pair": pair,
         "points": points,
         "line": {"anyOf": [*either, points]},
-        "load": {"anyOf": [number, pair]},
+        "load": {"anyOf": [*either, pair]},
     }
     words = key.kind.split("|")
     choice = {"const": key.kind} if len(words) == 1 else {"enum": words}

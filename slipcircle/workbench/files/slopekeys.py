@@ -43,7 +43,15 @@ def _of_soil(name: str, key: str, help: str, per_unit: float = 1.0, optional: bo
 
 
 _PRESSURE = declare(
-    "pressure", "pressure_kPa", "Pa", "the pressure, or at both ends", -5e-324, 1e12, 1e3, False, "load"
+    "pressure",
+    "pressure_kPa",
+    "Pa",
+    "the pressure, or at both ends, which varies by the greater one",
+    -5e-324,
+    1e12,
+    1e3,
+    False,
+    "load",
 )
 
 _UPRIGHT = declare(
@@ -136,7 +144,7 @@ LOADS: Mapping[str, Table] = {  # beside them
     "tension_crack": table_of(
         "a tension crack at the upper end of the slip surface",
         [
-            replace(_length("depth", "its depth"), name="crack", optional=False),
+            replace(_length("depth", "its depth"), name="crack", optional=False, kind="number"),
             replace(_length("water", "height of the water in it, by default 0", -5e-324), name="crack_water"),
         ],
     ),
@@ -195,6 +203,12 @@ _SLIP = table_of(
 def soil_friction(law: str) -> Table:
     """Friction of a soil."""
     return law_table(law, SOIL_LAWS)._replace(title="friction of the soil, by default none")
+
+
+def loads_of(surcharges: int) -> dict[str, Table]:
+    """The tables of a crack and of so many surcharges, whose numbers may vary."""
+    crack = {"tension_crack": LOADS["tension_crack"]}
+    return crack | {f"surcharge.{k}": LOADS["surcharge"]._replace(repeats="") for k in range(1, surcharges + 1)}
 
 
 def layered_tables(laws: Mapping[str, str], layers: int, rate: str = RATE_LAWS[0]) -> dict[str, Table]:

@@ -42,11 +42,11 @@ def along_means(scene: Scene) -> Scene:
 
 
 def slope_of(scene: Scene, like: Slope) -> Slope:
-    """The slope with the ground, level and soils of a scene, otherwise like another."""
+    """The slope with the ground, level, soils, surcharge and crack of a scene, otherwise like another."""
     arc = scene.arc
     assert isinstance(arc, Section)
     if isinstance(arc, LayeredSection):
-        soils: dict[str, Any] = {"layers": arc.layers}
+        soils: dict[str, Any] = {"layers": arc.layers, "surcharge": arc.surcharge, "crack": float(arc.crack)}
     else:
         soils = soil(scene.friction, scene.called) | {"unit_weight": float(np.asarray(arc.unit_weight))}
     return replace(like, ground=arc.ground, level=arc.level, **soils)

@@ -1,62 +1,87 @@
 """A motion as few points in time between which cubics are accurate: what the live page interpolates.
 
-Displacement is the cubic Hermite polynomial of its values and of the velocities at both ends of an interval, velocity
-that of its values and of the accelerations. Both are continuous; intervals are halved until they are accurate.
+Velocity is the cubic Hermite polynomial of the velocities and accelerations at both ends of an interval, displacement
+that of the displacements, which are integrals of the cubics of the velocity, and of the velocities. Intervals are
+divided until they are accurate, or there is no room for more points.
 """
 
-from typing import NamedTuple
+import base64
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from slipcircle.core import ANSWERED, Motion, in_time
 from slipcircle.workbench.outputs.trace import Floats
 
-TOLERANCE = 2e-6  # of the greatest value
-_FIRST = 17  # even times at the start
+TOLERANCE = 8e-7  # of the greatest velocity
+_FIRST = 17  # equidistant times at the start
 _BESIDE = 1e-7  # of the duration, before and after a jump of the acceleration
-_HALVINGS = 24
-_FEW = 100  # times at which what is given in time may jump; more are the samples of a record, which does not
-_TICKS = 100_000_000, 10_000_000, 10_000_000, 1_000_000  # of time, displacement, velocity and acceleration
+_DIVISIONS = 24
+_FEW = 100  # times at which what varies in time may jump; more are samples of a record, which only bends there
+_INTEGERS = "<i4", "<i4", "<i2"  # that hold times, velocities and accelerations in a page
+BYTES = 14  # of a point in a page, in base64
 
 
 class Interpolant(NamedTuple):
-    """Points of a motion, SI units, and how far cubics between them are off, as a share of the greatest values."""
+    """Points of a motion, SI units, and the error of cubics between them as a share of the greatest values."""
 
     times: Floats
-    displacement: Floats
     velocity: Floats
     acceleration: Floats
     error: float
 
-    def ticks(self) -> tuple[list[list[int]], list[float]]:
-        """The four columns as whole numbers, and their units: how a page holds them in few bytes."""
+    @property
+    def displacement(self) -> Floats:
+        """The integral of the cubics of the velocity."""
+        step = np.diff(self.times)
+        mean_velocity = (self.velocity[1:] + self.velocity[:-1]) / 2
+        correction = step**2 / 12 * np.diff(self.acceleration)
+        return np.concatenate([[0.0], np.cumsum(step * mean_velocity - correction)])
+
+    def encoded(self) -> tuple[list[str], list[float]]:
+        """Times, velocities and accelerations as integers in base64, and their units."""
         columns, units = [], []
-        for values, most in zip(self[:4], _TICKS, strict=True):
-            unit = float(np.max(np.abs(values))) / most or 1.0
-            columns.append(np.rint(values / unit).astype(int).tolist())
+        for values, kind in zip(self[:3], _INTEGERS, strict=True):
+            ticks, unit = _ticks(values, kind)
+            columns.append(base64.b64encode(ticks.tobytes()).decode())
             units.append(unit)
         return columns, units
 
 
 def interpolant(motion: Motion, most: int) -> Interpolant:
-    """At most so many points of a motion; at rest, and where there is no result, one."""
+    """At most so many points of a motion; a single one at rest, and where there is no result."""
     if motion.status not in ANSWERED or not motion.moves:
         nothing = np.zeros(1)
-        return Interpolant(nothing, nothing, nothing, nothing, 0.0)
-    times = _first_times(motion, most)
-    for _ in range(_HALVINGS):
-        middles = (times[:-1] + times[1:]) / 2
-        errors = _errors_at(motion, times, middles)
+        return Interpolant(nothing, nothing, nothing, 0.0)
+    times, bends = _first_times(motion)
+    for _ in range(_DIVISIONS):
+        points = _at(motion, times)
+        errors = _velocity_errors(motion, points)
         room = max(most - times.size, 0)
         worst = np.argsort(-errors)[:room]
-        halved = worst[errors[worst] > TOLERANCE]
-        if not halved.size:
+        divided = worst[errors[worst] > TOLERANCE]
+        if not divided.size:
             break
-        times = np.union1d(times, middles[halved])
-    between = np.linspace(times[:-1], times[1:], 5)[1:-1]
-    error = float(np.max(_errors_at(motion, times, np.ravel(between))))
-    state = motion.at(times)
-    return Interpolant(times, state.displacement, state.velocity, state.acceleration, error)
+        times = np.union1d(times, _dividing_times(times, divided, bends))
+    times, velocity, acceleration = map(_rounded, _at(motion, times)[:3], _INTEGERS)
+    points = Interpolant(times, velocity, acceleration, 0.0)
+    greatest_displacement = abs(float(motion.reach.displacement)) or 1.0
+    of_displacement = np.abs(points.displacement - motion.at(times).displacement) / greatest_displacement
+    error = max(float(np.max(_velocity_errors(motion, points))), float(np.max(of_displacement)))
+    return points._replace(error=error)
+
+
+def _ticks(values: Floats, kind: str) -> tuple[Any, float]:
+    """Values as integers of a kind, and their unit."""
+    unit = float(np.max(np.abs(values))) / np.iinfo(kind).max or 1.0
+    return np.rint(values / unit).astype(kind), unit
+
+
+def _rounded(values: Floats, kind: str) -> Floats:
+    """Values as the integers of a page hold them."""
+    ticks, unit = _ticks(values, kind)
+    return np.asarray(ticks * unit)
 
 
 def hermite(times: Floats, values: Floats, slopes: Floats, at: Floats) -> Floats:
@@ -72,32 +97,45 @@ def hermite(times: Floats, values: Floats, slopes: Floats, at: Floats) -> Floats
     return np.asarray(from_first + from_last + step * from_slopes)
 
 
-def _errors_at(motion: Motion, times: Floats, others: Floats) -> Floats:
-    """How far the cubics between times are off at other times, as shares of the greatest velocity and displacement."""
-    known, asked = motion.at(times), motion.at(others)
-    velocity = hermite(times, known.velocity, known.acceleration, others)
-    displacement = hermite(times, known.displacement, known.velocity, others)
-    greatest_velocity = abs(float(motion.peak.velocity)) or 1.0
-    greatest_displacement = abs(float(motion.reach.displacement)) or 1.0
-    of_velocity = np.abs(velocity - asked.velocity) / greatest_velocity
-    of_displacement = np.abs(displacement - asked.displacement) / greatest_displacement
-    return np.maximum(of_velocity, of_displacement)
+def _at(motion: Motion, times: Floats) -> Interpolant:
+    """Points of a motion at these times."""
+    state = motion.at(times)
+    return Interpolant(times, state.velocity, state.acceleration, 0.0)
 
 
-def _first_times(motion: Motion, most: int) -> Floats:
-    """Even times, both sides of each time at which the acceleration may jump, and kinks of records on the way."""
+def _velocity_errors(motion: Motion, points: Interpolant) -> Floats:
+    """Greatest error of each cubic at three times within its interval, as a share of the greatest velocity."""
+    between = np.linspace(points.times[:-1], points.times[1:], 5)[1:-1]
+    cubic = hermite(points.times, points.velocity, points.acceleration, np.ravel(between))
+    difference = cubic - motion.at(np.ravel(between)).velocity
+    greatest = abs(float(motion.peak.velocity)) or 1.0
+    return np.asarray(np.max(np.abs(difference).reshape(between.shape), axis=0) / greatest)
+
+
+def _dividing_times(times: Floats, divided: NDArray[np.intp], bends: Floats) -> Floats:
+    """The bend next to the middle of each divided interval, or its middle where the interval has none."""
+    start, end = times[divided], times[divided + 1]
+    middle = (start + end) / 2
+    after = np.clip(np.searchsorted(bends, middle), 1, bends.size - 1)
+    before = after - 1
+    nearest = np.where(middle - bends[before] < bends[after] - middle, bends[before], bends[after])
+    is_inside = (start < nearest) & (nearest < end)
+    return np.where(is_inside, nearest, middle)
+
+
+def _first_times(motion: Motion) -> tuple[Floats, Floats]:
+    """Equidistant times with both sides of each possible jump of the acceleration, and times at which it may bend."""
     duration = float(motion.duration)
-    jumps, kinks = [0.0, duration], [np.linspace(0.0, duration, _FIRST)]
+    jumps, bends = [0.0, duration], [np.array([0.0, duration])]
     for phase in motion.phases:
-        jumps += np.ravel([phase.start, phase.end]).tolist()
+        jumps += [phase.start, phase.end]
     for function in in_time(motion.plan.scene.called).values():
         times = np.clip(function.kinks, 0.0, duration)
-        times = times[motion.at(times).velocity != 0.0]
         if times.size < _FEW:
             jumps += times.tolist()
-        elif times.size < most / 2:
-            kinks.append(times)
+        else:
+            bends.append(times)
     beside = _BESIDE * duration
     before = np.array(jumps) - beside
-    every = np.concatenate([*kinks, before, before + 2 * beside])
-    return np.unique(np.clip(every, 0.0, duration))
+    every = np.concatenate([np.linspace(0.0, duration, _FIRST), before, before + 2 * beside])
+    return np.unique(np.clip(every, 0.0, duration)), np.unique(np.concatenate(bends))

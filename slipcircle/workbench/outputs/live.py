@@ -17,14 +17,15 @@ from slipcircle.core import ANSWERED, Arc, Motion, Scene, parameter_value, with_
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
 from slipcircle.workbench.common.quantities import OUTCOMES, end_words, summary
 from slipcircle.workbench.files.loaded import warnings_of
-from slipcircle.workbench.outputs.interpolant import TOLERANCE, Interpolant, interpolant
+from slipcircle.workbench.outputs.interpolant import BYTES, TOLERANCE, Interpolant, interpolant
 from slipcircle.workbench.outputs.livesection import Section, axes, common_magnification, frame_around, section
 from slipcircle.workbench.outputs.plotstyle import ending, quantity_words
 from slipcircle.workbench.studies import motions as study_motions
 from slipcircle.workbench.studies.ensemble import varied_number
 
 MOST_CASES = 61
-_POINTS = 9000  # of all motions together
+_SIZE, _OF_CASE = 270_000, 800  # bytes of a page besides its program and style; of a case besides its points
+_LEAST_POINTS = 100  # of a motion
 _SHORTEST, _LONGEST = 4.0, 10.0  # seconds in which a slide is played, as in `live.js`
 _PAGE = Path(__file__).with_name("page")
 _SHELL = """
@@ -74,11 +75,11 @@ def framed(motion: Motion) -> Raw:
 
 def fragment(motions: Sequence[Motion], name: str, varied: str = "", labels: Sequence[str] = (), first: int = 0) -> Raw:
     """The same as a part of a page, which needs `style` and `script`; the name is its identifier there."""
-    points = _POINTS // len(motions)
-    histories = [interpolant(motion, points) for motion in motions]
     frame, magnification = frame_around(motions), common_magnification(motions)
     arcs = {id(motion.plan.scene.arc): motion for motion in motions}  # one of cases that differ in other numbers
     shapes = [section(motion, frame, magnification, f"{name}-{k}") for k, motion in enumerate(arcs.values())]
+    drawings = sum(len(shape.drawing) for shape in shapes)
+    histories = _interpolants(motions, (_SIZE - drawings) // BYTES)
     cases = [*map(_case, motions, histories, labels or [""] * len(motions))]
     for case, motion in zip(cases, motions, strict=True):
         case["shape"] = [*arcs].index(id(motion.plan.scene.arc))
@@ -97,6 +98,17 @@ def fragment(motions: Sequence[Motion], name: str, varied: str = "", labels: Seq
     }
     template = Template(text("live.html"))
     return Raw(template.substitute(texts | _first_texts(cases[first], data["duration"])))
+
+
+def _interpolants(motions: Sequence[Motion], points: int) -> list[Interpolant]:
+    """Interpolants of all motions that have so many points together; what one does not need is left to the next."""
+    points -= len(motions) * _OF_CASE // BYTES
+    histories: list[Interpolant] = []
+    for motion in motions:
+        missing = len(motions) - len(histories)
+        histories.append(interpolant(motion, max(points // missing, _LEAST_POINTS)))
+        points -= histories[-1].times.size
+    return histories
 
 
 def _data(
@@ -170,7 +182,7 @@ def headline(motion: Motion) -> str:
 def _case(motion: Motion, history: Interpolant, label: str) -> dict[str, Any]:
     """A motion as the page holds it."""
     answered = motion.status in ANSWERED
-    columns, units = history.ticks()
+    columns, units = history.encoded()
     end = ending(motion) if answered and motion.moves else end_words(motion).get("comes to rest", "no result")
     return {
         "label": label,
@@ -209,18 +221,20 @@ def _pace(duration: float) -> str:
 
 def _caption(motions: Sequence[Motion], histories: Sequence[Interpolant], magnification: float) -> Iterator[str]:
     """What the drawing shows, and how accurate its numbers are."""
-    yield "To scale. Dashed: where the mass starts; dotted: its circle continued, as the method assumes."
+    yield "To scale. Dashed: the mass at the start; dotted: the circle continued, as the method assumes."
     if isinstance(motions[0].plan.scene.arc, Arc):
         yield "The chord stands in place of the ground; coordinates are from the centre of the circle."
     if magnification > 1.0:
         yield f"Displacements are drawn {shown(magnification)} times as large."
     if any(motion.moves and "rotation" not in motion.plan.effects for motion in motions):
         yield "Frozen geometry: the mass is drawn turned, its forces stay those of the start."
+    if not any(motion.moves for motion in motions):
+        return
     if len(motions) > 1:
         yield "Grey curves: the other cases."
     error = max(TOLERANCE, *(history.error for history in histories))
-    power = 10.0 ** math.ceil(math.log10(error))
-    yield f"Interpolated to {power:.0e} of the greatest values."
+    digit = 10.0 ** math.floor(math.log10(error))
+    yield f"Interpolation error: at most {digit * math.ceil(error / digit):.0e} of the greatest values."
 
 
 def _as_script_data(data: Mapping[str, Any]) -> str:

@@ -13,7 +13,7 @@ from slipcircle.core import Arc, Motion
 from slipcircle.workbench.common.markup import Raw, escaped
 from slipcircle.workbench.outputs.layerplot import boundaries
 from slipcircle.workbench.outputs.sectionplot import magnified
-from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of
+from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of, water_line
 from slipcircle.workbench.outputs.trace import Floats
 
 WIDTH = 1000.0  # of the drawing, in its own unit
@@ -23,6 +23,7 @@ _TICKS = 6, 4  # of the axes, at most
 _INSET = 12.0  # of names and numbers from the edges
 _COLOURS = 5  # of soils, in `live.css`
 _FREE = 0.08, 0.06  # of an axis, without numbers at its two ends
+_STRAIGHT = 1e-6  # change of slope, below which a line has no vertex
 _STEPS = (1.0, 2.0, 5.0, 10.0)
 
 
@@ -193,7 +194,14 @@ def _bands(soil: Any, frame: Frame) -> Iterator[str]:
     """The soils below the first as areas, each from its top down to the bottom of the view."""
     for number, top in enumerate(_tops(soil)):
         if number:
-            yield _path(f"band band-{number % _COLOURS}", _area(top, frame.view.bottom, frame))
+            yield _path(f"band band-{number % _COLOURS}", _area(_corners(top), frame.view.bottom, frame))
+
+
+def _corners(line: Floats) -> Floats:
+    """The vertices at which a line bends, with its ends."""
+    slopes = np.diff(line[:, 1]) / np.diff(line[:, 0])
+    bends = np.abs(np.diff(slopes)) > _STRAIGHT
+    return line[np.concatenate([[True], bends, [True]])]
 
 
 def _tops(soil: Any) -> list[Floats]:
@@ -213,20 +221,9 @@ def _firm_layer(soil: Any, frame: Frame) -> Iterator[str]:
 
 
 def _water(soil: Any, frame: Frame) -> Iterator[str]:
-    level = _level(soil, frame)
+    level = water_line(soil, frame.view)
     if level is not None:
         yield _path("water", frame.path(level))
-
-
-def _level(soil: Any, frame: Frame) -> Floats | None:
-    """The water level, horizontal beyond its ends."""
-    if getattr(soil, "level", None) is None:
-        return None
-    level = np.asarray(soil.level, dtype=np.float64)
-    (x, y), (x_2, y_2) = level[[0, -1]].tolist()
-    left = [min(x, frame.view.left), y]
-    right = [max(x_2, frame.view.right), y_2]
-    return np.stack([left, *level, right])
 
 
 # --- names and axes --------------------------------------------------------------------------------------------------
@@ -248,7 +245,7 @@ def _named(soil: Any, frame: Frame, x: float) -> Iterator[tuple[float, str, str]
     """Heights at x of lines with names, these, and their classes."""
     for top, (layer, _) in zip(_tops(soil), getattr(soil, "layers", ()), strict=True):
         yield float(np.interp(x, *top.T)), layer.name, "name"
-    level = _level(soil, frame)
+    level = water_line(soil, frame.view)
     if level is not None:
         yield float(np.interp(x, *level.T)), "water level", "name of-water"
     base = getattr(soil, "base", None)

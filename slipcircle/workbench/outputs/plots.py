@@ -6,7 +6,6 @@ Matplotlib is loaded when the first picture is drawn. Words stand beside what th
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
-from itertools import pairwise
 from textwrap import shorten
 from typing import Any, NamedTuple
 
@@ -16,6 +15,7 @@ from slipcircle.base.text import shown
 from slipcircle.core import LayeredSection, Motion, in_time
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
 from slipcircle.workbench.outputs.film import animate
+from slipcircle.workbench.outputs.kinks import Kinks, friction_kinks, motion_kinks, water_kinks
 from slipcircle.workbench.outputs.layerplot import stress_along
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
@@ -97,7 +97,7 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
             label(ax, curve.label, _in_view(ax, times, heights), LINES[curve.line]["color"])
     if what == "friction":
         _explain_zeros(ax, motion, len(curves) > 1)
-    _explain_kinks(ax, motion, brief)
+    _explain_kinks(ax, motion, what, brief)
     if what == "displacement":
         _rotation_axis(ax, motion)
     return ax
@@ -141,36 +141,37 @@ def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
     return np.asarray(points_of(times[shown], values[shown]))
 
 
-def _explain_kinks(ax: Any, motion: Motion, brief: bool) -> None:
-    """Lines at standstills and at the end of the shaking, unless brief with what happens; their number if many."""
-    kinks = [
-        (phase.start, "turns back" if phase.start == before.end else "starts again")
-        for before, phase in pairwise(motion.phases)
-    ]
+def _explain_kinks(ax: Any, motion: Motion, what: str, brief: bool) -> None:
+    """Lines where curves bend, with the reason: of the motion unless brief, of friction and water where these are."""
+    _draw_kinks(ax, motion_kinks(motion), "stops {} times before", not brief)
+    if what == "friction":
+        _draw_kinks(ax, friction_kinks(motion), "{} breakpoints")
+    if what in ("friction", "normal_stress"):
+        _draw_kinks(ax, water_kinks(motion), "{} breakpoints of the pore pressure", what == "normal_stress")
+
+
+def _draw_kinks(ax: Any, kinks: Kinks, many: str, named: bool = True) -> None:
+    """Lines at kinks with their words; only the number if many."""
     if len(kinks) > _MOST_KINKS:
-        if not brief:
-            note(ax, [f"stops {len(kinks)} times before"])
-        kinks = []
-    shaken = [f for name, f in in_time(motion.plan.scene.called).items() if name.startswith("shaking.")]
-    shaking_ends = max((float(np.max(function.kinks)) for function in shaken), default=math.inf)
-    if shaking_ends < motion.duration:
-        kinks.append((shaking_ends, "shaking ends"))
+        if named:
+            note(ax, [many.format(len(kinks))])
+        return
     low, high = ax.get_ylim()
     for time, words in kinks:
         ax.axvline(time, **LINES["help"])
-        if not brief:
+        if named:
             label(ax, words, [(time, low + share * (high - low)) for share in (0.1, 0.3, 0.5, 0.7, 0.9)], "0.3")
 
 
 def _explain_zeros(ax: Any, motion: Motion, with_required: bool) -> None:
     """Words where friction drops to zero, and where that required for equilibrium touches it once, without a sign."""
     columns = drawn(motion)
-    passes_once = len(motion.phases) == 1 and "shaking" not in motion.plan.effects
     times, required, friction = columns["time"], columns["holding_friction"], columns["friction"]
-    if with_required and passes_once:
-        least = int(np.nanargmin(required))
-        is_between = 0 < least < len(times) - 1
-        if is_between and required[least] < _TOUCHES * required[0]:
+    if with_required:
+        is_small = required < _TOUCHES * required[0]
+        passes_once = np.count_nonzero(np.diff(is_small)) == 2 and not is_small[0]
+        if passes_once:
+            least = int(np.nanargmin(required))
             label(ax, "in balance\nwithout friction", (times[least], required[least]), LINES["other"]["color"])
     drops = (friction[1:] == 0.0) & (friction[:-1] > 0.0)
     if np.any(drops):

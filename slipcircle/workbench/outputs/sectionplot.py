@@ -23,7 +23,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     number,
     to_scale,
 )
-from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of
+from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of, water_line
 from slipcircle.workbench.outputs.trace import Floats, toe_words
 from slipcircle.workbench.stability.search import Critical
 
@@ -235,12 +235,11 @@ def _firm_layer(ax: Any, soil: Any, view: View) -> View:
 
 
 def _water_level(ax: Any, soil: Any, view: View) -> None:
-    """The water level, where there is one, by its name; level beyond its ends."""
-    if soil.level is None:
+    """The water level, where there is one, by its name."""
+    level = water_line(soil, view)
+    if level is None:
         return
-    level = np.asarray(soil.level, dtype=np.float64)
-    beyond = view.size + np.ptp(level[:, 0])
-    x, y = np.concatenate([[level[0] - [beyond, 0.0]], level, [level[-1] + [beyond, 0.0]]]).T
+    x, y = level.T
     ax.plot(x, y, **SCENERY["water"])
     label(ax, "water level", _across(view, lambda at: np.interp(at, x, y)), LINES["main"]["color"])
 

@@ -81,6 +81,15 @@ class View(NamedTuple):
         ax.set_ylim(self.bottom, self.top, auto=None)
 
 
+def water_line(soil: Any, view: View) -> Floats | None:
+    """The water level of a section, horizontal beyond its ends and beyond a view; None where there is none."""
+    if getattr(soil, "level", None) is None:
+        return None
+    level = np.asarray(soil.level, dtype=np.float64)
+    beyond = np.array([view.size + np.ptp(level[:, 0]), 0.0])
+    return np.concatenate([level[:1] - beyond, level, level[-1:] + beyond])
+
+
 def mass_of(circle: Any, soil: Any) -> Mass:
     """The mass of an arc, a section, or a critical circle in its slope; of an arc the chord stands for the ground."""
     radius = float(circle.radius)

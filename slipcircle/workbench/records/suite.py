@@ -7,14 +7,14 @@ Interface between the parts of a study over records (the package `slipcircle.wor
 * a `SuiteStudy` has arrays over ``(record, polarity, scale, sample)`` of every outcome and of the status, the scales,
   factors and peak accelerations of the scaled records.
 
-Only what describes a record is kept: its samples are read again where it is solved, so that the memory does not grow
-with the number of records.
+The samples of the first records are kept, up to 32 MB; those of others are read again where they are solved, so that
+the memory does not grow with the number of records.
 """
 
 import hashlib
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
@@ -26,6 +26,7 @@ from slipcircle.workbench.records.headers import ACCELERATION
 from slipcircle.workbench.records.recordfiles import Component, components
 from slipcircle.workbench.records.records import read_samples, shaking_of
 
+_KEPT = 2**21  # samples of a suite that stay in memory
 _SHOWN = 5  # reasons in the error of a suite without a record
 # Components at the end of a file's name, as PEER, K-NET, ESM and COSMOS write them: azimuths, axes, channel codes.
 _NAMED = re.compile(
@@ -94,7 +95,7 @@ class Entry:
     unit: str
     peak: float
     digest: str
-    given: Series | None = field(default=None, repr=False)  # of arrays: the record itself
+    kept: Series | None = field(default=None, repr=False)  # the record itself, of arrays and small suites
     reading: Mapping[str, Any] = field(default_factory=dict, repr=False)
 
     @property
@@ -107,7 +108,7 @@ class Entry:
 
     def record(self) -> Series:
         """Driving acceleration over gravity, zero before and after; from a file it starts at 0 s."""
-        return self.given if self.given is not None else _read(self.file, **self.reading)[0]
+        return self.kept if self.kept is not None else _read(self.file, **self.reading)[0]
 
 
 class Unread(NamedTuple):
@@ -199,9 +200,12 @@ def read_suite(
     entries, unread = list[Entry](), list[Unread]()
     reading = {"holds": holds, "units": units, "gravity": gravity, "gaps": gaps}
     files = _files(paths)
+    left = _KEPT
     for file in track(files, "records read"):
         try:
-            entries += _entries(file, step, reading)
+            for entry in _entries(file, step, reading):
+                left -= entry.samples
+                entries.append(entry if left >= 0 else replace(entry, kept=None))
         except ValueError as error:
             unread.append(Unread(str(file), str(error).removeprefix(str(file)).lstrip(":, ")))
     if unread and strict:
@@ -234,7 +238,7 @@ def _entries(file: Path, step: float | None, reading: Mapping[str, Any]) -> list
     for component in components(str(file), file, step):
         series, unit = _read(str(file), component, **reading)
         name = f"{file.name} {component.name}".rstrip()
-        known = {**reading, "component": component, "units": unit}
+        known = {**reading, "component": component}
         found.append(_entry(name, str(file), place_of(file.name, component.name), series, unit, known))
     return found
 
@@ -252,5 +256,4 @@ def _entry(
 ) -> Entry:
     digest = hashlib.sha256(series.time.tobytes() + series.values.tobytes()).hexdigest()
     step = float(series.time[-1] - series.time[0]) / (series.time.size - 1)
-    given = series if reading is None else None
-    return Entry(name, file, place, series.time.size, step, unit, series.greatest, digest, given, reading or {})
+    return Entry(name, file, place, series.time.size, step, unit, series.greatest, digest, series, reading or {})

@@ -323,8 +323,9 @@ class _Bases:
         total = np.zeros((3, 1))
         for x1, x2, q1, q2 in self.slope.surcharge:
             inside = (self.x > x1) & (self.x < x2)
-            growth = (q2 - q1) / (x2 - x1)
-            at_centre = q1 + growth * (self.centre[:, 0] - x1)
+            first, last = self.of_slope(q1), self.of_slope(q2)
+            growth = (last - first) / (x2 - x1)
+            at_centre = first + growth * (self.centre[:, 0] - x1)
             total = total + inside * np.stack([at_centre, growth * self.scale, 0.0 * self.scale])
         return total
 

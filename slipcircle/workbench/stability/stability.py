@@ -14,7 +14,16 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.series import Floats
-from slipcircle.core import LayeredSection, Section, Soil, friction_at_rest, layer_mistakes, pond_errors, slope_errors
+from slipcircle.core import (
+    LayeredSection,
+    Section,
+    Soil,
+    datum_of,
+    friction_at_rest,
+    layer_mistakes,
+    pond_errors,
+    slope_errors,
+)
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
@@ -161,7 +170,9 @@ class Slope:
         soils: tuple[SoilArrays, ...] = (SoilArrays(self.cohesion, self.friction, self.unit_weight, self.pore_ratio),)
         tops: tuple[Floats, ...] = ()
         if self.layers:
-            soils = tuple(soil_arrays(soil, lambda value: value) for soil, _ in self.layers)
+            soils = tuple(
+                soil_arrays(soil, datum_of(soil, self.layers), lambda value: value) for soil, _ in self.layers
+            )
             lines = (top_line(top, ground, lambda value, *_: np.asarray(value)) for _, top in self.layers[1:])
             tops = tuple(line.reshape(-1, *line.shape[-2:]) for line in lines)
         return SlopeArrays(ground, soils, tops, level, surcharge=self.surcharge, **numbers)
@@ -247,9 +258,10 @@ def _lanes(
     ground, level = by_lane(section.ground, 2), None if section.level is None else by_lane(section.level, 2)
     general: dict[str, Any] = {"level": level, "water_unit_weight": section.water_unit_weight, "k_h": by_lane(k_h)}
     if isinstance(section, LayeredSection):
-        soils = tuple(soil_arrays(soil, by_lane) for soil, _ in section.layers)
+        soils = tuple(soil_arrays(soil, datum_of(soil, section.layers), by_lane) for soil, _ in section.layers)
         tops = tuple(top_line(top, ground, by_lane) for _, top in section.layers[1:])
-        slope = SlopeArrays(ground, soils, tops, surcharge=section.surcharge, **general)
+        surcharge = tuple((*ends, by_lane(left), by_lane(right)) for *ends, left, right in section.surcharge)
+        slope = SlopeArrays(ground, soils, tops, surcharge=surcharge, **general)
     else:
         numbers = {n: by_lane(strength[n]) for n in ("cohesion", "friction", "pore_ratio")}
         homogeneous = SoilArrays(**numbers, unit_weight=by_lane(section.unit_weight))
@@ -267,9 +279,10 @@ def _arcs(section: Section, by_lane: Callable[..., Floats]) -> tuple[Floats, ...
     return by_lane(section.centre, 1), by_lane(section.radius), left, right
 
 
-def soil_arrays(soil: Soil, by_lane: Callable[[Any], Any]) -> SoilArrays:
+def soil_arrays(soil: Soil, datum: Any, by_lane: Callable[[Any], Any]) -> SoilArrays:
     """The numbers of a soil at the start, each as ``by_lane`` returns it."""
-    numbers = {n: getattr(soil, n) for n in SoilArrays._fields if n != "friction"} | {"friction": soil.peak}
+    of_soil = {n: getattr(soil, n) for n in SoilArrays._fields if n != "friction"}
+    numbers = of_soil | {"friction": soil.peak, "datum": datum}
     return SoilArrays(**{n: None if value is None else by_lane(value) for n, value in numbers.items()})
 
 

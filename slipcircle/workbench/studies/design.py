@@ -4,7 +4,7 @@
 how often. Blocks of samples come first, then those for the sensitivity indices.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -94,6 +94,10 @@ class Design:
             return latin(self.seed, self.n, dimensions)[:, start : start + length]
         draw = sobol if self.method == "sobol" else monte_carlo
         return draw(self.seed, stream, start, length, dimensions)
+
+    def task(self, index: int) -> tuple[Callable[[int], Result], int]:
+        """What computes a block."""
+        return self.run_block, index
 
     def values(self, index: int) -> list[Floats]:
         """Values of each input at the samples of a block, in its key's unit."""

@@ -209,14 +209,14 @@ def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
 
 
 class Blocks(Protocol):
-    """A study in independent blocks, each a pure function of its index."""
+    """A study in independent blocks; a task is a function and its argument, which go to a worker."""
 
     @property
     def blocks(self) -> int: ...
 
     def scenes(self, index: int) -> int: ...
 
-    def run_block(self, index: int) -> Result: ...
+    def task(self, index: int) -> tuple[Callable[[int], Result], int]: ...
 
 
 def run_blocks(
@@ -239,7 +239,8 @@ def run_blocks(
         if kept is not None:
             finish(index, kept, computed=False)
         else:
-            running[executor.submit(design.run_block, index)] = index
+            work, argument = design.task(index)
+            running[executor.submit(work, argument)] = index
 
     begun = 0
     try:

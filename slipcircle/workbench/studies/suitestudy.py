@@ -5,7 +5,7 @@ split into that of records and that of the soil. It reads the record itself and 
 of a study does not grow with the records' samples.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, TypedDict
 
@@ -59,10 +59,20 @@ class SuiteDesign:
         assert isinstance(scene.effects, dict)
         return replace(scene, effects=scene.effects | {"shaking": {**self.shaking, "horizontal": record}})
 
-    def run_block(self, index: int) -> Result:
-        """Compute a block: `LANE_RESULTS` and ``status``, (polarities, scales, samples), and the samples' inputs."""
+    def task(self, index: int) -> tuple[Callable[[int], Result], int]:
+        """What computes a block: the design of its record alone."""
         record, block = divmod(index, self.sampling.sample_blocks)
-        entry, inputs = self.suite.entries[record], self.sampling.inputs
+        return replace(self, suite=Suite(self.suite.entries[record : record + 1])).run_block, block
+
+    def run_block(self, block: int) -> Result:
+        """Compute a block of the samples of the first record.
+
+        Returns
+        -------
+        dict of ndarray
+            `LANE_RESULTS` and ``status``, (polarities, scales, samples), and the samples' inputs.
+        """
+        entry, inputs = self.suite.entries[0], self.sampling.inputs
         values = self.sampling.values(block)
         factors = np.multiply.outer(self.polarities, self.factors(entry))[..., None]
         shape = (*factors.shape[:2], self.sampling.scenes(block))
@@ -209,11 +219,15 @@ class SuiteStudy(Pictured):
         found = [f"the records replace the scene's own {name} shaking" for name in self.design.replaces]
         found += [f"{unread}; not used" for unread in self.suite.unread]
         found += [f"{entry.name}: is a vertical component by its name; not used" for entry in self.suite.verticals]
-        counts = np.bincount(self.values["status"].ravel(), minlength=len(Status))
-        total = self.values["status"].size
-        return found + [
-            f"{counts[s]} of {total} motions without a result: {s.reason}" for s in Status if s.reason and counts[s]
-        ]
+        if bool(np.any(motions(self.scene, {}, self.design.sampling.accuracy).moves)):
+            found.append("the mass moves without shaking too: displacements are not those of the records alone")
+        counts, total = np.bincount(self.values["status"].ravel(), minlength=len(Status)), self.values["status"].size
+        for status in (s for s in Status if counts[s]):
+            if status.reason:
+                found.append(f"{counts[status]} of {total} motions have no result: {status.reason}")
+            elif status is Status.MOVING:
+                found.append(f"{counts[status]} of {total} still move at their end: displacements are those until then")
+        return found
 
     def __repr__(self) -> str:
         sizes = ", ".join(f"{name}: {n}" for name, n in zip(DIMENSIONS, self.values["status"].shape, strict=True))

@@ -238,7 +238,16 @@ function start(figure, addressed) {
 // --- the motion ---
 
 function decoded(one) {
-  const [t, s, v, a] = one.columns.map((column, k) => column.map((ticks) => ticks * one.units[k]));
+  const [t, v, a] = one.columns.map((column, k) => {
+    const bytes = Uint8Array.from(atob(column), (letter) => letter.charCodeAt(0));
+    const ticks = k < 2 ? new Int32Array(bytes.buffer) : new Int16Array(bytes.buffer);
+    return Array.from(ticks, (tick) => tick * one.units[k]);
+  });
+  const s = [0]; // the integral of the cubics of the velocity
+  for (let k = 1; k < t.length; k += 1) {
+    const step = t[k] - t[k - 1];
+    s.push(s[k - 1] + step * (v[k] + v[k - 1]) / 2 - step * step * (a[k] - a[k - 1]) / 12);
+  }
   return { ...one, t, s, v, a };
 }
 

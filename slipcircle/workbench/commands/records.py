@@ -1,0 +1,84 @@
+"""`slipcircle sweep --records`: a scene under each record of a suite, its options, tables and files."""
+
+import argparse
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.text import shown
+from slipcircle.core import Scene
+from slipcircle.workbench.commands import values
+from slipcircle.workbench.outputs.tables import Part
+from slipcircle.workbench.records.suite import Suite, read_suite
+from slipcircle.workbench.studies.ensemble import ensemble
+from slipcircle.workbench.studies.suitestudy import SuiteStudy
+
+_HEADS = {
+    "record": "record",
+    "pga_g": "PGA (g)",
+    "displacement_m": "as recorded (m)",
+    "reversed_m": "reversed (m)",
+    "mean_m": "mean (m)",
+    "peak_velocity_m_s": "velocity (m/s)",
+    "slips": "slips",
+    "rotation_rad": "rotation (deg)",
+}
+
+
+def options(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    group = parser.add_argument_group("earthquake records", "shake the scene in place of its own shaking")
+    formats = "AT2, ESM, K-NET, COSMOS, and tables of numbers, mixed"
+    group.add_argument("--records", nargs="+", metavar="PATH", help=f"files and folders of records: {formats}")
+    group.add_argument("--polarities", action="store_true", help="each record also reversed")
+    scale = group.add_mutually_exclusive_group()
+    scale.add_argument(
+        "--scale", type=values.levels, metavar="FROM:TO:COUNT", help="factors on the records: 0.5:2:7, or 1,2"
+    )
+    pga = "peak accelerations in g to which each record is scaled: 0.1:0.5:5, or 0.35"
+    scale.add_argument("--scale-to-pga", type=values.levels, metavar="FROM:TO:COUNT", help=pga)
+    group.add_argument("--strict", action="store_true", help="stop if a file is no record, instead of going on without")
+    ground = "what the records hold, positive down-slope; default %(default)s, whose opposite drives the mass"
+    group.add_argument("--holds", choices=("ground", "driving"), default="ground", help=ground)
+    group.add_argument("--units", help="unit of files that do not name theirs: g, m/s2, cm/s2, gal, mm/s2")
+    group.add_argument("--step", type=float, metavar="S", help="time between samples of files without times, s")
+
+
+def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteStudy:
+    """Compute what the options ask for."""
+    gravity = float(np.ravel(scene.arc.gravity)[0])
+    reading = {name: getattr(options, name) for name in ("strict", "holds", "units", "step")}
+    suite = read_suite(options.records, gravity=gravity, **reading)
+    scales = {"scales": options.scale, "scale_to_pga": options.scale_to_pga}
+    of_records = {"records": suite, "polarities": options.polarities} | scales
+    found: SuiteStudy = ensemble(scene, options.samples or 1, **sampling, **of_records)
+    return found
+
+
+def parts(study: SuiteStudy) -> Iterator[Part]:
+    """The records, and what they do at the scale next to their own."""
+    yield _records_part(study.suite)
+    scale = int(np.argmin(np.abs(study.factors - 1.0).max(axis=0)))
+    columns = study.by_record(scale)
+    columns["rotation_rad"] = np.rad2deg(columns["rotation_rad"]).tolist()
+    names, *numbers = columns.values()
+    rows = [[name, *map(shown, row)] for name, *row in zip(names, *numbers, strict=True)]
+    samples = study.values["status"].shape[-1]
+    of_samples = f"; medians of {samples} samples" if samples > 1 else ""
+    level = f"{shown(float(study.scales[scale]))}{' g' if study.design.to_pga else ''}"
+    others = f" of {study.scales.size} (--csv has all)" if study.scales.size > 1 else ""
+    title = f"{study.scene.name}: displacement along the arc at scale {level}{others}{of_samples}"
+    note = "velocity, slips and rotation: the greater of both polarities" if len(study.polarities) > 1 else ""
+    yield Part([_HEADS[name] for name in columns], rows, title, note)
+
+
+def _records_part(suite: Suite) -> Part:
+    """What was read."""
+    head = ["record", "component", "samples", "step (s)", "unit", "PGA (g)"]
+    rows = [
+        [entry.name, entry.component or "-", str(entry.samples), shown(entry.step), entry.unit, shown(entry.peak)]
+        for entry in suite
+    ]
+    pairs = len(suite.pairs)
+    return Part(head, rows, f"{len(suite)} records, {pairs} pairs of components")

@@ -1,0 +1,61 @@
+"""Times at which curves of a motion bend or jump, and why, in a few words for a picture."""
+
+import math
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+
+from slipcircle.core import Motion, in_time, law_parts
+from slipcircle.workbench.outputs.trace import Floats, drawn
+
+Kinks = list[tuple[float, str]]
+
+
+def motion_kinks(motion: Motion) -> Kinks:
+    """Standstills, and the end of the shaking."""
+    kinks = [
+        (phase.start, "turns back" if phase.start == before.end else "starts again")
+        for before, phase in pairwise(motion.phases)
+    ]
+    shaking_ends = max(_breakpoints(motion, "shaking."), default=math.inf)
+    return kinks + [(shaking_ends, "shaking ends")] * (shaking_ends < motion.duration)
+
+
+def friction_kinks(motion: Motion) -> Kinks:
+    """Where a law of friction bends: at the end of its softening, at ends of its table, and at breakpoints in time."""
+    columns = drawn(motion)
+    times, path, speed = columns["time"], columns["path"], np.abs(columns["velocity"])
+    kinks: Kinks = []
+    for name, given in law_parts(motion.plan.scene.friction):
+        if name == "linear":
+            kinks += _crossings(times, path, float(given["length"]), "residual friction")
+        elif name == "tabulated":
+            kinks += _crossings(times, path, float(given["slip"][-1]), "end of the table")
+        elif name == "rate_tabulated":
+            for end in (given["speed"][0], given["speed"][-1]):
+                kinks += _crossings(times, speed, float(end), f"{end:g} m/s")
+        elif name == "prescribed":
+            kinks += [(float(time), "breakpoint") for time in given["time"]]
+    return [kink for kink in kinks if 0.0 < kink[0] < motion.duration]
+
+
+def water_kinks(motion: Motion) -> Kinks:
+    """Breakpoints of a pore pressure that varies in time."""
+    times = _breakpoints(motion, "pore_pressure.")
+    return [(time, "breakpoint") for time in times if 0.0 < time < motion.duration]
+
+
+def _breakpoints(motion: Motion, effect: str) -> list[float]:
+    """Times at which what an effect is given in time bends."""
+    functions = in_time(motion.plan.scene.called).items()
+    kinks = [np.asarray(function.kinks) for name, function in functions if name.startswith(effect)]
+    return sorted({time for times in kinks for time in times.tolist()})
+
+
+def _crossings(times: Floats, values: Floats, level: float, words: str) -> Iterator[tuple[float, str]]:
+    """Times at which values reach or leave a level."""
+    above = values >= level
+    for k in np.flatnonzero(above[1:] != above[:-1]).tolist():
+        share = (level - values[k]) / (values[k + 1] - values[k])
+        yield float(times[k] + share * (times[k + 1] - times[k])), words
