@@ -14,7 +14,7 @@ T = TypeVar("T")
 
 
 def timed(what: str, stage: str, outcome: str, work: Callable[..., T], *args: object) -> T:
-    """Do one stage, and print how long it took and its outcome; ``{0}`` in it is the result."""
+    """Run one stage, and print its time and outcome, in which ``{0}`` is the result."""
     start = time.perf_counter()
     result = work(*args)
     shown = len(result) if isinstance(result, list) else result
@@ -25,7 +25,7 @@ def timed(what: str, stage: str, outcome: str, work: Callable[..., T], *args: ob
 def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     """Derive and prove everything: the text of `generated` by file; progress goes to stderr.
 
-    Shapes of kernels are searched for where there is no record of them, or ``anew`` for all, with so many ``trials``.
+    Shapes of kernels without a record are searched for, or all of them with ``anew``, in so many ``trials``.
     """
     from derive.algebra import dynamics, integrate, rules, slopes
     from derive.approximate import certificates, search, shapes
@@ -49,13 +49,13 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     timed("slopes", "balance", "{0} claims proved", slopes.prove)
     timed("arc", "slopes", "{0} claims proved", rules.prove_arc_growth, integrate.closed_forms())
     timed("rounded angles", "carried", "{0} claims proved", functions.prove_carried)
-    # A recorded certificate holds as long as its operations do (`prove` proves it again).
+    # A recorded certificate is valid as long as its operations are unchanged (`prove` proves it again).
     proved = timed("kernels", "certify", "", certificates.records, variants(), read())
     return timed("generated", "emit", "", write.files, proved)
 
 
 def _stable_forms() -> None:
-    """The forms without cancellation, and the appendices in one line, step by step."""
+    """Derive the forms without cancellation, and reduce the appendices to one line, step by step."""
     from derive.algebra import integrate, rules
     from derive.algebra.appendices import APPENDICES, simplify
 
@@ -70,7 +70,7 @@ def _stable_forms() -> None:
 
 
 class Command(NamedTuple):
-    """A command: its help, and the forms in which it can print its report, with theirs."""
+    """A command: its help, and the formats of its report with their help."""
 
     help: str
     forms: dict[str, str]

@@ -1,7 +1,7 @@
 """The extension modules of `generated`, compiled in place: `python -m derive.build`, and at install time.
 
-By the machine's C compiler, or where there is none by the one in the package index (``pip install ziglang``). Flags of
-the environment are ignored: the proofs of the kernels hold for the operations as they are written.
+The compiler is the machine's, or else that of the package index (``pip install ziglang``). Flags of the environment are
+ignored: the proofs of the kernels hold for the operations as they are written.
 """
 
 import importlib.util
@@ -18,7 +18,7 @@ from pathlib import Path
 FOLDER = Path(__file__).resolve().parent.parent / "generated"
 # Vector loops need no errno from sqrt and pieces that are not used may raise a flag (cleared later).
 FLAGS = ("-O3", "-fPIC", "-fno-fast-math", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math")
-# GCC also makes branches of comparisons, which are no vector loops; the last two are worth a tenth of the time, as
+# GCC turns comparisons into branches, which prevent vector loops; the last two save a tenth of the time, as
 # there are many chains of operations side by side. Clang and Zig do not know these flags.
 GCC_FLAGS = ("-fno-thread-jumps", "-fschedule-insns", "-fsched-pressure")
 # The integrator is compiled once for every kind of processor, and once for the module. It proves nothing bit by bit: a
@@ -42,7 +42,7 @@ class NoBinaryError(Exception):
 
 
 def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_kernels") -> Path:
-    """Compile a module's C beside itself, unless the binary there was made of it."""
+    """Compile the C source of a module beside it, unless its binary is up to date."""
     source = folder / f"{name}.c"
     binary = folder / f"{name}{sysconfig.get_config_var('EXT_SUFFIX')}"
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
@@ -64,7 +64,7 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_k
 
 
 def c_compiler() -> list[str]:
-    """``CC`` of the environment; else Python's own, the machine's, or that of the package index, whichever there is."""
+    """``CC`` of the environment, or else the compiler of Python, of the machine, or of the package index."""
     if asked := shlex.split(os.environ.get("CC", "")):
         candidates = [asked]
     else:
@@ -78,13 +78,13 @@ def c_compiler() -> list[str]:
 
 
 def _is_clang(compiler: list[str]) -> bool:
-    """Whether it is Clang, or Zig, which is Clang within."""
+    """Whether it is Clang, or Zig, which contains Clang."""
     done = subprocess.run([*compiler, "--version"], capture_output=True, text=True, check=False)
     return "clang" in done.stdout
 
 
 def _commands(name: str, source: Path, target: Path) -> list[list[str]]:
-    """Arguments of the compiler: once for each part of the module, and once to link them."""
+    """Command lines of the compiler: one for each part of the module, and one to link them."""
     try:
         import numpy as np
     except ImportError as error:
@@ -99,7 +99,7 @@ def _commands(name: str, source: Path, target: Path) -> list[list[str]]:
 
 
 def build_all() -> str:
-    """Compile what has another source than its binary; what serves now."""
+    """Compile modules with outdated binaries; returns a line on what is in use."""
     try:
         return ", ".join(build(name=name).name for name in PARTS)
     except NoBinaryError as error:

@@ -1,4 +1,4 @@
-"""At install time: binaries of the kernels and of the integrator if they can be made, else a wheel of pure Python."""
+"""At install time: binaries of kernels and integrator if they can be compiled, otherwise a pure Python wheel."""
 
 import sys
 from pathlib import Path
@@ -8,7 +8,7 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 
 class KernelsHook(BuildHookInterface[Any]):
-    """Hatchling calls it for wheels; an editable install finds the binary in place."""
+    """Called by Hatchling for wheels; an editable install uses the binary in place."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Compile, and mark the wheel as one for this platform."""

@@ -1,4 +1,4 @@
-"""How much of a long task is done, on stderr: a bar on a terminal with rich, else lines now and then."""
+"""Progress of long tasks on stderr: a bar on a terminal with rich, otherwise occasional lines."""
 
 import sys
 import time
@@ -8,16 +8,16 @@ from importlib.util import find_spec
 from typing import TypeVar
 
 T = TypeVar("T")
-FIRST = 5.0  # seconds until the first line; the next come ever more rarely
+FIRST = 5.0  # seconds until the first line; intervals then double
 
 
 def say(line: str) -> None:
-    """A line on stderr."""
+    """Print a line on stderr."""
     print(line, file=sys.stderr, flush=True)
 
 
 def track(items: Iterable[T], task: str, total: int) -> Iterator[T]:
-    """The items, while the progress of the task is shown: how many of the total are done, and the time left."""
+    """Yield the items while showing how many of the total are done, and the time left."""
     if sys.stderr.isatty() and find_spec("rich"):
         console = import_module("rich.console").Console(stderr=True)
         bar = import_module("rich.progress").track

@@ -30,6 +30,7 @@ from slipcircle.workbench.studies.design import Design, Result
 from slipcircle.workbench.studies.engines import engine, forecast, stored
 from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.study import Study
+from tests.support.blocks import quake
 
 ROOT = Path(__file__).parents[1]
 ANGLE = {"distribution": "normal", "mean": 10, "std": 1}
@@ -162,6 +163,9 @@ def test_a_dask_client_is_an_executor(cluster: Any) -> None:
 
     with Client(cluster) as client:
         same(ensemble(SCENE, **MANY), ensemble(SCENE, executor=client, **MANY))
+        suite: dict[str, Any] = {"records": [quake(1), quake(2)], "polarities": True, "scales": [1.0, 2.0]}
+        there, here = (ensemble(SCENE, 8, 1, executor, **suite) for executor in (client, None))
+        assert all(np.array_equal(there.values[name], here.values[name]) for name in here.values)
 
 
 def test_what_an_engine_needs() -> None:

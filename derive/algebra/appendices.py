@@ -22,7 +22,7 @@ from derive.check.proof import ProofError
 from derive.declare.symbols import alpha, r, theta, theta_1, theta_2, theta_m
 
 # --- the print -------------------------------------------------------------------------------------------
-# Every round bracket is the print's own, the wrong ones included. {a}/{b} is a fraction bar, a^n a raised n, a blank
+# All round brackets are as printed, the wrong ones included. {a}/{b} is a fraction bar, a^n a raised n, a blank
 # between factors a product; as in any formula on one line, a/b c means (a/b) c. Abbreviated here, and nowhere else,
 # are the functions of one angle and what the arctanh contain: the six terms N, without brackets, and the fraction M.
 
@@ -69,13 +69,13 @@ APPENDIX_I, APPENDIX_II = APPENDICES = tuple(
 )
 
 
-# What is printed, and what it must read: sin(theta_2) divides all six terms, and arctanh is of the quotient; the
+# Printed text and its correction: sin(theta_2) divides all six terms, and arctanh applies to the quotient; the
 # division by cos(alpha), written out, is of the whole bracket that opens the print.
 MENDING = ((r"arctanh\(N\)?/s2\)?", "arctanh((N)/s2)"), (r"(?<!\))(?=/\(-c1 ca c2)", ")"))
 
 
 class Repair(NamedTuple):
-    """A place where the print is mended: its span on one line, how it reads then, and how many brackets this adds."""
+    """A correction of the printed text: its span on one line, the corrected text, and the number of added brackets."""
 
     start: int
     end: int
@@ -84,7 +84,7 @@ class Repair(NamedTuple):
 
 
 def repairs(appendix: Appendix) -> tuple[Repair, ...]:
-    """Every place where the print is not what it must read, in its order."""
+    """All places where the printed text has to be corrected, in order."""
     places = []
     for pattern, mended in MENDING:
         for match in re.finditer(pattern, appendix.printed):
@@ -95,7 +95,7 @@ def repairs(appendix: Appendix) -> tuple[Repair, ...]:
 
 
 def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
-    """The print, mended everywhere but at the places that are to be left."""
+    """The printed text, corrected except at the places to be left."""
     text = appendix.printed
     for repair in reversed(repairs(appendix)):
         if repair not in leave:
@@ -104,7 +104,7 @@ def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
 
 
 def parse(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> Expr:
-    """Read the mended print as an expression in theta_1, theta_2 and alpha; ValueError where it cannot be read."""
+    """Parse the corrected text as an expression in theta_1, theta_2 and alpha; ValueError if that fails."""
     text = mended_text(appendix, leave)
     if unknown := set(re.sub(r"arctanh|[a-zA-Z][12a]|[MN]", "", text)) - set("0123456789 +-/^(){}"):
         raise ValueError(f"Appendix {appendix.name}: unknown notation {unknown}")
@@ -115,13 +115,13 @@ def parse(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> Expr:
         brackets = brackets.replace("()", "").replace("{}", "")
     if brackets:
         raise ValueError(f"Appendix {appendix.name}: brackets without partner: {brackets}")
-    text = re.sub(r"(?<=[\w)}]) (?=[\w({])", "*", text)  # two neighbours that are both operands are a product
+    text = re.sub(r"(?<=[\w)}]) (?=[\w({])", "*", text)  # two adjacent operands are a product
     names = {"theta_1": theta_1, "theta_2": theta_2, "alpha": alpha, "arctanh": atanh}
     return parse_expr(text.translate(str.maketrans("{}", "()")).replace("^", "**"), local_dict=names)
 
 
 def unreadable(appendix: Appendix, repair: Repair) -> bool:
-    """Whether a bracket is without its partner if this one place is left as printed."""
+    """Whether brackets do not match if this one place is left as printed."""
     try:
         parse(appendix, (repair,))
     except ValueError:
@@ -129,7 +129,7 @@ def unreadable(appendix: Appendix, repair: Repair) -> bool:
     return False
 
 
-_A1, _A2 = symbols("A_1 A_2", real=True)  # the two arctanh of the print
+_A1, _A2 = symbols("A_1 A_2", real=True)  # the two arctanh of the printed text
 _ENDS = {theta_1: theta_m - alpha, theta_2: theta_m + alpha}
 
 
@@ -139,7 +139,7 @@ def _require(holds: bool, claim: str) -> None:
 
 
 class Step(NamedTuple):
-    """One step: what was done, what proves it, and what the expression is then."""
+    """One step: what was done, what proves it, and the resulting expression."""
 
     text: str
     proof: str
@@ -151,7 +151,7 @@ class Step(NamedTuple):
 
 
 class Proof(NamedTuple):
-    """What an appendix truly is: `expression` in (alpha, theta_m), the double integral of `integrand`."""
+    """What an appendix equals: `expression` in (alpha, theta_m), the double integral of `integrand`."""
 
     expression: Expr
     integrand: Expr
@@ -159,7 +159,7 @@ class Proof(NamedTuple):
 
     @property
     def operations(self) -> tuple[int, int]:
-        """Of the print, and of the one line."""
+        """Operation counts of the printed text and of the one line."""
         return self.steps[0].operations, self.steps[-1].operations
 
 
@@ -177,7 +177,7 @@ def integrand(expression: Expr) -> Expr:
     """
     derivative = expression.diff(alpha) / sin(alpha)
     power = -derivative.diff(alpha, 2) / (derivative * sin(alpha) / cos(alpha)).diff(alpha)
-    somewhere = power.subs(_SOMEWHERE).evalf(30)  # what is no such integral is refused here, before all the algebra
+    somewhere = power.subs(_SOMEWHERE).evalf(30)  # any other expression is rejected here, before the algebra
     _require(abs(sin(sp.pi * somewhere)) < 1e-12, f"it integrates a power of r: n = {somewhere} at {_SOMEWHERE}")
     k = trig_normal(derivative)
     leaning = k * sin(alpha) / cos(alpha)

@@ -183,7 +183,7 @@ _ROTATION_RESULT = _piece(
     (_K * _piece(t, Integer(0)) + log(_PHI_Y)) / _piece(b, Integer(1)),
     _G * Remainder(log1p, 1, _piece(Integer(0), Max(b * _G, -1 + Rational(1, 2**53)))),
 )
-# 1/y, multiplied by twice: its square leaves the range of numbers long before the acceleration does.
+# 1/y, applied twice: its square overflows long before the acceleration does.
 _DECAY = {_D: _piece(_E, Integer(1)) / _guarded(_Y)}
 _BRAKE = -a  # positive in the domain of the arrest
 _ARREST = (a, b, omega_0)
@@ -252,7 +252,7 @@ def _form(name: str) -> MotionForm:
 
 
 def _of_the_ride() -> dict[str, Expr]:
-    """What vanishes if the formulas with time hold; the rotation is compared as exp(b phi) = y."""
+    """Expressions that vanish if the formulas over time hold; the rotation is compared as exp(b phi) = y."""
     ways = solution()
     rotation = _form("rotation")
     claims = {}
@@ -267,7 +267,7 @@ def _of_the_ride() -> dict[str, Expr]:
 
 
 def _of_the_arrest() -> dict[str, Expr]:
-    """The same of the arrest: with a < 0 < b, k = i kappa. y at arrest is sqrt(1 + b omega_0**2/(-a))."""
+    """Likewise for the arrest: with a < 0 < b, k = i kappa. y at arrest is sqrt(1 + b omega_0**2/(-a))."""
     brake, b_, start = symbols("brake b_ omega", positive=True)
     kappa = sqrt(brake * b_)
     positive = {a: -brake, b: b_, omega_0: start}

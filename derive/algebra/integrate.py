@@ -61,12 +61,12 @@ def antiderivative(integrand: Expr, x: Symbol) -> Expr:
 
 @dataclass(frozen=True)
 class Derivation:
-    """A moment's way from its definition to its closed form."""
+    """The derivation of a moment from its definition to its closed form."""
 
     moment: Moment
     amplitude: Expr  # closed form in alpha, positive
     direction: Expr  # 1, or cos(psi) or sin(psi) with a sign
-    operations: tuple[int, int]  # of the definition's integrand between its limits, and of the closed form
+    operations: tuple[int, int]  # operation counts of the definition and of the closed form
 
     @property
     def closed(self) -> Expr:
@@ -102,7 +102,7 @@ def derive(moment: Moment) -> Derivation:
 
 
 def shortest(expression: Expr) -> Expr:
-    """The equal form with the fewest operations among those that SymPy's rules reach."""
+    """The equivalent form with the fewest operations among those that SymPy's rules give."""
     normal = trig_normal(expression)
     candidates = [normal, simplify(normal), factor_terms(normal)]
     return min(candidates, key=lambda e: (count_ops(e), default_sort_key(e)))
@@ -116,7 +116,7 @@ def closed_forms() -> dict[str, Expr]:
 
 
 def quadrature(weight: Expr, theta_1_value: object, alpha_value: object, digits: int) -> mpf:
-    """The raw double integral to so many digits by nested Gauss-Legendre quadrature, over the uncentred chord."""
+    """The original double integral to so many digits by nested Gauss-Legendre quadrature, over the uncentred chord."""
     function = lambdify((r, theta), weight, "mpmath")
     with workdps(digits + 15):
         first = mpf(theta_1_value)
@@ -132,7 +132,7 @@ def quadrature(weight: Expr, theta_1_value: object, alpha_value: object, digits:
 
 
 def compare(derivation: Derivation, digits: int) -> str:
-    """Compare a closed form with quadrature of its raw definition at two arcs; the worst relative difference."""
+    """Compare a closed form with quadrature of its definition at two arcs; the greatest relative difference."""
     moment = derivation.moment
     closed = derivation.closed.subs(PSI, 3 * pi / 2 - theta_1 - alpha)
     function = lambdify((theta_1, alpha), closed, "mpmath")

@@ -1,4 +1,4 @@
-"""What it takes to prove two forms equal: one refutation by numbers, one normal form of sines and cosines."""
+"""Proofs that two forms are equal: numerical refutation, and a normal form of sines and cosines."""
 
 from sympy import (
     Dummy,
@@ -25,7 +25,7 @@ from derive.check.proof import ProofError
 
 
 def refute(expression: Expr, claim: str) -> None:
-    """Raise `ProofError` where one point shows another number than zero: SymPy may simplify for minutes what is not."""
+    """Raise `ProofError` if an expression is not zero at one point, before SymPy tries to simplify it for minutes."""
     symbols = sorted(expression.free_symbols, key=default_sort_key)
     point = {x: Rational(2 * i + 3, 2 * i + 7) for i, x in enumerate(symbols)}
     value = N(expression, 30, subs=point)

@@ -1,4 +1,4 @@
-"""Functions that are computed otherwise than they are defined, above all a function less its Taylor head.
+"""Functions that are not computed as they are defined, above all a function minus its leading Taylor terms.
 
 Where a formula cancels, a function f is near its Taylor head and the heads drop out by algebra. What is left is
 ``Remainder(f, n, x)`` = (f(x) - its terms below x**n)/x**n, which has a series of its own and does not cancel.
@@ -60,16 +60,16 @@ class Exp(Function):
 
 
 class RoundingError(Function):
-    """What the rounded sum x + y lost (TwoSum): exactly x + y - fl(x + y), and zero in exact arithmetic."""
+    """The rounding error of x + y (TwoSum): exactly x + y - fl(x + y), and zero in exact arithmetic."""
 
     nargs = 2
 
 
 class Primitive(Function):
-    """A function with a definition, and another way to compute it."""
+    """A function with a definition and a separate way to compute it."""
 
     def definition(self) -> Expr:
-        """What it means."""
+        """Its definition."""
         raise NotImplementedError
 
     def lower(self) -> Expr:
@@ -111,7 +111,7 @@ class HalfTan(Primitive):
 ENTIRE = {f(X) for f in (sin, cos, sinh, cosh)}
 SEAM = Rational(2, 5)
 LAST = 1 - EPS
-# A library has f under this name, accurate near 0: f(x)/x needs no series.
+# Libraries have f under this name, accurate near 0: f(x)/x needs no series.
 FROM_ZERO = {log(1 + X): log1p, atan(X): atan}
 
 
@@ -157,7 +157,7 @@ class Remainder(Primitive):
     def series(self) -> list[Rational]:
         """Its Taylor coefficients, in x**2 where it is even.
 
-        As many as it takes for the first neglected term to stay below an eighth of 2**-53 of the leading one.
+        Enough terms that the first neglected one is below an eighth of 2**-53 of the leading one.
         """
         f, n, _, slopes = self.parts
         step = 2 if self.even else 1
@@ -190,7 +190,7 @@ class Remainder(Primitive):
 
 @cache
 def taylor(f: Expr) -> tuple[Rational, ...]:
-    """Taylor coefficients at 0, as SymPy's ring of power series finds them, which has no artanh."""
+    """Taylor coefficients at 0 from SymPy's ring of power series, which lacks artanh."""
     f = f.replace(atanh, lambda x: (log(1 + x) - log(1 - x)) / 2)
     terms = rs_series(f, X, 60).as_expr().as_poly(X)
     return tuple(terms.coeff_monomial(X**k) for k in range(60))

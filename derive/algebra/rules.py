@@ -45,7 +45,7 @@ from derive.declare.symbols import alpha
 TAU, _Y, _H = symbols("tau y_ artanh_", real=True)
 _SINE = 2 * TAU / (1 + TAU**2)
 _COSINE = (1 - TAU**2) / (1 + TAU**2)
-# What the rules leave of the angle and of artanh: alpha**3 and tau**3 times a remainder.
+# Remainders of the angle and of artanh after the rules: times alpha**3 and tau**3.
 ANGLE_REST = -4 * alpha**3 * Remainder(sin, 3, 2 * alpha)
 ARTANH_REST = 2 * TAU**3 * Remainder(atanh, 3, TAU)
 
@@ -140,7 +140,7 @@ def _by_remainder(expression: Expr) -> dict[Expr, Expr]:
 
 
 def _orders(expression: Expr) -> list[int]:
-    """With which power of alpha each term vanishes at 0."""
+    """The power of alpha with which each term vanishes at 0."""
     orders = []
     for rest, factor in _by_remainder(_in_tau(expression)).items():
         top, bottom = fraction(cancel(factor))

@@ -50,7 +50,7 @@ from derive.declare.symbols import alpha, r, theta
 
 REACH = Rational(1, 4)
 NODES = 10
-# What is integrated over r and theta: of the area, of the two inertias, and of the weights as vectors.
+# Integrands over r and theta: of the area, of the two inertias, and of the weights as vectors.
 WEIGHTS = {
     "area": r,
     "polar": r**2,
@@ -60,7 +60,7 @@ WEIGHTS = {
     "moment_x": r**2 * cos(theta),
     "moment_y": r**2 * sin(theta),
 }
-# The paper's moments among them, and what they become as the mass turns by phi: J cos(phi) - slope sin(phi).
+# Moments of the paper among them, and their values as the mass turns by phi: J cos(phi) - slope sin(phi).
 MEANS = {
     "polar_moment": ("polar", 1),
     "moment_of_inertia": ("inertia", 1),
@@ -138,7 +138,7 @@ def closed() -> tuple[Expr, ...]:
     d = sqrt(E_X**2 + E_Y**2)
     r1 = sqrt(X**2 + Y**2)
     r2 = sqrt(x2**2 + y2**2)
-    below_1 = 1 - Rational(1, 2**53)  # a centre on the edge: p L = 0 for every finite L
+    below_1 = 1 - Rational(1, 2**53)  # for a centre on the edge p L = 0 for every finite L
     of_edge = {
         _LOG: 2 * atanh(Min(d / (r1 + r2), below_1)),
         _rho(_T1): r1,
@@ -264,7 +264,7 @@ def head() -> Expr:
 
 
 def prove() -> list[str]:
-    """Prove what the forms above rest on; the claims."""
+    """Prove the basis of the forms above; the claims."""
     claims = _of_edges() | _of_moments() | _of_one_chord() | _of_heads() | _of_layers() | _of_strips()
     for claim, zero in claims.items():
         prove_zero(zero, claim)
@@ -363,7 +363,7 @@ def _of_layers() -> dict[str, Expr]:
 
 
 def _of_strips() -> dict[str, Expr]:
-    """What strips press on the arc after a rotation: n = A cos(phi) - B sin(phi) + P omega^2.
+    """Normal stress of strips on the arc after a rotation: n = A cos(phi) - B sin(phi) + P omega^2.
 
     A strip turns with the mass by phi, which lowers the dip, and so does the place on the arc that carries it.
     """

@@ -45,7 +45,7 @@ def round_up(x: float) -> float:
 
 
 def certified(variant: Variant) -> Record:
-    """A variant's record with bounds that are proved and within its goals, and, if rounded exactly, the witness."""
+    """The record of a variant with proved bounds within its goals, and, if rounded exactly, the worst input seen."""
     record = plain(variant)
     boxes: list[tuple[float, float]] = []
     for claim, patches in certify.by_claim(record).items():

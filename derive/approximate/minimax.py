@@ -18,13 +18,13 @@ from derive.check.truth import fraction, number
 BITS = 240  # of the fit; the functions themselves are evaluated with more
 GUARD = 400
 _POINTS = 16  # of the grid for each unknown coefficient
-_ROUNDS = 12  # exchanges of reference points at most
+_ROUNDS = 12  # most exchanges of reference points
 
 Function = Callable[[arb], arb]
 
 
 def nearest(x: arb) -> float:
-    """The double nearest to it."""
+    """The nearest double."""
     return float(fraction(x.mid()))
 
 
@@ -47,7 +47,7 @@ def evaluate(expression: Expr, x: Any) -> Any:
 
 
 def value(closed: Expr, a: arb) -> arb:
-    """A closed form at alpha, with bits to spare for what cancels."""
+    """A closed form at alpha, with extra bits for cancellation."""
     with ctx.workprec(GUARD):
         return arb(evaluate(closed, a)).mid()
 

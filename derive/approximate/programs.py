@@ -79,7 +79,7 @@ class Code(Builder):
         return self.put("select", self.x < seam, near, far)
 
     def program(self, name: str, output: Value) -> Program:
-        """The operations that the output needs."""
+        """The program, with only the operations that the output needs."""
         return without_dead(Program(name, (self.argument,), tuple(self.ops), (output.place,)))
 
 

@@ -33,10 +33,10 @@ HALVINGS = 100
 FROM, TO = 0.5, 1.5625  # where seam and baseline matter
 DIVISION = 8  # what a division costs, in multiply-adds
 OPERATION = 0.02  # what a multiply-add is worth, in ulp
-MARGIN = 0.05  # by how much less a shape's price has to be to take the place of the recorded one, in ulp
+MARGIN = 0.05  # least advantage in price, in ulp, for a shape to replace the recorded one
 STEPS = (-1, 1)  # of whatever is moved to a neighbouring shape
 KEPT = 3  # leading sums near 0 whose roundings are kept, to start from
-TRIALS = 40  # shapes judged at most, for one quantity
+TRIALS = 40  # most shapes evaluated for one quantity
 
 Best = tuple[Pieces, ...]
 
@@ -180,7 +180,7 @@ def falls(variant: Variant, seam: float) -> bool:
 
 
 def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
-    """Shapes a step away: the seam, and of each part degrees and baseline."""
+    """Neighbouring shapes: other seams, and for each part other degrees and baselines."""
     for step in STEPS:
         moved = []
         for part in shape:
@@ -260,7 +260,7 @@ def _first_kept(kernel: Kernel, ranking: Iterable[Best]) -> Best | None:
 def best(kernel: Kernel, trials: int = TRIALS) -> Best:
     """The recorded pieces, unless the search's are better by more than MARGIN.
 
-    So a search that is repeated, or that judges few, changes nothing.
+    So a repeated or a short search changes nothing.
     """
     chosen = refined(kernel, trials)
     known = records().get(kernel.definition)
@@ -276,7 +276,7 @@ def best(kernel: Kernel, trials: int = TRIALS) -> Best:
 
 
 def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
-    """The cheapest polynomial or quotient of two that keeps what its tier promises."""
+    """The cheapest polynomial or rational that meets the goal of its tier."""
     (closed,) = kernel.closed
     goal = TIERS[tier].fused
     target = (goal - 0.5) * 2.0**-24 if goal > 0.5 else goal

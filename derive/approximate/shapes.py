@@ -72,7 +72,7 @@ def limit(closed: Expr) -> Fraction:
 
 
 def agree(kernel: Kernel) -> int:
-    """How often the derived form was compared with the checker's definition, or `ProofError` where they differ.
+    """Compare the derived form with the checker's definition; the number of comparisons, or `ProofError`.
 
     Taylor coefficients at 0 are compared exactly, values in balls.
     """

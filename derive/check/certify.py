@@ -27,7 +27,7 @@ from derive.check.records import TIERS, Record, assumptions, check_goals, digest
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, Unbounded, specialise
 from derive.check.truth import BITS, TOP, working
 
-VANISHING = 2.0**-352  # below, every kernel is under 2**-1055
+VANISHING = 2.0**-352  # below, every kernel is less than 2**-1055
 
 
 def ulp(x: float, bits: int) -> float:
@@ -124,7 +124,7 @@ class Box(NamedTuple):
 def halve(
     record: Record, parts: list[Patch], wanted: float = 0.0, halvings: float = math.inf
 ) -> tuple[float, list[tuple[float, float]]]:
-    """What can be proved on these patches, and where they are worst: at most 16 boxes of alpha, the worst first.
+    """The bound proved on these patches, and the worst boxes of alpha, at most 16, the worst first.
 
     The worst box is halved, again and again, until the bound is within ``wanted``, or so often, or as long as the box
     is more than next to nothing.
@@ -214,7 +214,7 @@ def _prove_claim(record: Record, claim: str, parts: list[Patch]) -> float:
 
 
 def checked(record: Record) -> tuple[str, bool]:
-    """The outcome of a record's proof, and in how many seconds, as a line; whether it is accepted."""
+    """The outcome and the time of a record's proof as a line, and whether it is accepted."""
     start = time.perf_counter()
     tier = record["tier"]
     name = f"{record['kernel']:<32} {tier:<8} {record['form']:<6}"

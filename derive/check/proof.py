@@ -1,4 +1,4 @@
-"""The one way in which a check fails."""
+"""The exception of failed checks."""
 
 
 class ProofError(Exception):
@@ -7,7 +7,7 @@ class ProofError(Exception):
     """
 
     def __init__(self, claim: str, found: object, wanted: object = 0, check: str = "") -> None:
-        # All four, so that it passes between processes.
+        # All four, so that it can be pickled.
         arguments = (claim, str(found), str(wanted), check)
         super().__init__(*arguments)
         self.check = check

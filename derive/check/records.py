@@ -42,7 +42,7 @@ TIERS = {
 
 
 def rejected(check: str, record: Record, found: object, wanted: object) -> ProofError:
-    """The refusal of a certificate by one of the checks."""
+    """The error of a certificate that fails a check."""
     words = " ".join(str(record[key]) for key in ("tier", "form"))
     return ProofError(f"{record['kernel']}: {check} of tier {words}", found, wanted, check)
 
@@ -61,7 +61,7 @@ def digest(record: Record) -> str:
 
 
 def assumptions(record: Record) -> list[str]:
-    """What the proof takes for granted, from the calls that the program makes."""
+    """Assumptions of the proof, from the calls in the program."""
     called = any((kind, value) == ("call", "log") for kind, _, value in record["operations"])
     return [f"np.log within {LOG_ULPS} ulp"] * called
 

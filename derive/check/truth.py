@@ -85,14 +85,14 @@ def ball(lower: float | arb, upper: float | arb) -> arb:
 
 
 def value(definition: Definition, alpha: arb) -> arb:
-    """What a definition says at a ball 0 < alpha < pi/2, at the precision in force; it cancels near 0."""
+    """The value of a definition on a ball 0 < alpha < pi/2, at the precision in force; it cancels near 0."""
     s, c = alpha.sin_cos()
     h = -((arb.pi() / 2 - alpha) / 2).tan().log()
     return reduce(truediv, (exactly(statement, alpha, s, c, h) for statement in definition))
 
 
 def limit(definition: Definition) -> arb:
-    """Its value at pi/2: what the logarithm is multiplied by vanishes there."""
+    """Its value at pi/2, where the factor of the logarithm vanishes."""
     half_pi = arb.pi() / 2
     values = (exactly(statement, half_pi, arb(1), arb(0), arb(0)) for statement in definition)
     return reduce(truediv, values)

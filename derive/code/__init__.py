@@ -1,1 +1,1 @@
-"""From expressions to programs; what a program gives as every machine rounds it; and the text of programs."""
+"""From expressions to programs, their evaluation with IEEE rounding, and their text."""

@@ -16,7 +16,7 @@ from derive.code.text import WIDTH, Language, Part, Reader, statements
 
 @dataclass(frozen=True)
 class Function:
-    """What a public function needs besides its program: the words of its docstring and its domain."""
+    """A public function besides its program: the texts of its docstring, and its domain."""
 
     program: Program
     summary: str
@@ -26,7 +26,7 @@ class Function:
     returns: str
     domain: str  # in words
     inside: str  # in Python, over the arguments and `eps` of their type
-    safe: tuple[float, ...]  # a point inside, used in the place of arguments outside
+    safe: tuple[float, ...]  # a point inside, which replaces arguments outside
     accuracy: str
     tiers: Mapping[str, Program] = field(default_factory=dict)  # a kernel of alpha: what NumPy runs at each tier
 
@@ -40,7 +40,7 @@ HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
 
 class PythonText:
-    """The private functions of a module, as they are written; each is read back, and may call those before it."""
+    """The private functions of a module; each is read back after it is written, and may call those before it."""
 
     def __init__(self) -> None:
         self.reader = Reader({"Array": None, "Any": None, "np": np, "horner": HELPERS["horner"]})
@@ -214,7 +214,7 @@ def described(programs: Iterable[tuple[Program, str]]) -> list[tuple[Program, st
     return documented
 
 
-# What a generated module may need, in this order.
+# Imports of generated modules, in this order.
 _IMPORTS = (
     "from typing import Any",
     "",
@@ -258,7 +258,7 @@ def _imports(code: str) -> str:
 
 
 def sentence(words: str) -> str:
-    """With a capital and a full stop; a symbol stays as it is."""
+    """A sentence with a capital and a full stop; an initial symbol stays as it is."""
     first = words.split(maxsplit=1)[0].strip(":,")
     return f"{words[0].upper() if first.isalpha() and first.islower() else words[0]}{words[1:]}."
 
@@ -283,7 +283,7 @@ def _wrap(line: str) -> list[str]:
             lines.append(last.rstrip())
             last = indent
         last += item
-        while len(last.rstrip()) > 120:  # two strings beside each other are one
+        while len(last.rstrip()) > 120:  # adjacent strings are joined
             cut = last.rfind(" ", 0, 118) + 1
             quote = next((q for q in "'\"" if last.count(q, 0, cut) % 2), "")
             cut = cut if quote else max(last.rfind(sign, 0, 118) for sign in "*/") + 1

@@ -21,14 +21,14 @@ _THREE_QUARTERS = 0x3FE8000000000000  # bits of 0.75: the significand lies in [0
 
 
 def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
-    """fl(a + b) and what it lost; also of operations that are collected for a program."""
+    """fl(a + b) and its rounding error; also for operations collected for a program."""
     total = a + b
     of_b = total - a
     return total, (a - (total - of_b)) + (b - of_b)
 
 
 def _halves(x: Floats) -> tuple[Floats, Floats]:
-    """Veltkamp's: a high and a low part, whose products make no rounding error."""
+    """Veltkamp splitting: a high and a low part whose products are exact."""
     scaled = 134217729.0 * x  # 2**27 + 1
     high = scaled - (scaled - x)
     return high, x - high

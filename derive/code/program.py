@@ -80,16 +80,16 @@ class Program:
     inputs: tuple[str, ...]
     ops: tuple[Op, ...]
     outputs: tuple[int, ...]
-    names: Mapping[int, str] = field(default_factory=dict, compare=False)  # of values that a reader knows by a name
+    names: Mapping[int, str] = field(default_factory=dict, compare=False)  # names of values
 
     def operations(self) -> Counter[str]:
-        """How many operations of each kind it takes; inputs and constants are free."""
+        """Number of operations of each kind, without inputs and constants."""
         return Counter(op.kind for op in self.ops if op.kind not in ("input", "const"))
 
     def run(self, *args: Any) -> Any:
-        """The only output at each of many inputs, each operation rounded once to float64.
+        """The single output at arrays of inputs, each operation rounded once to float64.
 
-        It is the same on any machine, but for NumPy's calls of a library, such as its logarithm.
+        It is the same on any machine, except for library functions of NumPy such as the logarithm.
         """
 
         def make(op: Op, operands: list[Any]) -> Any:
@@ -106,7 +106,7 @@ T = TypeVar("T")
 
 
 def walk(p: Program, inputs: Mapping[str, T], make: Callable[[Op, list[T]], T]) -> list[T]:
-    """The outputs of a program, of what ``make`` gives for an operation and its operands."""
+    """The outputs of a program, with values made by ``make`` from each operation and its operands."""
     values: list[T] = []
     for op in p.ops:
         if op.kind == "input":
@@ -117,7 +117,7 @@ def walk(p: Program, inputs: Mapping[str, T], make: Callable[[Op, list[T]], T]) 
 
 
 class Builder:
-    """Collects operations, as they are done with `Value`; equal ones are one."""
+    """Collects the operations on `Value`; equal ones are merged."""
 
     def __init__(self) -> None:
         self.ops: list[Op] = []
@@ -148,7 +148,7 @@ _NAMES = {operation.meaning: name for name, operation in OPERATIONS.items()}
 
 @dataclass(frozen=True, eq=False)
 class Value(NDArrayOperatorsMixin):
-    """What an operation gives: Python's operators and NumPy's functions of it are operations again."""
+    """The result of an operation; Python's operators and NumPy's functions of it append further operations."""
 
     builder: Builder
     place: int
@@ -305,7 +305,7 @@ def program(
         low.done[symbol] = result
     results = tuple(low.add(e).place for e in outputs)
     names = {low.done[symbol].place: symbol.name for symbol in let or {} if symbol in low.done}
-    # Of a `let`, a part may not be used.
+    # Parts of a `let` may be unused.
     return without_dead(Program(name, inputs, tuple(low.ops), results, names))
 
 

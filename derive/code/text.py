@@ -14,7 +14,7 @@ from derive.check.proof import ProofError
 from derive.code.operations import OPERATIONS
 from derive.code.program import Builder, Op, Program
 
-WIDTH = 116  # of a statement, its indent included
+WIDTH = 116  # of a statement, including its indent
 INLINE = 72  # a value that is used once is written where it is used, up to this length
 
 
@@ -38,7 +38,7 @@ class Part:
 
 
 class _Text:
-    """The statements of a program: ``lines``, and of each value its text and how tightly that binds."""
+    """The statements of a program: ``lines``, and the text of each value with its precedence."""
 
     def __init__(self, program: Program, language: Language, parts: Sequence[Part]) -> None:
         self.program = program
@@ -74,7 +74,7 @@ class _Text:
         return uses
 
     def _expression(self, i: int) -> tuple[str, int]:
-        """The text of a value, and how tightly it binds."""
+        """The text of a value, and its precedence."""
         op = self.program.ops[i]
         if op.kind == "input":
             return str(op.value), 9
@@ -256,7 +256,7 @@ def statements(program: Program, language: Language, parts: Sequence[Part] = ())
 
 @dataclass
 class Reader:
-    """Text that was written, run on operands that record; what is read once is there to be called."""
+    """Written text, run on operands that record operations; functions read once can be called."""
 
     scope: dict[str, Any]
     builder: Builder = field(default_factory=Builder)

@@ -26,12 +26,12 @@ DRIVING_MOMENT_SLOPE, NORMAL_LOAD_SLOPE = sp.symbols("driving_moment_slope norma
 ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE, COVER, VALUE = sp.symbols(
     "half_angle gravity radius density reference_stress cover value", real=True
 )
-DEGREE = 7  # of the pieces of what is known by its values only
+DEGREE = 7  # of the pieces of tabulated functions
 
 
 _INFINITY = float("inf")
 _BELOW_0 = -5e-324  # bounds are open, and zero is allowed
-# Limits of plausible numbers by unit: beyond them is a wrong unit or a typing error.
+# Limits of plausible numbers by unit: values beyond are in a wrong unit or mistyped.
 LIMITS = {
     "": (1e-12, 1e12), "m": (1e-13, 1e20), "s": (1e-12, 1e18), "m/s": (1e-18, 3e8), "m/s^2": (1e-13, 1e15),
     "N/m^3": (1e-3, 1e9), "Pa": (1e-9, 1e15), "Pa s": (1e-12, 1e20), "Pa/K": (1e-9, 1e15), "J/m^3 K": (1e-3, 1e15),

@@ -13,7 +13,7 @@ a, b, omega_0, t = sp.symbols("a b omega_0 t", real=True)  # d(omega)/dt = a - b
 
 
 def in_words(form: sp.Expr) -> str:
-    """A form as one reads it: powers raised, products by a blank, ``x_star`` as x*."""
+    """A form as readable text: powers with ^, products by a blank, ``x_star`` as x*."""
     text = str(sp.sstr(form))
     text = text.replace("**", "^")
     text = text.replace("*", " ")

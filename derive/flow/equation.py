@@ -33,14 +33,14 @@ QUANTITIES = {
     "mu": ("friction coefficient", r"\mu"),
     "T": ("moment that resists beside friction", "T"),
 }
-# Weight: what the balance takes of it, at any rotation and at the start.
+# Components of the weight in the balance, at any rotation and at the start.
 COMPONENTS = {
     declared.DRIVING_MOMENT: "J_theta",
     declared.NORMAL_LOAD: "J_r",
     declared.DRIVING_MOMENT_SLOPE: "J_theta'",
     declared.NORMAL_LOAD_SLOPE: "J_r'",
 }
-# Numbers of the equation that every scene has.
+# Numbers of the equation in every scene.
 COEFFICIENTS = {
     "Theta": "moment of inertia (3.12)",
     "lambda": "resistance factor (3.14)",
@@ -81,7 +81,7 @@ def balance() -> Term:
 
 
 def gravity() -> tuple[Term, ...]:
-    """What weight alone adds."""
+    """Terms of the weight alone."""
     return term("M", declared.J_THETA), term("sigma", declared.J_R / LAMBDA)
 
 
@@ -95,7 +95,7 @@ def position(rotates: bool) -> tuple[Term, ...]:
 
 
 def of_effect(effect: declared.Effect) -> tuple[Term, ...]:
-    """What an effect adds to the quantities, each addend by itself, and how its states grow."""
+    """Terms that an effect adds to the quantities, separately, and the rates of its states."""
     adds = {
         "M": effect.driving_moment,
         "sigma": effect.stress + effect.normal_load / LAMBDA,

@@ -1,4 +1,4 @@
-"""The declared effects and laws, and the balance itself, lowered to the fragments that programs are joined of."""
+"""The declared effects and laws, and the balance itself, lowered to the fragments that programs are assembled from."""
 
 from collections.abc import Sequence
 from itertools import chain, combinations
@@ -40,7 +40,7 @@ from derive.declare.effects import (
 )
 from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, cell, series, total, varying
 
-# What every scene gives, all over Theta*.
+# Inputs of every scene, over Theta*.
 INPUTS = {
     "driving_moment": "J_theta/Theta* of the weight at the start",
     "driving_moment_slope": "its derivative by psi",
@@ -63,7 +63,7 @@ TOTALS = {x: (ZERO, series(str(x))) for x in (NORMAL, FRICTION, MU)}
 CALLABLE = Law("callable", "1.14", (), ("slip",), "a function of the slip, in pieces", degree=DEGREE)
 
 
-# What changes its sign in a mirror, in which the slope falls the other way.
+# Quantities that change sign in a mirror, in which the slope falls the other way.
 ODD = {DRIVING_MOMENT, NORMAL_LOAD_SLOPE, TURNING_SLOPE, REMAINING_SLOPE, SOIL_SLOPE, K_H}
 
 
@@ -139,7 +139,7 @@ def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
 
 
 def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]:
-    """What may change along a phase: base and increment by symbol."""
+    """Quantities that may change along a phase: base and increment by symbol."""
     speed = (ZERO, series("omega"))
     variables = position()
     variables |= {OMEGA: speed, SPEED: speed, SLIP: (BEGAN, series("x"))}

@@ -73,7 +73,7 @@ EVENTS = {
     "BREAKPOINT": "the upper edge of the first table's piece; then its lower edge, and those of the next tables",
 }
 NOTES = {"BEGINS": "a phase", "STANDS": "still", "LIFTS": "off", "LANDS": "again"}
-KINDS = ("slip", "speed", "time", "rotation")  # what a table is a function of
+KINDS = ("slip", "speed", "time", "rotation")  # arguments of tables
 # Registers and cells of a program that the integrator reads.
 ROLES = (
     "x",

@@ -87,7 +87,7 @@ class Lowering:
     name: str
     moving: Moving
     series: list[tuple[object, ...]] = field(default_factory=list)
-    cells: dict[str, Expr] = field(default_factory=dict)  # what the prologue has to compute, by name
+    cells: dict[str, Expr] = field(default_factory=dict)  # results of the prologue, by name
     count: int = 0
 
     def split(self, e: Expr) -> tuple[Expr, Increment]:
@@ -163,7 +163,7 @@ class Lowering:
         return total((sine, sine_of_x), (versine, versine_of_x))
 
     def operate(self, operation: str, results: Iterable[str], z: str, *numbers: str) -> None:
-        """Append an operation on the register z; one that takes t dz/dt too has it made first."""
+        """Append an operation on the register z, and before it t dz/dt if the operation needs it."""
         arguments = [z]
         if Q in OPERATIONS[operation].arguments:
             arguments.insert(0, f"{z}.times")
@@ -260,7 +260,7 @@ class Lowering:
         states: Mapping[str, Expr] | None = None,
         tables: tuple[tuple[str, str, str, int], ...] = (),
     ) -> Fragment:
-        """The fragment of all that was lowered and of ``adds`` and of the states' rates."""
+        """The fragment of all lowered operations, of ``adds``, and of the rates of states."""
         added = {quantity: self.add(e, quantity) for quantity, e in adds.items() if e != 0}
         rates = []
         for name, rate in (states or {}).items():

@@ -1,4 +1,4 @@
-"""The operations of a flow program: what each means, and how its Taylor coefficients follow one from the other.
+"""The operations of a flow program: the meaning of each, and the recurrence of its Taylor coefficients.
 
 Each is stated once, here. `prove` compares it with SymPy's own series; from the same statement come the text that the
 compiled interpreter and the one in NumPy run, and what a program is in any other numbers.

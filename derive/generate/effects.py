@@ -1,4 +1,4 @@
-"""The text of `generated/effects.py`: effects, laws and their parameters as the run time needs them, plain data."""
+"""The text of `generated/effects.py`: effects, laws and their parameters for the run time, as plain data."""
 
 import re
 

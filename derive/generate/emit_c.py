@@ -22,11 +22,11 @@ HALF_PI = float.fromhex("0x1.921fb54442d18p+0")
 # The largest alpha that is inside: half discs given in degrees land a little above pi/2.
 END = {name: HALF_PI * (1.0 + 4.0 * eps) for name, eps in (("double", 2.0**-52), ("float", 2.0**-23))}
 MOST = 24  # degrees of polynomials are below it
-SHORT = 16  # operations of a program for which it costs more to look at a block than to be careful
+SHORT = 16  # operations of a program, below which checking a block costs more than the general code
 
 
 def _number(value: float) -> str:
-    """Small multiples of 1/16 as everybody writes them, others to the last bit."""
+    """Small multiples of 1/16 in decimal, others in hexadecimal."""
     if abs(value) < 16 and (16 * value).is_integer():
         return repr(value)
     return value.hex()

@@ -39,7 +39,7 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
     quantities: tuple[Moment | Elementary | Quotient, ...] = (*MOMENTS, RESISTANCE, *QUOTIENTS)
     every = []
     for x, (name, form) in zip(quantities, stable_forms(closed).items(), strict=True):
-        # In its fitted tiers, or in its stable form where nothing is fitted (yet).
+        # Programs of the fitted tiers, or of the stable form where nothing is fitted.
         symbol = x.kernel[1] if isinstance(x, Moment) else x.symbol
         tiers = _tiers(name)
         every.append(
@@ -75,7 +75,7 @@ def _tiers(name: str) -> dict[str, Program]:
 
 
 def _accuracy(name: str, proved: Sequence[Record]) -> str:
-    """What is proved of a kernel, in words."""
+    """The proved bounds of a kernel, in words."""
     if not proved:
         return ACCURACY
     bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in proved}
@@ -129,7 +129,7 @@ _ARC_DOMAIN = "0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps)"
 _ARC_INSIDE = (
     f"(theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= {HALF_PI} * (1.0 + 4.0 * eps)) & np.isfinite(theta_1)"
 )
-# alpha and theta_m as difference and sum, with what their rounding lost.
+# alpha and theta_m as difference and sum, with their rounding errors.
 _DELTA, _EPSILON, _KERNEL = sp.symbols("delta epsilon kernel", real=True)
 _ENDS = {
     alpha: Min((theta_2 - theta_1) / 2, pi / 2),
@@ -140,7 +140,7 @@ _ENDS = {
 
 
 def _turned(function: type[sp.Function]) -> Expr:
-    """sin or cos of the exact theta_m, to first order in what its rounding lost."""
+    """sin or cos of the exact theta_m, to first order in its rounding error."""
     return function(theta_m) + _EPSILON * diff(function(theta_m), theta_m)
 
 

@@ -84,7 +84,7 @@ def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
 
 
 def header(name: str, text: str) -> str:
-    """Who writes the file, with what, and the digest of the text below, which a binary made of it carries."""
+    """The header of a file: its origin, and the digest of the text below, which a binary made of it carries."""
     written = f"Written by `{MEND}` with SymPy {__version__}; do not edit."
     if name.endswith(".c"):
         return f'/* {written} */\n#define DIGEST "{digest_of(text)}"\n'
@@ -98,7 +98,7 @@ def digest_of(text: str) -> str:
 
 
 def tiers_module(records: Iterable[Record], digest: str) -> str:
-    """What the run time must know of the proofs, and of which C source they speak."""
+    """The proved bounds for the run time, and the C source to which they apply."""
     kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
     ulps = {"best": 2.0**-52, "float32": 2.0**-23}  # where they are the measure: the relative error of one in [1, 2)
     for record in records:
@@ -119,7 +119,7 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
 
 
 def definitions_module(closed: Mapping[str, Expr]) -> str:
-    """What each function of alpha is, for whoever compares it with other ways to compute it."""
+    """The definition of each function of alpha, for comparisons with other ways to compute it."""
     over = {name: re.sub(r"\b(sin|cos|atanh)\(", r"m.\1(", str(x).replace("alpha", "x")) for name, x in closed.items()}
     forms = [f"    {name!r}: lambda m, x: {text},\n" for name, text in over.items()]
     certified = ((m.kernel[0], m.weight) for m in MOMENTS if m.certified)

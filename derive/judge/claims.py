@@ -1,4 +1,4 @@
-"""What a claim of the paper is: its fields, the causes for which it may fail, and the verdicts with their rules."""
+"""Claims of the paper: their fields, causes of failure, and verdicts with their rules."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -25,13 +25,13 @@ DIMENSIONS = {
     **dict.fromkeys(("sigma_mean", "sigma_n", "tau_n"), "M/(L*T**2)"),
 }  # fmt: skip
 
-# Where forms are claimed: open intervals, or one value. Whatever is not named is real and positive.
+# Domains of the claimed forms: open intervals, or one value. Other symbols are real and positive.
 DOMAINS = {"alpha": (0, pi / 2), "omega": (0, oo), "a": (0, oo), "b": (0, oo), "omega_0": (0, 0)}
 
 
 @dataclass(frozen=True)
 class Cause:
-    """Why a claim may fail, and the verdict this leads to if it is shown.
+    """A cause for a claim to fail, and the verdict if it is demonstrated.
 
     For a number ``value`` is what the paper must have evaluated: it has to give the printed digits. For a form
     ``edit`` is a replacement in the transcription: afterwards the form has to hold.

@@ -1,4 +1,4 @@
-"""Hard cases, declared as data: where the printed form of a quantity loses its digits, and what ours loses there.
+"""Hard cases, declared as data: where the printed form of a quantity loses digits, and the error of ours there.
 
 `report` runs the programs of both and compares them with the closed form at hundreds of digits. The
 tests run through the same list with quadrature of the definitions instead.
@@ -29,7 +29,7 @@ from derive.progress import track
 
 
 class HardCase(NamedTuple):
-    """One value, and why it is hard."""
+    """Arguments of one case, and why it is hard."""
 
     function: str
     arguments: tuple[float, ...]
@@ -45,7 +45,7 @@ class Form(NamedTuple):
 
 
 class Result(NamedTuple):
-    """A hard case, measured: relative errors, and ours also in ulp. No number where a form gives none."""
+    """Measured errors of a hard case: relative, and ours also in ulp; NaN if a form has no value."""
 
     function: str
     arguments: tuple[float, ...]
@@ -74,7 +74,7 @@ def _motion() -> dict[str, tuple[str, Expr]]:
 @cache
 def forms() -> dict[str, Form]:
     """The naive form of every function: as the paper prints it, or integrated term by term."""
-    c = cos(alpha)  # beside which squares of the sine are written in it
+    c = cos(alpha)  # with which squares of the sine are written
     terms = {name: trig_normal(form + c) - c for name, form in closed_forms().items()}
     naive = _of_alpha(terms) | _of_ends(terms)
     for name, (words, form) in _motion().items():
@@ -223,11 +223,11 @@ def measured() -> list[Result]:
     return results
 
 
-_DIGITS = 1600  # more than cancels
+_DIGITS = 1600  # more bits than cancel
 
 
 def _exact(form: Form, arguments: tuple[float, ...]) -> mpmath.mpf:
-    """The form at these arguments; zeros are a little off zero."""
+    """The exact form at these arguments, with zeros replaced by tiny numbers."""
     symbols = sp.symbols(form.program.inputs, real=True)
     with mpmath.workdps(_DIGITS):
         numbers = [mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in arguments]

@@ -1,4 +1,4 @@
-"""What follows from the definitions, as forms: what `derive.judge.verify` holds against the forms that are printed.
+"""Forms that follow from the definitions, with which `derive.judge.verify` compares the printed ones.
 
 Nothing here knows what the paper prints. Where the mass turns, J_r and J_theta are functions of the rotation phi; what
 the paper postulates about them, and about the stress, is in `derive.judge.postulates`.
@@ -129,7 +129,7 @@ def body_star(f: Expr, low: Expr = CHORD, high: Expr = Integer(1)) -> Expr:
 
 
 def body(f: Expr) -> Expr:
-    """The same in r."""
+    """The double integral in r."""
     return body_star(f, R * CHORD, R)
 
 
@@ -161,7 +161,7 @@ def momentum() -> Pair:
 
 
 def lever() -> Expr:
-    """What mu sigma* is multiplied by, in (3.8) over ell rho g R^3."""
+    """The factor of mu sigma* in (3.8) over ell rho g R^3."""
     _, right = momentum()
     resistance = -right.coeff(sigma_mean) / (g * R**3)
     return simplify(resistance / mu * rho * g * DEPTH)

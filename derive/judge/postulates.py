@@ -1,4 +1,4 @@
-"""What the paper postulates: what does not follow from the claims before it.
+"""Postulates of the paper: claims that do not follow from those before.
 
 For each postulate a state of the mass is exhibited that keeps every postulate before it and breaks this one; `exhibit`
 checks both, so that no verdict rests on an opinion. How much it matters is reported beside, and decides nothing.
@@ -36,7 +36,7 @@ class State:
 
     @cached_property
     def total(self) -> mpf:
-        """The stress added up along the arc, by (2.5)."""
+        """The total of the stress along the arc, by (2.5)."""
         return s.moment("radial_weight", psi=self.psi) + s.moment("polar_moment") * self.omega**2
 
     def normal(self, u: Any) -> mpf:
@@ -52,7 +52,7 @@ def sum_of(f: Along) -> mpf:
 
 
 def columns(u: mpf) -> mpf:
-    """The stress at rest if each radial column stood alone."""
+    """The stress at rest if each radial column were independent."""
     return cos(s.DIP - u) * (1 - (cos(s.HALF) / cos(u)) ** 2) / 2
 
 
@@ -72,7 +72,7 @@ def uneven(u: mpf) -> mpf:
 
 @dataclass(frozen=True)
 class Postulate:
-    """One postulate: what it puts into a derived form, when a state breaks it, and a state that does.
+    """A postulate: its substitution in a derived form, its condition on a state, and a state that violates it.
 
     ``gap`` is zero where a state keeps it. ``effect`` says with ``size`` how much it matters.
     """
@@ -195,7 +195,7 @@ def of_layers() -> str:
 
 
 def same_force() -> mpf:
-    """How far from uniform a stress is whose friction force (3.5), for one coefficient, is that of the uniform one."""
+    """Deviation from uniformity of a stress that has the same friction force (3.5), for one coefficient."""
     force = sum_of(columns) / sum_of(State().normal)
     if abs(force - 1) > mpf(10) ** -20:
         raise ProofError("friction force of columns that stand alone, over that of the uniform stress", force, 1)

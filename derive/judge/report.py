@@ -1,4 +1,4 @@
-"""The verdicts on the paper as people read them: text, a table on a terminal, a page in Markdown, or JSON."""
+"""The verdicts on the paper as text, as a table on a terminal, as a page in Markdown, or as JSON."""
 
 import json
 import sys
@@ -12,7 +12,7 @@ from derive.judge.claims import VERDICTS
 from derive.judge.verify import Row, rows
 
 SIMPLY = ("holds", "holds to the printed digits", "definition")
-_WIDE = 130  # columns of a terminal, from which on a table has the values too
+_WIDE = 130  # columns of a terminal, from which the table also has the values
 COLOURS = {
     "holds": "green",
     "holds to the printed digits": "green",
@@ -39,7 +39,7 @@ def report(form: str = "text") -> str:
 
 
 def show(form: str = "text", verbose: bool = False) -> None:
-    """Print the report; as text on a terminal with rich, a table of all claims, and the words only if ``verbose``."""
+    """Print the report; on a terminal with rich a table of all claims, and the text only if ``verbose``."""
     table = form == "text" and sys.stdout.isatty() and find_spec("rich") is not None
     if table:
         _show_table(rows())
@@ -66,7 +66,7 @@ def _show_table(judged: Sequence[Row]) -> None:
 
 
 def failing(judged: Iterable[Row]) -> list[Row]:
-    """The claims with another verdict than that they hold, or define."""
+    """The claims that neither hold nor define something."""
     return [row for row in judged if row.verdict not in SIMPLY]
 
 

@@ -1,4 +1,4 @@
-"""The paper's section in numbers: what its definitions give at 30 digits, and what its slips would give.
+"""The paper's section in numbers: values of its definitions to 30 digits, and of its mistakes.
 
 A printed number stands for every value that gives it when rounded at its last place, or cut off there: the paper does
 both. `printed_as` is this rule, for claims and causes alike; `implied` is what it leaves for another number.
@@ -22,7 +22,7 @@ from derive.judge import mechanics
 
 # Table 2-1 in m, kN/m^3 and degrees; the residual friction angle, and the seconds that section 4 shows.
 GIVEN = {"R": "1492.6", "gamma": "20", "theta_10": "215.2", "theta_20": "276.9", "phi_res": "10", "span": "30"}
-IMPLYING = {"sigma_ref": "4.223", "2alpha": "61.7", "J_r": "0.0870", "c0": "0.1104"}  # printed, and they imply others
+IMPLYING = {"sigma_ref": "4.223", "2alpha": "61.7", "J_r": "0.0870", "c0": "0.1104"}  # printed, and implying others
 GRAVITY = "9.81"  # used by the project; the paper states no value
 
 
@@ -36,7 +36,7 @@ def printed_as(digits: str) -> tuple[mpf, mpf, mpf]:
 
 
 def implied(by: str, inverse: Callable[[mpf], mpf]) -> list[mpf]:
-    """The least and the largest value of another number that a printed one leaves."""
+    """The least and the largest value of another number that a printed one allows."""
     _, low, high = printed_as(IMPLYING[by])
     return sorted((inverse(low), inverse(high)))
 
@@ -145,7 +145,7 @@ def reached(name: str, as_printed: bool = False, gravity: str = GRAVITY) -> mpf:
 
 
 def both(name: str) -> list[mpf]:
-    """What is reached from the printed inputs, and from the corrected ones."""
+    """Results of `reached` from the printed inputs, and from the corrected ones."""
     return [reached(name, as_printed=True), reached(name)]
 
 

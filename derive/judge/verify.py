@@ -88,7 +88,7 @@ def vanishes(form: Expr, domain: Domain = ()) -> bool:
     form = sympify(form).as_dummy()
     if form.has(Order):
         return False
-    for kind in (Integral, Derivative, AppliedUndef):  # what is not evaluated counts as one symbol
+    for kind in (Integral, Derivative, AppliedUndef):  # unevaluated parts count as one symbol
         atoms = sorted(form.atoms(kind), key=default_sort_key)
         form = form.xreplace({x: Symbol(f"_{x}", real=True) for x in atoms})
     signs = [dict(choice) for choice in product(*_choices(form, domain))]
@@ -181,7 +181,7 @@ def judge(claim: Claim) -> Row:
 
 
 def _assumed(claim: Claim) -> list[str]:
-    """What a claim takes for granted, in words: where its symbols live, and what it was given."""
+    """Assumptions of a claim in words: domains of its symbols, and given relations."""
     symbols = {name for name, *_ in claim.domain}
     if claim.kind in ("form", "definition") and claim.expression:
         for form in (*m.read(claim.expression), *_derived(claim)):
@@ -200,7 +200,7 @@ def _assumed(claim: Claim) -> list[str]:
 
 
 def _number(claim: Claim) -> Judgement:
-    """A printed number against one value, or against all that other printed numbers leave for it."""
+    """Verdict on a printed number against one value, or against the range that other printed numbers allow."""
     value = claim.definition()
     values = value if isinstance(value, list) else [value]
     least = values[0]
@@ -216,7 +216,7 @@ def _number(claim: Claim) -> Judgement:
 
 
 def _range(claim: Claim) -> Judgement:
-    """A statement of size: every value between two bounds."""
+    """Verdict on a statement of size: every value between two bounds."""
     values = claim.definition()
     low, high = (mp.inf if x == oo else mp.mpf(x.p) / x.q for x in m.read(claim.expression))
     computed = claim.shows.format(*map(_digits, values))
@@ -236,7 +236,7 @@ def _explained(claim: Claim, fits: Callable[[mp.mpf], bool]) -> tuple[str, str]:
 
 
 def _form(claim: Claim) -> Judgement:
-    """A printed form against the derived one.
+    """Verdict on a printed form against the derived one.
 
     A cause is an edit of the print that makes it hold, a postulate something that has to be put into the derived form
     before it does: the least number of these is sought. Without a transcription there is nothing to compare.
@@ -305,7 +305,7 @@ def _appendix(claim: Claim) -> Judgement:
 
 
 def _brackets(appendix: Appendix) -> str:
-    """How many brackets are missing, by the rule of `derive.algebra.appendices`; nothing if the print will do."""
+    """The number of missing brackets, by the rule of `derive.algebra.appendices`; empty if there is none."""
     places = repairs(appendix)
     lost = sum(unreadable(appendix, x) for x in places)
     if not places or (not lost and vanishes(parse(appendix, places) - parse(appendix))):
@@ -320,13 +320,13 @@ def _digits(value: Any) -> str:
 
 
 def _instead(postulate: Postulate) -> str:
-    """A postulate, the state that breaks it, and how much this matters."""
+    """A postulate, a state that violates it, and the size of the effect."""
     effect = postulate.effect.format(f"{mp.nstr(100 * exhibit(postulate), 4)} %")
     return f"{postulate.words}; instead, {postulate.alternative}: {effect}"
 
 
 def words(form: Expr) -> str:
-    """A form as one reads it."""
+    """A form as readable text."""
     text = in_words(form.replace(Integral, _integral)).replace("~", "")
     return text.replace("rate*", "domega*/dt*").replace("_of(", "(")
 

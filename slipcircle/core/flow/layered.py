@@ -1,4 +1,4 @@
-"""The strength of a layered section as tables of the rotation, in the same pieces for all of its functions."""
+"""The strength of a layered section as piecewise polynomials of the rotation, all with the same pieces."""
 
 from collections.abc import Mapping
 from typing import Any, NamedTuple
@@ -6,14 +6,16 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core.flow.tables import Data, between_kinks
+from slipcircle.core.flow.interpolation import between_kinks
+from slipcircle.core.flow.tables import Data
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.strength import OfRotation
 
 Floats = NDArray[np.float64]
 FINEST = 1e-14  # the first coefficients left out of tables for single scenes, over their greatest
-_SOME = 256  # lanes of which it is
-_TRIED = np.linspace(0.0, 1.0, 41)  # shares of the rotation at which the energy is estimated
+_SAMPLE = 256  # lanes whose reach is estimated
+_SHARES = np.linspace(0.0, 1.0, 41)  # of the rotation to upright, at which the energy is estimated
+_MARGIN = 1.2  # on the estimated reach
 
 
 class RotationTables(NamedTuple):
@@ -23,11 +25,11 @@ class RotationTables(NamedTuple):
     ----------
     section : LayeredSection
     terms : mapping
-        What the soils add to the balance, by the names of its parameters.
+        Terms of the balance that belong to the soils, by the names of its parameters.
     functions : mapping
         Those that are functions of the rotation, by the names of the program's tables.
     tolerance : float
-        The last coefficients of a piece over the greatest one.
+        First neglected coefficient of a piece over the greatest one.
     upslope : bool
         Whether the mass may move up-slope beyond where it began.
     """
@@ -41,19 +43,22 @@ class RotationTables(NamedTuple):
     @property
     def upright(self) -> Floats:
         """The rotation at which J_r cos(phi) - J_r' sin(phi) falls to 0, (lanes,)."""
-        c = self.section.moment_coefficients
-        return np.ravel(np.arctan2(c.normal_load, c.normal_load_slope))
+        coefficients = self.section.moment_coefficients
+        return np.ravel(np.arctan2(coefficients.normal_load, coefficients.normal_load_slope))
 
     def laid_out(self, reach: float = np.inf) -> dict[str, Data]:
-        """Tables as far as a rotation, or until the weight presses no more; beyond, they are constants."""
+        """Tables up to a rotation, or until contact is lost; beyond, they are constants."""
         strength = self.section.arc_strength
         functions = self.functions
-        shared = strength.rotation_kinks.shape[1] == 1
-        lanes = max(values.shape[1] for f in functions.values() for values in f.coefficients.values())
+        sizes = [values.shape[1] for f in functions.values() for values in f.coefficients.values()]
+        lanes = max(sizes)
         last = np.broadcast_to(self.upright, (lanes,))
-        last = np.minimum(last.max(keepdims=True) if shared else last, reach)
+        share_geometry = strength.rotation_kinks.shape[1] == 1
+        if share_geometry:
+            last = last.max(keepdims=True)
+        last = np.minimum(last, reach)
         first = last - np.pi if self.upslope else np.zeros_like(last)
-        if shared:
+        if share_geometry:
             tables = self._of_shared_parts(first, last)
             return tables if lanes > 1 else {name: _of_one(table) for name, table in tables.items()}
 
@@ -62,19 +67,20 @@ class RotationTables(NamedTuple):
             return np.stack([function.combined(parts) for function in functions.values()])
 
         breaks, coefficients = between_kinks(values, strength.rotation_kinks, first, last, self.tolerance)
-        by_function = np.moveaxis(coefficients, 2, 0)
-        return {
-            name: Data(breaks, np.ascontiguousarray(table), np.zeros(len(breaks)))
-            for name, table in zip(functions, by_function, strict=True)
-        }
+        jumps = np.zeros(len(breaks))
+        tables = {}
+        for name, of_function in zip(functions, np.moveaxis(coefficients, 2, 0), strict=True):
+            tables[name] = Data(breaks, np.ascontiguousarray(of_function), jumps)
+        return tables
 
     @property
     def names(self) -> list[str]:
-        """The parts that the functions are made of."""
-        return list(dict.fromkeys(name for function in self.functions.values() for name in function.coefficients))
+        """The parts of the geometry that the functions are sums of."""
+        every = [name for function in self.functions.values() for name in function.coefficients]
+        return list(dict.fromkeys(every))
 
     def _of_shared_parts(self, first: Floats, last: Floats) -> dict[str, Data]:
-        """Tables of lanes that have one geometry in common: of its parts first."""
+        """Tables of lanes that share one geometry, from the tables of its parts."""
         strength = self.section.arc_strength
         names = self.names
 
@@ -84,54 +90,64 @@ class RotationTables(NamedTuple):
 
         breaks, coefficients = between_kinks(values, strength.rotation_kinks, first, last, self.tolerance)
         known = strength.parts(first[None], names)
-        starts = dict(zip(names, np.cumsum([0, *(len(known[name]) for name in names)]), strict=False))
+        counts = [len(known[name]) for name in names]
+        rows = dict(zip(names, np.cumsum([0, *counts]), strict=False))
         jumps = np.zeros(len(breaks))
-        return {
-            name: Data(breaks[:, 0], _combined(function, starts, coefficients[..., 0]), jumps)
-            for name, function in self.functions.items()
-        }
+        tables = {}
+        for name, function in self.functions.items():
+            tables[name] = Data(breaks[:, 0], _combined(function, rows, coefficients[..., 0]), jumps)
+        return tables
 
     def likely_reach(self, friction: Mapping[str, Any]) -> float:
-        """How far lanes get that start from rest, by the energy that gravity gives and their least strength takes.
+        """Estimated rotation of lanes that start from rest: the work of gravity is dissipated by the least strength.
 
-        Of some of many lanes, and with a margin: what moves farther is integrated again with all of the tables.
+        From a sample of many lanes, with a margin; lanes that move farther are integrated again with complete tables.
         """
         if self.upslope or "rate" in friction or "soils" in friction:
             return np.inf
         upright = float(self.upright.max())
-        rotation = _TRIED[:, None] * upright
+        rotation = _SHARES[:, None] * upright
         energy = np.cumsum(self._net_moment(rotation, friction), axis=0)
-        stops = np.argmax(energy < 0.0, axis=0)
         if np.any(energy[-1] >= 0.0):
             return np.inf
-        return float(_TRIED[stops.max()] * 1.2 + _TRIED[1]) * upright
+        stops = np.argmax(energy < 0.0, axis=0)
+        share = _SHARES[stops.max()] * _MARGIN + _SHARES[1]
+        return float(share) * upright
 
     def _net_moment(self, rotation: Floats, friction: Mapping[str, Any]) -> Floats:
-        """What gravity drives with less the least strength, over Theta*, of some lanes at rotations, (M, lanes)."""
-        c = self.section.moment_coefficients
-        count = max(np.size(c.normal_load), np.size(self.section.arc_strength.mean_peak))
-        some = slice(None, None, 1 + count // _SOME)
+        """Driving moment less the least strength, over Theta*, of a sample of lanes at rotations, (M, lanes)."""
+        moments = self.section.moment_coefficients
+        count = max(np.size(moments.normal_load), np.size(self.section.arc_strength.mean_peak))
+        sample = slice(None, None, 1 + count // _SAMPLE)
 
-        def of_some(value: Any) -> Any:
-            return value if np.ndim(value) == 0 else value[some]
+        def of_sample(value: Any) -> Any:
+            return value if np.ndim(value) == 0 else value[sample]
 
         def term(name: str) -> Any:
-            term = self.terms.get(name, 0.0)
-            if not isinstance(term, OfRotation):
-                return of_some(term)
-            circles = self.section.arc_strength.rotation_kinks.shape[1]
-            if circles > 1:
-                return term(np.broadcast_to(rotation, (len(rotation), circles)))[:, some]
-            coefficients = {n: values[:, some] for n, values in term.coefficients.items()}
-            return OfRotation(term.strength, coefficients)(rotation)
+            return self._term_of_sample(name, rotation, sample)
 
-        fall, fall_slope, press, press_slope = map(of_some, c[:4])
+        drive, drive_slope, load, load_slope = map(of_sample, moments[:4])
         peak = friction.get("peak", friction.get("coefficient"))
-        mu = of_some(np.minimum(peak, friction.get("residual", peak)))
-        cosine, sine = np.cos(rotation), np.sin(rotation)
-        normal = (press + term("turning")) * cosine - (press_slope + term("turning_slope")) * sine
-        friction_moment = np.maximum(mu * (normal + term("normal") - term("lift")), 0.0)
-        return np.asarray(fall * cosine - fall_slope * sine - friction_moment - term("strength"))
+        least = np.minimum(peak, friction.get("residual", peak))
+        cosine = np.cos(rotation)
+        sine = np.sin(rotation)
+        normal = (load + term("turning")) * cosine - (load_slope + term("turning_slope")) * sine
+        effective = normal + term("normal") - term("lift")
+        friction_moment = np.maximum(of_sample(least) * effective, 0.0)
+        driving = drive * cosine - drive_slope * sine
+        return np.asarray(driving - friction_moment - term("strength"))
+
+    def _term_of_sample(self, name: str, rotation: Floats, sample: slice) -> Any:
+        """A term of a sample of lanes at rotations: a number, or (M, lanes)."""
+        term = self.terms.get(name, 0.0)
+        if not isinstance(term, OfRotation):
+            return term if np.ndim(term) == 0 else term[sample]
+        circles = self.section.arc_strength.rotation_kinks.shape[1]
+        if circles > 1:
+            every = np.broadcast_to(rotation, (len(rotation), circles))
+            return term(every)[:, sample]
+        coefficients = {part: values[:, sample] for part, values in term.coefficients.items()}
+        return OfRotation(term.strength, coefficients)(rotation)
 
 
 def _of_one(table: Data) -> Data:
@@ -139,11 +155,14 @@ def _of_one(table: Data) -> Data:
     return table._replace(coefficients=table.coefficients[..., 0])
 
 
-def _combined(function: OfRotation, starts: Mapping[str, int], parts: Floats) -> Floats:
+def _combined(function: OfRotation, rows: Mapping[str, int], parts: Floats) -> Floats:
     """Coefficients (pieces, TERMS, lanes) of a function from those of its parts (pieces, TERMS, parts)."""
-    table: Any = 0.0
+    pieces, terms, _ = parts.shape
+    total: Any = 0.0
     for name, coefficients in function.coefficients.items():
-        some = parts[:, :, starts[name] : starts[name] + len(coefficients)]
-        rows = some.reshape(-1, len(coefficients)) @ coefficients
-        table = table + rows.reshape(*some.shape[:2], -1)
-    return np.asarray(table)
+        first = rows[name]
+        last = first + len(coefficients)
+        part = parts[:, :, first:last].reshape(pieces * terms, -1)
+        product = part @ coefficients
+        total = total + product.reshape(pieces, terms, -1)
+    return np.asarray(total)

@@ -18,6 +18,7 @@ from generated.flow import INPUTS, PIECES
 from slipcircle.base.checks import choose, plain
 from slipcircle.core.flow import tables
 from slipcircle.core.flow.build import build_program
+from slipcircle.core.flow.interpolation import TERMS, between_kinks, sampled
 from slipcircle.core.flow.layered import FINEST as FINEST_TABLES
 from slipcircle.core.flow.layered import RotationTables
 from slipcircle.core.flow.program import Program
@@ -80,7 +81,7 @@ class Problem(NamedTuple):
             farthest = float(np.max(cells[ix.SLIP] * scale)) * (1.0 + 1e-12)
             end = float(self.tables[k].breaks[-1])
             while end <= farthest:
-                self.tables[k] = tables.sampled(function, 2 * end, self.tables[k])
+                self.tables[k] = sampled(function, 2 * end, self.tables[k])
                 end = float(self.tables[k].breaks[-1])
 
     def extend_rotations(self, rotation: Floats) -> bool:
@@ -272,10 +273,10 @@ class _Numbers:
         if rotating:
             first = last - np.pi if self.upslope else np.zeros_like(last)
             kinks = np.atleast_2d(section.pressure_kinks).T
-            breaks, values = tables.between_kinks(pressure, kinks, first, last, self.tolerance)
+            breaks, values = between_kinks(pressure, kinks, first, last, self.tolerance)
         else:
             breaks = np.zeros((1, last.size))
-            values = np.zeros((1, tables.TERMS, 1, last.size))
+            values = np.zeros((1, TERMS, 1, last.size))
             values[0, 0] = pressure(breaks)[:, 0]
         table = Data(breaks, np.ascontiguousarray(values[:, :, 0]), np.zeros(len(breaks)))
         return table if section.shape else table._replace(breaks=breaks[:, 0], coefficients=values[:, :, 0, 0])
@@ -307,7 +308,7 @@ class _Numbers:
             function = given["function"]
             first_slip = float(np.max(self.radius)) / 256
             self.functions[name] = function
-            self.tables[name] = tables.sampled(function, first_slip), self.radius, 1.0
+            self.tables[name] = sampled(function, first_slip), self.radius, 1.0
         elif name in PIECES:
             length = given[PIECES[name][0]]
             self.tables[cell] = tables.of_law(name, given), self.radius / length, 1.0

@@ -1,4 +1,4 @@
-"""`slipcircle backanalyse`: the numbers of a scene that explain an observed motion, each with its error."""
+"""`slipcircle backanalyse`: numbers of a scene that explain an observed motion, with standard errors."""
 
 import argparse
 from itertools import combinations

@@ -12,8 +12,11 @@ from slipcircle.workbench.commands import values
 from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.records.suite import Suite, read_suite
 from slipcircle.workbench.studies.ensemble import ensemble
+from slipcircle.workbench.studies.statistics import value_text
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
+from slipcircle.workbench.suites.statistics import distribution, fragility, variance_shares
 
+THRESHOLDS = np.array([0.01, 0.05, 0.15, 1.0])  # of displacements, m
 _HEADS = {
     "record": "record",
     "pga_g": "PGA (g)",
@@ -57,28 +60,68 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
 
 
 def parts(study: SuiteStudy) -> Iterator[Part]:
-    """The records, and what they do at the scale next to their own."""
+    """The records, what they do at the scale next to their own, and statistics at all scales."""
     yield _records_part(study.suite)
     scale = int(np.argmin(np.abs(study.factors - 1.0).max(axis=0)))
+    yield _by_record_part(study, scale)
+    yield _statistics_part(study)
+    yield _fragility_part(study)
+    shares = variance_shares(study.displacement, scale)
+    if shares.records == shares.records and study.values["status"].shape[-1] > 1:
+        rows = [[name, f"{100 * share:.3g} %"] for name, share in shares._asdict().items()]
+        yield Part(["source alone", "share of the variance"], rows, f"displacement at {_scale_text(study, scale)}")
+
+
+def _scale_text(study: SuiteStudy, scale: int) -> str:
+    value = shown(float(study.scales[scale]))
+    return f"a peak of {value} g" if study.design.to_pga else f"scale {value}"
+
+
+def _by_record_part(study: SuiteStudy, scale: int) -> Part:
+    """Displacements and the like of each record at a scale."""
     columns = study.by_record(scale)
     columns["rotation_rad"] = np.rad2deg(columns["rotation_rad"]).tolist()
     names, *numbers = columns.values()
     rows = [[name, *map(shown, row)] for name, *row in zip(names, *numbers, strict=True)]
     samples = study.values["status"].shape[-1]
     of_samples = f"; medians of {samples} samples" if samples > 1 else ""
-    level = f"{shown(float(study.scales[scale]))}{' g' if study.design.to_pga else ''}"
-    others = f" of {study.scales.size} (--csv has all)" if study.scales.size > 1 else ""
-    title = f"{study.scene.name}: displacement along the arc at scale {level}{others}{of_samples}"
+    others = f", one of {study.scales.size} (--csv has all)" if study.scales.size > 1 else ""
+    title = f"{study.scene.name}: displacement along the arc at {_scale_text(study, scale)}{others}{of_samples}"
     note = "velocity, slips and rotation: the greater of both polarities" if len(study.polarities) > 1 else ""
-    yield Part([_HEADS[name] for name in columns], rows, title, note)
+    return Part([_HEADS[name] for name in columns], rows, title, note)
+
+
+def _statistics_part(study: SuiteStudy) -> Part:
+    """The distribution of displacements at each scale."""
+    head = ["", "moving", "mean (m)", "16 % (m)", "median (m)", "84 % (m)", "geometric mean (m)", "std of ln D"]
+    rows = []
+    for k in range(study.scales.size):
+        moving, mean, median, p16, p84, geometric, std_ln = distribution(study.displacement, k)
+        lengths = (mean, p16, median, p84, geometric, std_ln)
+        rows.append([_scale_text(study, k), f"{100 * moving:.3g} %", *map(value_text, lengths)])
+    return Part(head, rows, "distribution of the displacement D", "geometric mean and std of ln D: of those that move")
+
+
+def _fragility_part(study: SuiteStudy) -> Part:
+    """Exceedance probabilities at each scale."""
+    levels = fragility(study.displacement, THRESHOLDS)
+    head = ["", "median PGA (g)", *(f"D > {shown(d)} m" for d in THRESHOLDS.tolist())]
+    pga = np.median(study.pga, axis=0).tolist()
+    rows = [
+        [_scale_text(study, k), shown(pga[k]), *(f"{e.value:.2f} ({e.low:.2f} to {e.high:.2f})" for e in estimates)]
+        for k, estimates in enumerate(levels)
+    ]
+    note = "95 % intervals, of as many draws as there are records"
+    return Part(head, rows, "probability that D exceeds a threshold", note)
 
 
 def _records_part(suite: Suite) -> Part:
     """What was read."""
-    head = ["record", "component", "samples", "step (s)", "unit", "PGA (g)"]
-    rows = [
-        [entry.name, entry.component or "-", str(entry.samples), shown(entry.step), entry.unit, shown(entry.peak)]
-        for entry in suite
-    ]
-    pairs = len(suite.pairs)
-    return Part(head, rows, f"{len(suite)} records, {pairs} pairs of components")
+    head = ["record", "component", "samples", "step (s)", "unit", "PGA (g)", "PGV (m/s)", "Arias (m/s)"]
+    head += ["D5-95 (s)", "mean period (s)"]
+    rows = []
+    for entry in suite:
+        measures = [f"{value:.4g}" for value in entry.intensities]
+        samples = [str(entry.samples), shown(entry.step), entry.unit]
+        rows.append([entry.name, entry.component or "-", *samples, *measures])
+    return Part(head, rows, f"{len(suite)} records, {len(suite.pairs)} pairs of components")

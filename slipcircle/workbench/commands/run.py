@@ -100,7 +100,7 @@ def _write_files(motions: Sequence[Motion], sources: Sequence[bytes], options: a
 
 
 def _live(motion: Motion, varied: str | None) -> str:
-    """The page of a motion, or of its scene at the values of `--vary`, with that next to its own value first."""
+    """The page of a motion, or of its scene at the values of `--vary`, beginning with the nearest to its own."""
     from slipcircle.workbench.outputs import live
 
     if not varied:

@@ -29,7 +29,7 @@ from slipcircle.workbench.studies.ensemble import ensemble, grid
 from slipcircle.workbench.studies.study import Study
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
-HELP = "a scene on a grid of values, or for samples of its uncertain numbers"
+HELP = "a scene on a grid of values, for samples of its uncertain numbers, or under earthquake records"
 _MOST_ROWS = 60  # of a grid, on the screen
 
 

@@ -43,7 +43,7 @@ def observed(text: str) -> float | tuple[float, float]:
 
 
 def by_key(option: str, texts: Sequence[str], form: str, read: Callable[[str], Any]) -> dict[str, Any]:
-    """What stands in KEY=VALUE, by key; each key once."""
+    """Values of KEY=VALUE by key; each key once."""
     values: dict[str, Any] = {}
     errors = []
     for text in texts:

@@ -1,1 +1,1 @@
-"""Files written whole, markup, distributions."""
+"""Shared by the workbench: quantities of results, distributions, files, markup."""

@@ -1,15 +1,15 @@
-"""Distributions that a scene file may name: SciPy's, by the parameters that engineers give them."""
+"""Distributions of scene files: those of SciPy, by the parameters that engineers use."""
 
 import math
 from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
-_FAR = 30.0  # standard deviations: what lies beyond has no probability in float64
+_FAR = 30.0  # standard deviations, beyond which the probability is zero in float64
 
 
 def statistics() -> Any:
-    """SciPy's distributions, loaded when the first one is asked for."""
+    """SciPy's distributions, loaded on first use."""
     try:
         from scipy import stats
     except ImportError as error:
@@ -18,7 +18,7 @@ def statistics() -> Any:
 
 
 class Distribution(NamedTuple):
-    """A distribution: its parameters, all needed, SciPy's frozen one of them, and what they have to obey."""
+    """A distribution: its parameters, all required, a function that freezes SciPy's, and conditions."""
 
     help: str
     parameters: tuple[str, ...]
@@ -27,7 +27,7 @@ class Distribution(NamedTuple):
 
 
 def _lognormal(mean: float, std: float) -> Any:
-    """By the moments of the number itself: its logarithm has the variance log(1 + (std/mean)^2)."""
+    """Log-normal by the moments of the number: its logarithm has the variance log(1 + (std/mean)^2)."""
     variance = math.log1p((std / mean) ** 2)
     return statistics().lognorm(math.sqrt(variance), scale=mean * math.exp(-variance / 2))
 
@@ -95,9 +95,9 @@ def distribution_mistakes(given: Mapping[str, Any], limits: tuple[float, float])
 
 
 def _limit_mistakes(distribution: Any, lower: float, upper: float) -> list[str]:
-    """Where a distribution leaves the limits of its number.
+    """Mistakes where a distribution exceeds the limits of its number.
 
-    The ends of a normal distribution have no meaning: samples out of bounds are counted instead.
+    The tails of a normal distribution are ignored: samples out of bounds are counted instead.
     """
     low, high = map(float, distribution.support())
     least = min(lower, 0.0) if lower < 1.0 else lower

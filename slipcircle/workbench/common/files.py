@@ -1,4 +1,4 @@
-"""Files that a command writes: checked before the work begins, and never seen half written."""
+"""Files that a command writes: checked before the computation, and replaced only when complete."""
 
 import csv
 import io
@@ -13,7 +13,7 @@ from slipcircle.base.checks import raise_all
 
 
 def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence[str] = ()) -> None:
-    """See that files of a command can be written, by the option that names them, and are none that it reads.
+    """Check that the files of a command, by their options, can be written and are not among those that it reads.
 
     Raises
     ------
@@ -40,10 +40,10 @@ def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence
 
 @contextmanager
 def replacing(name: str | os.PathLike[str]) -> Iterator[IO[bytes]]:
-    """A file to write that takes its name only when all of it is on the disk; on an error nothing changes.
+    """A file to write that replaces another one only when complete on disk; on an error nothing changes.
 
-    A link stays one, and what is no file, such as /dev/stdout, is written to. An error of the system, such as a full
-    disk, is a ValueError that names the file.
+    A link remains a link, and devices such as /dev/stdout are written to directly. An error of the system, such as a
+    full disk, becomes a ValueError that names the file.
     """
     try:
         with _replacing(name) as file:
@@ -75,7 +75,7 @@ def _replacing(name: str | os.PathLike[str]) -> Iterator[IO[bytes]]:
 
 
 def write(name: str | os.PathLike[str], content: bytes) -> None:
-    """Write a file whole: a reader sees what was there before, or all of this.
+    """Write a file atomically: a reader sees either the old or the complete new content.
 
     Raises
     ------
@@ -96,5 +96,5 @@ def table(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:
 
 
 def _is_device(name: str | os.PathLike[str]) -> bool:
-    """Whether it is no file that could be replaced, such as a pipe or /dev/stdout."""
+    """Whether a path cannot be replaced, such as a pipe or /dev/stdout."""
     return os.path.exists(name) and not os.path.isfile(name) and not os.path.isdir(name)

@@ -1,6 +1,6 @@
-"""What a `Motion` turns into for people and their tools: a dictionary, pandas, xarray, HTML; its methods call these.
+"""Conversions of a `Motion` to a dictionary, pandas, xarray and HTML, called by its methods.
 
-Columns are named and in units as `quantities` declares them.
+Names and units of columns are those of `quantities`.
 """
 
 from importlib import import_module
@@ -16,7 +16,7 @@ from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, results, s
 
 
 def library(name: str) -> Any:
-    """A library that only its own form needs, or what to type where it is missing."""
+    """Import a library that a conversion needs; an error says how to install it."""
     try:
         return import_module(name)
     except ImportError as error:
@@ -24,7 +24,7 @@ def library(name: str) -> Any:
 
 
 def html(motion: Motion) -> str:
-    """A table of the key results; of many lanes how many have each status, and the range of each outcome."""
+    """A table of the key results; for an ensemble the count of each status and the range of each outcome."""
     rows = summary(motion) if not motion.shape else {}
     if motion.shape:
         for name, count in motion.count().items():
@@ -35,7 +35,7 @@ def html(motion: Motion) -> str:
 
 
 def _span(values: Any, unit: str) -> str:
-    """The least and the greatest of the values that are known."""
+    """The least and the greatest of the known values."""
     known = values[~np.isnan(values)]
     return f"{shown(known.min())} to {shown(known.max())} {unit}" if known.size else "-"
 
@@ -43,7 +43,7 @@ def _span(values: Any, unit: str) -> str:
 def to_dict(motion: Motion, times: ArrayLike | None) -> dict[str, Any]:
     """Results by name in SI units, with the numbers that vary before them; or histories at times, s."""
     if times is not None:
-        motion.at(times)  # refuses what are no times of this motion
+        motion.at(times)  # raises an error for times outside the motion
         time = np.asarray(times, dtype=np.float64)
         return {name: q.at(motion, time) for name, q in HISTORY.items()}
     columns = {name: value for name, value in motion.plan.scene.numbers.items() if np.ndim(value)}
@@ -93,7 +93,7 @@ def to_xarray(motion: Motion, times: ArrayLike | None) -> Any:
 
 
 def _axes_and_columns(motion: Motion, times: ArrayLike | None) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Axes by name, the last of them time where there are any, and columns over all of them."""
+    """Axes by name, time the last one if given, and columns over all of them."""
     axes: dict[str, Any] = {}
     for name, size in zip(_dimensions(motion), motion.shape, strict=True):
         axes[name] = np.arange(size)

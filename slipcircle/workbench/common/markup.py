@@ -1,4 +1,4 @@
-"""Texts and tables as HTML that is also good XML."""
+"""Texts and tables as HTML that is also well-formed XML."""
 
 import base64
 import hashlib
@@ -14,7 +14,7 @@ class Raw(str):
 
 
 def escaped(text: str) -> str:
-    """Text in which nothing is HTML, and which XML may hold."""
+    """Text with HTML escaped and characters invalid in XML replaced."""
     return html.escape(re.sub(r"[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "\ufffd", text))
 
 
@@ -36,8 +36,8 @@ def terms(facts: Iterable[tuple[str, str]]) -> Raw:
 
 
 def document(title: str, parts: Iterable[str], style: str, script: str = "") -> str:
-    """A page that fetches nothing, whatever its texts hold: its policy allows its style, its script, images in it."""
-    program = f"//<![CDATA[\n{script}//]]>"  # so that it is XML, whatever the script holds
+    """A self-contained page: its security policy allows only its own style and script, and embedded images."""
+    program = f"//<![CDATA[\n{script}//]]>"  # valid XML for any script
     policy = {
         "default-src": "'none'",
         "img-src": "data:",
@@ -67,6 +67,6 @@ def document(title: str, parts: Iterable[str], style: str, script: str = "") -> 
 
 
 def _digest(text: str) -> str:
-    """What a policy calls a style or a script that it allows."""
+    """Digest by which a policy allows a style or a script."""
     digest = hashlib.sha256(text.encode()).digest()
     return f"'sha256-{base64.b64encode(digest).decode()}'"

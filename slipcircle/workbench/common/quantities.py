@@ -1,6 +1,6 @@
-"""The numbers of a result, each declared once: its name, unit, words, and where a `Motion` has it.
+"""The quantities of a result, declared once: name, unit, label, and attribute of a `Motion`.
 
-JSON, tables, CSV, pictures, reports, sensitivities, studies and back-analyses walk these lists.
+JSON, tables, CSV, pictures, reports, sensitivities, studies and back-analyses use these lists.
 """
 
 import math
@@ -26,18 +26,18 @@ class Quantity:
     name: str  # in Python, JSON and heads of CSV files
     unit: str  # SI, "" where it has none; angles are radians
     label: str  # in words
-    path: str  # the attribute of a `Motion`, with dots; over time its method, which takes times in s, and a part of it
-    degrees: bool = False  # people read it as an angle in degrees: of radians, or of a friction coefficient
-    solved: bool = False  # a result of the solution, which `Motion.error_estimate` is about
-    key: bool = False  # stands in every summary; the others are asked for
-    point: bool = False  # is x and y
+    path: str  # attribute of a `Motion`, with dots; over time a method of times in s, and an attribute of its result
+    degrees: bool = False  # printed as an angle in degrees, from radians or a friction coefficient
+    solved: bool = False  # a result to which `Motion.error_estimate` applies
+    key: bool = False  # in every summary
+    point: bool = False  # a point, x and y
 
     def read(self, motion: Any) -> Any:
-        """The value, in SI units; an array where the motion is an ensemble's."""
+        """The value in SI units; an array for an ensemble."""
         return attrgetter(self.path)(motion)
 
     def columns(self, motion: Any) -> dict[str, Any]:
-        """The same by name; of points x and y, each by its own."""
+        """The value by name; x and y of a point separately."""
         value = self.read(motion)
         return {f"{self.name}_{x}": value[..., k] for k, x in enumerate("xy")} if self.point else {self.name: value}
 
@@ -48,7 +48,7 @@ class Quantity:
         return np.asarray(getattr(values, part) if part else values, dtype=np.float64)
 
     def text(self, motion: Any) -> str:
-        """A single motion's value as people read it, without digits that its error does not leave."""
+        """The printed value of a single motion, with as many digits as its error justifies."""
         value = self.read(motion)
         if isinstance(value, bool):
             return "yes" if value else "no"
@@ -60,7 +60,7 @@ class Quantity:
         return f"{shown(value, digits_left(motion.error_estimate) if self.solved else DIGITS)} {unit}".rstrip()
 
     def seen(self, value: float) -> tuple[float, str]:
-        """A value in the unit that people read, and that unit."""
+        """A value in the printed unit, and that unit."""
         if self.degrees:
             return math.degrees(value if self.unit else math.atan(value)), "deg"
         factor, unit = prefixed(value, self.unit)
@@ -97,7 +97,7 @@ RESULTS: tuple[Quantity, ...] = (
     Quantity("peak_stress", "Pa", "mean normal stress at the peak velocity", "peak.normal_stress", solved=True),
     Quantity("end_stress", "Pa", "mean normal stress at the end", "end.normal_stress", solved=True),
 )
-# Of a section, which lies somewhere.
+# Of sections, which have a position.
 JOURNEY: tuple[Quantity, ...] = (
     Quantity("area", "m^2", "area of the section", "plan.scene.arc.area"),
     Quantity("mass_per_metre", "kg/m", "mass per metre of width", "plan.scene.arc.mass_per_metre"),
@@ -120,7 +120,7 @@ def results(motion: Any) -> tuple[Quantity, ...]:
 
 
 def end_words(motion: Any) -> dict[str, str]:
-    """What stands for the end of a single motion and for its time, by label, where it does not come to rest."""
+    """Texts for the end and the duration of a single motion that does not come to rest, by label."""
     if not motion.moves:
         return {"comes to rest": "does not move", "duration": "-"}
     if motion.arrested:
@@ -132,7 +132,7 @@ def end_words(motion: Any) -> dict[str, str]:
 
 
 def summary(motion: Any) -> dict[str, str]:
-    """What happened to a single mass, how far, how fast, how long, and how safe the start was, by label."""
+    """Key results of a single motion by label."""
     return {q.label: q.text(motion) for q in RESULTS if q.key} | end_words(motion)
 
 
@@ -162,7 +162,7 @@ HISTORY: Mapping[str, Quantity] = {
 
 
 def record(motion: Any) -> dict[str, Any]:
-    """A motion as JSON holds it: SI units, radians, full precision; null for what is infinite or not known."""
+    """A motion for JSON: SI units, radians, full precision; null for infinite or unknown values."""
     scene, law = motion.plan.scene, motion.plan.scene.friction
     stability = stability_of(scene)
     states = {name: asdict(getattr(motion, name)) for name in ("reach", "peak", "end")}
@@ -189,7 +189,7 @@ def record(motion: Any) -> dict[str, Any]:
 
 
 def stretch_records(motion: Any) -> list[dict[str, Any]]:
-    """The stretches of a layered arc from the entry to the exit, by the names of their soils; none of another arc."""
+    """The stretches of a layered arc from entry to exit with their soils; empty for another arc."""
     arc = motion.plan.scene.arc
     if not isinstance(arc, LayeredSection):
         return []
@@ -197,7 +197,7 @@ def stretch_records(motion: Any) -> list[dict[str, Any]]:
 
 
 def plain(value: Any) -> Any:
-    """What JSON can hold of a value; null for what is not finite."""
+    """A value in types of JSON; None if it is not finite."""
     if is_dataclass(value) and not isinstance(value, type):
         return plain(asdict(value))
     if isinstance(value, Mapping):
@@ -210,15 +210,15 @@ def plain(value: Any) -> Any:
 
 
 def words(name: str, unit: str = "") -> str:
-    """A name of a quantity or a status as tables have it."""
+    """The name of a quantity or a status in words."""
     return name.lower().replace("run_out", "run-out").replace("_", " ") + (f" ({unit})" if unit else "")
 
 
 def to_error(value: float, error: float) -> str:
-    """A number that is known up to an error: to two digits of that, or as `shown` where there is none."""
+    """A number to two digits of its error, or as `shown` without one."""
     if not error > 0.0:
         return shown(value)
-    last = math.floor(math.log10(error)) - 1  # place of the last digit
+    last = math.floor(math.log10(error)) - 1  # position of the last digit
     if last > -6:
         return f"{value:z.{max(-last, 0)}f}"
     digits = math.floor(math.log10(abs(value))) - last + 1 if value else 0
@@ -232,7 +232,7 @@ def time_text(nanoseconds: float) -> str:
 
 
 def prefixed(values: Any, unit: str) -> tuple[float, str]:
-    """A factor that makes stresses, energies and forces easy to read, and the unit with its prefix."""
+    """A factor for convenient sizes of stresses, energies and forces, and the unit with its prefix."""
     size = float(np.max(np.abs(values), initial=0.0))
     if unit not in ("Pa", "J", "N") or size == 0.0 or not math.isfinite(size):
         return 1.0, unit

@@ -1,7 +1,7 @@
-"""A TOML document read by the tables of a scene file: arguments in SI units, and a sentence for each mistake.
+"""A TOML document checked against the tables of a scene file: arguments in SI units, and a sentence for each mistake.
 
-Every mistake is reported at once, with its path in the file, its value and what is allowed there. Where a key is
-unknown, the key that was probably meant is named, and is then not reported as missing as well.
+All mistakes are reported together, with path in the file, value and what is allowed. For an unknown key the message
+names the key that was probably meant, which is then not reported as missing.
 """
 
 import json
@@ -19,7 +19,7 @@ _UNITS = ("_deg", "_kPa", "_m_s2", "_m_s", "_s", "_m")  # at the end of a key
 
 
 class Document:
-    """What a document says.
+    """Content of a document.
 
     Attributes
     ----------
@@ -43,17 +43,17 @@ class Document:
         self._tables = tables
         self._odd_distributions: dict[str, list[str]] = {}
         self._missing: dict[str, str] = {}
-        self._meant: set[str] = set()  # keys that misspelt ones stand for
+        self._meant: set[str] = set()  # keys that were misspelt
         self._read_table("", content)
         for path, words in self._missing.items():
             self._report(path, *([] if path in self._meant else [f"{path}: is missing: {words}"]))
-        known = numbers(tables)  # their order is that of samples
+        known = numbers(tables)  # in the order of samples
         self.uncertain = {key: self.uncertain[key] for key in known if key in self.uncertain}
         odd = [sentence for key in known for sentence in self._odd_distributions.get(key, [])]
         self.mistakes = odd + self.mistakes
 
     def _report(self, path: str, *sentences: str) -> None:
-        """Keep sentences about a path, and that its table has a mistake."""
+        """Store sentences about a path, and mark its table as wrong."""
         self.mistakes.extend(sentences)
         self.wrong.add(path.partition(".")[0])
 
@@ -80,16 +80,16 @@ class Document:
         self._check_choices(path, content)
 
     def _tables_in(self, path: str) -> dict[str, str]:
-        """The tables inside one, by their names there, with their paths."""
+        """Subtables of a table by their names, with their paths."""
         inside = [t for t in self._tables if t and t.rpartition(".")[0] == path]
         return {t.removeprefix(f"{path}." if path else ""): t for t in inside}
 
     def _heading(self, path: str) -> str:
-        """What begins a table of a file, or each one in a list of tables."""
+        """Heading of a table of a file, or of each table in a list."""
         return f"tables [[{path}]]" if self._tables[path].repeats == "numbered" else f"a table [{path}]"
 
     def _argument(self, full: str, key: Key, value: Any, content: Mapping[str, Any], table: Table) -> Any:
-        """A value in SI units, of a distribution the median; None where it is wrong, which is reported."""
+        """A value in SI units, the median of a distribution; None if it is wrong, which is reported."""
         if isinstance(value, dict) and key.kind in VARYING:
             if odd := distribution_mistakes(value, (key.number.low, key.number.high)):
                 self._odd_distributions[full] = [f"{full}: {mistake}" for mistake in odd]
@@ -110,7 +110,7 @@ class Document:
         return key.convert(value)
 
     def _note_missing(self, path: str, content: Mapping[str, Any]) -> None:
-        """Required keys and tables that a table lacks; they are reported once all misspelt keys are known."""
+        """Collect required keys and tables missing in a table; they are reported once all misspelt keys are known."""
         for name, key in self._tables[path].keys.items():
             if key.required and name not in content:
                 self._missing[_joined(path, name)] = f"{key.title}, {key.allowed}"
@@ -119,7 +119,7 @@ class Document:
                 self._missing[full] = f"{self._tables[full].title}, {self._heading(full)}"
 
     def _check_sets(self, path: str, content: Mapping[str, Any]) -> None:
-        """Of sets of keys all of one and none of the others are needed."""
+        """Check that a table has all keys of exactly one of its sets."""
         sets = self._tables[path].sets
         present = {key for keys in sets for key in keys if key in content}
         misspelt = any(key.startswith(f"{path}." if path else "") for key in self._meant)
@@ -129,7 +129,7 @@ class Document:
         self._report(path, f"{path}: {fault}; give {', or '.join(' with '.join(keys) for keys in sets)}")
 
     def _check_choices(self, path: str, content: Mapping[str, Any]) -> None:
-        """Of a choice of keys exactly one is needed, or at least one."""
+        """Check that a table has exactly one key of a choice, or at least one."""
         table = self._tables[path]
         for choice in filter(None, (*table.one_of, table.any_of)):
             present = [key for key in choice if key in content]
@@ -155,7 +155,7 @@ def _joined(path: str, name: str) -> str:
 
 
 def _question(key: Key, entry: Any, table: Table) -> str:
-    """What else to say of a wrong value: the key's title, and the word, unit or angle that was probably meant."""
+    """Additional advice on a wrong value: the key's title, and the word, unit or angle that was probably meant."""
     if "|" in key.kind or key.name == "law":
         guess = get_close_matches(str(entry), LAWS if key.name == "law" else key.kind.split("|"), 1)
         return f": {key.title}" + "".join(f"; did you mean {word}?" for word in guess)
@@ -175,9 +175,9 @@ def _question(key: Key, entry: Any, table: Table) -> str:
 
 
 def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, str]:
-    """The path of the key that an unknown one in a table may stand for, and what to say about it.
+    """The path of the key that was probably meant by an unknown one, and advice on it.
 
-    In the same table what is like it, or alone has its unit; elsewhere only what is as good as the same.
+    In the same table a similar key or the only one with that unit; in other tables only an almost identical one.
     """
     within = {t: list(tables[t].keys) for t in tables}
     for table in filter(None, tables):

@@ -1,6 +1,6 @@
-"""Tables and keys of a scene file: what each number is called there, its unit, and what it may be.
+"""Tables and keys of a scene file: name, unit and allowed values of each number.
 
-They follow from the declarations in `generated.effects`, so that a new effect or law needs nothing here.
+They follow from the declarations in `generated.effects`, so that new effects and laws need no change here.
 """
 
 import math
@@ -14,14 +14,14 @@ import numpy as np
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, USUAL_FRICTION, Parameter
 from slipcircle.core import ARC_BOUNDS, GIVEN, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
 
-_MOST = {"N/m^3": 1e6, "Pa": 1e12, "Pa/m": 1e12}  # by SI unit, upper bounds that only a wrong unit passes
+_MOST = {"N/m^3": 1e6, "Pa": 1e12, "Pa/m": 1e12}  # by SI unit: upper bounds that only values in a wrong unit exceed
 VARYING = ("number", "series", "line", "load")  # kinds of keys whose numbers may vary
 _UNITS = {"Pa/m": "kPa/m"}  # of files, where a key does not show it in this order
 
 
 @dataclass(frozen=True)
 class Number:
-    """A number of a scene, as people name it and as the scene has it."""
+    """A number of a scene: its key and unit in files, its name and unit in the scene."""
 
     key: str = ""  # a scene file's key, or the name
     name: str = ""  # in `Scene.numbers`
@@ -35,20 +35,20 @@ class Number:
 
     @property
     def plain(self) -> "Number":
-        """The same in SI units, by its name."""
+        """The number with its name and unit in the scene."""
         low, high = float(self.to_si(self.low)), float(self.to_si(self.high))
         return Number(self.name, self.name, self.si, low, high, self.closed, si=self.si)
 
     def to_si(self, values: Any) -> Any:
-        """Values in the key's unit as the scene has them."""
+        """Values in the key's unit converted to SI units of the scene."""
         return np.tan(np.deg2rad(values)) if self.tangent else np.asarray(values) * self.per_unit
 
     def from_si(self, values: Any) -> Any:
-        """Values of the scene in the key's unit."""
+        """Values of the scene converted to the key's unit."""
         return np.rad2deg(np.arctan(values)) if self.tangent else np.asarray(values) / self.per_unit
 
     def slope(self, value: float) -> float:
-        """Derivative of what the scene has by the key's value."""
+        """Derivative of the scene's value by the key's value."""
         return math.radians(1.0 + math.tan(math.radians(value)) ** 2) if self.tangent else self.per_unit
 
     def holds(self, values: Any) -> Any:
@@ -58,13 +58,13 @@ class Number:
 
     @property
     def limits(self) -> dict[str, float]:
-        """The bounds that it has: gt or ge, and lt."""
+        """Its bounds by their names in JSON Schema: gt or ge, and lt."""
         low, high = {"ge" if self.closed else "gt": self.low}, {"lt": self.high}
         return (low if self.low > -math.inf else {}) | (high if self.high < math.inf else {})
 
 
 class Key(NamedTuple):
-    """A key of a scene file: the argument that it stands for, and what it is and may be.
+    """A key of a scene file: its argument, meaning and allowed values.
 
     ``kind`` is "text", "flag", "number", "fixed" (a number that no scene varies), "list" (of numbers), "series" (a
     number or a list), "pair" and "points" (of two numbers), "line" (a number or points), "load" (a number or two), or
@@ -79,7 +79,7 @@ class Key(NamedTuple):
     number: Number = Number()
 
     def wrong(self, value: Any) -> list[tuple[str, Any]]:
-        """What is wrong with a value: places in a list, "" for the value itself, and what stands there."""
+        """Mistakes in a value: places in a list, "" for the value itself, and the wrong items."""
         if isinstance(value, list) and self.kind in ("list", "series"):
             return [(f"[{k}]", v) for k, v in enumerate(value) if not self._number(v)]
         if isinstance(value, list) and self.kind in ("points", "line") and len(value) > 1:
@@ -95,7 +95,7 @@ class Key(NamedTuple):
         return [] if right.get(self.kind, value in self.kind.split("|")) else [("", value)]
 
     def convert(self, value: Any) -> Any:
-        """A right value as an argument, in SI units."""
+        """A valid value as an argument, in SI units."""
         if self.kind == "points" or (self.kind == "line" and isinstance(value, list)):
             return np.array(value)
         if self.kind == "pair":
@@ -175,7 +175,7 @@ def _number(p: Parameter, title: str, unit: str = "", required: bool = False, ta
     closed = p.lower == -5e-324  # bounds are open, and zero is allowed
     of = replace(of, low=0.0 if closed else float(of.from_si(p.lower)), high=float(of.from_si(p.upper)), closed=closed)
     if p.key.endswith("_deg") and not p.unit and not tangent:
-        of = replace(of, high=USUAL_FRICTION[1])  # which is not told: who meets it gave an angle
+        of = replace(of, high=USUAL_FRICTION[1])  # not named in messages: a value beyond it was an angle
     words = _bounds_in_words(p, of)
     one, many = (" ".join(filter(None, [n, words, unit and f"({unit})"])) for n in ("a number", "a list of numbers"))
     forms = {
@@ -188,7 +188,7 @@ def _number(p: Parameter, title: str, unit: str = "", required: bool = False, ta
 
 
 def _bounds_in_words(p: Parameter, number: Number) -> str:
-    """The bounds of a parameter in the file's unit; of those that only a wrong unit passes the sign."""
+    """Bounds of a parameter in the file's unit; only the sign if bounds merely detect a wrong unit."""
     least, most = ARC_BOUNDS[p.name][:2] if p.name in ARC_BOUNDS else LIMITS.get(p.unit, (0.0, INFINITY))
     most = min(most, _MOST.get(p.unit, INFINITY))
     bounds = dict(number.limits)

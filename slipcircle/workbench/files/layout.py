@@ -1,4 +1,4 @@
-"""Which tables a scene file may have, as what stands in it decides: an arc or a slope, one soil or layers, which laws.
+"""Tables that a scene file may have, depending on its content: an arc or a slope, one soil or layers, which laws.
 
 Tables in lists, [[layers]] and [[surcharge]], are read as tables with numbers for names: ``layers.2.top_m``.
 """
@@ -24,7 +24,7 @@ _IN_SOILS = {
 
 
 class Layout(NamedTuple):
-    """What a file is to be read as.
+    """How a file is read.
 
     ``content`` has tables in lists by their numbers, and nothing of what excludes something else, which is among the
     ``mistakes``. ``law`` and ``rate`` are those of [friction] or of [slip]; "" where the file names none that is known.
@@ -40,7 +40,7 @@ class Layout(NamedTuple):
 
 
 def layout_of(content: Mapping[str, Any]) -> Layout:
-    """The tables that a file may have, and its content as they have it."""
+    """The tables that a file may have, and its content arranged accordingly."""
     layered = any(get_close_matches(name, ("soils", "layers"), 1, 0.8) for name in content)
     on_slope = layered or "ground" in content
     known = {name: _numbered(value) if name in _LISTS else value for name, value in content.items()}
@@ -64,7 +64,7 @@ def layout_of(content: Mapping[str, Any]) -> Layout:
 
 
 def _soil_laws(content: Mapping[str, Any]) -> dict[str, str]:
-    """The law of friction of each soil, by its name; "" for none like any."""
+    """The friction law of each soil by its name; "" for an unknown law."""
     return {name: laws_of(soil.get("friction"), SOIL_LAWS)[0] for name, soil in _tables_in(content, "soils").items()}
 
 
@@ -77,7 +77,7 @@ def _without_unknown_laws(content: Mapping[str, Any], laws: Mapping[str, str]) -
 
 
 def laws_of(friction: Any, known: Collection[str] = tuple(LAWS)) -> tuple[str, str]:
-    """The law of slip that a table of friction asks for, and that of speed beside it; "" for none like any."""
+    """The laws of slip and of speed in a table of friction; "" for an unknown law."""
     if not isinstance(friction, dict):
         return "constant", ""
     law = "".join(get_close_matches(str(friction.get("law", "constant")), known, 1))  # itself, where it is known
@@ -88,14 +88,14 @@ def laws_of(friction: Any, known: Collection[str] = tuple(LAWS)) -> tuple[str, s
 
 
 def _excluded(on_slope: bool, layered: bool) -> dict[str, str]:
-    """Tables that do not go with the others, and why."""
+    """Tables excluded by others, and the reason."""
     of_arc = {"arc": "and ground exclude each other; remove one"} if on_slope else {}
     of_soils = {name: f"{_BY_SOILS}: {_IN_SOILS[name]}; leave it out" for name in NOT_WITH_LAYERS}
     return of_arc | (of_soils if layered else {})
 
 
 def _numbered(value: Any) -> Any:
-    """Tables of a list by their numbers from 1; anything else as no table, which it must not be."""
+    """Tables of a list by their numbers from 1; other values are kept and reported later."""
     if isinstance(value, list) and all(isinstance(one, dict) for one in value):
         return {str(k): one for k, one in enumerate(value, 1)}
     return [value] if isinstance(value, dict) else value
@@ -118,7 +118,7 @@ def _unknown_law(friction: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _on_slope(tables: Mapping[str, Table], content: Mapping[str, Any]) -> dict[str, Table]:
-    """With the tables of a slope and its loads in place of the arc's."""
+    """Tables with those of a slope and its loads instead of those of an arc."""
     found = {path: table for path, table in tables.items() if not path.startswith("arc")} | dict(SLOPING)
     cohesion = found["cohesion"].keys["cohesion_kPa"]
     plausible = cohesion._replace(number=replace(cohesion.number, high=_MOST_COHESION))
@@ -129,7 +129,7 @@ def _on_slope(tables: Mapping[str, Table], content: Mapping[str, Any]) -> dict[s
 
 
 def _with_layers(tables: Mapping[str, Table], laws: Mapping[str, str], count: int, rate: str) -> dict[str, Table]:
-    """With the tables of soils and layers in place of those of one soil."""
+    """Tables with those of soils and layers instead of those of one soil."""
     found = {path: table for path, table in tables.items() if path.partition(".")[0] not in NOT_WITH_LAYERS}
     ground = found["ground"]
     keys = {k: key for k, key in ground.keys.items() if key.name != "unit_weight"}

@@ -1,4 +1,4 @@
-"""A scene of a real slope with what its file says beyond the motion: the factors of safety of its circle."""
+"""A scene of a real slope together with the factors of safety of its circle."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class SlopeScene(Scene[Numbers]):
     stability : Critical, optional
         Factors of safety of the section's circle, and how it was found.
     remarks : tuple of str
-        What the reader of its file made of it that may not be meant.
+        Interpretations of the file that may not be intended.
     """
 
     stability: Critical | None = None
@@ -29,12 +29,12 @@ class SlopeScene(Scene[Numbers]):
 
 
 def stability_of(scene: Scene) -> Critical | None:
-    """The factors of safety of a scene's circle, where they are known."""
+    """The factors of safety of a scene's circle, or None."""
     return scene.stability if isinstance(scene, SlopeScene) else None
 
 
 def warnings_of(motion: Motion) -> tuple[str, ...]:
-    """What a user should know of a single motion, and of the circle along which it goes."""
+    """Warnings about a single motion and about its circle."""
     scene = motion.plan.scene
     stability = stability_of(scene)
     of_circle = [stability.warning] if stability and stability.warning else []

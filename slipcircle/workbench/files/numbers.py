@@ -1,4 +1,4 @@
-"""The numbers of a scene that may vary: found by their keys in a scene file, in its units, and put into scenes.
+"""The numbers of a scene that may vary, by their keys in a scene file and in its units.
 
 A grid, an uncertain number, a back-analysis and a derivative name a number in the same way: by its key
 (``friction.angle_deg``), or in SI units by its name in `Scene.numbers` (``friction``). A coordinate has the key of the
@@ -43,7 +43,7 @@ _RULE = "a point's coordinate by its number from 0, such as ground.points_m.3.y"
 
 
 def lengths(arc: Any) -> set[str]:
-    """The coordinates and radii of a section, which are as large as it is far from the origin, or flat."""
+    """Coordinates and radii of a section, whose size depends on the distance from the origin, or on how flat it is."""
     if "ground" not in arc.quantities:
         return set()
     return {name for name in arc_numbers(arc) if name.partition(".")[0] in ("radius", *_POINTS)}
@@ -86,7 +86,7 @@ def by_key(scene: Any) -> dict[str, Number]:
 
 
 def by_name(scene: Any) -> dict[str, Number]:
-    """The same by their names: of two keys, as friction has, the angle's, but of what multiplies it the number's."""
+    """Numbers by their names; friction is in degrees, a factor of friction is a number."""
     found = reversed(by_key(scene).values())
     return {n.name: n for n in found if not (n.tangent and n.name.startswith(("friction.rate.", "rate.")))}
 
@@ -107,14 +107,14 @@ def number_in(scene: Any, path: str) -> Number:
 
 
 def listed(keys: Collection[str]) -> str:
-    """Keys in words, those of points by their rule."""
+    """Keys in words; coordinates of points by a rule."""
     plain = [k for k in keys if not k.startswith((*_POINTS.values(),))]
     return ", ".join([*plain, *([_RULE] if len(plain) < len(keys) else [])])
 
 
 @dataclass(frozen=True)
 class Uncertain:
-    """A number that is known by its distribution, as a scene file has it, or SciPy's frozen one; in the key's unit."""
+    """A number with a distribution, as in a scene file or SciPy's frozen one, in the key's unit."""
 
     number: Number
     given: Any
@@ -141,7 +141,7 @@ class Uncertain:
 
     @property
     def record(self) -> dict[str, Any]:
-        """As JSON holds it."""
+        """For JSON."""
         if isinstance(self.given, Mapping):
             return {"key": self.key} | dict(self.given)
         d = self.given

@@ -1,4 +1,4 @@
-"""Soils, layers and loads of a scene file as the core takes them, with a sentence for each mistake between tables."""
+"""Soils, layers and loads of a scene file as objects of the core, with a sentence for each mistake across tables."""
 
 from collections.abc import Callable, Iterator, Mapping
 from difflib import get_close_matches
@@ -15,7 +15,7 @@ Arguments = Mapping[str, dict[str, Any]]
 
 
 class Profile(NamedTuple):
-    """What the layers of a file make up: for a `Slope` or a `LayeredSection`, what is wrong, and what is to be said."""
+    """Layers of a file for a `Slope` or a `LayeredSection`, mistakes, and remarks."""
 
     layers: list[tuple[Soil, Any]]
     foreland: Soil | None
@@ -26,13 +26,13 @@ class Profile(NamedTuple):
 
 
 def numbered(given: Arguments, name: str) -> list[dict[str, Any]]:
-    """The tables in a list, in their order."""
+    """The tables of a list, in order."""
     inside = [path for path in given if path.startswith(f"{name}.")]
     return [given[path] for path in sorted(inside, key=lambda path: int(path.partition(".")[2]))]
 
 
 def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]], list[str]]:
-    """Surcharges as the core takes them, and what is wrong with them."""
+    """Surcharges for the core, and mistakes in them."""
     loads = []
     mistakes = []
     for k, load in enumerate(numbered(given, "surcharge"), 1):
@@ -45,7 +45,7 @@ def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]
 
 
 def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any] | None, readable: bool) -> Profile:
-    """The layers of a file; where its tables are not ``readable`` by themselves, what is wrong between them alone."""
+    """The layers of a file; if its tables are not ``readable``, only mistakes across them."""
     layers = numbered(given, "layers")
     slip = given.get("slip", {})
     of_soils = [path for path in given if path.startswith("soils.") and not path.endswith(".friction")]
@@ -69,7 +69,7 @@ def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any
 
 
 def _soils(names: list[str], given: Arguments, keys: Callable[[str], str]) -> tuple[dict[str, Soil], list[str]]:
-    """The soils of a file by their names, and what is wrong with them."""
+    """The soils of a file by their names, and mistakes in them."""
     soils = {}
     mistakes = []
     layers = numbered(given, "layers")
@@ -84,7 +84,7 @@ def _soils(names: list[str], given: Arguments, keys: Callable[[str], str]) -> tu
 
 
 def _unknown_soils(places: Mapping[str, str], names: list[str]) -> Iterator[str]:
-    """Layers of soils that are none, and soils that no layer has."""
+    """Layers with undefined soils, and unused soils."""
     meant = set()
     for path, soil in places.items():
         if soil not in names:
@@ -98,7 +98,7 @@ def _unknown_soils(places: Mapping[str, str], names: list[str]) -> Iterator[str]
 
 
 def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:
-    """A first layer with a top, and others without."""
+    """Mistakes: a first layer with a top, other layers without."""
     if layers and "top" in layers[0]:
         yield "layers.1.top_m: must be left out, as the top of the first layer is the ground"
     for k, layer in enumerate(layers[1:], 2):
@@ -107,7 +107,7 @@ def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:
 
 
 def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
-    """A soil; without a datum its cohesion grows below the tops of its layers, which have to be one height."""
+    """A soil; without a datum its cohesion increases below the top of its layers, which must be a single height."""
     numbers = dict(given[f"soils.{name}"])
     friction = given.get(f"soils.{name}.friction", {"law": "constant", "coefficient": 0.0})
     is_constant = friction.get("law", "constant") == "constant"
@@ -120,7 +120,7 @@ def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
 
 
 def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
-    """A sentence for each boundary that rises above one before it; that boundaries reach the ground is ordinary."""
+    """A sentence for each boundary that rises above a previous one; reaching the ground is normal."""
     points = given.get("ground", {}).get("ground")
     ground = np.zeros((2, 2)) if points is None else np.asarray(points)
     left, right = ground[[0, -1], 0]

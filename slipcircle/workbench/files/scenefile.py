@@ -60,14 +60,14 @@ def load(name: str | PathLike[str]) -> Scene[float]:
 
 
 def find(name: str | PathLike[str]) -> Any:
-    """The file of a scene that ships, by name; or one's own, by its path."""
+    """The file of a scene that ships, by name, or of another scene, by path."""
     if not isinstance(name, str | PathLike):
         raise ValueError(f"scene {name!r}: must be the name of one that ships, or the path of its file")
     if name in (names := shipped()):
         return _FOLDER / f"{name}.toml"
     path = Path(name)
     for candidate in (path, Path(f"{name}.toml")):
-        if os.path.exists(candidate) and not os.path.isdir(candidate):  # no error for names that no file can have
+        if os.path.exists(candidate) and not os.path.isdir(candidate):  # without an error for invalid file names
             return candidate
     if str(name) and os.path.isdir(path):
         raise ValueError(f"{path}: is a folder; give a scene's file")
@@ -82,7 +82,7 @@ def critical_of_file(
 ) -> tuple[str, str, Critical]:
     """Name, note and critical circle of the slope in a file, by default as it says, or by Bishop's method.
 
-    Where it gives a circle, the factors of this one. ``tell`` takes lines of progress.
+    If it gives a circle, the factors of that circle. ``tell`` is called with lines of progress.
     """
     source = find(name)
     file = str(source)
@@ -106,7 +106,7 @@ def critical_of_file(
 
 
 def _content(source: Any, file: str) -> dict[str, Any]:
-    """What stands in a TOML file, or one sentence why it cannot be read."""
+    """Content of a TOML file; an error in one sentence if it cannot be read."""
     try:
         return tomllib.loads(source.read_bytes().decode("utf-8-sig"))
     except OSError as error:
@@ -118,7 +118,7 @@ def _content(source: Any, file: str) -> dict[str, Any]:
 
 
 class _Input(NamedTuple):
-    """What stands in a file: its arc or its slope, its friction, what it calls an argument, and what is wrong."""
+    """Content of a file: arc or slope, friction, keys of arguments, and mistakes."""
 
     document: Document
     keys: Callable[[str], str]
@@ -129,7 +129,7 @@ class _Input(NamedTuple):
 
 
 def _read(content: Mapping[str, Any], moving: bool) -> _Input:
-    """What stands in a file; without ``moving`` what only factors of safety know is allowed."""
+    """Read a file; unless ``moving``, tables that only factors of safety use are allowed."""
     layout = layout_of(content)
     document = Document(layout.content, layout.tables)
     given, keys = document.arguments, _keys(layout.tables, document.typed)
@@ -148,9 +148,9 @@ def _read(content: Mapping[str, Any], moving: bool) -> _Input:
 def _parts(
     content: dict[str, Any], file: str, tell: Callable[[str], None] = lambda _: None, moving: bool = True
 ) -> tuple[dict[str, Any], Callable[[str], str]]:
-    """The fields of a scene and its stability, and what its file calls an argument; every mistake listed.
+    """The fields of a scene, its stability, and the keys of arguments; all mistakes are listed.
 
-    Without ``moving`` what only factors of safety know is allowed, and there is no arc of a slope.
+    Unless ``moving``, tables that only factors of safety use are allowed, and a slope has no arc.
     """
     document, keys, arc, slope, friction, mistakes = _read(content, moving)
     if mistakes:
@@ -166,7 +166,7 @@ def _parts(
 
 
 def _short(friction: Mapping[str, Any] | None) -> Any:
-    """A friction, of one that does not change the coefficient alone."""
+    """A friction law; constant friction as its coefficient."""
     constant = friction is not None and friction["law"] == "constant" and "rate" not in friction
     return friction["coefficient"] if friction is not None and constant else friction
 
@@ -178,7 +178,7 @@ def _slope_input(
     keys: Callable[[str], str],
     moving: bool,
 ) -> tuple[SlopeInput, list[str]]:
-    """What a file says of a slope, but for the strength of one soil, and what is wrong with it between tables."""
+    """The slope of a file, without the strength of a single soil, and mistakes across tables."""
     mistakes = motion_mistakes(given, layout.layered) if moving else []
     layers = None
     if layout.layered:
@@ -200,7 +200,7 @@ def _along_slope(
 
 
 def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tuple[Arc | None, list[str]]:
-    """The arc of a file, or what is wrong with it."""
+    """The arc of a file, or its mistakes."""
     try:
         return Arc(**given["arc"], given=given.get("arc.given")), []
     except InputError as error:
@@ -208,7 +208,7 @@ def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tup
 
 
 def _friction(given: Mapping[str, dict[str, Any]], layout: Layout) -> dict[str, Any]:
-    """The law of slip of a file, with that of speed which multiplies it."""
+    """The law of slip of a file, with the law of speed that multiplies it."""
     friction: dict[str, Any] = {"law": layout.law} | given.get("friction", {})
     rate = _rate(given.get("friction.rate"), layout.rate)
     return friction | ({"rate": rate} if rate is not None else {})
@@ -220,7 +220,7 @@ def _rate(given: Mapping[str, Any] | None, law: str) -> dict[str, Any] | None:
 
 
 def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Callable[[str], str]:
-    """What a file calls an argument: ``effects.shaking.step`` is ``shaking.step_s``; of two keys the one it has."""
+    """Keys of arguments: ``effects.shaking.step`` is ``shaking.step_s``; of two keys the one in the file."""
     keys = {"arc.level": "water.level_m", "end_time": "end_time_s", "initial_velocity": "initial_velocity_m_s"}
     for path, table in tables.items():
         keys |= {f"{path}.{key.name}": f"{path}.{k}" for k, key in table.keys.items()}
@@ -229,7 +229,7 @@ def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Callable[[st
 
 
 def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dict[str, Any]]:
-    """The effects among the tables; records lie where the scene's file lies."""
+    """The effects among the tables; paths of records are relative to the scene file."""
     effects = {name: dict(given[name]) for name in EFFECTS if name in given}
     for parameters in effects.values():
         parameters |= {name: str(folder / file) for name, file in parameters.items() if name.endswith("record")}
@@ -237,7 +237,7 @@ def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dic
 
 
 def _slope_message(error: InputError, keys: Callable[[str], str]) -> str:
-    """What is wrong with a slope, a section or a search, by the keys of its file."""
+    """The message of an error in a slope, a section or a search, with the keys of its file."""
     tables: dict[str, Table] = {**SLOPING, **LOADS}
     about = ("search",) if error.what == "critical" else ("ground", "circle", "water", "tension_crack", "pond")
     of_slope = {key.name: f"{t}.{k}" for t in about for k, key in tables[t].keys.items()}

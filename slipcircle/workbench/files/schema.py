@@ -1,4 +1,4 @@
-"""The JSON Schema of a scene file, for editors: which tables and keys there are, and what each may hold."""
+"""The JSON Schema of a scene file, for editors: tables, keys, and their allowed values."""
 
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -105,7 +105,7 @@ def _object(properties: Mapping[str, Any], title: str, required: list[str]) -> d
 
 
 def _schema_of_key(key: Key) -> dict[str, Any]:
-    """What a key may hold; a number may be uncertain, unless it is fixed."""
+    """Schema of a key; a number may be uncertain unless it is fixed."""
     number: dict[str, Any] = {"type": "number"} | {_LIMITS[k]: v for k, v in key.number.limits.items()}
     many = {"type": "array", "items": number}
     pair = many | {"minItems": 2, "maxItems": 2}

@@ -13,13 +13,13 @@ from slipcircle.workbench.stability.search import Critical, at_circle, critical
 from slipcircle.workbench.stability.stability import Slope, require_drive
 
 Arguments = Mapping[str, dict[str, Any]]
-_FLATTEST = 1e5  # radius over the size of the ground: beyond it a mass is a skin
-_OF_MOTION = ("gravity", "width")  # in [ground], and of no interest to statics
+_FLATTEST = 1e5  # radius over the size of the ground, beyond which a mass is a thin skin
+_OF_MOTION = ("gravity", "width")  # in [ground], not used by statics
 
 
 @dataclass(frozen=True)
 class SlopeInput:
-    """What a file says of a slope.
+    """The slope of a file.
 
     Attributes
     ----------
@@ -39,7 +39,7 @@ class SlopeInput:
 
     @property
     def ground(self) -> dict[str, Any]:
-        """Ground, unit weight where it is one, base; gravity and width."""
+        """Ground, unit weight of a single soil, base; gravity and width."""
         ground = dict(self.given["ground"])
         if simple := {n: ground.pop(n) for n in ("height", "angle", "run") if n in ground}:
             ground["ground"] = simple_slope(**simple)
@@ -53,7 +53,7 @@ class SlopeInput:
 
     @property
     def limits(self) -> dict[str, Any]:
-        """Of the search, and what shakes it."""
+        """Limits of the search, and seismic coefficient."""
         return self.given.get("search", {})
 
     def slope(self) -> Slope:
@@ -65,7 +65,7 @@ class SlopeInput:
         return Slope(**fields, **soils, surcharge=self.surcharge)
 
     def stability(self, tell: Callable[[str], None]) -> tuple[dict[str, Any], Critical | None]:
-        """The circle that is given, or the critical one, and its factors; none where nothing is known of strength."""
+        """The given or the critical circle with its factors; None without strength."""
         circle = dict(self.given.get("circle", {}))
         known = self.profile is not None or bool(self.strength)
         if "critical" in circle:
@@ -110,7 +110,7 @@ class SlopeInput:
 
 
 def motion_mistakes(given: Arguments, layered: bool) -> list[str]:
-    """What a file has that factors of safety know and motions do not, and why."""
+    """Tables that factors of safety use but motions do not, and the reason."""
     alone = "is for factors of safety alone (slipcircle search)"
     mistakes = []
     if "pond" in given:
@@ -127,7 +127,7 @@ def motion_mistakes(given: Arguments, layered: bool) -> list[str]:
 
 
 def _deep_enough(found: Critical, section: Section) -> Critical:
-    """The factors of a circle; an error where it has none because a tension crack cuts its mass off."""
+    """The factors of a circle; an error if a tension crack cuts off its mass."""
     slope = found.slope
     if slope.crack and not any(found.factor_of_safety.values()):
         uncracked = at_circle(replace(slope, crack=0.0, crack_water=0.0), section)
@@ -138,7 +138,7 @@ def _deep_enough(found: Critical, section: Section) -> Critical:
 
 
 def _circle(circle: dict[str, Any]) -> dict[str, Any]:
-    """Centre, radius and stretch of a circle, however it is given."""
+    """Centre, radius and stretch of a circle from any way to give it."""
     if "through" not in circle:
         return circle
     points = circle.pop("through")

@@ -38,7 +38,7 @@ def _place(name: str, help: str) -> Parameter:
 
 
 def _of_soil(name: str, key: str, help: str, per_unit: float = 1.0, optional: bool = True) -> Parameter:
-    """A number of a soil, by the name that a `Soil` has for it."""
+    """A number of a soil by its field of `Soil`."""
     return declare(name, key, SOIL_BOUNDS[name][0], help, *SOIL_BOUNDS[name][1:], per_unit, optional)
 
 

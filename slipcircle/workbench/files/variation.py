@@ -1,4 +1,4 @@
-"""Scenes derived from others: along the critical circle of the means, and shaken the other way around."""
+"""Scenes derived from others: along the critical circle of the means, and with reversed shaking."""
 
 from collections.abc import Iterator
 from dataclasses import fields, replace
@@ -15,7 +15,7 @@ from slipcircle.workbench.stability.stability import Slope, soil
 
 
 def other_way(scene: Scene) -> Scene:
-    """A shaken scene with its horizontal shaking turned around."""
+    """A shaken scene with reversed horizontal shaking."""
     if "shaking" not in scene.called:
         raise ValueError(f"{scene.name}: nothing shakes it, so that it has no other polarity")
     assert isinstance(scene.effects, dict)
@@ -25,7 +25,7 @@ def other_way(scene: Scene) -> Scene:
 
 
 def along_means(scene: Scene) -> Scene:
-    """A scene that asks for the critical circle, along that of the means of its uncertain numbers."""
+    """A scene with a critical circle, along the critical circle of the means of its uncertain numbers."""
     if not isinstance(scene, SlopeScene) or scene.stability is None or not scene.stability.method:
         return scene
     found = scene.stability
@@ -53,7 +53,7 @@ def slope_of(scene: Scene, like: Slope) -> Slope:
 
 
 def _leaves(value: Any) -> Iterator[Any]:
-    """Arrays and numbers of a slope as arrays, with its soils."""
+    """Arrays and numbers of a slope, all as arrays, with its soils."""
     if isinstance(value, SlopeArrays):
         value = tuple(getattr(value, field.name) for field in fields(value))
     if isinstance(value, tuple):

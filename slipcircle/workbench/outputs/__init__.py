@@ -1,1 +1,1 @@
-"""What is made of a motion: tables, traces, pictures, reports and files."""
+"""Output of results: tables, traces, pictures, reports and files."""

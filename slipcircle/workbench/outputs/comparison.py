@@ -1,4 +1,4 @@
-"""Several motions in one picture: where their masses come to rest, their velocities and displacements, and how far."""
+"""Several motions in one picture: final positions, velocities and displacements over time, run-outs."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -24,14 +24,14 @@ from slipcircle.workbench.outputs.sectionplot import scenery
 from slipcircle.workbench.outputs.shapes import View, mass_of
 from slipcircle.workbench.outputs.trace import drawn
 
-_MOST_BARS = 24  # the others are a line of text
+_MOST_BARS = 24  # further ones are summarised in text
 _SECTION, _CURVES, _BAR = 3.6, 2.8, 0.3  # inches
 
 
 def overview(motions: Sequence[Motion], figure: Any) -> Any:
     """One picture of several motions on an empty figure of `size`, which it returns.
 
-    The first eight motions that move have a colour and a name, the others are grey.
+    The first eight motions that move have a colour and a label; further ones are grey.
     """
     heights = _heights(motions)
     parts = figure.subfigures(len(heights), 1, height_ratios=heights)
@@ -66,7 +66,7 @@ def _same_slope(motions: Sequence[Motion]) -> bool:
 
 
 def _named(motions: Sequence[Motion]) -> dict[int, tuple[str, Any, str]]:
-    """Styles of the motions that have a colour of their own, by number."""
+    """Styles of the coloured motions, by number."""
     moving = [k for k, motion in enumerate(motions) if motion.moves]
     return dict(zip(moving, SERIES, strict=False))
 
@@ -92,7 +92,7 @@ def _sections(motions: Sequence[Motion], ax: Any) -> None:
 
 
 def _curves(motions: Sequence[Motion], ax: Any, column: str, words: str) -> None:
-    """A quantity over time, of each motion a curve with its name."""
+    """A quantity over time: a curve with a label for each motion."""
     styles = _named(motions)
     for k, motion in enumerate(motions):
         if motion.moves and k not in styles:
@@ -112,7 +112,7 @@ def _curves(motions: Sequence[Motion], ax: Any, column: str, words: str) -> None
 
 
 def _bars(motions: Sequence[Motion], ax: Any) -> None:
-    """The run-out of each, with its peak velocity and its duration; the farthest where there are too many."""
+    """Run-outs with peak velocities and durations; the greatest ones if there are too many."""
     order = sorted(range(len(motions)), key=lambda k: -abs(motions[k].run_out))
     shown = sorted(order[:_MOST_BARS])
     lines(ax, [motions[k].plan.scene.name for k in shown])
@@ -128,7 +128,7 @@ def _bars(motions: Sequence[Motion], ax: Any) -> None:
 
 
 def _outcome(motion: Motion) -> str:
-    """How far, how fast and how long it moves."""
+    """Run-out, peak velocity and duration in words."""
     if not motion.moves:
         return "does not move"
     speed, duration = number(abs(float(motion.peak.velocity))), number(motion.duration)

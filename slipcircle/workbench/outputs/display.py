@@ -1,4 +1,4 @@
-"""What results show of themselves: the methods of `Motion` and `Study` call these functions by their names."""
+"""Pictures and HTML of results: methods of `Motion` and `Study` call these functions by name."""
 
 from typing import Any
 
@@ -14,7 +14,7 @@ __all__ = ["animate", "html", "plot", "to_dict", "to_pandas", "to_xarray"]
 
 
 def plot(result: Motion | Study, what: str, ax: Any) -> Any:
-    """One of a result's pictures on an axis, or all panels on a figure of their own."""
+    """One panel of a result on an axis, or all panels on a new figure."""
     drawn_by: Any = plots if isinstance(result, Motion) else studyplots
     _one_lane(result)
     known("plot: what", what, ("overview", *drawn_by.PANELS))
@@ -26,7 +26,7 @@ def plot(result: Motion | Study, what: str, ax: Any) -> Any:
 
 
 def html(motion: Motion) -> str:
-    """Key results as a table, of a single motion below the slide to drag."""
+    """Key results as a table; for a single motion below its live slide."""
     return table_of(motion) if motion.shape else live.framed(motion) + table_of(motion)
 
 
@@ -41,6 +41,6 @@ def animate(motion: Motion, path: str, seconds: float) -> Any:
 
 
 def _one_lane(result: Motion | Study) -> None:
-    """Refuse a motion of many lanes, which is not one picture."""
+    """Reject an ensemble, which has no single picture."""
     if isinstance(result, Motion) and result.shape:
         raise ValueError(f"a motion of {len(result)} lanes is not one picture: take one of them, motion[0]")

@@ -1,4 +1,4 @@
-"""The slide as a film: the section with the mass where it is at even times."""
+"""The slide as a film: the section with the mass at equidistant times."""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -12,17 +12,17 @@ from slipcircle.workbench.outputs.trace import Floats
 
 
 class Film(NamedTuple):
-    """A section with a moving mass: what moves in it, a function that draws a frame by its number, and their times."""
+    """A section with a moving mass: its moving artists, a function that draws a frame, and the times of frames."""
 
     figure: Any
     moving: tuple[Any, ...]
     draw: Callable[[int], tuple[Any, ...]]
     times: Floats
-    seconds: float  # in which it is shown
+    seconds: float  # of playing time
 
 
 def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
-    """The section with the mass where it is at even times, which are shown in so many seconds; at rest one frame."""
+    """The section with the mass at equidistant times, played in so many seconds; a single frame if nothing moves."""
     from matplotlib.patches import Polygon
 
     ax, facing = axis(None if figure is None else figure.add_subplot()), float(motion.plan.scene.arc.facing)
@@ -46,7 +46,7 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
 
 
 def _pace(motion: Motion, seconds: float, magnification: float) -> str:
-    """By how much a film shows a motion faster and larger than it is, in words."""
+    """Speed-up and magnification of a film, in words."""
     words = ""
     if motion.moves:
         speed_up = motion.duration / seconds
@@ -57,7 +57,7 @@ def _pace(motion: Motion, seconds: float, magnification: float) -> str:
 
 
 def animate(motion: Motion, figure: Any = None, frames: int = 60, seconds: float = 5.0) -> Any:
-    """The slide as a matplotlib.animation.FuncAnimation: the section, with the mass where it is at even times.
+    """The slide as a matplotlib.animation.FuncAnimation: the section with the mass at equidistant times.
 
     An empty figure may be given, with a constrained layout; keep what is returned while it plays, or save it. Where the
     mass does not move there is one frame.

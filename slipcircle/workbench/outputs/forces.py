@@ -9,11 +9,11 @@ from slipcircle.core import Motion
 from slipcircle.workbench.outputs.plotstyle import FORCES, beside, label
 from slipcircle.workbench.outputs.trace import Floats
 
-_ARROWS = (-0.6, -0.2, 0.2, 0.6)  # where on the arc reactions are drawn, over alpha
+_ARROWS = (-0.6, -0.2, 0.2, 0.6)  # angles of the reactions from the middle of the arc, over alpha
 
 
 def draw_forces(ax: Any, motion: Motion, mass: Any, size: float) -> None:
-    """The weight at the mass's centre, and reactions on the arc."""
+    """The weight at the centroid, and reactions along the arc."""
     middle, alpha = float(mass.ends.mean()), float(np.ptp(mass.ends)) / 2
     length = min(0.16 * size, 0.9 * mass.radius * alpha)
     centroid = mass.on_circle(middle) * _centroid_radius(alpha)

@@ -1,4 +1,4 @@
-"""The scene file reference, for people: every table, law and effect with its formula, keys, bounds and equation."""
+"""The scene file reference as text: every table, law and effect with its formula, keys, bounds and equation."""
 
 import textwrap
 from collections.abc import Iterator
@@ -62,7 +62,7 @@ def guide() -> str:
 
 
 def _of_layers() -> dict[str, Table]:
-    """The tables of soils, layers and loads by how they begin in a file."""
+    """The tables of soils, layers and loads by their headings."""
     tables = layered_tables({"NAME": "constant"}, 1)
     laws = f"friction of the soil, none by default: with the keys of [friction], law one of {', '.join(SOIL_LAWS)}"
     rate = tables["slip.rate"]
@@ -82,7 +82,7 @@ def _title(head: str, words: str) -> list[str]:
 
 
 def _keys(table: Table) -> Iterator[str]:
-    """A line or more for each key; two of which one is needed stand together."""
+    """Lines for each key; alternatives of which one is required are together."""
     pairs = {pair[0]: pair[1] for pair in table.one_of}
     for k, key in table.keys.items():
         other = pairs.get(k)

@@ -1,4 +1,4 @@
-"""What is installed: versions, and the digests of the generated files."""
+"""Installed versions, and digests of the generated files."""
 
 import hashlib
 import platform
@@ -12,7 +12,7 @@ from slipcircle.base import VERSION
 
 
 def facts() -> dict[str, str]:
-    """Versions of the package, Python and the libraries that it can use, what runs, digests of the generated text."""
+    """Versions of the package, Python and optional libraries, the kernels in use, digests of the generated text."""
     kernels = "NumPy, not compiled" if LEVEL == "numpy" else f"compiled, {LEVEL}"
     found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor(), "kernels": kernels}
     for library in ("numpy", "scipy", "matplotlib", "dask", "sympy", "mpmath", "python-flint"):
@@ -26,7 +26,7 @@ def facts() -> dict[str, str]:
 
 
 def processor() -> str:
-    """Its name; the level of the kernels shows which of its instructions are used."""
+    """Name of the processor; the level of the kernels shows which of its instructions are used."""
     try:
         named = re.search(r"^model name\s*: (.+)$", Path("/proc/cpuinfo").read_text("utf-8"), re.MULTILINE)
     except OSError:
@@ -35,5 +35,5 @@ def processor() -> str:
 
 
 def machine() -> str:
-    """Processor and versions, to stand beside times."""
+    """Processor and versions, to be printed with measured times."""
     return ", ".join(f"{k} {v}" for k, v in facts().items() if "/" not in k and v != "not installed")

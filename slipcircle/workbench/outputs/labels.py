@@ -1,8 +1,8 @@
-"""Words beside what they name: when a picture is drawn, each is put where it covers least.
+"""Labels that are placed where they cover least when a picture is drawn.
 
-A label may stand at any distance and in any direction from any of its anchors. Lines, marks and outlines on the axis
-are points; a place costs what it covers of them, other words, the edge of the axis, and its distance. Labels are placed
-in the order in which they were made, so that the same picture comes out the same.
+A label may stand at several distances and in several directions from each of its anchors. The cost of a place counts
+the points of lines, marks and outlines that it covers, overlap with other labels and with the edge of the axis, and the
+distance. Labels are placed in the order of their creation, so that pictures are reproducible.
 """
 
 import math
@@ -18,19 +18,19 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-_DISTANCES = (6.0, 14.0, 26.0, 42.0, 62.0, 86.0, 115.0)  # of the words from an anchor, in points
-_NEAR = 15.0  # points, within which words need no line to what they name
+_DISTANCES = (6.0, 14.0, 26.0, 42.0, 62.0, 86.0, 115.0)  # of a label from an anchor, in points
+_NEAR = 15.0  # points, within which a label needs no leader
 _DIRECTIONS = np.linspace(0.0, 2 * math.pi, 16, endpoint=False)
 _SPACING = 4.0  # of the points that stand for lines, in pixels
-_GAP = 2.0  # about words, in pixels
-# What a place costs: a point covered, a pixel outside of the axis, other words or a line to them, a pixel of distance.
+_GAP = 2.0  # around labels, in pixels
+# Costs: a covered point, a pixel outside the axis, an overlap with a label or its leader, a pixel of distance.
 _COVERED, _OUTSIDE, _WORDS, _FAR = 2.0, 200.0, 400.0, 0.12
-BACK = 1.5  # of `zorder`: what lies further back may be covered
-_HALO = 2.5  # points of white around words
+BACK = 1.5  # `zorder` below which artists may be covered
+_HALO = 2.5  # points of white around a label
 
 
 class Label(Annotation):
-    """Words beside one of some anchors, in data coordinates; within one of them where ``inside``."""
+    """A label beside one of some anchors in data coordinates; if ``inside``, on one of them."""
 
     def __init__(self, ax: Any, words: str, anchors: Any, colour: str, inside: bool = False, **more: Any) -> None:
         self.anchors = np.reshape(np.asarray(anchors, dtype=np.float64), (-1, 2))
@@ -51,7 +51,7 @@ class Label(Annotation):
         ax.add_artist(self)
 
     def update_positions(self, renderer: Any) -> None:
-        """Where matplotlib is about to draw it."""
+        """Place the label as matplotlib is about to draw it."""
         limits = np.column_stack([self.parent.get_xlim(), self.parent.get_ylim()])
         in_pixels = self.parent.transData.transform(limits)
         where = np.concatenate([limits, in_pixels]).tobytes()
@@ -61,7 +61,7 @@ class Label(Annotation):
         super().update_positions(renderer)
 
     def _place(self, renderer: Any) -> None:
-        """Choose the anchor and the place that cost least."""
+        """Choose the anchor and the place of least cost."""
         pixels = renderer.points_to_pixels(1.0)
         self.leader.set_visible(False)
         box = Text.get_window_extent(self, renderer)
@@ -80,7 +80,7 @@ class Label(Annotation):
         self.leader.set_visible(far[best] > _NEAR * pixels)
 
     def _offsets(self, half: Floats, pixels: float) -> tuple[Floats, Floats]:
-        """Distances of words from an anchor and where their middle then is from it, (places,) and (places, 2)."""
+        """Distances of a label from an anchor, and offsets of its centre, (places,) and (places, 2)."""
         if self.inside:
             return np.zeros(1), np.zeros((1, 2))
         away = np.stack([np.cos(_DIRECTIONS), np.sin(_DIRECTIONS)], axis=1)
@@ -89,7 +89,7 @@ class Label(Annotation):
         return distances, (distances[:, None] + half) * directions
 
     def _cost(self, centres: Floats, half: Floats, renderer: Any) -> Floats:
-        """What words of a half size cost at centres, (candidates, 2) in pixels."""
+        """Costs of a label of a half size at centres, (candidates, 2) in pixels."""
         low, high = centres - half, centres + half
         points = np.concatenate([np.empty((0, 2)), *_obstacles(self.parent)])
         right_of = low[:, :1] < points[:, 0]
@@ -108,7 +108,7 @@ class Label(Annotation):
         return np.asarray(cost)
 
     def _leader_cost(self, centres: Floats, anchors: Floats, far: Floats) -> Floats:
-        """What lines from words to anchors cost that pass through other words."""
+        """Costs of leaders that cross other labels."""
         share = np.linspace(0.1, 0.9, 9)[:, None, None]
         points = anchors + share * (centres - anchors)
         cost = np.zeros(len(centres))
@@ -119,7 +119,7 @@ class Label(Annotation):
         return cost
 
     def _other_words(self, renderer: Any) -> Iterator[Any]:
-        """Boxes of the words that are there already."""
+        """Boxes of the labels that have been placed."""
         for ax in _beside(self.parent):
             for text in ax.texts:
                 if text is self:
@@ -155,13 +155,13 @@ def _obstacles(axes: Any) -> Iterator[Floats]:
 
 
 def _about(points: Floats, size: float) -> Floats:
-    """Points of marks."""
+    """Points that stand for marks."""
     offsets = size * np.array([(i, j) for i in (-0.6, 0.0, 0.6) for j in (-0.6, 0.0, 0.6)])
     return np.asarray(np.repeat((points[:, None] + offsets).reshape(-1, 2), 2, axis=0))
 
 
 def _along(points: Floats, frame: Any) -> Floats:
-    """Points at even distances along a line, as far as they are in the frame."""
+    """Equidistant points along a line, clipped to the surroundings of the frame."""
     points = points[np.all(np.isfinite(points), axis=1)]
     if len(points) < 2:
         return points

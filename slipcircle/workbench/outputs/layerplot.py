@@ -1,4 +1,4 @@
-"""Layered ground in a section: bands of soils by their names, and the soils along the arc where it starts and rests."""
+"""Layered ground in a section: bands with the names of their soils, and the soils along the arc."""
 
 from collections.abc import Iterator, Sequence
 from typing import Any
@@ -12,11 +12,11 @@ from slipcircle.workbench.outputs.shapes import Mass, View
 from slipcircle.workbench.outputs.trace import Floats
 
 _ACROSS = 400  # points of a boundary
-_PLACES = 40  # for the name of a band
+_PLACES = 40  # for the label of a band
 _BOUNDARY = {"color": "0.55", "lw": 0.8, "zorder": 1}
 _START, _TURNED = 6.0, 2.5  # widths of the arc, in points
 Layers = Sequence[tuple[Any, Any]]  # soils and their tops
-_THIN = 0.02  # of a view's height: a name stands beside a band that is thinner, not in it
+_THIN = 0.02  # of the height of a view: the label of a thinner band stands beside it
 
 
 def draw_bands(ax: Any, ground: Floats, layers: Layers, view: View, depth: float) -> None:
@@ -75,15 +75,15 @@ def soil_colours(layers: Layers) -> dict[str, tuple[str, str]]:
 
 
 def _key(soil: Any) -> str:
-    """What tells soils apart: the name, where there is one."""
+    """Identifier of a soil: the name if it has one."""
     return soil.name or str(id(soil))
 
 
 def draw_stretches(ax: Any, mass: Mass, section: LayeredSection, turns: Sequence[float]) -> None:
     """The arc in the colours of its soils, at the start a broad line, turned a narrow one.
 
-    Strength that stays with the base leaves the colours where they are; beyond the exit goes on the soil at the exit,
-    or a foreland.
+    Where the strength belongs to the base the colours stay in place; beyond the exit the soil at the exit, or the
+    foreland, continues.
     """
     colours = soil_colours(section.layers)
     facing = float(section.facing)
@@ -96,7 +96,7 @@ def draw_stretches(ax: Any, mass: Mass, section: LayeredSection, turns: Sequence
 
 
 def _soils_under(section: LayeredSection, moved: float) -> Iterator[tuple[str, float, float]]:
-    """Soil and directions of both ends of each stretch under a mass that has turned down-slope, rad."""
+    """Soil and angles of both ends of each stretch under a mass that has turned down-slope, rad."""
     rows = stretches(section)
     if section.strength == "mass":
         yield from ((_key(row.soil), row.start + moved, row.end + moved) for row in rows)
@@ -114,7 +114,7 @@ def _soils_under(section: LayeredSection, moved: float) -> Iterator[tuple[str, f
 
 
 def stress_along(motion: Motion, ax: Any = None) -> Any:
-    """Total normal stress along the arc at the start, by strips as the strength takes it, and its mean (2.9)."""
+    """Total normal stress along the arc at the start, by strips, on which the strength is based, and its mean (2.9)."""
     section = motion.plan.scene.arc
     if not isinstance(section, LayeredSection):
         raise ValueError("plot: the stress along the arc by strips: of a section with layers")
@@ -139,7 +139,7 @@ def stress_along(motion: Motion, ax: Any = None) -> Any:
 
 
 def _soils_behind(ax: Any, section: LayeredSection, height: float) -> None:
-    """The soil of each stretch as a field behind curves along the arc, with its name."""
+    """The soil of each stretch as a coloured area behind curves along the arc, with its name."""
     colours, end = soil_colours(section.layers), 0.0
     for row in stretches(section):
         band, strong = colours[_key(row.soil)]

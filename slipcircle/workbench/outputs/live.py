@@ -1,6 +1,6 @@
-"""A slide that one can drag: one page that needs nothing else, and the same as a part of reports and notebooks.
+"""The live page of a slide: a self-contained page with sliders for time and case, also for reports and notebooks.
 
-Its layout, colours and program are in the folder `page`; here are the numbers and drawings that they show.
+Layout, colours and program are in the folder `page`; this module supplies numbers and drawings.
 """
 
 import json
@@ -57,7 +57,7 @@ def page(motions: Sequence[Motion], varied: str = "", labels: Sequence[str] = ()
     motions : sequence of Motion
         Single motions; those without a result are shown at their start.
     varied, labels
-        What is varied, in words, and its values.
+        Name of the varied number, and its values.
     first : int
         The motion that is shown first.
     """
@@ -68,13 +68,13 @@ def page(motions: Sequence[Motion], varied: str = "", labels: Sequence[str] = ()
 
 
 def framed(motion: Motion) -> Raw:
-    """The page of a motion within another page, such as a notebook, from which it is kept apart."""
+    """The page of a motion in an isolated frame of another page, such as a notebook."""
     attributes = 'sandbox="allow-scripts" width="100%" height="760" style="border: 0" title="the slide"'
     return Raw(f'<iframe {attributes} srcdoc="{escaped(page([motion]))}"></iframe>')
 
 
 def fragment(motions: Sequence[Motion], name: str, varied: str = "", labels: Sequence[str] = (), first: int = 0) -> Raw:
-    """The same as a part of a page, which needs `style` and `script`; the name is its identifier there."""
+    """The slide as a part of a page, which needs `style` and `script`; the name is its identifier there."""
     frame, magnification = frame_around(motions), common_magnification(motions)
     arcs = {id(motion.plan.scene.arc): motion for motion in motions}  # one of cases that differ in other numbers
     shapes = [section(motion, frame, magnification, f"{name}-{k}") for k, motion in enumerate(arcs.values())]
@@ -101,7 +101,7 @@ def fragment(motions: Sequence[Motion], name: str, varied: str = "", labels: Seq
 
 
 def _interpolants(motions: Sequence[Motion], points: int) -> list[Interpolant]:
-    """Interpolants of all motions that have so many points together; what one does not need is left to the next."""
+    """Interpolants of all motions, with at most so many points in all; points that one does not need go to the next."""
     points -= len(motions) * _OF_CASE // BYTES
     histories: list[Interpolant] = []
     for motion in motions:
@@ -114,7 +114,7 @@ def _interpolants(motions: Sequence[Motion], points: int) -> list[Interpolant]:
 def _data(
     shapes: Sequence[Section], cases: Sequence[dict[str, Any]], histories: Sequence[Interpolant], first: int
 ) -> dict[str, Any]:
-    """What the script reads."""
+    """Data for the script."""
     duration = max(float(history.times[-1]) for history in histories)
     return {
         "duration": duration,
@@ -128,7 +128,7 @@ def _data(
 
 
 def _first_texts(case: Mapping[str, Any], duration: float) -> dict[str, str]:
-    """What the page says of the case that is shown first, at its end, until the script runs."""
+    """Texts for the first case at its end, shown until the script runs."""
     return {
         "headline": escaped(case["headline"]),
         "label": escaped(f"section to scale: {case['headline']}"),
@@ -141,7 +141,7 @@ def _first_texts(case: Mapping[str, Any], duration: float) -> dict[str, str]:
 
 
 def varied_page(scene: Scene, key: str, values: Sequence[float]) -> str:
-    """The page of a scene's motions at values of one of its numbers; that next to the scene's is shown first.
+    """The page of a scene's motions at values of one of its numbers; the value nearest to the scene's is shown first.
 
     Parameters
     ----------
@@ -153,14 +153,14 @@ def varied_page(scene: Scene, key: str, values: Sequence[float]) -> str:
     Raises
     ------
     ValueError
-        For a key that the scene has no value of, for values that make no scene, and for too many.
+        For a key without a value in the scene, for invalid values, and for too many values.
     """
     number = varied_number(scene, key, values)
     if len(values) > MOST_CASES:
         raise ValueError(f"--vary {key}: {len(values)} values; a page shows at most {MOST_CASES}")
     levels = np.asarray(values, dtype=np.float64)
     for value in levels:
-        with_parameters(scene, {number.name: float(number.to_si(value))})  # refuses what is no scene
+        with_parameters(scene, {number.name: float(number.to_si(value))})  # raises an error for an invalid value
     lanes = study_motions.motions(scene, {number.name: number.to_si(levels)})
     cases = [lanes[lane] for lane in range(levels.size)]
     present = float(number.from_si(parameter_value(scene, number.name)))
@@ -170,7 +170,7 @@ def varied_page(scene: Scene, key: str, values: Sequence[float]) -> str:
 
 
 def headline(motion: Motion) -> str:
-    """What happened to a mass, in a few words."""
+    """The outcome of a motion in a few words."""
     if motion.status not in ANSWERED:
         return f"no result: {motion.reason}"
     if not motion.moves:
@@ -180,7 +180,7 @@ def headline(motion: Motion) -> str:
 
 
 def _case(motion: Motion, history: Interpolant, label: str) -> dict[str, Any]:
-    """A motion as the page holds it."""
+    """Data of one case."""
     answered = motion.status in ANSWERED
     columns, units = history.encoded()
     end = ending(motion) if answered and motion.moves else end_words(motion).get("comes to rest", "no result")
@@ -196,21 +196,21 @@ def _case(motion: Motion, history: Interpolant, label: str) -> dict[str, Any]:
 
 
 def _groups(shapes: Sequence[Section], seen: int) -> Iterator[str]:
-    """The sections, of which one is seen, with the mass at its end where no script moves it."""
+    """The drawings of all sections, of which one is visible."""
     for number, shape in enumerate(shapes):
         display = "inline" if number == seen else "none"
         yield f'<g class="shape" display="{display}">{shape.drawing}</g>\n'
 
 
 def _range(columns: Iterable[Any]) -> tuple[float, float]:
-    """Ends of an axis that shows all values and zero."""
+    """Limits of an axis with all values and zero."""
     values = [float(end) for column in columns for end in (column.min(), column.max())]
     low, high = min(0.0, *values), max(0.0, *values)
     return (low, high) if high > low else (0.0, 1.0)
 
 
 def _pace(duration: float) -> str:
-    """How fast a slide is played, in words."""
+    """Speed at which a slide is played, in words."""
     seconds = min(max(duration, _SHORTEST), _LONGEST)
     if duration == seconds or duration == 0.0:
         return "in real time"
@@ -220,7 +220,7 @@ def _pace(duration: float) -> str:
 
 
 def _caption(motions: Sequence[Motion], histories: Sequence[Interpolant], magnification: float) -> Iterator[str]:
-    """What the drawing shows, and how accurate its numbers are."""
+    """Sentences on what the drawing shows and on the error of interpolation."""
     yield "To scale. Dashed: the mass at the start; dotted: the circle continued, as the method assumes."
     if isinstance(motions[0].plan.scene.arc, Arc):
         yield "The chord stands in place of the ground; coordinates are from the centre of the circle."

@@ -17,7 +17,7 @@ from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of, wat
 from slipcircle.workbench.outputs.trace import Floats
 
 WIDTH = 1000.0  # of the drawing, in its own unit
-_LOWEST, _TALLEST = 0.42, 0.5  # its height over its width
+_LOWEST, _TALLEST = 0.42, 0.5  # least and greatest height over width
 _MARGIN = 0.08  # of the view
 _TICKS = 6, 4  # of the axes, at most
 _INSET = 12.0  # of names and numbers from the edges
@@ -28,7 +28,7 @@ _STEPS = (1.0, 2.0, 5.0, 10.0)
 
 
 class Section(NamedTuple):
-    """One section as SVG, and about which point and how far it turns its mass for a metre of displacement, deg."""
+    """A section as SVG, the centre about which its mass turns, and the turn for a metre of displacement, deg."""
 
     drawing: str
     centre: tuple[float, float]
@@ -36,7 +36,7 @@ class Section(NamedTuple):
 
 
 class Frame(NamedTuple):
-    """What of the world is in the drawing, and how it gets there."""
+    """The visible part of the world, and its scale in the drawing."""
 
     view: View
     scale: float  # of the drawing for a metre
@@ -49,7 +49,7 @@ class Frame(NamedTuple):
         return np.asarray((world - corner) * downwards)
 
     def depth(self, height: float) -> float:
-        """Where a height of the world is in the drawing, below its top."""
+        """Depth of a height of the world below the top of the drawing."""
         return (self.view.top - height) * self.scale
 
     def path(self, world: Any, closed: bool = False) -> str:
@@ -61,7 +61,7 @@ class Frame(NamedTuple):
 
 
 def frame_around(motions: Sequence[Motion]) -> Frame:
-    """The frame that holds the masses of all motions, where they start and where they are farthest."""
+    """The frame around the masses of all motions at the start and at the greatest displacement."""
     outlines = []
     magnification = common_magnification(motions)
     for motion in motions:
@@ -84,7 +84,7 @@ def frame_around(motions: Sequence[Motion]) -> Frame:
 
 
 def common_magnification(motions: Sequence[Motion]) -> float:
-    """How many times as large displacements are drawn: as much as the farthest of the motions needs."""
+    """Magnification of displacements: that of the motion with the greatest displacement."""
 
     def farthest(motion: Motion) -> float:
         return abs(float(motion.reach.rotation)) if motion.moves else 0.0
@@ -140,7 +140,7 @@ def _stretch(mass: Mass, frame: Frame, first: float, last: float) -> str:
 
 
 def _onwards(mass: Mass, frame: Frame, first: float, last: float) -> str:
-    """The same where the path has come to its beginning."""
+    """The circle to a polar angle, continuing a path that ends at another one."""
     x, y = frame.points(mass.on_circle(last)).tolist()
     radius = mass.radius * frame.scale
     is_large = int(abs(last - first) > math.pi)
@@ -149,7 +149,7 @@ def _onwards(mass: Mass, frame: Frame, first: float, last: float) -> str:
 
 
 def _continued(mass: Mass, frame: Frame) -> str:
-    """The circle beyond both ends of the arc, as far as the mass may follow it."""
+    """The circle beyond both ends of the arc, along which the mass is assumed to continue."""
     first, last = mass.ends.tolist()
     opening = last - first
     beyond = min(opening, (2 * math.pi - opening) / 2)
@@ -185,7 +185,7 @@ def _ground(mass: Mass, soil: Any, frame: Frame) -> str:
 
 
 def _area(line: Floats, bottom: float, frame: Frame) -> str:
-    """What is between a line and a height below it."""
+    """The area between a line and a height below it."""
     left, right = line[[0, -1], 0]
     return frame.path([*line, [right, bottom], [left, bottom]], closed=True)
 
@@ -230,7 +230,7 @@ def _water(soil: Any, frame: Frame) -> Iterator[str]:
 
 
 def _names(soil: Any, frame: Frame) -> Iterator[str]:
-    """Names of soils, water and firm layer at the upper side of the slope; the page puts them beside their lines."""
+    """Names of soils, water and firm layer at the upper side of the slope; the script moves them to their lines."""
     is_left = float(soil.facing) > 0.0
     x = frame.view.left if is_left else frame.view.right
     edge, anchor = (_INSET, "start") if is_left else (WIDTH - _INSET, "end")
@@ -242,7 +242,7 @@ def _names(soil: Any, frame: Frame) -> Iterator[str]:
 
 
 def _named(soil: Any, frame: Frame, x: float) -> Iterator[tuple[float, str, str]]:
-    """Heights at x of lines with names, these, and their classes."""
+    """Heights of named lines at x, their names, and their CSS classes."""
     for top, (layer, _) in zip(_tops(soil), getattr(soil, "layers", ()), strict=True):
         yield float(np.interp(x, *top.T)), layer.name, "name"
     level = water_line(soil, frame.view)
@@ -270,7 +270,7 @@ def axes(frame: Frame, names_left: bool) -> Raw:
 
 
 def _round_numbers(low: float, high: float, most: int) -> list[float]:
-    """At most so many round numbers between two, away from both."""
+    """At most so many round numbers between two, away from both ends."""
     span = high - low
     least = span / most
     power = 10.0 ** math.floor(math.log10(least))

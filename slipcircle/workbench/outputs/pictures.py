@@ -1,4 +1,4 @@
-"""Pictures as bytes, for files: drawn without a display, and the same whatever the user's settings of matplotlib."""
+"""Pictures as bytes for files, drawn without a display and independent of the user's settings of matplotlib."""
 
 import io
 import warnings
@@ -42,17 +42,17 @@ def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> 
     from matplotlib.figure import Figure
 
     kind = path.rpartition(".")[2].lower()
-    # Also the names within an SVG, and its metadata, are to be the same every time.
+    # Names and metadata within an SVG are reproducible, too.
     with style.context("default"), rc_context({"svg.hashsalt": "slipcircle"}):
         figure = Figure(figsize=size, dpi=90 if kind == "gif" else 150, layout="constrained")
         film = draw(figure)
         content = io.BytesIO()
         metadata = {
-            "png": {"Description": "\n".join(described(figure))},  # for tests, and for those who do not see it
+            "png": {"Description": "\n".join(described(figure))},  # for tests and screen readers
             "svg": {"Date": None},
             "pdf": {"CreationDate": None},
         }
-        with warnings.catch_warnings():  # a name may hold letters that the font does not have
+        with warnings.catch_warnings():  # a name may have letters that the font lacks
             warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)
             if kind == "gif":
                 return _played(film)
@@ -61,16 +61,16 @@ def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> 
 
 
 def _played(film: "Film") -> bytes:
-    """A film as a GIF that holds its last frame; what does not move is drawn once."""
+    """A film as a GIF that holds its last frame; the background is drawn once."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
     figure = film.figure
     canvas: Any = FigureCanvasAgg(figure)
     for artist in film.moving:
-        artist.set_animated(True)  # so that it is not among what is drawn once
+        artist.set_animated(True)  # and so not part of the background
     canvas.draw()
-    figure.set_layout_engine("none")  # which would lay out every frame anew
+    figure.set_layout_engine("none")  # it would lay out every frame again
     background, size = canvas.copy_from_bbox(figure.bbox), canvas.get_width_height()
     images = []
     for frame in track(range(len(film.times)), "frames drawn"):
@@ -100,12 +100,12 @@ def _motions_size(motions: Sequence[Motion]) -> tuple[float, float]:
 
 
 def _on_axis(draw: Callable[..., Any]) -> Callable[[Any, Any], Any]:
-    """A function that draws on an axis as one that draws on a figure."""
+    """Turn a function that draws on an axis into one that draws on a figure."""
     return lambda result, figure: draw(result, figure.add_subplot())
 
 
 def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
-    """What draws which result on an empty figure, and its inches; loaded only where something is drawn."""
+    """Functions that draw a result on an empty figure, and its inches, by the kind of picture; loaded on first use."""
     from slipcircle.workbench.outputs import layerplot, plots, searchplot, studyplots, tornado
 
     return {
@@ -127,7 +127,7 @@ def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any],
 
 
 def picture(what: str, result: Any, path: str) -> bytes:
-    """One of `_drawings` of a result, as a file by its name; of motions as a gif, the first slide itself."""
+    """One of `_drawings` of a result, in the format of a file name; a GIF animates the first motion."""
     if path.lower().endswith("gif"):
         return slide(result[0])
     draw, size = _drawings()[what]
@@ -135,13 +135,13 @@ def picture(what: str, result: Any, path: str) -> bytes:
 
 
 def slide(motion: Motion, seconds: float = 5.0) -> bytes:
-    """A motion shown in so many seconds, as a GIF."""
+    """A GIF that plays a motion in so many seconds."""
     from slipcircle.workbench.outputs.film import film
 
     return render(lambda figure: film(motion, figure, max(2, round(_FRAMES * seconds)), seconds), (7.0, 4.6), ".gif")
 
 
 def write(paths: Iterable[str], what: str, result: Any) -> None:
-    """The same into files."""
+    """Write pictures of a result to files."""
     for path in paths:
         files.write(path, picture(what, result, path))

@@ -1,6 +1,6 @@
 """Pictures of motions. Every function draws on a given matplotlib axis, or on one of its own, and returns it.
 
-Matplotlib is loaded when the first picture is drawn. Words stand beside what they name, in its colour.
+Matplotlib is loaded when the first picture is drawn. Labels stand beside what they name, in the same colour.
 """
 
 import math
@@ -44,14 +44,14 @@ __all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane
 
 
 class Curve(NamedTuple):
-    """A column of `HISTORY` as a curve: its line, and its name in a legend."""
+    """A column of `HISTORY` as a curve, with its line style and its label."""
 
     column: str
     line: str = "main"
     label: str = ""
 
 
-# What `history` draws: for each picture its symbol and its curves, of which the first is the quantity itself.
+# Panels that `history` draws: symbol of the quantity, and its curves, of which the first is the quantity itself.
 HISTORIES: Mapping[str, tuple[str, tuple[Curve, ...]]] = {
     "velocity": (" $v$", (Curve("velocity"),)),
     "displacement": (" $s$", (Curve("displacement"),)),
@@ -65,9 +65,9 @@ HISTORIES: Mapping[str, tuple[str, tuple[Curve, ...]]] = {
         (Curve("normal_stress", "main", "total $\\sigma_n$"), Curve("effective_stress", "other", "effective")),
     ),
 }
-_MOST_KINKS = 4  # that are explained one by one
+_MOST_KINKS = 4  # that are labelled one by one
 _TOUCHES = 0.02  # of the required friction at the start, below which it is zero
-_TALL = 3.0  # times the greatest mobilised friction, up to which that required for equilibrium is in view
+_TALL = 3.0  # greatest required friction in view, over the greatest mobilised friction
 _SECTION, _PANEL = 4.3, 2.3  # inches, how high the section and a row of panels are
 OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 
@@ -75,8 +75,8 @@ OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool = False) -> Any:
     """One of `HISTORIES` over time, with the peak velocity, the reach of a mass that swings back, and the end marked.
 
-    The friction is drawn with that required for equilibrium where the mass is. A brief one stands beside another, which
-    explains the marks.
+    The friction is drawn with the friction required for equilibrium at the same position. In a ``brief`` panel the
+    marks have no names, as the panel beside it names them.
     """
     known("history: what", what, HISTORIES)
     ax, columns, quantity = axis(ax), drawn(motion), HISTORY[what]
@@ -104,7 +104,7 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
 
 
 def _limit(ax: Any, motion: Motion, what: str, curves: Sequence[Floats]) -> None:
-    """Show all of the time, and curves with room for words; friction and what does not change from zero."""
+    """Set the limits: the whole duration, room for labels, and zero for friction and constant quantities."""
     values = curves[0]
     is_level = np.ptp(values) <= 1e-9 * np.max(np.abs(values))
     ax.margins(y=0.16)
@@ -115,14 +115,14 @@ def _limit(ax: Any, motion: Motion, what: str, curves: Sequence[Floats]) -> None
 
 
 def _unit(quantity: Quantity, curves: Sequence[Floats]) -> tuple[float, str]:
-    """A factor for curves of a quantity, and the unit that they then have."""
+    """Factor and unit in which curves of a quantity are drawn."""
     return (math.degrees(1.0), "deg") if quantity.degrees else prefixed(np.concatenate(curves), quantity.unit)
 
 
 def _mark_times(
     ax: Any, motion: Motion, curve: tuple[Floats, Floats], unit: str, with_reach: bool, brief: bool
 ) -> None:
-    """Marks on a curve over time, each with its value, and unless it is a brief one with its name and its time."""
+    """Marks on a curve over time with their values, and unless ``brief`` with their names and times."""
     for role, time, name in _marks(motion, with_reach):
         value = _read(time, *curve)
         words = f"{number(value)} {unit}".rstrip()
@@ -133,7 +133,7 @@ def _mark_times(
 
 
 def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
-    """Points of a curve where its name may stand: in the middle of the time, and in view."""
+    """Points of a curve in view, away from both ends of the time axis, where its label may stand."""
     (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
     width = right - left
     inside = (left + 0.1 * width < times) & (times < right - 0.1 * width) & (low < values) & (values < high)
@@ -164,7 +164,7 @@ def _draw_kinks(ax: Any, kinks: Kinks, many: str, named: bool = True) -> None:
 
 
 def _explain_zeros(ax: Any, motion: Motion, with_required: bool) -> None:
-    """Words where friction drops to zero, and where that required for equilibrium touches it once, without a sign."""
+    """Labels where the friction drops to zero, and where the required friction, without its sign, is zero once."""
     columns = drawn(motion)
     times, required, friction = columns["time"], columns["holding_friction"], columns["friction"]
     if with_required:
@@ -180,9 +180,9 @@ def _explain_zeros(ax: Any, motion: Motion, with_required: bool) -> None:
 
 
 def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
-    """Show curves above zero, the others up to `_TALL` times the greatest value of the first.
+    """Show curves from zero, the others up to `_TALL` times the greatest value of the first.
 
-    Where next to nothing presses no friction is enough for equilibrium.
+    The friction required for equilibrium grows without bound as the normal stress vanishes.
     """
     tops = [float(np.max(curve, initial=0.0, where=np.isfinite(curve))) for curve in curves]
     top = min(max(tops), _TALL * tops[0] or math.inf)
@@ -190,7 +190,7 @@ def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
 
 
 def _rotation_axis(ax: Any, motion: Motion) -> None:
-    """The rotation on the right of an axis of displacements."""
+    """Add an axis of rotations to the right of displacements."""
     degrees = math.degrees(1.0 / float(np.asarray(motion.plan.scene.arc.radius)))
     side = ax.secondary_yaxis(
         "right", functions=(lambda s: np.multiply(s, degrees), lambda phi: np.divide(phi, degrees))
@@ -199,13 +199,13 @@ def _rotation_axis(ax: Any, motion: Motion) -> None:
 
 
 def histories(motion: Motion, axes: Iterable[Any]) -> None:
-    """All of `OVERVIEW`, of which the first says what the marks are."""
+    """Draw all panels of `OVERVIEW`; the first one names the marks."""
     for k, (what, ax) in enumerate(zip(OVERVIEW, axes, strict=True)):
         history(motion, what, ax, brief=k > 0)
 
 
 def _marks(motion: Motion, with_reach: bool = False) -> list[tuple[str, float, str]]:
-    """Mark, time and words of the peak velocity, of the reach of a mass that swings back, and of the end."""
+    """Mark, time and label of the peak velocity, the greatest displacement if the mass swings back, and the end."""
     marks = [("peak", float(motion.peak.time), "peak velocity")]
     if with_reach and motion.swings_back:
         marks.append(("reach", float(motion.reach.time), "farthest"))
@@ -213,20 +213,20 @@ def _marks(motion: Motion, with_reach: bool = False) -> list[tuple[str, float, s
 
 
 def _read(time: float, times: Floats, values: Floats) -> float:
-    """A column at one of its times; 0 for what rounding left of it."""
+    """A column at one of its times; exactly 0 where only rounding error is left."""
     value = float(np.interp(time, times, values))
     return 0.0 if abs(value) < 1e-9 * float(np.max(np.abs(values))) else value
 
 
 def _differs(one: Floats, other: Floats) -> bool:
-    """Whether there is a curve, and another one."""
+    """Whether a curve has values, and they differ from those of another one."""
     return bool(np.any(np.isfinite(one))) and not np.allclose(one, other, rtol=1e-9, atol=0.0, equal_nan=True)
 
 
 def phase_plane(motion: Motion, ax: Any = None) -> Any:
-    """Speed against displacement; behind it the energy, stacked: what is lost and what is kinetic make up the work.
+    """Speed against displacement, and behind it the stacked energies: dissipation and kinetic energy make up the work.
 
-    Of a mass that turns back, the path travelled stands for the displacement.
+    If the mass turns back, the path travelled replaces the displacement.
     """
     ax, columns = axis(ax), drawn(motion)
     steps = np.diff(columns["displacement"])
@@ -239,7 +239,7 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     if not motion.moves:
         return still(motion, ax)
     farthest = float(along[np.argmax(np.abs(along))])
-    ax.set_xlim(0.0, farthest)  # to the left too the way is drawn from left to right
+    ax.set_xlim(0.0, farthest)  # a motion to the left, too, is drawn from left to right
     right = ax.twinx()
     speed = np.abs(columns["velocity"])
     right.plot(along, speed, **LINES["main"])
@@ -253,7 +253,7 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
 
 
 def _energies(motion: Motion, ax: Any, along: Floats) -> str:
-    """Dissipation and kinetic energy, stacked, below the work that both come from; their unit."""
+    """Draw dissipation and kinetic energy, stacked, and the work that supplies them; return the unit."""
     columns = drawn(motion)
     at_start = float(columns["kinetic_energy"][0])
     supplied = at_start + columns["work_of_gravity_and_shaking"]
@@ -276,10 +276,10 @@ def _energies(motion: Motion, ax: Any, along: Floats) -> str:
 
 
 def shaking(motion: Motion, ax: Any = None) -> Any:
-    """What shakes the scene, over gravity, until it rests, or all of it where it does not move.
+    """Ground motion over gravity until the mass rests; all of it if the mass does not move.
 
-    Beside it stands the yield coefficient at the start: a mass at rest starts when k_h passes it, k_v apart, as long as
-    its position and its friction are those of the start.
+    The yield coefficient at the start is drawn as well: without k_v, a mass at rest starts when k_h exceeds it, as long
+    as its position and its friction are those of the start.
     """
     ax = axis(ax, (7.0, 2.5))
     ax.set(xlabel="time $t$ (s)", ylabel="shaking over $g$ (–)")
@@ -324,7 +324,7 @@ def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
 
 
 def _rung_words(rung: Rung) -> str:
-    """How far, how fast and how long the mass of a rung moves."""
+    """Run-out, peak velocity and duration of a rung in words."""
     if not rung.peak_velocity:
         return "does not move"
     end = "at rest after" if rung.arrested else "still moving at"
@@ -347,7 +347,7 @@ def overview(motion: Motion, figure: Any) -> Any:
 
 
 def _panels(motion: Motion) -> list[Callable[..., Any]]:
-    """What draws the panels below the section, in their order."""
+    """Functions that draw the panels below the section, in order."""
     panels: list[Callable[..., Any]] = []
     if motion.moves:
         panels = [partial(history, what=what, brief=what != OVERVIEW[0]) for what in OVERVIEW]
@@ -368,7 +368,7 @@ def title(motion: Motion) -> str:
     return ": ".join(filter(None, (name[:1].upper() + name[1:], outcome)))
 
 
-# What `Motion.plot` draws besides the overview.
+# Single panels of `Motion.plot`.
 PANELS: Mapping[str, Callable[..., Any]] = {
     "section": section,
     "energy": phase_plane,

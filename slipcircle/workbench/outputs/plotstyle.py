@@ -1,4 +1,4 @@
-"""What all pictures share: the palette, numbers and units as they are shown, words beside what they name."""
+"""Shared by all pictures: the palette, the format of numbers and units, labels beside what they name."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -12,8 +12,8 @@ from slipcircle.workbench.files.numbers import Number
 
 WIDTH = 8.6  # inches of a picture of several panels, about what a page shows: texts have 8 points and more there
 
-# The one palette, by role: colour (Okabe and Ito's, which the colour-blind tell apart) with dashes, a marker or a
-# hatch, which greys leave apart.
+# The palette by role: colours of Okabe and Ito, which the colour-blind distinguish, with dashes, markers or hatches,
+# which remain distinct in grey.
 LINES: Mapping[str, Mapping[str, Any]] = {
     "main": {"color": "#0072B2", "ls": "-", "lw": 2.0},
     "other": {"color": "#D55E00", "ls": (0, (5, 2)), "lw": 1.6},
@@ -38,7 +38,7 @@ AREAS: Mapping[str, Mapping[str, Any]] = {
     "dissipation": {"facecolor": "#F6DCA0", "edgecolor": "0.25", "lw": 0.6},
     "band": {"facecolor": "0.82", "edgecolor": "0.55", "lw": 0.6},
 }
-# Of a family of curves: colours that the colour-blind tell apart, dashes and markers that greys leave apart.
+# For families of curves, likewise.
 SERIES: Sequence[tuple[str, Any, str]] = (
     ("#0072B2", "-", "o"),
     ("#D55E00", (0, (5, 2)), "s"),
@@ -49,9 +49,9 @@ SERIES: Sequence[tuple[str, Any, str]] = (
     ("#3A8FC4", (0, (8, 2)), "P"),
     ("0.35", (0, (2, 2)), "*"),
 )
-MEASURED = "measured"  # `gid` of labels that say what was measured, which another run says otherwise
-REST: tuple[str, Any, str] = ("0.75", "-", ".")  # of the others
-# Of soils, from the ground down: their bands, and the stretches of the arc in them.
+MEASURED = "measured"  # `gid` of labels with measured values, which differ from run to run
+REST: tuple[str, Any, str] = ("0.75", "-", ".")  # of further curves
+# Of soils, from the ground down: colours of the band and of the stretch of the arc.
 SOILS: Sequence[tuple[str, str]] = (
     ("#F5E8C4", "#9C6F00"),
     ("#D3E6F4", "#0072B2"),
@@ -72,12 +72,12 @@ FORCES: Mapping[str, str] = {"weight": "black", "normal": "#009E73", "tangential
 
 
 def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
-    """The axis that is given, or that of a new figure."""
+    """The given axis, or the axis of a new figure."""
     return new_figure(size).add_subplot() if ax is None else ax
 
 
 def new_figure(size: tuple[float, float]) -> Any:
-    """An empty figure of pyplot, which shows it, of a size in inches."""
+    """An empty figure of pyplot of a size in inches."""
     try:
         from matplotlib import pyplot
     except ImportError as error:
@@ -86,24 +86,24 @@ def new_figure(size: tuple[float, float]) -> Any:
 
 
 def known(what: str, given: str, choice: Iterable[str]) -> None:
-    """Refuse what is none of the things that can be drawn."""
+    """Reject a name that is not among the choices."""
     if given not in choice:
         raise ValueError(f"{what} = {given!r}: must be one of {', '.join(choice)}")
 
 
 def missing() -> ImportError:
-    """What to say without matplotlib."""
+    """The error without matplotlib."""
     return ImportError("pictures need matplotlib: pip install 'slipcircle[plot]'")
 
 
 def number(value: float) -> str:
-    """A number with four significant digits, as a picture shows it."""
+    """A number with four significant digits, with a power of ten as a formula."""
     mantissa, _, exponent = shown(float(value)).partition("e")
     return f"${mantissa}\\times10^{{{int(exponent)}}}$" if exponent else mantissa
 
 
 def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
-    """The legend, above the axis, where nothing is in its way."""
+    """The legend, above the axis, where it covers nothing."""
     return ax.legend(
         loc="lower left",
         bbox_to_anchor=(0.0, 1.0),
@@ -119,21 +119,21 @@ def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
 
 
 def label(ax: Any, words: str, anchors: Any, colour: str = "black", inside: bool = False, **more: Any) -> None:
-    """Words beside one of some points of what they name, in its colour, where they cover least."""
+    """A label beside one of some points of what it names, placed where it covers least."""
     from slipcircle.workbench.outputs.labels import Label
 
     Label(ax, words, anchors, colour, inside, **more)
 
 
 def points_of(x: Any, y: Any, count: int = 12) -> Any:
-    """Some points of a curve, beside one of which its name may stand, (about count, 2)."""
+    """Some points of a curve beside which its label may stand, (about count, 2)."""
     points = np.column_stack(np.broadcast_arrays(x, y))
     apart = max(1, len(points) // count)
     return points[::apart]
 
 
 def note(ax: Any, words: Iterable[str]) -> None:
-    """Lines of words in the emptiest place of an axis."""
+    """Lines of text in the emptiest place of an axis."""
     (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
     x, y = np.meshgrid(np.linspace(left, right, 15)[1:-1], np.linspace(bottom, top, 15)[1:-1])
     label(ax, "\n".join(words), np.stack([x, y], axis=-1), "0.25", inside=True)
@@ -171,7 +171,7 @@ def axis_words(quantity: Number) -> str:
 
 
 def to_scale(ax: Any, across: str, up: str) -> None:
-    """Make a section of what is drawn, which fills its axis."""
+    """Draw to scale on all of the axis, with the names of its directions."""
     ax.set(xlabel=across, ylabel=up)
     ax.set_aspect("equal", adjustable="datalim")
     ax.grid(alpha=0.3)
@@ -191,21 +191,21 @@ def mark(ax: Any, x: Any, y: Any, role: str, words: str = "") -> None:
 
 
 def lines(ax: Any, names: Sequence[str]) -> None:
-    """Make room for a bar of each name, from the top down."""
+    """Prepare an axis for a bar of each name, from the top down."""
     ax.set_yticks(range(len(names)), names, parse_math=False)
     ax.set_ylim(len(names) - 0.5, -0.5)
     ax.grid(axis="x", alpha=0.3)
 
 
 def empty(words: str, ax: Any, *sides: str) -> Any:
-    """Words in the middle of an axis that has nothing else to show, without the ticks of its sides."""
+    """Text in the middle of an axis without other content, and without ticks on these sides."""
     ax.set(**{f"{side}ticks": [] for side in sides})
     ax.text(0.5, 0.5, words, ha="center", va="center", transform=ax.transAxes)
     return ax
 
 
 def described(figure: Any) -> list[str]:
-    """What titles, axes, legends and labels of a figure say; not other texts at points, which may be measured."""
+    """Texts of titles, axes, legends and labels of a figure, without those that show measured values."""
     texts = [part.get_suptitle() for part in (figure, *figure.subfigs)]
     legends = list(figure.legends)
     for ax in figure.axes:
@@ -218,7 +218,7 @@ def described(figure: Any) -> list[str]:
 
 
 def _is_fixed(text: Any) -> bool:
-    """Whether a text is a label, and says nothing measured."""
+    """Whether a text is a label without measured values."""
     return hasattr(text, "anchors") and text.get_gid() != MEASURED
 
 
@@ -230,13 +230,13 @@ def ending(motion: Motion) -> str:
 
 
 def width(motion: Motion) -> tuple[str, str]:
-    """What energies are of, in words, and what follows their unit: a metre of width, unless the scene has a width."""
+    """Width that energies refer to, in words, and the end of their unit: one metre, unless the scene has a width."""
     metres = float(np.asarray(motion.plan.scene.arc.width))
     return ("per metre of width", "/m") if metres == 1.0 else (f"of {number(metres)} m of width", "")
 
 
 def work(motion: Motion) -> str:
-    """What does the work, in words."""
+    """Name of the work done."""
     return "work of gravity and shaking" if "shaking" in motion.plan.effects else "work of gravity"
 
 
@@ -246,6 +246,6 @@ def still(motion: Motion, ax: Any) -> Any:
 
 
 def beside(ax: Any, words: str, at: Any, away: Any, **more: Any) -> None:
-    """Words beside a point, in a direction from it."""
+    """Text beside a point, in a direction from it."""
     offset = 12 * np.divide(away, np.hypot(*away))
     ax.annotate(words, at, offset, textcoords="offset points", ha="center", va="center", fontsize="small", **more)

@@ -1,4 +1,4 @@
-"""What went into a scene, for a reviewer: every input with its unit, its meaning and the comment beside it."""
+"""Inputs of a scene for a reviewer, each with its unit, its meaning and the comment beside it."""
 
 import re
 import tomllib
@@ -20,7 +20,7 @@ _LINE = r"""\s*(?:\[{1,2}([^\[\]]+)\]{1,2}|([\w-]+)\s*=\s*(?:[^"'#]|"(?:[^"\\]|\
 
 
 class Input(NamedTuple):
-    """One input: its path in the scene, its value and unit as given, what it is, and where it comes from."""
+    """An input: its path in the scene, value and unit as given, meaning, and source."""
 
     path: str
     value: str
@@ -30,9 +30,9 @@ class Input(NamedTuple):
 
 
 def inputs(scene: Scene, file: str | None = None) -> list[Input]:
-    """The inputs of a scene: as its file has them, with its comments; without a file in SI units.
+    """The inputs of a scene: as in its file, with its comments, or without a file in SI units.
 
-    What is uncertain says so.
+    Uncertain inputs are marked.
     """
     given = list(_of_scene(scene) if file is None else _of_file(file))
     uncertain = {}
@@ -47,7 +47,7 @@ def inputs(scene: Scene, file: str | None = None) -> list[Input]:
 
 
 def _of_file(file: str) -> Iterator[Input]:
-    """The inputs of a file, table by table, and the defaults of what is not in it."""
+    """The inputs of a file, table by table, and the defaults of missing keys."""
     layout = layout_of(tomllib.loads(file))
     yield from _of_table(layout.tables, comments(file), "", layout.content)
 
@@ -55,7 +55,7 @@ def _of_file(file: str) -> Iterator[Input]:
 def _of_table(
     tables: Mapping[str, Any], sources: Mapping[str, str], path: str, given: Mapping[str, Any]
 ) -> Iterator[Input]:
-    """The inputs of a table of a file and of those in it."""
+    """The inputs of a table of a file and of its subtables."""
     keys, prefix = tables[path].keys, f"{path}." if path else ""
     for name, value in given.items():
         where = f"{prefix}{name}"
@@ -74,15 +74,15 @@ def _of_table(
 
 
 def _unit(key: Key) -> str:
-    """The unit that a key says it has."""
+    """The unit in the description of a key."""
     found = re.search(r"\(([^()]*)\)$", key.allowed)
     return found[1] if found else ""
 
 
 def comments(file: str) -> dict[str, str]:
-    """The comments at the ends of a TOML file's lines, by the path of the key or table that stands there.
+    """The comments at the ends of lines of a TOML file, by the path of the key or table in the line.
 
-    Tables in a list have their numbers from 1, quoted names no quotes.
+    Tables of a list are numbered from 1; quotes of names are dropped.
     """
     found, table = {}, ""
     counts: Counter[str] = Counter()
@@ -101,13 +101,13 @@ def comments(file: str) -> dict[str, str]:
 
 
 def _of_scene(scene: Scene) -> Iterator[Input]:
-    """Numbers of the section, then what laws and effects were given, by their declarations, and where it ends."""
+    """Numbers of the section, then parameters of laws and effects by their declarations, and the end time."""
     keys = by_name(scene)
     for name in ("initial_velocity", *arc_numbers(scene.arc)):
         yield Input(name, _shown(scene.numbers[name]), keys[name].si)
     for name, coefficient in (scene.arc.given or {}).items():
         yield Input(f"given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given")
-    is_layered = "layered_strength" in scene.called  # then strength is that of the soils, whose numbers are above
+    is_layered = "layered_strength" in scene.called  # then the strength is that of the soils, already listed
     for place, (name, given) in enumerate(() if is_layered else law_parts(scene.friction)):
         path = "friction.rate" if place else "friction"
         if name == "constant":
@@ -124,7 +124,7 @@ def _of_scene(scene: Scene) -> Iterator[Input]:
 
 
 def _declared(path: str, value: str, declaration: Any, given: Mapping[str, Any]) -> Iterator[Input]:
-    """A law or an effect, and the parameters that it was given."""
+    """A law or an effect with its parameters."""
     yield Input(path, value, "", declaration.help)
     for parameter in declaration.parameters:
         if parameter.name in given:
@@ -132,7 +132,7 @@ def _declared(path: str, value: str, declaration: Any, given: Mapping[str, Any])
 
 
 def _shown(value: Any) -> str:
-    """A value in full; of a long list its ends, of a distribution its name and numbers."""
+    """A value in full; for a long list its ends, for a distribution its name and parameters."""
     if isinstance(value, Mapping):
         return f"{value['distribution']}: " + ", ".join(f"{k} {v}" for k, v in value.items() if k != "distribution")
     if isinstance(value, str):

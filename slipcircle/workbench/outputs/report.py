@@ -1,6 +1,6 @@
-"""Reports on motions and studies for a reviewer: one HTML file, also good XML, that says how to repeat it.
+"""Reports on motions and studies for a reviewer: an HTML file, also well-formed XML, with instructions to reproduce it.
 
-It needs nothing else and holds no date, so that the same scene, package and machine write the same bytes.
+It is self-contained and has no date, so that the same scene, package and machine write the same bytes.
 """
 
 import base64
@@ -56,7 +56,7 @@ PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
 def _page(
     title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes | None]], command: str, script: str = ""
 ) -> str:
-    """A page of parts, and how to write it again: the command, scenes' files by name, versions."""
+    """A page of parts, and how to reproduce it: command, digests of scene files, versions."""
     digests = {f"scene file of {n}": f"sha256 {hashlib.sha256(f).hexdigest()}" for n, f in files if f is not None}
     versions = [[key, Raw(f"<code>{escaped(value)}</code>")] for key, value in (digests | facts()).items()]
     body = [tag("h1", title), *parts, tag("h2", "To repeat it")]
@@ -70,7 +70,7 @@ def _page(
 def _chapter(
     plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], record: Any, unit: str, file: bytes | None
 ) -> Iterable[Raw]:
-    """A scene's note and warnings, its parts, its result as JSON and its file."""
+    """Note and warnings of a scene, its parts, its result as JSON, and its file."""
     if plan.scene.note:
         yield tag("p", plan.scene.note)
     for warning in warnings:
@@ -98,12 +98,12 @@ def _table(part: Part) -> Iterator[Raw]:
 
 
 def _scrolling(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
-    """A table that a narrow screen scrolls, also by keyboard."""
+    """A table that scrolls on a narrow screen, also by keyboard."""
     return Raw(f'<div class="scroll" tabindex="0">{table(rows, head)}</div>')
 
 
 def _figure(name: str, caption: str, drawing: bytes) -> Raw:
-    """A picture in the page, an SVG: its name for those who do not see it, and its caption."""
+    """An SVG in the page, with its name for screen readers and its caption."""
     image = base64.b64encode(drawing).decode()
     return Raw(
         f'<figure><div class="picture"><img alt="{escaped(name)}" src="data:image/svg+xml;base64,{image}" /></div>'
@@ -112,7 +112,7 @@ def _figure(name: str, caption: str, drawing: bytes) -> Raw:
 
 
 def _path(key: str) -> Raw:
-    """Where a number stands in a scene."""
+    """Path of a number in a scene."""
     return Raw(f'<code class="path">{escaped(key)}</code>')
 
 
@@ -122,7 +122,7 @@ def _number(value: float) -> str:
 
 
 def _data(value: float, text: str) -> Raw:
-    """A number in full in the attribute, and as it is seen in the text."""
+    """A number in full precision as attribute, and rounded as text."""
     return Raw(f'<data value="{value!r}">{text}</data>' if math.isfinite(value) else text)
 
 
@@ -132,7 +132,7 @@ def _estimate(e: Estimate) -> Raw:
 
 
 def _inputs(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
-    """Inputs with units and sources, effects, the friction law, and what is assumed."""
+    """Inputs with units and sources, effects, friction law, equation of motion, and assumptions."""
     given = inputs(plan.scene, None if file is None else file.decode("utf-8-sig"))
     yield Part(["input", "value", "unit", "what it is", "source"], [[_path(i.path), *i[1:]] for i in given], "Inputs")
     effects = []
@@ -153,7 +153,7 @@ def _inputs(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
 
 
 def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), command: str = "") -> str:
-    """A report on motions as HTML, of each its scene's file, where there is one, and the command that writes it."""
+    """A report on motions as HTML, with the scene files where there are any, and the command that writes it."""
     files = files or [None] * len(motions)
     names = [motion.plan.scene.name or f"scene {number}" for number, motion in enumerate(motions, 1)]
     several = len(motions) > 1
@@ -172,7 +172,7 @@ def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), comman
 
 
 def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
-    """The chapter of a motion below its slide: all results, pictures, inputs, method and accuracy, energy."""
+    """The chapter of a motion below its slide: pictures, all results, inputs, method and accuracy, energy."""
     plan = motion.plan
     if plan.scene.uncertain:
         keys = ", ".join(u.key for u in uncertain_numbers(plan.scene).values())
@@ -200,7 +200,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
 
 
 def _captions(motion: Motion) -> dict[str, str]:
-    """The pictures of a motion and what they show."""
+    """Captions of the pictures of a motion."""
     captions = {"section": "The section: the mass at the start, at its peak velocity and at the end."}
     if height := toe_words(motion):
         captions["section"] += f" Beyond the toe the method continues the circle; the toe ends {height}."
@@ -225,7 +225,7 @@ def _captions(motion: Motion) -> dict[str, str]:
 
 
 def _energy(motion: Motion) -> Part:
-    """The balance of energy, with what is left of it."""
+    """The balance of energy with its residual."""
     labels = {
         "kinetic_start": "kinetic energy at the start",
         "work": work(motion),
@@ -246,7 +246,7 @@ def _energy(motion: Motion) -> Part:
 
 
 def _value(quantity: Quantity, motion: Motion, text: str = "") -> str:
-    """A number of the result: in full in the attribute, with six digits in the text; else as a table has it."""
+    """A number of the result, in full precision as attribute and with six digits as text; other values as in tables."""
     value, end = quantity.read(motion), end_words(motion).get(quantity.label)
     if isinstance(value, bool) or np.ndim(value):
         return end or text or quantity.text(motion)
@@ -260,7 +260,7 @@ def _value(quantity: Quantity, motion: Motion, text: str = "") -> str:
 
 
 def parts(study: Study) -> Iterator[Part]:
-    """What there is to tell of a study of samples, on the screen and in its report, in this order."""
+    """Tables of a study of samples, on the screen and in its report."""
     yield _probabilities(study)
     yield _factors(study)
     heads = [q.heading for q in OUTCOMES.values()]
@@ -300,7 +300,7 @@ def _method_words(method: str) -> str:
 
 
 def _moments(study: Study, heads: Sequence[str]) -> Part:
-    """Mean and standard deviation of each outcome, and beside them those of a linear propagation."""
+    """Mean and standard deviation of each outcome, with those of linear propagation."""
     rows: list[list[Any]] = []
     for moment, (name, estimate) in enumerate((("mean", study.mean), ("std", study.std))):
         rows.append([name, *map(estimate, OUTCOMES)])
@@ -333,7 +333,7 @@ def _quantile_notes(study: Study) -> Iterator[str]:
 
 
 def study_report(study: Study, file: bytes | None = None, command: str = "") -> str:
-    """A report on an ensemble of samples as HTML, as `report` is one; the command gets the seed where it has none."""
+    """A report on an ensemble of samples as HTML; the seed is added to the command if missing."""
     name, way = study.scene.name or "scene", plan(study.scene, study.design.accuracy)
     if command and "--seed" not in command:
         command += f" --seed {study.seed}"
@@ -342,7 +342,7 @@ def study_report(study: Study, file: bytes | None = None, command: str = "") -> 
 
 
 def _of_study(study: Study, way: Plan, file: bytes | None) -> Iterable[Part | Raw]:
-    """The chapter of a study: its parts, the picture, inputs and their distributions, method and accuracy."""
+    """The chapter of a study: the picture, its parts, inputs and their distributions, method and accuracy."""
     design = study.design
     caption = "Exceedance probability of greatest displacement and peak velocity"
     caption += "; below, sensitivity indices." if study.sensitivity else "."

@@ -1,4 +1,4 @@
-"""The search for a slip circle as a picture: the circle in its slope, and the least factor about each centre."""
+"""Picture of a search: the critical circle in its slope, and a map of the least factor over centres."""
 
 from typing import Any
 
@@ -12,11 +12,11 @@ from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
 _CELLS = 30  # of the map of factors, across
-_VALLEY, _TALL = 0.05, 1.4  # share above the least factor that a map holds, and its height over its width, at most
+_VALLEY, _TALL = 0.05, 1.4  # factors in the frame of a map, relative to the least one; greatest height over width
 
 
 def critical_circle(critical: Critical, figure: Any) -> Any:
-    """The section with the circle, and the least factor that any circle about each centre has, on an empty figure."""
+    """The section with the circle, and the least factor of all circles about each centre, on an empty figure."""
     from matplotlib.patches import Polygon
     from matplotlib.patheffects import withStroke
 
@@ -34,7 +34,7 @@ def critical_circle(critical: Critical, figure: Any) -> Any:
     name_circle(ax, mass, critical.slope)
     if view.holds(mass.centre):
         (cross,) = ax.plot(*mass.centre, **SCENERY["centre"])
-        cross.set_path_effects([withStroke(linewidth=3.5, foreground="white")])  # it may lie on a dark map
+        cross.set_path_effects([withStroke(linewidth=3.5, foreground="white")])  # visible on a dark map
         label(ax, "centre", mass.centre)
     view.show(ax)
     note(ax, [factors_in_words(critical)])
@@ -44,10 +44,10 @@ def critical_circle(critical: Critical, figure: Any) -> Any:
 
 
 def _map(critical: Critical, ax: Any, view: View) -> View:
-    """The least factor of the circles about the centres in each cell, darkest where it is least.
+    """Map of the least factor of all circles with centres in a cell, darkest at the minimum.
 
-    The frame grows until it holds every centre of a factor up to `_VALLEY` above the least, as far as it is not more
-    than `_TALL` times as high as wide, and is returned; what is shown ends at the least factor of a centre outside.
+    The frame is extended to all centres with factors up to `_VALLEY` above the least, but is at most `_TALL` times as
+    high as wide, and is returned; the scale ends at the least factor of a centre outside.
     """
     known = np.isfinite(critical.values)
     centres, values = critical.centres[known], critical.values[known]
@@ -63,7 +63,7 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
     most = min(float(values[~inside].min(initial=np.inf)), least + max(0.5 * abs(least), 0.05))
     drawn = inside & (values < most)
     cell = (view.right - view.left) / _CELLS
-    view = view.grown(cell, cell)._replace(bottom=bottom)  # so that the outermost cells are whole
+    view = view.grown(cell, cell)._replace(bottom=bottom)  # the outermost cells are complete
     cells = ax.hexbin(
         *centres[drawn].T,
         values[drawn],

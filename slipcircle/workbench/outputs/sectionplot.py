@@ -27,13 +27,13 @@ from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of, wat
 from slipcircle.workbench.outputs.trace import Floats, toe_words
 from slipcircle.workbench.stability.search import Critical
 
-_SMALL = 0.12  # chord over view: below, the mass is a mark, without forces
-_SEEN, _WIDE = 0.02, 0.1  # displacements over the chord: which is drawn as it is, and what a smaller one is drawn as
+_SMALL = 0.12  # chord over view, below which the mass is drawn as a mark, without forces
+_SEEN, _WIDE = 0.02, 0.1  # displacement over chord: least one drawn to scale, and size of a smaller one
 _MARGIN = 0.1  # of the view
 
 
 class Pose(NamedTuple):
-    """The mass at one of the moments that a section shows."""
+    """The mass at one of the times that a section shows."""
 
     role: str  # of `AREAS` and `MARKS`
     rotation: float
@@ -46,15 +46,15 @@ class Pose(NamedTuple):
 def section(motion: Motion, ax: Any = None, forces: bool = False) -> Any:
     """The section to scale: the mass at the start, at the peak velocity and at the end.
 
-    The mass is drawn turned by s/R (1.2), also where the geometry is frozen; of an arc by more where that could not be
-    seen. A note says so. Axes are metres, of an arc from the centre K, x to the right, y up.
+    The mass is drawn turned by s/R (1.2), also where the geometry is frozen; that of an arc by more if the displacement
+    would be invisible. A note says so. Axes are in metres, for an arc from the centre K; x to the right, y up.
 
     Parameters
     ----------
     motion : Motion
     ax : matplotlib axis, optional
     forces : bool
-        Whether the centre, the radii and the forces at the start are drawn as well; of an arc only.
+        Whether the centre, the radii and the forces at the start are drawn as well; for an arc only.
     """
     ax = axis(ax, (8.0, 5.0))
     stage = set_stage(motion, ax, forces)
@@ -77,7 +77,7 @@ def section(motion: Motion, ax: Any = None, forces: bool = False) -> Any:
 
 
 class Stage(NamedTuple):
-    """What a section of a motion shows, and where its mass is."""
+    """Scenery of the section of a motion, and positions of its mass."""
 
     mass: Mass
     magnification: float
@@ -89,7 +89,7 @@ class Stage(NamedTuple):
 
 
 def set_stage(motion: Motion, ax: Any, with_centre: bool = False) -> Stage:
-    """Draw the slope and the circle of a motion, to scale, with room for the mass wherever it gets."""
+    """Draw slope and circle of a motion to scale, with room for all positions of the mass."""
     soil = motion.plan.scene.arc
     mass, magnification, is_arc = mass_of(soil, soil), magnified(motion), isinstance(soil, Arc)
     poses = _poses(motion)
@@ -107,7 +107,7 @@ def set_stage(motion: Motion, ax: Any, with_centre: bool = False) -> Stage:
 
 
 def _poses(motion: Motion) -> list[Pose]:
-    """The mass at the start, at the end, and at its peak velocity where that is elsewhere."""
+    """The mass at the start, at the end, and at its peak velocity if that is in between."""
     poses = [Pose("start", 0.0, "start")]
     if motion.moves:
         peak, end = motion.peak, motion.end
@@ -125,14 +125,14 @@ def _poses(motion: Motion) -> list[Pose]:
 
 
 def _after(state: Any) -> str:
-    """When and how far on its way a mass is."""
+    """Time and displacement of a state."""
     return f"\nafter {number(state.time)} s and {number(state.displacement)} m"
 
 
 def _draw_poses(ax: Any, poses: Sequence[Pose], outlines: Sequence[Floats], rightwards: bool, small: bool) -> None:
-    """The outline of the mass in each pose, or a mark where it is too small to be seen.
+    """The outline of the mass in each pose, or a mark if it is too small.
 
-    Words stand at the rear of the mass at the start, and at the front of that at the end.
+    Labels are at the rear of the mass at the start and at its front at the end.
     """
     from matplotlib.patches import Polygon
 
@@ -159,7 +159,7 @@ def _continuation(ax: Any, motion: Motion, mass: Mass, turn: float) -> None:
 
 
 def _notes(motion: Motion, magnification: float) -> Iterator[str]:
-    """What no line shows: factors of safety, and what is not drawn as it is."""
+    """Notes: factors of safety, frozen geometry, magnified displacements."""
     if factors := factors_in_words(stability_of(motion.plan.scene)):
         yield factors
     # The paper turns the mass (1.2) and takes J_r and J_theta, practically constant to it, at the start.
@@ -170,7 +170,7 @@ def _notes(motion: Motion, magnification: float) -> Iterator[str]:
 
 
 def magnified(motion: Motion) -> float:
-    """How many times as large displacements are drawn so that they are seen: 1, 2 or 5 times a power of ten."""
+    """Magnification that makes displacements visible: 1, 2 or 5 times a power of ten."""
     arc = motion.plan.scene.arc
     moved = abs(float(motion.reach.rotation)) / (2 * math.sin(float(arc.half_angle))) if motion.moves else 0.0
     if not isinstance(arc, Arc) or moved >= _SEEN or moved == 0.0:
@@ -181,7 +181,7 @@ def magnified(motion: Motion) -> float:
 
 
 def factors_in_words(critical: Critical | None) -> str:
-    """Factors of safety by their methods, in the words of a legend."""
+    """Factors of safety with the names of their methods."""
     if critical is None:
         return ""
     names = {"paper": "the paper's method", "ordinary": "the ordinary method", "bishop": "Bishop's method"}
@@ -194,7 +194,7 @@ def factors_in_words(critical: Critical | None) -> str:
 
 
 def scenery(ax: Any, mass: Mass, soil: Any, view: View) -> View:
-    """The circle, and the chord of an arc or a ground with its soils, water and firm layer; the view with that."""
+    """Draw the circle with the chord of an arc, or with ground, soils, water and firm layer; return the view."""
     ax.plot(*mass.arc.T, zorder=4, **LINES["main"])
     if isinstance(soil, Arc):
         ax.plot(*mass.ground.T, **SCENERY["ground"])
@@ -212,7 +212,7 @@ def scenery(ax: Any, mass: Mass, soil: Any, view: View) -> View:
 
 
 def name_circle(ax: Any, mass: Mass, soil: Any) -> None:
-    """Words beside the circle, and beside the chord of an arc."""
+    """Labels of the circle, and of the chord of an arc."""
     words = f"slip circle, $R$ = {number(mass.radius)} m"
     colour = "0.25" if isinstance(soil, LayeredSection) else LINES["main"]["color"]
     label(ax, words, mass.arc[ON_ARC // 4 : -ON_ARC // 4 : 10], colour)
@@ -225,7 +225,7 @@ def name_circle(ax: Any, mass: Mass, soil: Any) -> None:
 
 
 def _firm_layer(ax: Any, soil: Any, view: View) -> View:
-    """The firm layer, where there is one, by its name; the view down to below it."""
+    """The firm layer with its label, if there is one; the view extended to below it."""
     if soil.base is None:
         return view
     ax.axhline(soil.base, **SCENERY["firm layer"])
@@ -235,7 +235,7 @@ def _firm_layer(ax: Any, soil: Any, view: View) -> View:
 
 
 def _water_level(ax: Any, soil: Any, view: View) -> None:
-    """The water level, where there is one, by its name."""
+    """The water level with its label, if there is one."""
     level = water_line(soil, view)
     if level is None:
         return
@@ -245,7 +245,7 @@ def _water_level(ax: Any, soil: Any, view: View) -> None:
 
 
 def _across(view: View, height: Callable[[Floats], Floats]) -> Floats:
-    """Points of a line across a view, where its name may stand."""
+    """Points of a line across a view where its label may stand."""
     x = np.linspace(view.left, view.right, 12)[1:-1]
     return np.stack([x, height(x)], axis=-1)
 
@@ -254,7 +254,7 @@ def _across(view: View, height: Callable[[Floats], Floats]) -> Floats:
 
 
 def _radii(ax: Any, mass: Mass, small: bool) -> None:
-    """The centre and the radii to both ends, by their names, and the depth."""
+    """Centre, radii to both ends with their labels, and depth."""
     one, two = mass.on_circle(mass.ends)
     bottom = mass.on_circle(mass.ends.mean())
     depth = np.stack([(one + two) / 2, bottom])

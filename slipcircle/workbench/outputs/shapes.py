@@ -1,4 +1,4 @@
-"""What a section shows, as shapes: the mass on its circle, and the view of it."""
+"""Shapes of a section: the mass on its circle, the water level, and the view."""
 
 import math
 from typing import Any, NamedTuple
@@ -8,11 +8,11 @@ import numpy as np
 from slipcircle.core import Arc
 from slipcircle.workbench.outputs.trace import Floats
 
-ON_ARC = 200  # points of an outline along the arc, which come first
+ON_ARC = 200  # points along the arc, which an outline begins with
 
 
 class Mass(NamedTuple):
-    """A slip circle and the mass on it as they are drawn, m and rad."""
+    """Geometry of a slip circle and the mass on it, m and rad."""
 
     ground: Floats  # of an arc its chord
     centre: Floats
@@ -48,7 +48,7 @@ class Mass(NamedTuple):
 
 
 class View(NamedTuple):
-    """What of the section is in view, m."""
+    """The part of a section in view, m."""
 
     left: float
     bottom: float
@@ -76,7 +76,7 @@ class View(NamedTuple):
         return (self.left <= x) & (x <= self.right) & (self.bottom <= y) & (y <= self.top)
 
     def show(self, ax: Any) -> None:
-        """Set an axis to it, or to more where the axis has another shape."""
+        """Set the limits of an axis to it, or wider if the shape of the axis differs."""
         ax.set_xlim(self.left, self.right, auto=None)
         ax.set_ylim(self.bottom, self.top, auto=None)
 
@@ -91,7 +91,7 @@ def water_line(soil: Any, view: View) -> Floats | None:
 
 
 def mass_of(circle: Any, soil: Any) -> Mass:
-    """The mass of an arc, a section, or a critical circle in its slope; of an arc the chord stands for the ground."""
+    """The mass of an arc, a section, or a critical circle in its slope; the chord of an arc stands for the ground."""
     radius = float(circle.radius)
     if isinstance(circle, Arc):
         ends = np.array([circle.theta_1, circle.theta_2])

@@ -1,4 +1,4 @@
-"""Pictures of uncertain scenes: exceedance curves, sensitivity indices, and what a change of each number changes.
+"""Pictures of studies: exceedance curves, sensitivity indices, grids, and back-analyses.
 
 Every function draws one of `OUTCOMES` on a given matplotlib axis, or on one of its own, and returns it.
 """
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from slipcircle.workbench.studies.backanalysis import BackAnalysis
     from slipcircle.workbench.studies.study import Study
 
-DRAWN = ("reach", "peak_velocity")  # a hazard is how far and how fast it comes, not where it ends
+DRAWN = ("reach", "peak_velocity")  # the hazard is given by the greatest displacement, not by the final position
 _POINTS = 801  # of a curve, from 0 to the largest value
 
 
@@ -48,8 +48,8 @@ _POINTS = 801  # of a curve, from 0 to the largest value
 def exceedance(study: "Study", output: str = "reach", ax: Any = None, rare: bool = False) -> Any:
     """The probability that an output is at least so large, in its confidence band, with two quantiles marked.
 
-    It ends at the share of the samples that slide to no known end, which exceed every value. On a logarithmic axis,
-    where what is rare shows, it stands beside the linear one, which has the legend.
+    The curve ends at the share of samples without a result, which count as exceeding every value. With ``rare`` the
+    axis is logarithmic; the linear panel beside it has the legend.
     """
     _check(study, output, OUTCOMES)
     ax = axis(ax)
@@ -58,7 +58,7 @@ def exceedance(study: "Study", output: str = "reach", ax: Any = None, rare: bool
     curve, moving = study.exceedance(output, _POINTS), study.moving
     if not curve.at.size:
         return empty(_nothing_to_draw(study), ax, "x")
-    # Whatever moves has a run-out, a velocity and a duration above 0.
+    # Every sample that moves has a run-out, a velocity and a duration above 0.
     at = np.concatenate([[0.0], curve.at])
     value = np.concatenate([[moving.value], curve.probability])
     low = np.concatenate([[moving.low], curve.low])
@@ -75,7 +75,7 @@ def exceedance(study: "Study", output: str = "reach", ax: Any = None, rare: bool
 
 
 def _limits(at: Any, probability: Any) -> tuple[float, float]:
-    """Ends of an axis from 0, or from where the probability begins to fall if that is far from there."""
+    """Limits of an axis from 0, or from where the probability starts to decrease if that is far from 0."""
     greatest, certain = float(at[-1]), 0.0
     if probability[0] == 1.0:
         certain = float(at[np.flatnonzero(probability == 1.0)[-1]])
@@ -85,7 +85,7 @@ def _limits(at: Any, probability: Any) -> tuple[float, float]:
 
 
 def _mark_quantiles(study: "Study", output: str, ax: Any, named: bool) -> list[str]:
-    """Mark the median and the value that 5 % exceed on the curve that the axis has; words on those beyond it."""
+    """Mark the median and the 95 % quantile on the curve of the axis; return notes on those beyond it."""
     at, probability = ax.lines[0].get_data()
     beyond = []
     for role, p, words in (("peak", 0.5, "median"), ("end", 0.95, "exceeded by 5 %")):
@@ -99,7 +99,7 @@ def _mark_quantiles(study: "Study", output: str, ax: Any, named: bool) -> list[s
 
 
 def _samples(study: "Study") -> str:
-    """How many samples a curve is of, and which it does not show."""
+    """Number of samples of a curve, and of those that it does not show."""
     words = [f"{study.n} samples"]
     if study.without_result:
         words.append(f"\n{study.without_result} of them beyond every value")
@@ -117,7 +117,7 @@ def _nothing_to_draw(study: "Study") -> str:
 
 
 def indices(study: "Study", output: str = "reach", ax: Any = None, named: bool = True) -> Any:
-    """The sensitivity indices of an output: what share of its variance each unknown explains, with confidence."""
+    """Sensitivity indices of an output: the share of its variance that each input explains, with intervals."""
     _check(study, output, (*OUTCOMES, "moves"))
     if output not in study.sensitivity:
         raise ValueError("indices: this ensemble has none: give it two uncertain numbers and base points at least")
@@ -138,7 +138,7 @@ def indices(study: "Study", output: str = "reach", ax: Any = None, named: bool =
 
 
 def _draw_indices(ax: Any, first: Any, total: Any, named: bool) -> None:
-    """Two bars of each input, from values, low and high ends, (3, inputs), and their names beside the lowest ones."""
+    """Two bars for each input, from values, low and high ends, (3, inputs), labelled at the lowest ones."""
     kinds = ((first, -0.19, "rests", "on its own (first-order)"), (total, 0.19, "kinetic", "with others (total)"))
     for estimates, offset, style, words in kinds:
         _index_bars(ax, estimates, offset, style)
@@ -164,7 +164,7 @@ def _index_bars(ax: Any, estimates: Any, offset: float, style: str) -> None:
 
 
 def response(study: "Study", output: str = "reach", ax: Any = None) -> Any:
-    """An output over the first number of a grid; of a second one, a curve for each of a few values, else a map."""
+    """An output over the first number of a grid; for a second number a curve for each value, or a map for many."""
     known("response: output", output, OUTCOMES)
     levels, numbers = study.design.levels, [*study.design.inputs.values()]
     check_grid([len(x) for x in levels])
@@ -186,7 +186,7 @@ def response(study: "Study", output: str = "reach", ax: Any = None) -> Any:
 
 
 def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any, output: str) -> Any:
-    """An output over both numbers of a grid, darkest where it is greatest; where there is no result it is blank."""
+    """Map of an output over both numbers of a grid, darkest at its maximum, blank where there is no result."""
     first, second = (np.asarray(level) for level in levels)
     x, y = np.argsort(first), np.argsort(second)
     across, up = first[x], second[y]
@@ -201,7 +201,7 @@ def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any,
 
 
 def explained(analysis: "BackAnalysis", figure: Any) -> Any:
-    """What was observed over each field, about the solutions, with the other fields as the first solution has them."""
+    """Computed and observed outcomes over each fitted number, with the other numbers at the first solution."""
     shape = len(analysis.observed), len(analysis.units)
     axes = figure.subplots(*shape, squeeze=False, sharex="col", sharey="row")
     for column, key in zip(axes.T, analysis.units, strict=True):
@@ -213,12 +213,12 @@ def explained(analysis: "BackAnalysis", figure: Any) -> Any:
 
 
 def explained_size(analysis: "BackAnalysis") -> tuple[float, float]:
-    """Inches of what explains the observations."""
+    """Size of `explained` in inches."""
     return min(WIDTH, 2.0 + 4.5 * len(analysis.units)), 0.6 + 3.0 * len(analysis.observed)
 
 
 def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> None:
-    """The observations over one field, an axis each."""
+    """Outcomes over one fitted number, an axis each."""
     field = number_in(analysis.motion.plan.scene, key)
     solved = [s.values[key] for s in analysis.solutions]
     errors = analysis.solutions[0].standard_errors or {}
@@ -239,7 +239,7 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
 
 
 def _draw_observed(ax: Any, observed: tuple[float, float | None], places: Any) -> None:
-    """A line over some places where something was observed, with its standard error and its name."""
+    """An observed value as a line with its standard error and its label."""
     seen, sigma = observed
     ax.axhline(seen, **LINES["total"])
     if sigma:
@@ -249,7 +249,7 @@ def _draw_observed(ax: Any, observed: tuple[float, float | None], places: Any) -
 
 
 def _around(field: Number, solved: Sequence[float], error: float) -> Any:
-    """Values of a field about its solutions, within its bounds, which are open."""
+    """Values of a number around its solutions, within its open bounds."""
     margin = max(4 * error, 0.3 * max(map(abs, solved)), np.ptp(solved))
     low = max(min(solved) - margin, field.low)
     high = min(max(solved) + margin, field.high)
@@ -257,7 +257,7 @@ def _around(field: Number, solved: Sequence[float], error: float) -> Any:
 
 
 def check_grid(counts: Sequence[int]) -> None:
-    """Refuse a grid of so many values of each number that cannot be drawn."""
+    """Reject grids that cannot be drawn."""
     if not 1 <= len(counts) <= 2:
         raise ValueError(
             f"a picture of a grid shows one number or two, not {' x '.join(map(str, counts)) or 'samples'}: give --csv "
@@ -266,7 +266,7 @@ def check_grid(counts: Sequence[int]) -> None:
 
 
 def overview(study: "Study", figure: Any) -> Any:
-    """Exceedance of reach and of peak velocity, linear and logarithmic, and below what each unknown adds to them.
+    """Exceedance of reach and of peak velocity, linear and logarithmic, and below the sensitivity indices.
 
     Of a grid, reach and peak velocity over its numbers.
     """
@@ -287,7 +287,7 @@ def overview(study: "Study", figure: Any) -> Any:
 
 
 def _title(study: "Study") -> str:
-    """A scene's name, and what its samples do."""
+    """Name of the scene, and share of samples that move."""
     name = shorten(study.scene.name, 80)
     name = name[:1].upper() + name[1:]
     if study.design.method == "grid":
@@ -304,7 +304,7 @@ PANELS = {output: partial(outcome, output=output) for output in OUTCOMES}  # of 
 
 
 def size(study: "Study") -> tuple[float, float]:
-    """Inches of the overview."""
+    """Size of the overview in inches."""
     return WIDTH, sum(_heights(study)) + 0.4
 
 

@@ -1,4 +1,4 @@
-"""What commands say: tables of motions, slopes, plans, ladders and derivatives, on the screen without any library."""
+"""Printed output of commands: tables of motions, slopes, plans, ladders and derivatives, without other libraries."""
 
 import math
 import os
@@ -41,7 +41,7 @@ Rows = Iterable[Sequence[Any]]
 
 
 class Part(NamedTuple):
-    """A table, with what stands above and below it."""
+    """A table with its title and its note."""
 
     head: Sequence[str]
     rows: Rows
@@ -50,7 +50,7 @@ class Part(NamedTuple):
 
 
 class Answer(NamedTuple):
-    """What a command found: as JSON, where that is asked for; else its tables and texts, and what to know of them."""
+    """Result of a command: as JSON on request, otherwise as tables and texts, with warnings."""
 
     record: Callable[[], Any]
     parts: Iterable[Part | str]
@@ -75,7 +75,7 @@ DIFFERENCE = (
 
 
 def motion_summary(motion: Motion) -> dict[str, str]:
-    """The `summary`, on a known ground with each factor of safety by its method, and how well it is known."""
+    """The `summary`, with the factors of safety by their methods on a known ground, and the estimated error."""
     column = summary(motion)
     critical = stability_of(motion.plan.scene)
     if critical is not None:
@@ -84,7 +84,7 @@ def motion_summary(motion: Motion) -> dict[str, str]:
 
 
 def _starting_factors(critical: Critical, paper: float, shown_paper: str) -> dict[str, str]:
-    """The paper's factor, from which a motion starts, and Bishop's, without k_h and with it."""
+    """The paper's factor, from which the motion starts, and Bishop's, without and with k_h."""
     with_k_h = critical.factor_of_safety
     without = critical.factor_of_safety_without_k_h
     bishop = (without or with_k_h)["bishop"]
@@ -102,14 +102,14 @@ def _starting_factors(critical: Critical, paper: float, shown_paper: str) -> dic
 
 
 def motion_column(motion: Motion) -> dict[str, str]:
-    """The table of one motion: each value by its label, key results first."""
+    """All results of a motion by their labels, key results first."""
     plan, critical = motion.plan, stability_of(motion.plan.scene)
     column = {q.label: q.text(motion) for q in results(motion)} | end_words(motion)
     if height := toe_words(motion):
         column["toe at the end"] = f"{height}: the method continues the circle there"
     if critical is not None:
         if (critical.factor_of_safety_without_k_h or critical.factor_of_safety)["paper"] is not None:
-            del column["factor of safety"]  # which the paper's method has among these
+            del column["factor of safety"]  # the same as that of the paper's method below
         of_circle = stability_column(critical)
         column |= {label: text for label, text in of_circle.items() if label not in ("entry", "exit")}
     if plan.law != "constant":
@@ -144,7 +144,7 @@ def stretches_part(motion: Motion) -> Part | None:
 
 
 def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
-    """Columns by label as rows of one table; a cell is empty where a column has no such label."""
+    """Columns by label as rows of one table; cells of missing labels are empty."""
     return [[label, *(c.get(label, "") for c in columns)] for label in dict.fromkeys(chain.from_iterable(columns))]
 
 
@@ -152,7 +152,7 @@ def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
 
 
 def stability_column(critical: Critical) -> dict[str, str]:
-    """A slip circle of a slope with its factors of safety: each value by its label."""
+    """A slip circle of a slope with its factors of safety, by labels."""
     k_h = critical.slope.k_h
     column = _factors(critical.factor_of_safety, f", k_h = {shown(k_h)}" if k_h else "")
     if critical.factor_of_safety_without_k_h:
@@ -168,7 +168,7 @@ def stability_column(critical: Critical) -> dict[str, str]:
     }
     if critical.yield_coefficient is not None:
         column["yield coefficient k_y"] = f"{critical.yield_coefficient:.4f}, by the paper's method"
-    if not math.isnan(critical.negative):  # as it is of a circle that overhangs
+    if not math.isnan(critical.negative):  # NaN for an overhanging circle
         sides = {1: "right", -1: "left"}
         column["slides to the"] = sides.get(critical.facing, "neither side: nothing drives it")
         column["arc under negative normal stress"] = f"{100 * critical.negative:.1f} %"
@@ -219,7 +219,7 @@ def combinations_part() -> Part:
 
 
 def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
-    """A ladder as a table; how far each rung differs from the fullest."""
+    """A ladder as a table, with the difference of each rung from the last."""
     outcomes = [q for q in OUTCOMES.values() if q.name in Rung.__dataclass_fields__]
     rows = []
     for rung in rungs:
@@ -243,7 +243,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
 
 
 def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
-    """Derivatives as a table, per unit of the key that a scene file has for each parameter."""
+    """Derivatives as a table, per unit of the key of each parameter."""
     rows = [["", "", *(shown(sensitivity.at[output]) for output in sensitivity.distinct)]]
     keys = by_name(sensitivity.scene)
     for parameter in sensitivity.parameters:
@@ -264,16 +264,16 @@ def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
 
 
 def say(message: str) -> None:
-    """Tell something on stderr."""
+    """Print a message on stderr."""
     clear_line()
     print(f"slipcircle: {clean(message)}", file=sys.stderr)
 
 
 def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> None:
-    """Print a table on stdout: in a terminal as wide as that and at most `WIDEST` columns, its head in colour.
+    """Print a table on stdout, in a terminal with the width of the terminal, at most `WIDEST`, and a coloured head.
 
-    Long cells are wrapped; columns for which there is no room follow below the others. There is no colour where
-    ``NO_COLOR`` is set or the terminal is dumb.
+    Long cells are wrapped; columns that do not fit follow below the others. ``NO_COLOR`` and dumb terminals disable
+    colour.
     """
     terminal = sys.stdout.isatty()
     width = min(shutil.get_terminal_size().columns, WIDEST) if terminal else WIDTH
@@ -285,7 +285,7 @@ def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> No
 
 
 def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) -> Iterator[str]:
-    """Lines of a table: the first column and as many others as there is room for, again and again until all stand."""
+    """Lines of a table in blocks: the first column and as many others as fit, until all are printed."""
     columns = []
     for column in zip(*([head] if head else []), *rows, strict=True):
         columns.append([clean(interval(cell) if isinstance(cell, Estimate) else cell) for cell in column])
@@ -303,12 +303,12 @@ def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) 
 
 
 def _total(columns: Sequence[Sequence[str]], most: int) -> int:
-    """Width of columns that are wrapped at some width, with the gaps before them."""
+    """Total width of columns wrapped at some width, with the gaps before them."""
     return sum(_widths(columns, most)) + _GAP * len(columns)
 
 
 def interval(e: Estimate) -> str:
-    """A value and its interval, to two digits of the interval's width; bounds alone where only they are known."""
+    """A value and its interval, to two digits of its width; the interval alone if there is no value."""
     if all(map(math.isnan, e)):
         return "-"
     if e.low == math.inf:
@@ -320,13 +320,13 @@ def interval(e: Estimate) -> str:
 
 
 def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
-    """Widths of columns whose cells are wrapped at some width, but with every word whole."""
+    """Widths of columns wrapped at some width, without breaking words."""
     longest = (max(len(word) for cell in column for word in (*cell.split(), "")) for column in columns)
     return [min(max(map(len, c)), max(most, word)) for c, word in zip(columns, longest, strict=True)]
 
 
 def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool) -> Iterator[str]:
-    """Lines of columns beside each other, their cells wrapped; without the rows that none of the columns has."""
+    """Lines of columns side by side, with wrapped cells; rows without any value are omitted."""
     for number, row in enumerate(zip(*columns, strict=True)):
         if row[0] and not any(row[1:]):
             continue
@@ -339,5 +339,5 @@ def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool
 
 
 def clean(text: str) -> str:
-    """Anybody's text without what a terminal would obey."""
+    """Text without control characters."""
     return "".join(c if c.isprintable() else " " if c.isspace() else "\N{REPLACEMENT CHARACTER}" for c in text)

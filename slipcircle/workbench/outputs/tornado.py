@@ -1,4 +1,4 @@
-"""What a change of each number of a scene changes, as bars to both sides, the widest on top."""
+"""Tornado diagrams: changes of an output with each number of a scene, the largest on top."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -24,8 +24,8 @@ from slipcircle.workbench.studies.motions import scales
 if TYPE_CHECKING:
     from slipcircle.core import Sensitivity
 
-_MOST_BARS = 10  # the others are a line of text
-_SHARE = 0.01  # by which each number changes where the scene does not say how uncertain it is
+_MOST_BARS = 10  # further ones are summarised in text
+_SHARE = 0.01  # relative change of each number if the scene has no uncertain numbers
 
 
 def tornado(
@@ -37,10 +37,10 @@ def tornado(
 ) -> Any:
     """How much an output changes, to first order, with a change of each number of a scene; the largest on top.
 
-    ``changes`` is by how much each number changes, in the unit of its key in a scene file,
-    ``{"friction.angle_deg": 2.0}``, and only these are drawn. By default the uncertain numbers of the scene change by
-    one standard deviation; where it has none, all numbers by 1 %, ends of the arc by 1 % of its half angle and points
-    of a section by 1 % of its depth. ``named`` is whether the axis has a legend.
+    ``changes`` are the changes of numbers in the units of their keys, ``{"friction.angle_deg": 2.0}``; only these are
+    drawn. By default the uncertain numbers of the scene change by one standard deviation; without any, all numbers
+    change by 1 %, ends of the arc by 1 % of its half angle and points of a section by 1 % of its depth. ``named`` adds
+    a legend.
     """
     known("tornado: output", output, table.outputs)
     steps, how = _steps(table, changes)
@@ -63,7 +63,7 @@ def tornado(
 
 
 def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Number, float]]) -> list[tuple[float, str]]:
-    """The change of an output with each step, the largest first, and the step in words."""
+    """Changes of an output with each step, the largest first, and the steps in words."""
     bars = []
     for name, (key, step) in steps.items():
         value = float(key.from_si(table.at[name]))
@@ -74,7 +74,7 @@ def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Number
 
 
 def _two_sided_bars(ax: Any, bars: Sequence[tuple[float, str]]) -> None:
-    """A bar to both sides for each change and its text, the widest one first."""
+    """A bar to both sides for each change, with its label, the largest first."""
     changes = np.array([change for change, _ in bars])
     lines(ax, [text for _, text in bars])
     places = np.arange(len(bars))
@@ -86,7 +86,7 @@ def _two_sided_bars(ax: Any, bars: Sequence[tuple[float, str]]) -> None:
 
 
 def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Number, float]], str]:
-    """By how much numbers change, each in the unit of its key, all measured alike; and how, in words."""
+    """Step of each number in the unit of its key, and the rule for the steps in words."""
     by_names, uncertain = by_name(table.scene), uncertain_numbers(table.scene)
     keys = {name: by_names[name] for name in table.parameters}
     if changes is not None:
@@ -113,5 +113,5 @@ def panels(table: "Sensitivity", figure: Any) -> None:
 
 
 def size(table: "Sensitivity") -> tuple[float, float]:
-    """Inches of the tornados."""
+    """Size of `panels` in inches."""
     return WIDTH, len(table.distinct) * (1.5 + 0.3 * min(_MOST_BARS, len(table.parameters)))

@@ -1,4 +1,4 @@
-"""A motion as a table over time: what the plots draw and what a CSV file holds."""
+"""A motion as a table over time, for plots and CSV files."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
@@ -15,7 +15,7 @@ from slipcircle.workbench.common.quantities import HISTORY
 Floats = NDArray[np.float64]
 
 SAMPLES = 400
-_JUMP = 1e-3  # of the greatest value, by which what is given jumps
+_JUMP = 1e-3  # of the greatest value: a larger change at a breakpoint is a jump
 
 
 def trace(motion: Motion, times: Floats) -> dict[str, Floats]:
@@ -25,20 +25,19 @@ def trace(motion: Motion, times: Floats) -> dict[str, Floats]:
 
 @lru_cache(maxsize=8)
 def drawn(motion: Motion) -> dict[str, Floats]:
-    """The motion at the times that a picture of it needs, computed once."""
+    """The motion at the times that a picture needs, computed once."""
     return trace(motion, telling_times(motion))
 
 
 def even_times(motion: Motion) -> Floats:
-    """Times at even distances from the start to the end."""
+    """Equidistant times from the start to the end."""
     return np.linspace(0.0, motion.duration, SAMPLES + 1) if motion.moves else np.zeros(1)
 
 
 def telling_times(motion: Motion) -> Floats:
-    """Even times, the peak, in each phase some that crowd towards both its ends, and where what is given has a kink or
-    a crest.
+    """Equidistant times, the peak, times that cluster at both ends of each phase, and breakpoints and crests of input.
 
-    Where that jumps, the time just before as well.
+    At a jump of the input, the time just before it as well.
     """
     if not motion.moves:
         return np.zeros(1)
@@ -56,7 +55,7 @@ def telling_times(motion: Motion) -> Floats:
 
 
 def _kinks_and_crests(function: Any) -> list[Any]:
-    """Where a function of time bends or is greatest, and the time just before each jump."""
+    """Breakpoints and crests of a function of time, and the time just before each jump."""
     kinks = np.asarray(function.kinks)
     before = np.nextafter(kinks, -np.inf)
     values = function(kinks)
@@ -65,9 +64,9 @@ def _kinks_and_crests(function: Any) -> list[Any]:
 
 
 def toe_height(motion: Motion) -> float:
-    """How high the toe of a section's mass lies above the ground in the end, m; NaN beyond the ends of the ground.
+    """Height of the toe of a section above the ground at the end, m; NaN beyond the ends of the ground.
 
-    Beyond the toe the mass is assumed to go on along its circle, which leaves the ground upwards or cuts into it.
+    Beyond the toe the mass is assumed to follow its circle, which rises above the ground or cuts into it.
     """
     section = motion.plan.scene.arc
     if not isinstance(section, Section):
@@ -78,7 +77,7 @@ def toe_height(motion: Motion) -> float:
 
 
 def toe_words(motion: Motion) -> str:
-    """Where the toe ends above or below the ground, in words; empty where that is less than a thousandth of its way."""
+    """Height of the toe above or below the ground at the end, in words; empty if below a thousandth of the run-out."""
     height = toe_height(motion)
     if not motion.moves or not abs(height) > 1e-3 * abs(motion.run_out):
         return ""
@@ -86,9 +85,9 @@ def toe_words(motion: Motion) -> str:
 
 
 def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:
-    """Motions over time as CSV, in full precision; of several the first column is the name.
+    """Motions over time as CSV, in full precision; with several, the first column is the name.
 
-    By default at even times; else at those, in s.
+    By default at equidistant times, otherwise at the given times, s.
     """
     several = len(motions) > 1
     heads = [quantity.head for quantity in HISTORY.values()]

@@ -1,4 +1,4 @@
-"""Effects of a scene file in which records are named by their files, with the functions of time that these hold."""
+"""Effects of a scene file with records, which are read and replaced by functions of time."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -14,7 +14,7 @@ _BESIDE_RECORDS = ("two_way", "scale", "peak")
 def with_records(
     effects: Mapping[str, Mapping[str, Any]], gravity: float, uncertain: Mapping[str, Any]
 ) -> dict[str, Mapping[str, Any]]:
-    """Effects, of which those that name a record's file have its series instead; gravity in m/s^2.
+    """Effects with the series of their records instead of file names; gravity in m/s^2.
 
     Gravity must not be among the uncertain keys.
 

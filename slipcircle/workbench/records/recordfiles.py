@@ -18,7 +18,7 @@ MOST_BYTES = 2**30
 
 
 class Found(NamedTuple):
-    """What a file holds, and the line of each sample, from 1."""
+    """Content of a file, and the line of each sample, from 1."""
 
     time: Floats
     values: Floats
@@ -46,7 +46,7 @@ def _text(quantity: Quantity, path: Path, name: str) -> str:
 
 
 def parse(quantity: Quantity, name: str, path: Path, column: int | str | None, step: float | None) -> Found:
-    """By what the first lines say."""
+    """Read a file of the kind that its first lines indicate."""
     text = _text(quantity, path, name)
     headed = header_of(name, _first_lines(text)) if quantity is ACCELERATION else None
     if headed is None:
@@ -93,7 +93,7 @@ def components(name: str, path: Path, step: float | None) -> list[Component]:
 
 
 def _is_other(head: "_TableHead", column: int) -> bool:
-    """Whether a column says that it holds no acceleration, by its name or its unit."""
+    """Whether a column is not an acceleration by its name or its unit."""
     if not head.fields:
         return False
     unit = re.search(head.suffix, head.fields[column])
@@ -115,7 +115,7 @@ def _wrapped(name: str, text: str, header: Header) -> Found:
 
 
 def _fixed(name: str, text: str, header: Header) -> tuple[Floats, NDArray[np.int64]]:
-    """As `_values` has them, of columns of fixed width up to the line that ends the samples."""
+    """Values as of `_values` from columns of fixed width, up to the line that ends the samples."""
     below = text.split("\n")[header.lines :]
     end = next((k for k, line in enumerate(below) if line.lstrip().lower().startswith("end")), len(below))
     if any(" acceleration pts" in line.lower() for line in below[end:]):
@@ -128,7 +128,7 @@ def _fixed(name: str, text: str, header: Header) -> tuple[Floats, NDArray[np.int
 
 
 class _TableHead(NamedTuple):
-    """What stands above a table: lines, what separates columns, how many there are, and what the last line says."""
+    """The header of a table: number of lines, separator, number of columns, and fields of its last line."""
 
     lines: int
     separator: str | None
@@ -154,7 +154,7 @@ def _table(quantity: Quantity, name: str, text: str, column: int | str | None, s
         if found is not None:
             return found
     values, lines = _values(name, text, head, separator, width)
-    if any(map(_is_number, fields)) and width > 1:  # no header, but a sample that is spoilt
+    if any(map(_is_number, fields)) and width > 1:  # not a header but a damaged sample
         _values(name, text, head - 1, separator, width)
     numbers, lines = values.reshape(-1, width), lines[::width]
     clock = _clock(name, fields, names, width, step)
@@ -169,7 +169,7 @@ def _table(quantity: Quantity, name: str, text: str, column: int | str | None, s
 
 
 def _row_by_row(name: str, text: str, head: int, separator: str | None, step: float) -> Found | None:
-    """Values along the lines, where these are no rows of columns."""
+    """Values along lines that are not rows of columns."""
     values, lines = _values(name, text, head, separator)
     if not _along_lines(lines):
         return None
@@ -177,7 +177,7 @@ def _row_by_row(name: str, text: str, head: int, separator: str | None, step: fl
 
 
 def _clock(name: str, fields: list[str], names: list[str], width: int, step: float | None) -> int | None:
-    """The column that holds the times; None where they follow from a step."""
+    """The column of times; None if they follow from a step."""
     timed = (k for k, n in enumerate(names) if re.fullmatch(r"t|time\w*|zeit|temps|tempo", n.lower()))
     clock = next(timed, None)
     if step is not None and clock is not None:
@@ -194,7 +194,7 @@ def _clock(name: str, fields: list[str], names: list[str], width: int, step: flo
 
 
 def _said(line: str) -> str:
-    """A line but for a comment, and blanks around it."""
+    """A line without comment and surrounding blanks."""
     for mark in "#%!":
         if mark in line:
             line = line.partition(mark)[0]
@@ -207,9 +207,9 @@ def _split(line: str, separator: str | None) -> list[str]:
 
 
 def _first_row(quantity: Quantity, name: str, text: str) -> tuple[int, str | None, int]:
-    """Lines above the first that is all numbers, what separates them, and how many they are.
+    """Number of lines above the first row of numbers, its separator, and its number of columns.
 
-    Numbers above two lines that have another count of them both, such as a date, are of the header.
+    A row of numbers followed by two rows of another length, such as a date, belongs to the header.
     """
     rows: list[tuple[int, str | None, int]] = []
     for k, line in enumerate(map(_said, io.StringIO(text))):
@@ -229,7 +229,7 @@ def _first_row(quantity: Quantity, name: str, text: str) -> tuple[int, str | Non
 
 
 def _row(k: int, line: str) -> tuple[int, str | None, int] | None:
-    """As `_first_row` has it, if a line is all numbers."""
+    """The separator and number of columns of a line of numbers."""
     for separator in (";", ",", None):
         fields = _split(line, separator)
         if len(fields) > 1 and not fields[-1]:  # a separator ends the line
@@ -240,7 +240,7 @@ def _row(k: int, line: str) -> tuple[int, str | None, int] | None:
 
 
 def _along_lines(lines: NDArray[np.int64]) -> bool:
-    """Whether lines are no rows of columns: more than three on each, only one line, or a last one cut short."""
+    """Whether values run along lines: more than three on each, a single line, or a shorter last one."""
     count = np.unique(lines, return_counts=True)[1]
     whole = np.all(count[:-1] == count[0]) and count[-1] <= count[0]
     return bool(whole and (count[0] > 3 or len(count) == 1 or count[-1] < count[0]))
@@ -255,7 +255,7 @@ def _is_number(field: str) -> bool:
 
 
 def _fields(above: list[str], separator: str | None, width: int) -> list[str]:
-    """The names in the last line of the header, with their units; none if there are not as many as columns."""
+    """Names of columns in the last line of the header, with units; empty if their number is wrong."""
     for line in filter(None, (x.strip() for x in reversed(above))):
         said = line.lstrip("#% \t")
         pattern = r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?"
@@ -287,7 +287,7 @@ def _column(quantity: Quantity, name: str, column: int | str | None, names: list
 
 
 def _values(name: str, text: str, head: int, separator: str | None, width: int = 0) -> tuple[Floats, NDArray[np.int64]]:
-    """Numbers below a header and the line of each: of a table of a width, or all in a row."""
+    """Numbers below a header and their lines: of a table with so many columns, or all in sequence."""
     plain = _plain_values(text, head, separator, width)
     if plain is not None:
         return plain
@@ -307,7 +307,7 @@ def _values(name: str, text: str, head: int, separator: str | None, width: int =
         lines.extend([k] * len(row))
     try:
         found = array("d", map(float, fields))
-    except ValueError:  # quotes, Fortran's exponents, or what is no number
+    except ValueError:  # quotes, Fortran's exponents, or an invalid number
         found = array("d", map(_number, repeat(name), lines, fields))
     return np.array(found), np.array(lines)
 

@@ -4,7 +4,7 @@ Signs. Positive is down-slope, whichever way the slope faces. A scene's ``k_h`` 
 gravity. In the frame of the ground the mass feels the opposite of what the ground does, so that ground which
 accelerates down-slope, which is positive for a record too, drives the mass up-slope: driving = -ground. Likewise
 ``k_v``, which reduces the effective weight, is minus the upward acceleration of the ground. A record's file must
-therefore say what it holds; `Record` takes arrays as driving unless it is told otherwise.
+therefore be declared as one or the other; `Record` takes arrays as driving by default.
 """
 
 from os import PathLike
@@ -38,10 +38,10 @@ def read_record(
     """An acceleration record as shaking: driving acceleration over gravity, zero before and after.
 
     Reads PEER's AT2 (NPTS and DT in the header, values in g), ESM's ASCII (SAMPLING_INTERVAL_S, NDATA and UNITS in
-    the header), K-NET's and KiK-net's ASCII (Scale Factor in the header; the mean is taken off the counts), and tables
-    of numbers after any header lines: separated by commas, semicolons, tabs or blanks, with a
-    column of time and one or more of acceleration, or with a fixed ``step`` one column, or values along the lines.
-    Lines that begin with #, % or ! are comments.
+    the header), K-NET's and KiK-net's ASCII (Scale Factor in the header; the mean is taken off the counts), one channel
+    in COSMOS' format (V1.20, step in the real header), and tables of numbers after any header lines: separated by
+    commas, semicolons, tabs or blanks, with a column of time and one or more of acceleration, or with a fixed ``step``
+    one column, or values along the lines. Lines that begin with #, % or ! are comments.
 
     Parameters
     ----------
@@ -150,7 +150,7 @@ def _over_gravity(values: Floats, units: str, holds: str, gravity: float) -> Flo
 
 
 def _check_unit(name: str, values: Floats, units: str) -> None:
-    """Refuse accelerations beyond what any ground has done, and say in which unit they are below that."""
+    """Reject accelerations beyond any recorded ground motion, and name the unit in which they would be plausible."""
     sizes = {unit: size or {"g": 9.81, "%g": 0.0981}[unit] for unit, size in UNITS.items()}  # m/s^2
     most = float(np.max(np.abs(values), initial=0.0))
     peak = most * sizes[units] / 9.81
@@ -181,7 +181,7 @@ def read_pore_pressure(
     ----------
     path : str or path-like
     units : {"Pa", "kPa", "MPa", "ratio"}, optional
-        Needed where the file does not say it; a ratio is r_u, pore pressure over the static normal stress.
+        Required if the file does not give it; a ratio is r_u, pore pressure over the static normal stress.
     column, step, start, gaps
         As for `read_record`.
 
@@ -219,7 +219,7 @@ def read_samples(
     gaps: str,
     default_units: str | None = None,
 ) -> Found:
-    """What a file holds, its samples checked, its units known: the default ones if neither it nor the call says."""
+    """Checked samples of a file and their unit; the default unit if neither file nor call gives one."""
     name = str(path)
     if gaps not in ("refuse", "linear"):
         raise ValueError(f'gaps = {gaps!r}: must be "refuse" or "linear"')
@@ -240,7 +240,7 @@ def read_samples(
 
 
 def _checked_times(name: str, found: Found, start: float | None, gaps: str) -> Floats:
-    """The times of samples that are in order, finite, without a gap that is refused, and not before the scene."""
+    """Times of samples, checked: finite, increasing, not before the scene, without rejected gaps."""
     wrong = bad_sample(found.time, found.values)
     if wrong is None and gaps == "refuse":
         wrong = _gap(found.time)
@@ -255,7 +255,7 @@ def _checked_times(name: str, found: Found, start: float | None, gaps: str) -> F
 
 
 def _gap(time: Floats) -> tuple[int, str] | None:
-    """The sample after a gap in a record that is otherwise evenly sampled; what is uneven has no gaps."""
+    """The sample after a gap in an otherwise evenly sampled record; an uneven record has no gaps."""
     steps = np.diff(time)
     usual = float(np.median(steps))
     even = np.abs(steps - usual) <= 0.01 * usual + 8 * EPS * time[-1]

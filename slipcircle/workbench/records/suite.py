@@ -25,6 +25,7 @@ from slipcircle.base.series import Series
 from slipcircle.workbench.records.headers import ACCELERATION
 from slipcircle.workbench.records.recordfiles import Component, components
 from slipcircle.workbench.records.records import read_samples, shaking_of
+from slipcircle.workbench.suites.intensities import Intensities, intensities
 
 _KEPT = 2**21  # samples of a suite that stay in memory
 _SHOWN = 5  # reasons in the error of a suite without a record
@@ -81,8 +82,7 @@ class Entry:
         Mean time between samples, s.
     unit : str
         Of the values in the file.
-    peak : float
-        Greatest absolute acceleration over gravity.
+    intensities : Intensities
     digest : str
         Of times and values, by which a study that is continued knows the record.
     """
@@ -93,10 +93,15 @@ class Entry:
     samples: int
     step: float
     unit: str
-    peak: float
+    intensities: Intensities
     digest: str
     kept: Series | None = field(default=None, repr=False)  # the record itself, of arrays and small suites
     reading: Mapping[str, Any] = field(default_factory=dict, repr=False)
+
+    @property
+    def peak(self) -> float:
+        """Greatest absolute acceleration over gravity."""
+        return self.intensities.pga
 
     @property
     def station(self) -> str:
@@ -256,4 +261,6 @@ def _entry(
 ) -> Entry:
     digest = hashlib.sha256(series.time.tobytes() + series.values.tobytes()).hexdigest()
     step = float(series.time[-1] - series.time[0]) / (series.time.size - 1)
-    return Entry(name, file, place, series.time.size, step, unit, series.greatest, digest, series, reading or {})
+    reading = reading or {}
+    measures = intensities(series, float(reading.get("gravity", 9.81)))
+    return Entry(name, file, place, series.time.size, step, unit, measures, digest, series, reading)

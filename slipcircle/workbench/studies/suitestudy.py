@@ -18,8 +18,9 @@ from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.quantities import OUTCOMES, plain
 from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.records.suite import Entry, Suite
-from slipcircle.workbench.studies.design import Design, Result
+from slipcircle.workbench.studies.design import NO_RESULT, Design, Result
 from slipcircle.workbench.studies.motions import motions
+from slipcircle.workbench.suites.statistics import distribution
 
 Floats = NDArray[np.float64]
 DIMENSIONS = ("record", "polarity", "scale", "sample")
@@ -200,8 +201,9 @@ class SuiteStudy(Pictured):
 
     @property
     def displacement(self) -> Floats:
-        """Permanent displacement along the arc, m, (record, polarity, scale, sample)."""
-        return np.abs(self.values["run_out"])
+        """Permanent displacement along the arc, m, (record, polarity, scale, sample); infinite without a result."""
+        without_result = np.isin(self.values["status"], NO_RESULT)
+        return np.where(without_result, np.inf, np.abs(self.values["run_out"]))
 
     @property
     def factors(self) -> Floats:
@@ -295,11 +297,13 @@ class SuiteStudy(Pictured):
 
     def to_dict(self) -> dict[str, Any]:
         """The study for JSON: its records, axes and results, (record, polarity, scale, sample), in SI units."""
-        known = ("name", "file", "station", "component", "samples", "step", "unit", "peak")
+        known = ("name", "file", "station", "component", "samples", "step", "unit")
         sampling = self.design.sampling
-        return {
+        described = {
             "scene": self.scene.name,
-            "records": [{name: getattr(entry, name) for name in known} for entry in self.suite],
+            "records": [
+                {name: getattr(entry, name) for name in known} | entry.intensities._asdict() for entry in self.suite
+            ],
             "verticals": [entry.name for entry in self.suite.verticals],
             "pairs": [[entry.name for entry in pair] for pair in self.suite.pairs],
             "not_read": [unread._asdict() for unread in self.suite.unread],
@@ -309,5 +313,11 @@ class SuiteStudy(Pictured):
             "method": sampling.method,
             "accuracy": sampling.accuracy,
             "inputs": [uncertain.record for uncertain in sampling.drawn.values()],
+            "distribution": [
+                {"scale": scale} | distribution(self.displacement, k)._asdict()
+                for k, scale in enumerate(self.scales.tolist())
+            ],
             "warnings": self.warnings,
-        } | plain({name: values for name, values in self.arrays().items() if name not in ("record", "polarity")})
+        }
+        results = {name: values for name, values in self.arrays().items() if name not in ("record", "polarity")}
+        return dict(plain(described | results))

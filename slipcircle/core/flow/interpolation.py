@@ -1,0 +1,235 @@
+"""Functions known by their values, as piecewise polynomials: of the rotation between their kinks, of slip in Python.
+
+Each piece interpolates at the nodes of Chebyshev; it is halved until the coefficients that follow are negligible.
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.polynomial import Chebyshev, Polynomial
+from numpy.polynomial.chebyshev import cheb2poly, chebfit, chebval
+
+from slipcircle.core.flow.tables import Data, Floats
+
+TERMS = 8  # of a piece
+_ORDERS = np.arange(TERMS)
+_NODES = np.cos(np.pi * (_ORDERS + 0.5) / TERMS)
+_TO_CHEBYSHEV = np.linalg.inv(np.cos(np.outer(np.arccos(_NODES), _ORDERS)))
+_SHORTEST = 2e-3  # width of a piece of a function of the rotation, rad
+_SAME = 1e-13  # rad, between kinks that are one
+
+
+def _powers_of_chebyshev() -> Floats:
+    """T_0 to T_7 in powers of 1 + x, the distance to the left end of a piece over half its width; (powers, T)."""
+    powers = np.zeros((TERMS, TERMS))
+    for k in range(TERMS):
+        shifted = Chebyshev.basis(k)(Polynomial([-1.0, 1.0]))
+        powers[: k + 1, k] = shifted.coef
+    return powers
+
+
+_POWERS = _powers_of_chebyshev()
+
+# --- functions of the rotation ---------------------------------------------------------------------------------------
+
+
+def between_kinks(
+    function: Callable[[Any], Any], kinks: Floats, least: Floats, most: Floats, tolerance: float
+) -> tuple[Floats, Floats]:
+    """Functions of the rotation as piecewise polynomials of degree 7.
+
+    Parameters
+    ----------
+    function : callable
+        Takes rotations (M, n), rad, and returns values (functions, M, n).
+    kinks : ndarray
+        Rotations at which a function may not be smooth, (kinks, n), increasing.
+    least, most : ndarray
+        Range of rotations, (n,), beyond which the polynomials extend as constants.
+    tolerance : float
+        First neglected Chebyshev coefficient of a piece, over the greatest value.
+
+    Returns
+    -------
+    breaks : ndarray
+        Where pieces begin, (pieces, n).
+    coefficients : ndarray
+        In powers of the distance to the break, (pieces, TERMS, functions, n).
+    """
+    first, last = _first_pieces(kinks, least, most, _widest(tolerance))
+    starts = list[Floats]()
+    coefficients = list[Floats]()
+    scale = 0.0
+    while len(first):
+        chebyshev = _chebyshev(function, first, last)
+        greatest = float(np.abs(chebyshev).max(initial=0.0))
+        scale = max(scale, greatest)
+        width = last - first
+        neglected = _next_coefficients(chebyshev).max(axis=(1, 2))
+        rough = (neglected > tolerance * scale) & (width.max(axis=1) > _SHORTEST)
+        smooth = ~rough
+        starts.append(first[smooth])
+        coefficients.append(_in_powers(chebyshev[smooth], width[smooth]))
+        middle = (first[rough] + last[rough]) / 2
+        first, last = np.concatenate([first[rough], middle]), np.concatenate([middle, last[rough]])
+    end = np.broadcast_to(most, starts[0].shape[1:])[None]
+    value_at_end = function(end)[:, 0]
+    return _in_order(np.concatenate(starts), np.concatenate(coefficients), end, value_at_end)
+
+
+def _widest(tolerance: float) -> float:
+    """Width of a piece that interpolation meets the tolerance on, if no derivative exceeds 1."""
+    error_at_width_2 = 2.0 ** (TERMS - 1) * math.factorial(TERMS)
+    return float(2 * (tolerance * error_at_width_2) ** (1 / TERMS))
+
+
+def _first_pieces(kinks: Floats, least: Floats, most: Floats, widest: float) -> tuple[Floats, Floats]:
+    """Both ends of the pieces to begin with, (pieces, n): between kinks, none wider than some."""
+    inside = np.clip(kinks, least, most)
+    edges = np.concatenate([[least], inside, [most]])
+    width = np.diff(edges, axis=0)
+    greatest = width.max(axis=1)
+    count = np.ceil(greatest / widest - 1e-9).astype(np.intp)
+    count[greatest <= _SAME] = 0
+    between = np.repeat(np.arange(len(width)), count)
+    before = np.cumsum(count) - count
+    number = np.arange(len(between)) - np.repeat(before, count)
+    share = number / count[between]
+    next_share = (number + 1) / count[between]
+    start = edges[between]
+    first = start + width[between] * share[:, None]
+    last = start + width[between] * next_share[:, None]
+    at_end = number + 1 == count[between]
+    last[at_end] = edges[1:][between[at_end]]
+    return first, last
+
+
+def _chebyshev(function: Callable[[Any], Any], first: Floats, last: Floats) -> Floats:
+    """Chebyshev coefficients of functions on pieces (pieces, n): (pieces, TERMS, functions, n)."""
+    half = (last - first) / 2
+    rotation = first[:, None] + half[:, None] * (1.0 + _NODES[:, None])  # pieces, nodes, n
+    lanes = rotation.shape[-1]
+    values = function(rotation.reshape(-1, lanes))
+    by_piece = values.reshape(len(values), *rotation.shape)
+    return np.einsum("kj,fpjn->pkfn", _TO_CHEBYSHEV, by_piece)
+
+
+def _next_coefficients(chebyshev: Floats) -> Floats:
+    """Size of the coefficients that follow, if they fall like the last two pairs of them, (pieces, functions, n)."""
+    last = np.abs(chebyshev[:, -2:]).max(axis=1)
+    before = np.abs(chebyshev[:, -4:-2]).max(axis=1)
+    ratio = last / np.where(before > 0.0, before, 1.0)
+    return np.asarray(last * np.minimum(ratio, 1.0))
+
+
+def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
+    """The same polynomials in powers of the distance to the beginning of each piece."""
+    powers = np.einsum("tk,pkfn->ptfn", _POWERS, chebyshev)
+    half = np.where(width > 0.0, width / 2, np.inf)
+    units = half[:, None, None] ** _ORDERS[:, None, None]
+    return np.asarray(powers / units)
+
+
+def _in_order(starts: Floats, coefficients: Floats, end: Floats, value_at_end: Floats) -> tuple[Floats, Floats]:
+    """Breaks and coefficients of pieces from the least rotation on; a constant beyond the end."""
+    constant = np.zeros((1, *coefficients.shape[1:]))
+    constant[0, 0] = value_at_end
+    order = np.argsort(starts.sum(axis=1), kind="stable")
+    breaks = np.concatenate([starts[order], end])
+    return breaks, np.concatenate([coefficients[order], constant])
+
+
+def in_pieces(function: Callable[[Any], Any], breaks: Floats) -> Floats:
+    """Coefficients of other functions on the same pieces, (pieces, TERMS, functions); the last piece is constant.
+
+    The functions take rotations (M, 1) and return values (functions, M, 1); ``breaks`` are (pieces,).
+    """
+    value_at_end = function(breaks[-1:, None])
+    constant = np.zeros((1, TERMS, len(value_at_end)))
+    constant[0, 0] = value_at_end[:, 0, 0]
+    if len(breaks) == 1:
+        return constant
+    first = breaks[:-1, None]
+    last = breaks[1:, None]
+    coefficients = _in_powers(_chebyshev(function, first, last), last - first)
+    return np.concatenate([coefficients[..., 0], constant])
+
+
+# --- friction as a Python function of slip ---------------------------------------------------------------------------
+
+_CHECKED = np.cos(np.pi * np.arange(2 * TERMS + 1) / (2 * TERMS))
+_PLACES = 1.0 + np.concatenate([_NODES, _CHECKED])  # from the left end, over half a width
+CLOSE = 1e-13  # error of a piece, over its greatest value
+NARROWEST = 2.0**-40  # width of a piece, over the slip up to which the function is sampled
+
+
+def sampled(function: Callable[[Any], Any], end: float, known: Data | None = None) -> Data:
+    """A Python function of slip up to an end, starting from a known table; error 1e-13 of its greatest value.
+
+    Raises
+    ------
+    ValueError
+        Where it returns no numbers, negative ones or another shape than that of its argument, or is not smooth.
+    """
+    breaks = list[float]()
+    pieces = list[Floats]()
+    left = 0.0
+    if known:
+        *breaks, left = known.breaks.tolist()
+        pieces = list(known.coefficients[:-1])
+    width = end - left
+    while left < end:
+        width = min(width, end - left)
+        piece = _piece(function, left, width)
+        if piece is not None:
+            breaks.append(left)
+            pieces.append(piece)
+            left += width
+            width *= 2
+            continue
+        width /= 2
+        if width < NARROWEST * end:
+            raise ValueError(
+                f"friction: the function changes too sharply near {left:.17g} to be followed; give a law by "
+                "name or a table whose kinks are known"
+            )
+    coefficients = np.array([*pieces, pieces[-1]])
+    jumps = np.zeros(len(coefficients))
+    return Data(np.array([*breaks, end]), coefficients, jumps, open=True)
+
+
+def _piece(function: Callable[[Any], Any], left: float, width: float) -> Floats | None:
+    """Coefficients of a function in powers of the distance to the left end; None where they are not close to it."""
+    half = width / 2
+    values = _values(function, left + half * _PLACES)
+    chebyshev = chebfit(_NODES, values[:TERMS], TERMS - 1)
+    error = np.abs(chebval(_CHECKED, chebyshev) - values[TERMS:]).max()
+    if error > CLOSE * np.abs(values).max():
+        return None
+    centred = Polynomial(cheb2poly(chebyshev))
+    coefficients = centred(Polynomial([-1.0, 1.0 / half])).coef
+    return np.pad(coefficients, (0, TERMS - coefficients.size))
+
+
+def _values(function: Callable[[Any], Any], slip: Floats) -> Floats:
+    """The values of a user's function, checked."""
+    try:
+        values = np.asarray(function(slip))
+        if values.dtype.kind == "c":
+            raise ValueError("complex numbers")
+        values = values.astype(np.float64)
+    except Exception as error:  # whatever it raises, the function is wrong
+        reason = f"must take an array of numbers and return one; it says {type(error).__name__}: {error}"
+        raise ValueError(f"friction: {reason}") from error
+    if values.ndim == 0:
+        values = np.full(slip.shape, float(values))
+    if values.shape != slip.shape:
+        reason = f"returns shape {values.shape} for an argument of shape {slip.shape}: must be alike"
+        raise ValueError(f"friction: {reason}")
+    bad = ~np.isfinite(values) | (values < 0.0)
+    if np.any(bad):
+        k = int(np.argmax(bad))
+        raise ValueError(f"friction({float(slip[k]):.6g}) = {float(values[k])!r}: must be a number of at least 0")
+    return values

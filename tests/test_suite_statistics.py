@@ -1,0 +1,69 @@
+"""Intensity measures of records, and statistics of displacements, against closed forms and SciPy."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from slipcircle import Series
+from slipcircle.workbench.suites.intensities import intensities
+from slipcircle.workbench.suites.statistics import distribution, fragility, variance_shares
+
+GRAVITY = 9.81
+
+
+def test_intensities_of_a_sine() -> None:
+    """A g sin: velocity A g T/pi, Arias intensity pi g A^2 t/4, of which 90 % take 90 % of the time; mean period T."""
+    amplitude, period, cycles = 0.3, 0.5, 40
+    time = np.linspace(0.0, period * cycles, 40 * cycles * 25 + 1)
+    record = Series(time, amplitude * np.sin(2 * np.pi * time / period), held=False)
+    measures = intensities(record, GRAVITY)
+    assert measures.pga == pytest.approx(amplitude, rel=1e-5)
+    assert measures.pgv == pytest.approx(amplitude * GRAVITY * period / math.pi, rel=1e-5)
+    assert measures.arias == pytest.approx(math.pi * GRAVITY * amplitude**2 * period * cycles / 4, rel=1e-5)
+    assert measures.duration == pytest.approx(0.9 * period * cycles, rel=1e-3)
+    assert measures.mean_period == pytest.approx(period, rel=1e-2)
+
+
+def test_intensities_of_coarse_straight_lines() -> None:
+    """A triangle up and one down of other times: the integrals of straight lines, which pass zero between samples."""
+    record = Series(np.array([0.0, 1.0, 3.0, 4.0]), np.array([0.0, 0.2, -0.2, 0.0]), held=False)
+    measures = intensities(record, 10.0)
+    assert measures.pgv == pytest.approx(10.0 * (0.1 + 0.1), rel=1e-15)
+    assert measures.arias == pytest.approx(math.pi / 20.0 * 100.0 * (4.0 * 0.2**2 / 3.0), rel=1e-15)
+    still = intensities(Series(np.arange(3.0), np.zeros(3), held=False))
+    assert still[:4] == (0.0, 0.0, 0.0, 0.0)
+
+
+def test_distribution_and_fragility_of_lognormal_displacements() -> None:
+    """Of 4,000 lognormal displacements, a quarter of which is 0 instead."""
+    drawn = stats.lognorm(0.8, scale=0.2).ppf((np.arange(3000) + 0.5) / 3000)
+    values = np.concatenate([np.zeros(1000), drawn]).reshape(1000, 4, 1, 1)
+    found = distribution(values, 0)
+    assert found.moving == 0.75
+    assert found.mean == pytest.approx(0.75 * 0.2 * math.exp(0.32), rel=2e-3)
+    assert (found.geometric_mean, found.std_ln) == pytest.approx((0.2, 0.8), rel=2e-3)
+    quantiles = stats.lognorm(0.8, scale=0.2).ppf([(0.5 - 0.25) / 0.75, (0.84 - 0.25) / 0.75])
+    assert (found.p16, found.median, found.p84) == pytest.approx((0.0, *quantiles), rel=1e-2)
+    ((estimate,),) = fragility(values, np.array([0.2]))
+    interval = stats.binomtest(375, 1000).proportion_ci(0.95, "exact")
+    assert estimate == pytest.approx((0.375, interval.low, interval.high), rel=1e-9)
+
+
+def test_motions_without_a_result_exceed_every_threshold() -> None:
+    values = np.array([0.0, 0.1, np.inf, np.nan]).reshape(4, 1, 1, 1)
+    ((estimate,),) = fragility(values, np.array([50.0]))
+    assert estimate.value == pytest.approx(1 / 3)
+    assert math.isinf(distribution(values, 0).mean)
+    assert math.isnan(variance_shares(values, 0).records)
+
+
+def test_shares_of_the_variance_of_a_sum() -> None:
+    """D = a_record + b_polarity + c_sample: shares in the ratio of the variances, which add up to one."""
+    rng = np.random.default_rng(4)
+    parts = rng.normal(size=30), rng.normal(size=2), rng.normal(size=50)
+    sums = parts[0][:, None, None] + parts[1][:, None] + parts[2]
+    shares = variance_shares(sums[:, :, None], 0)
+    variances = np.array([np.var(part) for part in parts])
+    assert shares == pytest.approx(variances / variances.sum(), rel=1e-12)
