@@ -235,7 +235,14 @@ print(*(import_module(name).__file__ for name in sys.argv[2:]), sep="\\n")
 
 # Syntax nodes a line of code, docstrings and comments apart: what holds today, a little rounded up; it only falls. The
 # aims are 10.5 for the core and 12 for the rest.
-DENSITY = {"derive": 11.1, "slipcircle/base": 10.9, "slipcircle/core": 13.0, "slipcircle/workbench": 12.9}
+DENSITY = {
+    "derive": 11.1,
+    "slipcircle/base": 10.9,
+    "slipcircle/core": 13.0,
+    "slipcircle/workbench": 12.6,
+    "slipcircle/workbench/files": 12.1,
+    "slipcircle/workbench/outputs": 12.7,
+}
 
 
 def code_lines(text: str) -> int:

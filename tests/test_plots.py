@@ -152,7 +152,7 @@ def test_water_that_heat_presses_is_what_friction_has_dissipated() -> None:
 def test_phase_plane_stacks_the_energy() -> None:
     m, ax = motion("wet-slope"), drawn()
     assert plots.phase_plane(m, ax) is ax
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("displacement $s$ (m)", "energy per metre of width (MJ/m)")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("displacement $s$ (m)", "energy per metre of width\n(MJ/m)")
     (right,) = (a for a in ax.figure.axes if a is not ax)
     assert right.get_ylabel() == "speed $|v|$ (m/s)"
     work = 1e6 * ax.lines[0].get_ydata()

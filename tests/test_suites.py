@@ -10,6 +10,7 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 import pytest
+from matplotlib import pyplot
 
 from slipcircle import Arc, Scene, Series, ensemble, solve
 from slipcircle.core import Status
@@ -280,3 +281,21 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert any(row.split()[:4] == ["RSN6_ELC180.AT2", "0.4", one, other] for row in out.splitlines())
     assert "corrupt.AT2: holds" in asked(f"{line} --strict")[2]
     assert asked("sweep newmark-pulse --polarities")[0] != 0
+
+
+def test_a_picture_has_every_record_in_order() -> None:
+    records = {name: quake(seed) for name, seed in (("a", 1), ("b", 2), ("c", 3))}
+    study = ensemble(FROZEN, records=records, polarities=True, scale_to_pga=[0.2, 0.4])
+    figure = study.plot().figure
+    displacements, incremental, exceedance = figure.axes
+    names = [text.get_text() for text in displacements.get_yticklabels()]
+    table = study.by_record(study.own_scale)
+    mean = dict(zip(table["record"], table["mean_m"], strict=True))
+    assert names == sorted(mean, key=lambda name: mean[name])
+    recorded = dict(zip(names, displacements.lines[0].get_xdata(), strict=True))
+    assert recorded == dict(zip(table["record"], table["displacement_m"], strict=True))
+    median = incremental.lines[-1].get_ydata()
+    assert median == pytest.approx(np.quantile(study.displacement, 0.5, axis=(0, 1, 3), method="inverted_cdf"))
+    above = np.mean(study.displacement > 0.05, axis=(0, 1, 3))
+    assert exceedance.lines[1].get_ydata() == pytest.approx(above)
+    pyplot.close(figure)

@@ -14,9 +14,8 @@ from slipcircle.workbench.records.suite import Suite, read_suite
 from slipcircle.workbench.studies.ensemble import ensemble
 from slipcircle.workbench.studies.statistics import value_text
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
-from slipcircle.workbench.suites.statistics import distribution, fragility, variance_shares
+from slipcircle.workbench.suites.statistics import THRESHOLDS, distribution, fragility, variance_shares
 
-THRESHOLDS = np.array([0.01, 0.05, 0.15, 1.0])  # of displacements, m
 _HEADS = {
     "record": "record",
     "pga_g": "PGA (g)",
@@ -62,19 +61,14 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
 def parts(study: SuiteStudy) -> Iterator[Part]:
     """The records, what they do at the scale next to their own, and statistics at all scales."""
     yield _records_part(study.suite)
-    scale = int(np.argmin(np.abs(study.factors - 1.0).max(axis=0)))
+    scale = study.own_scale
     yield _by_record_part(study, scale)
     yield _statistics_part(study)
     yield _fragility_part(study)
     shares = variance_shares(study.displacement, scale)
     if shares.records == shares.records and study.values["status"].shape[-1] > 1:
         rows = [[name, f"{100 * share:.3g} %"] for name, share in shares._asdict().items()]
-        yield Part(["source alone", "share of the variance"], rows, f"displacement at {_scale_text(study, scale)}")
-
-
-def _scale_text(study: SuiteStudy, scale: int) -> str:
-    value = shown(float(study.scales[scale]))
-    return f"a peak of {value} g" if study.design.to_pga else f"scale {value}"
+        yield Part(["source alone", "share of the variance"], rows, f"displacement at {study.scale_text(scale)}")
 
 
 def _by_record_part(study: SuiteStudy, scale: int) -> Part:
@@ -86,7 +80,7 @@ def _by_record_part(study: SuiteStudy, scale: int) -> Part:
     samples = study.values["status"].shape[-1]
     of_samples = f"; medians of {samples} samples" if samples > 1 else ""
     others = f", one of {study.scales.size} (--csv has all)" if study.scales.size > 1 else ""
-    title = f"{study.scene.name}: displacement along the arc at {_scale_text(study, scale)}{others}{of_samples}"
+    title = f"{study.scene.name}: displacement along the arc at {study.scale_text(scale)}{others}{of_samples}"
     note = "velocity, slips and rotation: the greater of both polarities" if len(study.polarities) > 1 else ""
     return Part([_HEADS[name] for name in columns], rows, title, note)
 
@@ -98,7 +92,7 @@ def _statistics_part(study: SuiteStudy) -> Part:
     for k in range(study.scales.size):
         moving, mean, median, p16, p84, geometric, std_ln = distribution(study.displacement, k)
         lengths = (mean, p16, median, p84, geometric, std_ln)
-        rows.append([_scale_text(study, k), f"{100 * moving:.3g} %", *map(value_text, lengths)])
+        rows.append([study.scale_text(k), f"{100 * moving:.3g} %", *map(value_text, lengths)])
     return Part(head, rows, "distribution of the displacement D", "geometric mean and std of ln D: of those that move")
 
 
@@ -108,7 +102,7 @@ def _fragility_part(study: SuiteStudy) -> Part:
     head = ["", "median PGA (g)", *(f"D > {shown(d)} m" for d in THRESHOLDS.tolist())]
     pga = np.median(study.pga, axis=0).tolist()
     rows = [
-        [_scale_text(study, k), shown(pga[k]), *(f"{e.value:.2f} ({e.low:.2f} to {e.high:.2f})" for e in estimates)]
+        [study.scale_text(k), shown(pga[k]), *(f"{e.value:.2f} ({e.low:.2f} to {e.high:.2f})" for e in estimates)]
         for k, estimates in enumerate(levels)
     ]
     note = "95 % intervals, of as many draws as there are records"

@@ -79,7 +79,7 @@ def options(parser: argparse.ArgumentParser) -> None:
         help="of a running Dask cluster, tcp://10.0.0.1:8786; without it --engine dask starts one on this machine",
     )
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
-    picture = "exceedance curves and sensitivity indices, or a grid of one or two numbers"
+    picture = "exceedance curves and sensitivity indices, a grid of one or two numbers, or displacements by record"
     arrays = "all results as NumPy arrays, the samples where kept"
     records.options(parser)
     add_files(parser, picture, report=REPORT, csv="one table of all results", npz=arrays)
@@ -120,8 +120,8 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError("sweep: give --samples N, --grid KEY=FROM:TO:COUNT, or --records FOLDER")
     if options.report and options.grid:
         raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
-    if options.records and (options.report or options.plot):
-        raise ValueError("sweep: --report and --plot: not of records yet; give --csv, --npz or --json")
+    if options.records and options.report:
+        raise ValueError("sweep: --report: of samples, not of records; give --plot, --csv, --npz or --json")
     if options.search_each and options.grid:
         raise ValueError("sweep: --search-each: of samples, not of a grid")
     if options.records and options.grid:
@@ -132,6 +132,7 @@ def _check_options(options: argparse.Namespace) -> None:
 
 def _answer_of_records(study: SuiteStudy, options: argparse.Namespace) -> Answer:
     """The tables of a study over records; writes its files."""
+    pictures.write(options.plot, "suite", study)
     if options.csv:
         columns = study.columns()
         files.write(options.csv, files.table(columns, zip(*(c.tolist() for c in columns.values()), strict=True)))

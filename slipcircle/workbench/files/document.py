@@ -156,22 +156,27 @@ def _joined(path: str, name: str) -> str:
 
 def _question(key: Key, entry: Any, table: Table) -> str:
     """Additional advice on a wrong value: the key's title, and the word, unit or angle that was probably meant."""
+    title = f": {key.title}"
     if "|" in key.kind or key.name == "law":
-        guess = get_close_matches(str(entry), LAWS if key.name == "law" else key.kind.split("|"), 1)
-        return f": {key.title}" + "".join(f"; did you mean {word}?" for word in guess)
+        choice = LAWS if key.name == "law" else key.kind.split("|")
+        guesses = get_close_matches(str(entry), choice, 1)
+        return title + "".join(f"; did you mean {word}?" for word in guesses)
+    is_number = isinstance(entry, int | float) and not isinstance(entry, bool)
+    if not is_number or not abs(entry) < math.inf:
+        return title
     number = key.number
-    if isinstance(entry, bool) or not isinstance(entry, int | float) or not abs(entry) < math.inf:
-        return f": {key.title}"
-    low, high = number.limits.get("gt", 0.0), number.high
+    low = number.limits.get("gt", 0.0)
+    high = number.high
     if entry > high and number.per_unit == 1e3:
-        return f": {key.title}; is that in {number.si}? 1 {number.unit} is 1000 {number.si}".replace("^", "")
-    angle = next((k for k, other in table.keys.items() if other.number.tangent and other.name == key.name), "")
-    if entry >= high and angle and not number.tangent:
-        return f": {key.title}; an angle? say {angle}"
+        question = f"{title}; is that in {number.si}? 1 {number.unit} is 1000 {number.si}"
+        return question.replace("^", "")
+    angles = [k for k, other in table.keys.items() if other.number.tangent and other.name == key.name]
+    if entry >= high and angles and not number.tangent:
+        return f"{title}; an angle? say {angles[0]}"
     beyond = 0.0 < entry <= low or abs(entry) >= high
     if beyond and f"{high:g}" not in key.allowed:
-        return f": {key.title}; between {low:g} and {high:g}: is that another unit?"
-    return f": {key.title}"
+        return f"{title}; between {low:g} and {high:g}: is that another unit?"
+    return title
 
 
 def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, str]:
@@ -184,13 +189,17 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
         parent, _, key = table.rpartition(".")
         within[parent].append(key)
     here = within[path]
-    laws = [law for law in LAWS if unknown in law_table(law).keys] if path == "friction" else []
+    laws = []
+    if path == "friction":
+        laws = [law for law in LAWS if unknown in law_table(law).keys]
     if laws:
         law = tables[path].keys["law"].kind
         return f"{path}.{here[-1]}", f"it belongs to law = {' or '.join(laws)}, and the law is {law}; give law"
     unit = next((u for u in _UNITS if unknown.endswith(u)), "_")
     of_unit = [k for k in here if k.endswith(unit)]
-    for key in get_close_matches(unknown, here, 1) or (of_unit if len(of_unit) == 1 else []):
+    only_of_unit = of_unit if len(of_unit) == 1 else []
+    similar = get_close_matches(unknown, here, 1)
+    for key in similar or only_of_unit:
         return _joined(path, key), f"did you mean {key}?"
     for table in tables:
         for key in get_close_matches(unknown, within[table], 1, 0.9):

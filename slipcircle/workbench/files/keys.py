@@ -223,9 +223,16 @@ def table_of(
     title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}, any_of: tuple[str, ...] = ()
 ) -> Table:
     keys = {p: _keys(p) for p in parameters}
-    pairs = tuple(tuple(pair) for p, pair in keys.items() if len(pair) > 1 and not p.optional)
-    needed = tuple(k for p, pair in keys.items() if p.name in any_of for k in pair)
-    return Table(title, dict(more) | {k: key for pair in keys.values() for k, key in pair.items()}, pairs, needed)
+    by_name = dict(more)
+    alternatives: list[tuple[str, ...]] = []
+    needed: list[str] = []
+    for p, of_parameter in keys.items():
+        by_name |= of_parameter
+        if len(of_parameter) > 1 and not p.optional:
+            alternatives.append(tuple(of_parameter))
+        if p.name in any_of:
+            needed += of_parameter
+    return Table(title, by_name, tuple(alternatives), tuple(needed))
 
 
 def law_table(name: str, known: tuple[str, ...] = tuple(LAWS)) -> Table:

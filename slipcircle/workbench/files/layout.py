@@ -43,9 +43,12 @@ def layout_of(content: Mapping[str, Any]) -> Layout:
     """The tables that a file may have, and its content arranged accordingly."""
     layered = any(get_close_matches(name, ("soils", "layers"), 1, 0.8) for name in content)
     on_slope = layered or "ground" in content
-    known = {name: _numbered(value) if name in _LISTS else value for name, value in content.items()}
-    mistakes = [f"{name}: {why}" for name, why in _excluded(on_slope, layered).items() if name in known]
-    known = {name: value for name, value in known.items() if name not in _excluded(on_slope, layered)}
+    excluded = _excluded(on_slope, layered)
+    mistakes = [f"{name}: {why}" for name, why in excluded.items() if name in content]
+    known = {}
+    for name, value in content.items():
+        if name not in excluded:
+            known[name] = _numbered(value) if name in _LISTS else value
     if layered and "unit_weight_kN_m3" in _table(known, "ground"):
         known["ground"] = {k: value for k, value in known["ground"].items() if k != "unit_weight_kN_m3"}
         mistakes.append(f"ground.unit_weight_kN_m3: {_BY_SOILS}: unit_weight_kN_m3 in [soils.NAME]; leave it out")
@@ -119,19 +122,30 @@ def _unknown_law(friction: Mapping[str, Any]) -> dict[str, Any]:
 
 def _on_slope(tables: Mapping[str, Table], content: Mapping[str, Any]) -> dict[str, Table]:
     """Tables with those of a slope and its loads instead of those of an arc."""
-    found = {path: table for path, table in tables.items() if not path.startswith("arc")} | dict(SLOPING)
-    cohesion = found["cohesion"].keys["cohesion_kPa"]
-    plausible = cohesion._replace(number=replace(cohesion.number, high=_MOST_COHESION))
-    found["cohesion"] = found["cohesion"]._replace(keys={"cohesion_kPa": plausible})
+    of_slope = {path: table for path, table in tables.items() if not path.startswith("arc")}
+    of_slope |= SLOPING
+    cohesion = of_slope["cohesion"].keys["cohesion_kPa"]
+    bounded = replace(cohesion.number, high=_MOST_COHESION)
+    plausible = cohesion._replace(number=bounded)
+    of_slope["cohesion"] = of_slope["cohesion"]._replace(keys={"cohesion_kPa": plausible})
+    of_slope |= LOADS
     surcharge = LOADS["surcharge"]
-    found |= {**LOADS, "surcharge": surcharge._replace(keys={})}
-    return found | {f"surcharge.{k}": surcharge._replace(repeats="") for k in _tables_in(content, "surcharge")}
+    of_slope["surcharge"] = surcharge._replace(keys={})
+    for number in _tables_in(content, "surcharge"):
+        of_slope[f"surcharge.{number}"] = surcharge._replace(repeats="")
+    return of_slope
 
 
 def _with_layers(tables: Mapping[str, Table], laws: Mapping[str, str], count: int, rate: str) -> dict[str, Table]:
     """Tables with those of soils and layers instead of those of one soil."""
-    found = {path: table for path, table in tables.items() if path.partition(".")[0] not in NOT_WITH_LAYERS}
-    ground = found["ground"]
+    layered = {}
+    for path, table in tables.items():
+        first, _, _ = path.partition(".")
+        if first not in NOT_WITH_LAYERS:
+            layered[path] = table
+    ground = layered["ground"]
     keys = {k: key for k, key in ground.keys.items() if key.name != "unit_weight"}
+    layered["ground"] = ground._replace(keys=keys)
     known_laws = {name: law or "constant" for name, law in laws.items()}
-    return found | {"ground": ground._replace(keys=keys)} | layered_tables(known_laws, count, rate or RATE_LAWS[0])
+    known_rate = rate or RATE_LAWS[0]
+    return layered | layered_tables(known_laws, count, known_rate)

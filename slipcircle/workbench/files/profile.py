@@ -50,7 +50,10 @@ def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any
     slip = given.get("slip", {})
     of_soils = [path for path in given if path.startswith("soils.") and not path.endswith(".friction")]
     names = [path.removeprefix("soils.") for path in of_soils]
-    places = {f"layers.{k}.soil": layer["soil"] for k, layer in enumerate(layers, 1) if layer.get("soil")}
+    places = {}
+    for number, layer in enumerate(layers, 1):
+        if layer.get("soil"):
+            places[f"layers.{number}.soil"] = layer["soil"]
     if slip.get("foreland"):
         places["slip.foreland"] = slip["foreland"]
     mistakes = [*_unknown_soils(places, names), *_top_mistakes(layers)]
@@ -128,10 +131,12 @@ def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
     for _, top in layers[1:]:
         line = top if np.ndim(top) else [[left, top], [right, top]]
         lines.append(np.asarray(line))
+    tolerance = 1e-9 * np.ptp(ground)
     for k, (upper, lower) in enumerate(pairwise(lines), 3):
-        x = np.unique(np.concatenate([upper[:, 0], lower[:, 0]]))
+        vertices = np.concatenate([upper[:, 0], lower[:, 0]])
+        x = np.unique(vertices)
         excess = np.interp(x, *lower.T) - np.interp(x, *upper.T)
         highest = int(np.argmax(excess))
-        if excess[highest] > 1e-9 * np.ptp(ground):
+        if excess[highest] > tolerance:
             place = f"at x = {x[highest]:.6g}"
             yield f"layers.{k}.top_m: rises above the top of layer {k - 1}, {place}; what is above is cut off"

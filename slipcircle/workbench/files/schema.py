@@ -87,11 +87,18 @@ def _of_slopes(defined: Callable[..., dict[str, Any]]) -> dict[str, Any]:
 
 def _schema_of_table(table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
     keys = {k: _schema_of_key(key) for k, key in table.keys.items()}
-    found = _object(keys | dict(more), table.title, [k for k, key in table.keys.items() if key.required])
-    needs: list[Any] = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
-    needs += [{"anyOf": [{"required": [k]} for k in table.any_of]}] if table.any_of else []
-    needs += [{"oneOf": [{"required": list(keys)} for keys in table.sets]}] if table.sets else []
-    return found | ({"allOf": needs} if needs else {})
+    required = [k for k, key in table.keys.items() if key.required]
+    schema = _object(keys | dict(more), table.title, required)
+    needs: list[Any] = []
+    for pair in table.one_of:
+        needs.append({"oneOf": [{"required": [k]} for k in pair]})
+    if table.any_of:
+        needs.append({"anyOf": [{"required": [k]} for k in table.any_of]})
+    if table.sets:
+        needs.append({"oneOf": [{"required": list(keys)} for keys in table.sets]})
+    if needs:
+        schema["allOf"] = needs
+    return schema
 
 
 def _object(properties: Mapping[str, Any], title: str, required: list[str]) -> dict[str, Any]:

@@ -76,17 +76,18 @@ def _sections(motions: Sequence[Motion], ax: Any) -> None:
     from matplotlib.patches import Polygon
 
     soil = motions[0].plan.scene.arc
+    facing = float(soil.facing)
     mass, styles = mass_of(soil, soil), _named(motions)
-    turns = [float(motion.end.rotation) * float(soil.facing) if motion.moves else 0.0 for motion in motions]
-    outlines = [mass.outline(turn) for turn in turns]
-    view = View.around(mass.outline(), *outlines)
-    view = scenery(ax, mass, soil, view.grown(0.1 * view.size, 0.1 * view.size))
-    ax.add_patch(Polygon(mass.outline(), closed=True, zorder=2, **AREAS["start"]))
-    for k, outline in enumerate(outlines):
+    start = mass.outline()
+    ends = {k: mass.outline(facing * float(motion.end.rotation)) for k, motion in enumerate(motions) if motion.moves}
+    view = View.around(start, *ends.values())
+    margin = 0.1 * view.size
+    view = scenery(ax, mass, soil, view.grown(margin, margin))
+    ax.add_patch(Polygon(start, closed=True, zorder=2, **AREAS["start"]))
+    for k, outline in ends.items():
         colour, dashes, _ = styles.get(k, REST)
-        if motions[k].moves:
-            ax.add_patch(Polygon(outline, closed=True, fill=False, ec=colour, ls=dashes, lw=1.6, zorder=3))
-    label(ax, "start", mass.outline().mean(axis=0), "0.3", inside=True)
+        ax.add_patch(Polygon(outline, closed=True, fill=False, ec=colour, ls=dashes, lw=1.6, zorder=3))
+    label(ax, "start", start.mean(axis=0), "0.3", inside=True)
     view.show(ax)
     to_scale(ax, "$x$ (m)", "$y$ (m)")
 
@@ -122,9 +123,12 @@ def _bars(motions: Sequence[Motion], ax: Any) -> None:
     side = ax.secondary_yaxis("right")
     side.set_yticks(range(len(shown)), [_outcome(motions[k]) for k in shown])
     side.tick_params(length=0, labelsize="small")
-    hidden = [abs(motions[k].run_out) for k in order[_MOST_BARS:]]
-    rest = f"; {len(hidden)} more, each at most {number(max(hidden))} m" if hidden else ""
-    ax.set_xlabel(f"run-out along the arc (m){rest}")
+    words = "run-out along the arc (m)"
+    hidden = order[_MOST_BARS:]
+    if hidden:
+        farthest = abs(motions[hidden[0]].run_out)
+        words += f"; {len(hidden)} more, each at most {number(farthest)} m"
+    ax.set_xlabel(words)
 
 
 def _outcome(motion: Motion) -> str:

@@ -6,16 +6,19 @@ from slipcircle.core import Motion
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.forms import html as table_of
 from slipcircle.workbench.common.forms import to_dict, to_pandas, to_xarray
-from slipcircle.workbench.outputs import film, live, pictures, plots, studyplots
+from slipcircle.workbench.outputs import film, live, pictures, plots, studyplots, suiteplots
 from slipcircle.workbench.outputs.plotstyle import known, new_figure
 from slipcircle.workbench.studies.study import Study
+from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
 __all__ = ["animate", "html", "plot", "to_dict", "to_pandas", "to_xarray"]
 
 
-def plot(result: Motion | Study, what: str, ax: Any) -> Any:
+def plot(result: Motion | Study | SuiteStudy, what: str, ax: Any) -> Any:
     """One panel of a result on an axis, or all panels on a new figure."""
-    drawn_by: Any = plots if isinstance(result, Motion) else studyplots
+    drawn_by: Any = studyplots if isinstance(result, Study) else suiteplots
+    if isinstance(result, Motion):
+        drawn_by = plots
     _one_lane(result)
     known("plot: what", what, ("overview", *drawn_by.PANELS))
     if what != "overview":
@@ -40,7 +43,7 @@ def animate(motion: Motion, path: str, seconds: float) -> Any:
     return files.write(path, pictures.slide(motion, seconds))
 
 
-def _one_lane(result: Motion | Study) -> None:
+def _one_lane(result: Motion | Study | SuiteStudy) -> None:
     """Reject an ensemble, which has no single picture."""
     if isinstance(result, Motion) and result.shape:
         raise ValueError(f"a motion of {len(result)} lanes is not one picture: take one of them, motion[0]")

@@ -25,20 +25,23 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
     """The section with the mass at equidistant times, played in so many seconds; a single frame if nothing moves."""
     from matplotlib.patches import Polygon
 
-    ax, facing = axis(None if figure is None else figure.add_subplot()), float(motion.plan.scene.arc.facing)
+    ax = axis(None if figure is None else figure.add_subplot())
     stage = set_stage(motion, ax)
-    mass, turn_per_rotation = stage.mass, stage.magnification * facing
+    mass = stage.mass
+    turn_per_rotation = stage.magnification * float(motion.plan.scene.arc.facing)
     ax.add_patch(Polygon(mass.outline(), closed=True, zorder=2, **AREAS["start"]))
     body = ax.add_patch(Polygon(mass.outline(), closed=True, zorder=4, **AREAS["moving"]))
     times = np.linspace(0.0, motion.duration, frames if motion.moves else 1)
     states = motion.at(times)
+    turns = turn_per_rotation * states.rotation
+    speeds = np.abs(states.velocity)
     pace = _pace(motion, seconds, stage.magnification)
     title = ax.figure.suptitle(" ", fontsize="medium")
 
     def draw(frame: int) -> tuple[Any, ...]:
-        body.set_xy(mass.outline(turn_per_rotation * float(states.rotation[frame])))
-        time, speed, way = times[frame], abs(float(states.velocity[frame])), float(states.displacement[frame])
-        title.set_text(f"{time:.2f} s: {way:.2f} m, {speed:.2f} m/s{pace}")
+        body.set_xy(mass.outline(float(turns[frame])))
+        displacement = states.displacement[frame]
+        title.set_text(f"{times[frame]:.2f} s: {displacement:.2f} m, {speeds[frame]:.2f} m/s{pace}")
         return body, title
 
     draw(0)

@@ -14,14 +14,19 @@ _ARROWS = (-0.6, -0.2, 0.2, 0.6)  # angles of the reactions from the middle of t
 
 def draw_forces(ax: Any, motion: Motion, mass: Any, size: float) -> None:
     """The weight at the centroid, and reactions along the arc."""
-    middle, alpha = float(mass.ends.mean()), float(np.ptp(mass.ends)) / 2
-    length = min(0.16 * size, 0.9 * mass.radius * alpha)
+    middle = float(mass.ends.mean())
+    alpha = float(np.ptp(mass.ends)) / 2
+    half_arc = mass.radius * alpha
+    length = min(0.16 * size, 0.9 * half_arc)
     centroid = mass.on_circle(middle) * _centroid_radius(alpha)
     tip = centroid - [0.0, 1.25 * length]
     _arrow(ax, centroid, tip, "weight", 2.2)
     beside(ax, "$W$", tip, (0.0, -1.0))
-    ax.set_ylim(bottom=min(ax.get_ylim()[0], tip[1] - 0.12 * size))
-    _reactions(ax, motion, mass.on_circle(middle + alpha * np.array(_ARROWS)), length)
+    bottom, _ = ax.get_ylim()
+    below_tip = tip[1] - 0.12 * size
+    ax.set_ylim(bottom=min(bottom, below_tip))
+    angles = middle + alpha * np.array(_ARROWS)
+    _reactions(ax, motion, mass.on_circle(angles), length)
 
 
 def _reactions(ax: Any, motion: Motion, places: Floats, length: float) -> None:
@@ -55,6 +60,3 @@ def _arrow(ax: Any, tail: Any, tip: Any, force: str, width: float) -> None:
     """A force as an arrow."""
     style = {"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0, "mutation_scale": 11}
     ax.annotate("", tip, tail, arrowprops=style | {"color": FORCES[force], "lw": width}, zorder=5)
-
-
-# --- the slide itself, and the search for its circle -----------------------------------------------------------------

@@ -106,19 +106,21 @@ def _at(motion: Motion, times: Floats) -> Interpolant:
 def _velocity_errors(motion: Motion, points: Interpolant) -> Floats:
     """Greatest error of each cubic at three times within its interval, as a share of the greatest velocity."""
     between = np.linspace(points.times[:-1], points.times[1:], 5)[1:-1]
-    cubic = hermite(points.times, points.velocity, points.acceleration, np.ravel(between))
-    difference = cubic - motion.at(np.ravel(between)).velocity
-    greatest = abs(float(motion.peak.velocity)) or 1.0
-    return np.asarray(np.max(np.abs(difference).reshape(between.shape), axis=0) / greatest)
+    times = np.ravel(between)
+    cubic = hermite(points.times, points.velocity, points.acceleration, times)
+    errors = np.abs(cubic - motion.at(times).velocity)
+    largest = np.max(errors.reshape(between.shape), axis=0)
+    greatest_velocity = abs(float(motion.peak.velocity)) or 1.0
+    return np.asarray(largest / greatest_velocity)
 
 
 def _dividing_times(times: Floats, divided: NDArray[np.intp], bends: Floats) -> Floats:
     """The bend next to the middle of each divided interval, or its middle where the interval has none."""
     start, end = times[divided], times[divided + 1]
     middle = (start + end) / 2
-    after = np.clip(np.searchsorted(bends, middle), 1, bends.size - 1)
-    before = after - 1
-    nearest = np.where(middle - bends[before] < bends[after] - middle, bends[before], bends[after])
+    next_bend = np.clip(np.searchsorted(bends, middle), 1, bends.size - 1)
+    before, after = bends[next_bend - 1], bends[next_bend]
+    nearest = np.where(middle - before < after - middle, before, after)
     is_inside = (start < nearest) & (nearest < end)
     return np.where(is_inside, nearest, middle)
 

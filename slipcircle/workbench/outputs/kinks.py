@@ -56,6 +56,9 @@ def _breakpoints(motion: Motion, effect: str) -> list[float]:
 def _crossings(times: Floats, values: Floats, level: float, words: str) -> Iterator[tuple[float, str]]:
     """Times at which values reach or leave a level."""
     above = values >= level
-    for k in np.flatnonzero(above[1:] != above[:-1]).tolist():
-        share = (level - values[k]) / (values[k + 1] - values[k])
-        yield float(times[k] + share * (times[k + 1] - times[k])), words
+    changes = above[1:] != above[:-1]
+    for k in np.flatnonzero(changes).tolist():
+        before, after = values[k : k + 2]
+        start, end = times[k : k + 2]
+        share = (level - before) / (after - before)
+        yield float(start + share * (end - start)), words

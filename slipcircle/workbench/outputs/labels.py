@@ -166,14 +166,22 @@ def _along(points: Floats, frame: Any) -> Floats:
     if len(points) < 2:
         return points
     points = np.clip(points, frame.min - 50.0, frame.max + 50.0)
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    lengths = np.hypot(*np.diff(points, axis=0).T)
+    along = np.concatenate([[0.0], np.cumsum(lengths)])
     at = np.arange(0.0, along[-1], _SPACING)
-    return np.column_stack([np.interp(at, along, points[:, 0]), np.interp(at, along, points[:, 1])])
+    x, y = points.T
+    return np.column_stack([np.interp(at, along, x), np.interp(at, along, y)])
 
 
 def _inside(path: Any, frame: Any) -> Floats:
     """Points of a hatched area."""
-    low, high = np.maximum(path.get_extents().min, frame.min), np.minimum(path.get_extents().max, frame.max)
-    x, y = (np.arange(*ends, 2.0 * _SPACING) for ends in zip(low, high, strict=True))
+    extents = path.get_extents()
+    left, bottom = np.maximum(extents.min, frame.min)
+    right, top = np.minimum(extents.max, frame.max)
+    spacing = 2.0 * _SPACING
+    x = np.arange(left, right, spacing)
+    y = np.arange(bottom, top, spacing)
     points = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
-    return points[path.contains_points(points)] if len(points) else points
+    if not len(points):
+        return points
+    return points[path.contains_points(points)]

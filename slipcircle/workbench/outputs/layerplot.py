@@ -59,8 +59,9 @@ def boundaries(ground: Floats, layers: Layers) -> tuple[Floats, list[Floats]]:
             points = np.array([[left, top], [right, top]], dtype=np.float64)
         lines.append(points)
     vertices = np.concatenate([line[:, 0] for line in lines])
-    even = np.linspace(left, right, _ACROSS)
-    x = np.unique(np.concatenate([even, np.clip(vertices, left, right)]))
+    inside = np.clip(vertices, left, right)
+    equidistant = np.linspace(left, right, _ACROSS)
+    x = np.union1d(equidistant, inside)
     tops = [np.interp(x, *lines[0].T)]
     for line in lines[1:]:
         height = np.interp(x, *line.T)

@@ -78,8 +78,9 @@ def fragment(motions: Sequence[Motion], name: str, varied: str = "", labels: Seq
     frame, magnification = frame_around(motions), common_magnification(motions)
     arcs = {id(motion.plan.scene.arc): motion for motion in motions}  # one of cases that differ in other numbers
     shapes = [section(motion, frame, magnification, f"{name}-{k}") for k, motion in enumerate(arcs.values())]
-    drawings = sum(len(shape.drawing) for shape in shapes)
-    histories = _interpolants(motions, (_SIZE - drawings) // BYTES)
+    size_of_drawings = sum(len(shape.drawing) for shape in shapes)
+    room = (_SIZE - size_of_drawings) // BYTES
+    histories = _interpolants(motions, room)
     cases = [*map(_case, motions, histories, labels or [""] * len(motions))]
     for case, motion in zip(cases, motions, strict=True):
         case["shape"] = [*arcs].index(id(motion.plan.scene.arc))
@@ -159,9 +160,10 @@ def varied_page(scene: Scene, key: str, values: Sequence[float]) -> str:
     if len(values) > MOST_CASES:
         raise ValueError(f"--vary {key}: {len(values)} values; a page shows at most {MOST_CASES}")
     levels = np.asarray(values, dtype=np.float64)
-    for value in levels:
-        with_parameters(scene, {number.name: float(number.to_si(value))})  # raises an error for an invalid value
-    lanes = study_motions.motions(scene, {number.name: number.to_si(levels)})
+    in_si = number.to_si(levels)
+    for value in in_si.tolist():
+        with_parameters(scene, {number.name: value})  # raises an error for an invalid value
+    lanes = study_motions.motions(scene, {number.name: in_si})
     cases = [lanes[lane] for lane in range(levels.size)]
     present = float(number.from_si(parameter_value(scene, number.name)))
     nearest = int(np.argmin(np.abs(levels - present)))
@@ -183,7 +185,8 @@ def _case(motion: Motion, history: Interpolant, label: str) -> dict[str, Any]:
     """Data of one case."""
     answered = motion.status in ANSWERED
     columns, units = history.encoded()
-    end = ending(motion) if answered and motion.moves else end_words(motion).get("comes to rest", "no result")
+    is_motion = answered and motion.moves
+    end = ending(motion) if is_motion else end_words(motion).get("comes to rest", "no result")
     return {
         "label": label,
         "headline": headline(motion),
@@ -204,8 +207,8 @@ def _groups(shapes: Sequence[Section], seen: int) -> Iterator[str]:
 
 def _range(columns: Iterable[Any]) -> tuple[float, float]:
     """Limits of an axis with all values and zero."""
-    values = [float(end) for column in columns for end in (column.min(), column.max())]
-    low, high = min(0.0, *values), max(0.0, *values)
+    values = np.concatenate([[0.0], *columns])
+    low, high = float(values.min()), float(values.max())
     return (low, high) if high > low else (0.0, 1.0)
 
 

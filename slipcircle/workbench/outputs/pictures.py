@@ -106,7 +106,7 @@ def _on_axis(draw: Callable[..., Any]) -> Callable[[Any, Any], Any]:
 
 def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
     """Functions that draw a result on an empty figure, and its inches, by the kind of picture; loaded on first use."""
-    from slipcircle.workbench.outputs import layerplot, plots, searchplot, studyplots, tornado
+    from slipcircle.workbench.outputs import layerplot, plots, searchplot, studyplots, suiteplots, tornado
 
     return {
         "motions": (_motions, _motions_size),
@@ -118,6 +118,7 @@ def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any],
         "phase plane": (_on_axis(plots.phase_plane), lambda _: (8.6, 4.0)),
         "shaking": (_on_axis(plots.shaking), lambda _: (8.6, 3.0)),
         "stress along the arc": (_on_axis(layerplot.stress_along), lambda _: (8.6, 3.0)),
+        "suite": (suiteplots.overview, suiteplots.size),
         "study": (studyplots.overview, studyplots.size),
         "sensitivity": (tornado.panels, tornado.size),
         "backanalysis": (studyplots.explained, studyplots.explained_size),

@@ -83,8 +83,9 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     symbol, every = HISTORIES[what]
     times, values = columns["time"], columns[what]
     curves = [curve for curve in every if curve.column == what or _differs(columns[curve.column], values)]
-    factor, unit = _unit(quantity, [columns[curve.column] for curve in curves])
-    drawn_values = [factor * columns[curve.column] for curve in curves]
+    in_si = [columns[curve.column] for curve in curves]
+    factor, unit = _unit(quantity, in_si)
+    drawn_values = [factor * column for column in in_si]
     ax.set(xlabel="time $t$ (s)", ylabel=f"{quantity.label}{symbol} ({unit or '–'})")
     if not motion.moves:
         return still(motion, ax)
@@ -134,9 +135,11 @@ def _mark_times(
 
 def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
     """Points of a curve in view, away from both ends of the time axis, where its label may stand."""
-    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
-    width = right - left
-    inside = (left + 0.1 * width < times) & (times < right - 0.1 * width) & (low < values) & (values < high)
+    left, right = ax.get_xlim()
+    low, high = ax.get_ylim()
+    margin = 0.1 * (right - left)
+    in_middle = (left + margin < times) & (times < right - margin)
+    inside = in_middle & (low < values) & (values < high)
     shown = inside if np.any(inside) else slice(None)
     return np.asarray(points_of(times[shown], values[shown]))
 
@@ -235,7 +238,7 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     ax.set_xlabel("path travelled, as it turns back (m)" if turns_back else "displacement $s$ (m)")
     unit = _energies(motion, ax, along)
     of_width, per = width(motion)
-    ax.set_ylabel(f"energy {of_width} ({unit}{per})")
+    ax.set_ylabel(f"energy {of_width}\n({unit}{per})")
     if not motion.moves:
         return still(motion, ax)
     farthest = float(along[np.argmax(np.abs(along))])
@@ -246,9 +249,12 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     right.set_ylabel("speed $|v|$ (m/s)", color=LINES["main"]["color"])
     right.set_ylim(0.0, 1.2 * float(np.max(speed)))
     for role, time, words in _marks(motion):
-        place, height = (_read(time, columns["time"], column) for column in (along, speed))
-        mark(right, place, height, role, f"{words}:\n{number(height)} m/s at {number(place)} m" if height else "")
-    label(right, "speed", _in_view(right, along * farthest / abs(farthest), speed), LINES["main"]["color"])
+        place = _read(time, columns["time"], along)
+        height = _read(time, columns["time"], speed)
+        measured = f"{words}:\n{number(height)} m/s at {number(place)} m"
+        mark(right, place, height, role, measured if height else "")
+    onwards = along * math.copysign(1.0, farthest)
+    label(right, "speed", _in_view(right, onwards, speed), LINES["main"]["color"])
     return ax
 
 
@@ -258,20 +264,22 @@ def _energies(motion: Motion, ax: Any, along: Floats) -> str:
     at_start = float(columns["kinetic_energy"][0])
     supplied = at_start + columns["work_of_gravity_and_shaking"]
     factor, unit = prefixed(np.concatenate([supplied, columns["dissipation"]]), "J")
-    if motion.moves:
-        dissipation = factor * columns["dissipation"]
-        total = dissipation + factor * columns["kinetic_energy"]
-        ax.fill_between(along, 0.0, dissipation, **AREAS["dissipation"])
-        ax.fill_between(along, dissipation, total, **AREAS["kinetic"])
-        ax.plot(along, factor * supplied, **LINES["total"])
-        ax.set_ylim(0.0, 1.2 * float(np.max(total)))
-        words = work(motion) + (" and first kinetic energy" if at_start else "")
-        later = slice(len(along) // 4, None)
-        label(ax, words, points_of(along[later], factor * supplied[later]), LINES["total"]["color"])
-        label(ax, "dissipation", points_of(along[later], dissipation[later] / 2), "0.25", inside=True)
-        thickest = int(np.argmax(total - dissipation))
-        middle = (dissipation[thickest] + total[thickest]) / 2
-        label(ax, "kinetic energy", (along[thickest], middle), "0.25")
+    if not motion.moves:
+        return unit
+    dissipation = factor * columns["dissipation"]
+    kinetic = factor * columns["kinetic_energy"]
+    total = dissipation + kinetic
+    ax.fill_between(along, 0.0, dissipation, **AREAS["dissipation"])
+    ax.fill_between(along, dissipation, total, **AREAS["kinetic"])
+    ax.plot(along, factor * supplied, **LINES["total"])
+    ax.set_ylim(0.0, 1.2 * float(np.max(total)))
+    words = work(motion) + (" and first kinetic energy" if at_start else "")
+    later = slice(len(along) // 4, None)
+    label(ax, words, points_of(along[later], factor * supplied[later]), LINES["total"]["color"])
+    label(ax, "dissipation", points_of(along[later], dissipation[later] / 2), "0.25", inside=True)
+    thickest = int(np.argmax(kinetic))
+    middle = dissipation[thickest] + kinetic[thickest] / 2
+    label(ax, "kinetic energy", (along[thickest], middle), "0.25")
     return unit
 
 
@@ -338,8 +346,9 @@ def overview(motion: Motion, figure: Any) -> Any:
     grid = figure.add_gridspec(1 + rows, 2, height_ratios=(_SECTION, *[_PANEL] * rows))
     axes = [section(motion, figure.add_subplot(grid[0, :]))]
     for k, draw in enumerate(panels):
-        is_alone = k % 2 == 0 and k + 1 == len(panels)
-        place = grid[1 + k // 2, :] if is_alone else grid[1 + k // 2, k % 2]
+        row, column = 1 + k // 2, k % 2
+        is_alone = column == 0 and k + 1 == len(panels)
+        place = grid[row, :] if is_alone else grid[row, column]
         axes.append(draw(motion, ax=figure.add_subplot(place)))
     letter(axes)
     figure.suptitle(title(motion), parse_math=False, fontweight="bold")

@@ -135,8 +135,10 @@ def points_of(x: Any, y: Any, count: int = 12) -> Any:
 def note(ax: Any, words: Iterable[str]) -> None:
     """Lines of text in the emptiest place of an axis."""
     (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
-    x, y = np.meshgrid(np.linspace(left, right, 15)[1:-1], np.linspace(bottom, top, 15)[1:-1])
-    label(ax, "\n".join(words), np.stack([x, y], axis=-1), "0.25", inside=True)
+    across = np.linspace(left, right, 15)[1:-1]
+    up = np.linspace(bottom, top, 15)[1:-1]
+    places = np.stack(np.meshgrid(across, up), axis=-1)
+    label(ax, "\n".join(words), places, "0.25", inside=True)
 
 
 def quantity_words(quantity: Number) -> str:

@@ -64,8 +64,10 @@ def _of_table(
                 yield Input(where, "yes", "", tables[where].title, sources.get(where, ""))
             yield from _of_table(tables, sources, where, value)
         elif where not in ("name", "note"):
-            key, source = keys[name], sources.get(where) or sources.get(path, "")
-            unit = _unit(key) or ("g" if name.endswith("_g") else "")
+            key = keys[name]
+            source = sources.get(where) or sources.get(path, "")
+            of_gravity = "g" if name.endswith("_g") else ""
+            unit = _unit(key) or of_gravity
             yield Input(where, _shown(value), unit, key.title, source)
     for name, key in keys.items():
         title, _, default = key.title.partition(", by default ")

@@ -133,20 +133,25 @@ def _estimate(e: Estimate) -> Raw:
 
 def _inputs(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
     """Inputs with units and sources, effects, friction law, equation of motion, and assumptions."""
-    given = inputs(plan.scene, None if file is None else file.decode("utf-8-sig"))
-    yield Part(["input", "value", "unit", "what it is", "source"], [[_path(i.path), *i[1:]] for i in given], "Inputs")
+    text = None if file is None else file.decode("utf-8-sig")
+    given = [[_path(row.path), *row[1:]] for row in inputs(plan.scene, text)]
+    yield Part(["input", "value", "unit", "what it is", "source"], given, "Inputs")
     effects = []
     for name, effect in EFFECTS.items():
         effects.append([name, "used" if name in plan.effects else "not included", effect.help, effect.equation])
     yield Part(["effect", "", "what it does", "equation of the paper"], effects)
-    laws = (f"{name}: {LAWS[name].help}" if name in LAWS else name for name in law_names(plan.scene.friction))
+    laws = [f"{name}: {LAWS[name].help}" if name in LAWS else name for name in law_names(plan.scene.friction)]
     yield Part([], [["friction law", " times ".join(laws)]])
     yield tag("h3", "Equation of motion")
     yield tag("pre", str(plan.equation))
     yield tag("h3", "Assumptions")
-    frozen = () if "rotation" in plan.effects else ("The geometry is frozen: the weight does not turn with the mass.",)
-    left_out = f"Not included: {', '.join(plan.left_out) or 'nothing'}."
-    yield Raw("<ul>" + "".join(tag("li", sentence) for sentence in (*ASSUMED, *frozen, left_out, PAPER)) + "</ul>")
+    sentences = [*ASSUMED]
+    if "rotation" not in plan.effects:
+        sentences.append("The geometry is frozen: the weight does not turn with the mass.")
+    not_included = ", ".join(plan.left_out) or "nothing"
+    sentences += [f"Not included: {not_included}.", PAPER]
+    items = "".join(tag("li", sentence) for sentence in sentences)
+    yield Raw(f"<ul>{items}</ul>")
 
 
 # --- motions ---------------------------------------------------------------------------------------------------------
@@ -157,18 +162,27 @@ def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), comman
     files = files or [None] * len(motions)
     names = [motion.plan.scene.name or f"scene {number}" for number, motion in enumerate(motions, 1)]
     several = len(motions) > 1
-    parts = []
-    if several:
-        links = [Raw(f'<a href="#scene-{number}">{escaped(name)}</a>') for number, name in enumerate(names, 1)]
-        rows = [[quantity.label, *(_value(quantity, motion) for motion in motions)] for quantity in RESULTS]
-        parts.append(_scrolling(rows, ["", *links]))
+    parts = [_overview(motions, names)] if several else []
     for number, (motion, name, file) in enumerate(zip(motions, names, files, strict=True), 1):
         slide = live.fragment([motion], f"slide-{number}")
         about = [slide, *_of_motion(motion, file)]
-        chapter = _chapter(motion.plan, (), about, record(motion), " in SI units and radians", file)
-        heading = [tag("h2", name)] if several else []
-        parts += [Raw(f'<section id="scene-{number}">'), *heading, *chapter, Raw("</section>")]
-    return _page(", ".join(names), parts, zip(names, files, strict=True), command, live.script())
+        parts.append(Raw(f'<section id="scene-{number}">'))
+        if several:
+            parts.append(tag("h2", name))
+        parts += _chapter(motion.plan, (), about, record(motion), " in SI units and radians", file)
+        parts.append(Raw("</section>"))
+    named_files = zip(names, files, strict=True)
+    return _page(", ".join(names), parts, named_files, command, live.script())
+
+
+def _overview(motions: Sequence[Motion], names: Sequence[str]) -> Raw:
+    """Results of several motions side by side, with links to their chapters."""
+    links = [Raw(f'<a href="#scene-{number}">{escaped(name)}</a>') for number, name in enumerate(names, 1)]
+    rows = []
+    for quantity in RESULTS:
+        values = [_value(quantity, motion) for motion in motions]
+        rows.append([quantity.label, *values])
+    return _scrolling(rows, ["", *links])
 
 
 def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:

@@ -217,11 +217,13 @@ def name_circle(ax: Any, mass: Mass, soil: Any) -> None:
     colour = "0.25" if isinstance(soil, LayeredSection) else LINES["main"]["color"]
     label(ax, words, mass.arc[ON_ARC // 4 : -ON_ARC // 4 : 10], colour)
     if isinstance(soil, Arc):
-        chord = number(2 * mass.radius * math.sin(float(soil.half_angle)))
-        dip = number(math.degrees(1.5 * math.pi - mass.ends.mean()))
-        words = f"chord {chord} m, dip {dip} deg, depth {number(float(soil.depth))} m"
+        chord = 2 * mass.radius * math.sin(float(soil.half_angle))
+        dip = math.degrees(1.5 * math.pi - mass.ends.mean())
+        depth = float(soil.depth)
+        words = f"chord {number(chord)} m, dip {number(dip)} deg, depth {number(depth)} m"
+        left, right = mass.ground
         shares = np.linspace(0.2, 0.8, 7)[:, None]
-        label(ax, words, mass.ground[0] + shares * (mass.ground[1] - mass.ground[0]))
+        label(ax, words, left + shares * (right - left))
 
 
 def _firm_layer(ax: Any, soil: Any, view: View) -> View:

@@ -30,21 +30,28 @@ class Mass(NamedTuple):
 
     def outline(self, turn: float = 0.0) -> Floats:
         """Points along the arc, left to right, and back along the ground; turned counterclockwise."""
-        arc, x = self.arc, self.ground[:, 0]
-        left, right = arc[0, 0], arc[-1, 0]
+        arc = self.arc
+        x = self.ground[:, 0]
+        first, last = arc[0], arc[-1]
+        is_between = (x >= first[0]) & (x <= last[0])
         from_centre = np.hypot(*(self.ground - self.centre).T)
-        over_arc = (x >= left) & (x <= right) & (from_centre < (1 - 1e-9) * self.radius)
-        first, last = (self._wall(end) for end in arc[[0, -1]])
-        points = np.concatenate([arc, last, self.ground[over_arc][::-1], first]) - self.centre
+        is_inside = from_centre < (1 - 1e-9) * self.radius
+        leftwards = self.ground[is_between & is_inside][::-1]
+        outline = np.concatenate([arc, self._wall(last), leftwards, self._wall(first)])
+        points = outline - self.centre
         cos, sin = math.cos(turn), math.sin(turn)
         rotation = [[cos, sin], [-sin, cos]]
         return self.centre + points @ rotation
 
     def _wall(self, end: Floats) -> Floats:
         """The ground straight above an end of the arc at the bottom of a tension crack; no point otherwise."""
-        top = np.array([[end[0], np.interp(end[0], *self.ground.T)]])
-        on_vertex = np.any(np.abs(self.ground[:, 0] - end[0]) < 1e-9 * self.radius)
-        return top if top[0, 1] - end[1] > 1e-6 * self.radius and not on_vertex else top[:0]
+        x, y = end
+        height = np.interp(x, *self.ground.T)
+        top = np.array([[x, height]])
+        from_vertices = np.abs(self.ground[:, 0] - x)
+        on_vertex = np.any(from_vertices < 1e-9 * self.radius)
+        is_wall = height - y > 1e-6 * self.radius
+        return top if is_wall and not on_vertex else top[:0]
 
 
 class View(NamedTuple):

@@ -170,15 +170,18 @@ def response(study: "Study", output: str = "reach", ax: Any = None) -> Any:
     check_grid([len(x) for x in levels])
     ax = axis(ax)
     values = study.samples[output].reshape(len(levels[0]), -1)
-    if len(levels) == 2 and min(values.shape) > len(SERIES):
+    has_two = len(levels) == 2
+    if has_two and min(values.shape) > len(SERIES):
         return _map(ax, levels, numbers, values, output)
-    if len(levels) == 2 and values.shape[1] > len(SERIES):
+    if has_two and values.shape[1] > len(SERIES):
         levels, numbers, values = levels[::-1], numbers[::-1], values.T
+    across = levels[0]
     for k, (column, (colour, dashes, marker)) in enumerate(zip(values.T, SERIES, strict=False)):
-        ax.plot(levels[0], column, color=colour, ls=dashes, marker=marker, lw=1.8, ms=4)
-        if len(levels) == 2:
-            value = f"{number(levels[1][k])} {unit_of(numbers[1])}".rstrip()
-            label(ax, f"{quantity_words(numbers[1])} {value}", points_of(levels[0], column, 100), colour)
+        ax.plot(across, column, color=colour, ls=dashes, marker=marker, lw=1.8, ms=4)
+        if has_two:
+            second = numbers[1]
+            words = f"{quantity_words(second)} {number(levels[1][k])} {unit_of(second)}"
+            label(ax, words.rstrip(), points_of(across, column, 100), colour)
     ax.set(xlabel=axis_words(numbers[0]), ylabel=_label(output))
     ax.margins(0.08, 0.15)
     ax.grid(alpha=0.3)
@@ -187,10 +190,10 @@ def response(study: "Study", output: str = "reach", ax: Any = None) -> Any:
 
 def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any, output: str) -> Any:
     """Map of an output over both numbers of a grid, darkest at its maximum, blank where there is no result."""
-    first, second = (np.asarray(level) for level in levels)
-    x, y = np.argsort(first), np.argsort(second)
-    across, up = first[x], second[y]
-    ordered = values[np.ix_(x, y)].T
+    first, second = map(np.asarray, levels)
+    columns, rows = np.argsort(first), np.argsort(second)
+    across, up = first[columns], second[rows]
+    ordered = values[np.ix_(columns, rows)].T
     cells = ax.pcolormesh(across, up, ordered, shading="nearest", cmap="viridis_r", rasterized=True)
     ax.figure.colorbar(cells, ax=ax, label=_label(output))
     if np.nanmin(ordered) < np.nanmax(ordered):
@@ -223,16 +226,19 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
     solved = [s.values[key] for s in analysis.solutions]
     errors = analysis.solutions[0].standard_errors or {}
     error = errors.get(key, 0.0)
-    at = _around(field, solved, error if np.isfinite(error) else 0.0)
-    curves = motions(analysis.motion.plan.scene, {field.name: field.to_si(at)}).outcomes
+    if not np.isfinite(error):
+        error = 0.0
+    at = _around(field, solved, error)
+    lanes = motions(analysis.motion.plan.scene, {field.name: field.to_si(at)})
     for ax, (name, observed) in zip(axes, analysis.observed.items(), strict=True):
-        ax.plot(at, curves[name], **LINES["main"])
-        label(ax, "computed", points_of(at, curves[name]), LINES["main"]["color"])
+        curve = lanes.outcomes[name]
+        ax.plot(at, curve, **LINES["main"])
+        label(ax, "computed", points_of(at, curve), LINES["main"]["color"])
         _draw_observed(ax, observed, at)
         reached = [OUTCOMES[name].read(s.motion) for s in analysis.solutions]
         for value, outcome in zip(solved, reached, strict=True):
             mark(ax, value, outcome, "end", f"{number(value)} {unit_of(field)}")
-        if error > 0.0 and np.isfinite(error):
+        if error > 0.0:
             ax.errorbar(solved[0], reached[0], xerr=error, fmt="none", ecolor="black")
         ax.set_xlim(at[0], at[-1])
         ax.grid(alpha=0.3)

@@ -291,12 +291,15 @@ def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) 
         columns.append([clean(interval(cell) if isinstance(cell, Estimate) else cell) for cell in column])
     first, *rest = columns
     yield from wrap(clean(title), width)
-    lead = _widths([first], max(width * 6 // 10, _LEAST))[0]
+    widest_lead = max(width * 6 // 10, _LEAST)
+    (lead,) = _widths([first], widest_lead)
+    room = width - lead
     while rest:
-        room = width - lead
-        count = next((n for n in range(len(rest), 1, -1) if _total(rest[:n], _LEAST) <= room), 1)
+        counts = range(len(rest), 1, -1)
+        count = next((n for n in counts if _total(rest[:n], _LEAST) <= room), 1)
         beside, rest = rest[:count], rest[count:]
-        most = next((most for most in range(width, _LEAST, -1) if _total(beside, most) <= room), _LEAST)
+        wraps = range(width, _LEAST, -1)
+        most = next((most for most in wraps if _total(beside, most) <= room), _LEAST)
         yield from _lines([first, *beside], [lead, *_widths(beside, most)], bool(head))
         yield ""
     yield from wrap(clean(note), width, break_on_hyphens=False)
@@ -327,15 +330,17 @@ def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
 
 def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool) -> Iterator[str]:
     """Lines of columns side by side, with wrapped cells; rows without any value are omitted."""
+    gap = _GAP * " "
     for number, row in enumerate(zip(*columns, strict=True)):
         if row[0] and not any(row[1:]):
             continue
         cells = [wrap(cell, width, break_on_hyphens=False) or [""] for cell, width in zip(row, widths, strict=True)]
         for parts in zip_longest(*cells, fillvalue=""):
-            padded = [part.ljust(width) for part, width in zip(parts, widths, strict=True)]
-            yield (_GAP * " ").join(padded).rstrip()
+            padded = map(str.ljust, parts, widths)
+            yield gap.join(padded).rstrip()
         if headed and number == 0:
-            yield "-" * (sum(widths) + _GAP * (len(widths) - 1))
+            gaps = _GAP * (len(widths) - 1)
+            yield "-" * (sum(widths) + gaps)
 
 
 def clean(text: str) -> str:

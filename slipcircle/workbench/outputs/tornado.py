@@ -67,7 +67,8 @@ def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Number
     bars = []
     for name, (key, step) in steps.items():
         value = float(key.from_si(table.at[name]))
-        change = table.derivative(output, name) * key.slope(value) * step
+        per_unit = table.derivative(output, name) * key.slope(value)
+        change = per_unit * step
         words = f"{quantity_words(key)} {number(value)} ± {step:.3g} {unit_of(key)}"
         bars.append((change, words.rstrip()))
     return sorted(bars, key=lambda bar: -abs(bar[0]))
@@ -87,22 +88,30 @@ def _two_sided_bars(ax: Any, bars: Sequence[tuple[float, str]]) -> None:
 
 def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Number, float]], str]:
     """Step of each number in the unit of its key, and the rule for the steps in words."""
-    by_names, uncertain = by_name(table.scene), uncertain_numbers(table.scene)
+    by_names = by_name(table.scene)
     keys = {name: by_names[name] for name in table.parameters}
     if changes is not None:
+        choice = [key.key for key in keys.values()]
         for changed in changes:
-            known("tornado: changes", changed, [key.key for key in keys.values()])
+            known("tornado: changes", changed, choice)
         return {name: (key, changes[key.key]) for name, key in keys.items() if changes.get(key.key)}, ""
-    if any(name in keys for name in uncertain):
-        deviations = {name: (u.number, u.moments[1]) for name, u in uncertain.items() if name in keys}
+    deviations = {}
+    for name, uncertain in uncertain_numbers(table.scene).items():
+        if name in keys:
+            _, deviation = uncertain.moments
+            deviations[name] = uncertain.number, deviation
+    if deviations:
         return deviations, ", by a standard deviation of each"
-    steps = {}
-    for name, key in keys.items():
-        value = float(key.from_si(table.at[name]))
-        slope = key.slope(value)
-        (size,) = scales(table.scene, {name: value * slope}).tolist()
-        steps[name] = key, _SHARE * size / slope
-    return steps, f", by {100 * _SHARE:g} % of each"
+    relative = {name: (key, _relative_step(table, name, key)) for name, key in keys.items()}
+    return relative, f", by {100 * _SHARE:g} % of each"
+
+
+def _relative_step(table: "Sensitivity", name: str, key: Number) -> float:
+    """The step of a number that is a share of its size, in the unit of its key."""
+    value = float(key.from_si(table.at[name]))
+    slope = key.slope(value)
+    (size,) = scales(table.scene, {name: value * slope}).tolist()
+    return float(_SHARE * size / slope)
 
 
 def panels(table: "Sensitivity", figure: Any) -> None:

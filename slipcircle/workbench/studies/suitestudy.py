@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.series import Series
+from slipcircle.base.text import shown
 from slipcircle.core import STRONGEST, Pictured, Scene, Status
 from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.quantities import OUTCOMES, plain
@@ -214,6 +215,16 @@ class SuiteStudy(Pictured):
     def pga(self) -> Floats:
         """Peak accelerations of the scaled records over gravity, (record, scale)."""
         return self.factors * np.array([[entry.peak] for entry in self.suite])
+
+    @property
+    def own_scale(self) -> int:
+        """The place of the scale at which the records are next to as they are."""
+        return int(np.argmin(np.abs(self.factors - 1.0).max(axis=0)))
+
+    def scale_text(self, scale: int) -> str:
+        """A scale, by its place, in words."""
+        value = shown(float(self.scales[scale]))
+        return f"a peak of {value} g" if self.design.to_pga else f"scale {value}"
 
     @property
     def warnings(self) -> list[str]:

@@ -41,35 +41,47 @@ class Intensities(NamedTuple):
 def intensities(record: Series, gravity: float = 9.81) -> Intensities:
     """Intensity measures of a record over gravity; of one that is zero they are 0, its mean period NaN."""
     time, values = _with_zeros(record)
-    steps, before, after = np.diff(time), values[:-1], values[1:]
-    velocity = gravity * np.cumsum(steps * (before + after) / 2.0)
-    squares = np.cumsum(steps * (before**2 + before * after + after**2) / 3.0)
+    steps = np.diff(time)
+    before, after = values[:-1], values[1:]
+    means = (before + after) / 2.0
+    velocity = gravity * np.cumsum(steps * means)
+    mean_squares = (before**2 + before * after + after**2) / 3.0
+    squares = np.concatenate([[0.0], np.cumsum(steps * mean_squares)])
     total = float(squares[-1])
+    arias = math.pi / 2.0 * gravity * total
     duration = 0.0
     if total > 0.0:
-        first, last = np.interp((0.05 * total, 0.95 * total), np.concatenate([[0.0], squares]), time)
+        limits = 0.05 * total, 0.95 * total
+        first, last = np.interp(limits, squares, time)
         duration = float(last - first)
     pgv = float(np.max(np.abs(velocity)))
-    return Intensities(record.greatest, pgv, math.pi / 2.0 * gravity * total, duration, _mean_period(record))
+    return Intensities(record.greatest, pgv, arias, duration, _mean_period(record))
 
 
 def _with_zeros(record: Series) -> tuple[Floats, Floats]:
     """Times and values with the places between samples where the acceleration passes zero: there the velocity peaks."""
     time, values = record.time, record.values
-    crosses = np.flatnonzero(values[:-1] * values[1:] < 0.0)
-    share = values[crosses] / (values[crosses] - values[crosses + 1])
-    zeros = time[crosses] + share * (time[crosses + 1] - time[crosses])
-    return np.insert(time, crosses + 1, zeros), np.insert(values, crosses + 1, 0.0)
+    before, after = values[:-1], values[1:]
+    crosses = np.flatnonzero(before * after < 0.0)
+    share = before / np.where(before == after, 1.0, before - after)
+    zeros = time[:-1] + share * np.diff(time)
+    places = crosses + 1
+    with_zeros = np.insert(time, places, zeros[crosses])
+    return with_zeros, np.insert(values, places, 0.0)
 
 
 def _mean_period(record: Series) -> float:
     """The mean period of evenly spaced samples, padded with zeros to the resolution of the spectrum."""
     count = record.time.size
-    step = float(record.time[-1] - record.time[0]) / (count - 1)
-    even = record(record.time[0] + step * np.arange(count))
-    length = max(count, math.ceil(1.0 / (_RESOLUTION * step)))
-    power = np.abs(np.fft.rfft(even, length)) ** 2
+    times, step = np.linspace(record.time[0], record.time[-1], count, retstep=True)
+    needed = math.ceil(1.0 / (_RESOLUTION * step))
+    length = max(count, needed)
+    amplitudes = np.abs(np.fft.rfft(record(times), length))
     frequencies = np.fft.rfftfreq(length, step)
-    inside = (frequencies >= _BAND[0]) & (frequencies <= _BAND[1])
-    weight = float(np.sum(power[inside]))
-    return float(np.sum(power[inside] / frequencies[inside])) / weight if weight else math.nan
+    lowest, highest = _BAND
+    inside = (frequencies >= lowest) & (frequencies <= highest)
+    weights = amplitudes[inside] ** 2
+    if not np.any(weights):
+        return math.nan
+    periods = 1.0 / frequencies[inside]
+    return float(np.average(periods, weights=weights))

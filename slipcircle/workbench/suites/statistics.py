@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from slipcircle.workbench.studies.statistics import Estimate, proportion
 
 Floats = NDArray[np.float64]
+THRESHOLDS = np.array([0.01, 0.05, 0.15, 1.0])  # of displacements, m, that tables and pictures show
 
 
 class Distribution(NamedTuple):
@@ -39,16 +40,23 @@ class Distribution(NamedTuple):
 
 def distribution(displacement: Floats, scale: int) -> Distribution:
     """The distribution of displacements at a scale, by its place."""
-    values = displacement[:, :, scale].ravel()
-    values = values[~np.isnan(values)]
+    values = _valid(displacement, scale)
     if not values.size:
-        return Distribution(*(math.nan,) * 7)
-    p16, median, p84 = np.quantile(values, (0.16, 0.5, 0.84), method="inverted_cdf")
-    logs = np.log(values[(values > 0.0) & (values < np.inf)])
-    geometric_mean = float(np.exp(logs.mean())) if logs.size else math.nan
+        unknown = (math.nan,) * len(Distribution._fields)
+        return Distribution(*unknown)
+    p16, median, p84 = np.quantile(values, (0.16, 0.5, 0.84), method="inverted_cdf").tolist()
+    moving = values > 0.0
+    logs = np.log(values[moving & (values < np.inf)])
+    geometric_mean = math.exp(logs.mean()) if logs.size else math.nan
     std_ln = float(logs.std(ddof=1)) if logs.size > 1 else math.nan
-    moving = float(np.mean(values > 0.0))
-    return Distribution(moving, float(values.mean()), float(median), float(p16), float(p84), geometric_mean, std_ln)
+    mean, share = float(values.mean()), float(moving.mean())
+    return Distribution(share, mean, median, p16, p84, geometric_mean, std_ln)
+
+
+def _valid(displacement: Floats, scale: int) -> Floats:
+    """The displacements of a scale in a row, without what is no scene."""
+    values = displacement[:, :, scale].ravel()
+    return np.asarray(values[~np.isnan(values)])
 
 
 def fragility(displacement: Floats, thresholds: Floats, confidence: float = 0.95) -> list[list[Estimate]]:
@@ -56,14 +64,15 @@ def fragility(displacement: Floats, thresholds: Floats, confidence: float = 0.95
 
     The intervals are those of a share of as many draws as there are records (Clopper and Pearson 1934).
     """
-    records = displacement.shape[0]
+    records, _, scales, _ = displacement.shape
     found = []
-    for k in range(displacement.shape[2]):
-        values = displacement[:, :, k].ravel()
-        values = values[~np.isnan(values)]
-        shares = np.array([np.mean(values > threshold) if values.size else np.nan for threshold in thresholds])
+    for k in range(scales):
+        values = _valid(displacement, k)
+        exceeds = values[:, None] > thresholds
+        shares = exceeds.mean(axis=0) if values.size else np.full(thresholds.size, np.nan)
         lows, highs = proportion(shares * records, records, confidence)
-        found.append([Estimate(*map(float, row)) for row in zip(shares, lows, highs, strict=True)])
+        rows = np.stack([shares, lows, highs], axis=1)
+        found.append([Estimate(*row) for row in rows.tolist()])
     return found
 
 
@@ -80,6 +89,8 @@ def variance_shares(displacement: Floats, scale: int) -> Shares:
     values = displacement[:, :, scale]
     if not np.all(np.isfinite(values)) or not np.var(values) > 0.0:
         return Shares(math.nan, math.nan, math.nan)
-    axes = {0, 1, 2}
-    shares = [float(np.var(values.mean(axis=tuple(axes - {axis}))) / np.var(values)) for axis in axes]
-    return Shares(*shares)
+    total = np.var(values)
+    records = np.var(values.mean(axis=(1, 2)))
+    polarities = np.var(values.mean(axis=(0, 2)))
+    samples = np.var(values.mean(axis=(0, 1)))
+    return Shares(float(records / total), float(polarities / total), float(samples / total))
