@@ -281,9 +281,16 @@ def test_one_law_in_soils_of_many_names_is_the_homogeneous_section(law: dict[str
 
 def test_numbers_of_laws_of_soils_vary() -> None:
     """Lanes are the scenes that they stand for, and derivatives those of other motions."""
-    scene = Scene(of_each_soil(level=BELOW_GROUND), effects=TURNING)
+    section = of_each_soil(level=BELOW_GROUND)
+    *others, (soil, top) = section.layers
+    constant = replace(section, layers=[*others, (replace(soil, friction=0.42), top)])
     steps = {"soils.a.friction.length": 1e-3, "soils.c.friction.velocity": 2e-3, "soils.d.friction.length": 1e-3,
              "soils.d.friction.peak": 1e-3, "soils.b.unit_weight": 10.0, "radius": 5e-3}  # fmt: skip
+    are_derivatives_of_lanes(Scene(section, effects=TURNING), steps)
+    are_derivatives_of_lanes(Scene(constant, effects=TURNING), {"soils.d.friction": 1e-3})
+
+
+def are_derivatives_of_lanes(scene: Scene, steps: dict[str, float]) -> None:
     sensitivity = solve(scene).sensitivity()
     for name, step in steps.items():
         values = np.array(sensitivity.at[name] + step * np.array([-2, -1, 1, 2]))

@@ -8,6 +8,7 @@ from scipy import stats
 
 from slipcircle import Series
 from slipcircle.workbench.suites.intensities import intensities
+from slipcircle.workbench.suites.regressions import REGRESSIONS, Shaking, comparisons
 from slipcircle.workbench.suites.statistics import distribution, fragility, variance_shares
 
 GRAVITY = 9.81
@@ -67,3 +68,31 @@ def test_shares_of_the_variance_of_a_sum() -> None:
     shares = variance_shares(sums[:, :, None], 0)
     variances = np.array([np.var(part) for part in parts])
     assert shares == pytest.approx(variances / variances.sum(), rel=1e-12)
+
+
+def test_regressions_by_hand() -> None:
+    """D in cm at r = 0.5, PGA 0.3 g, PGV 0.3 m/s, Arias intensity 1 m/s, magnitude 7, with a pocket calculator."""
+    shaking = Shaking(0.15, np.array([0.3]), np.array([0.3]), np.array([1.0]), 7.0)
+    found = {regression.name.split()[0]: math.exp(regression.ln_cm(shaking)[0]) for regression in REGRESSIONS[::-1]}
+    assert found["Ambraseys"] == pytest.approx(2.928, rel=1e-3)
+    assert found["Jibson"] == pytest.approx(0.877, rel=1e-3)
+    assert found["Saygili"] == pytest.approx(1.954, rel=1e-3)
+    softer = Shaking(0.1, shaking.pga, shaking.pgv, shaking.arias, 7.0)
+    assert math.exp(REGRESSIONS[-1].ln_cm(softer)[0]) == pytest.approx(8.05, rel=1e-3)
+    assert math.exp(REGRESSIONS[2].ln_cm(shaking)[0]) == pytest.approx(10 ** (-1.474 + 3.833 * 0.30103), rel=1e-5)
+
+
+def test_regressions_say_nothing_outside_their_range_or_without_a_magnitude() -> None:
+    pga = np.array([0.2, 0.3, 0.101, 5.0])
+    shaking = Shaking(0.1, pga, pga, pga)
+    found = comparisons(np.array([0.01, 0.02, 0.03, 0.04]), shaking)
+    assert [(c.name.split()[0], c.records) for c in found] == [
+        ("Ambraseys", 2),
+        ("Jibson", 2),
+        ("Jibson", 2),
+        ("Saygili", 2),
+    ]
+    menu = REGRESSIONS[0]
+    residuals = np.log([1.0, 2.0]) - menu.ln_cm(shaking)[:2]
+    assert (found[0].mean, found[0].std) == pytest.approx((residuals.mean(), residuals.std(ddof=1)), rel=1e-12)
+    assert found[0].std_ln == pytest.approx(0.3 * math.log(10.0))

@@ -171,6 +171,7 @@ def test_frozen_slopes_slide_as_the_exact_block() -> None:
     study = ensemble(FROZEN, records=records, polarities=True, scale_to_pga=[0.9 * k_y, 0.3, 0.9])
     displacement = study.displacement
     assert displacement.shape == (2, 2, 3, 1)
+    assert (study.yield_coefficient, study.block_factor) == pytest.approx((k_y, gamma), rel=1e-9)
     assert np.all(displacement[:, :, 0] == 0.0)
     assert np.all(study.values["status"][:, :, 0] == Status.STAYS)
     for r, record in enumerate(records.values()):

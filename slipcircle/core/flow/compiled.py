@@ -86,7 +86,7 @@ def encoded(program: Program) -> bytes:
         scalar += [SCALAR[kind], *names]
     sizes = [
         len(program.cells),
-        program.given,  # a lane at its start has no use for the cells beyond those given, but for constants
+        program.given,  # at the start a lane needs no cells beyond its inputs, except constants
         len(program.registers),
         len(program.states),
         len(program.tables),

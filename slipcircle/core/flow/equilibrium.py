@@ -31,7 +31,7 @@ def equilibrium(at_rest: Forces, shaken: Forces, mu: Floats, limit: Floats) -> d
     pressed = normal > 0.0
     frictionless = driving - resisting
     excess = frictionless - mu * normal
-    exact_excess = np.where(pressed, normal * (limit - mu), excess)  # keeps its digits near the limit
+    exact_excess = np.where(pressed, normal * (limit - mu), excess)  # without cancellation near the limit
     frictionless_shaken = shaken.driving - shaken.resisting
     excess_shaken = frictionless_shaken - mu * shaken.normal
     yielding = -exact_excess / (excess_shaken - excess)

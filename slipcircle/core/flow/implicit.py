@@ -36,7 +36,7 @@ EventFunction = Callable[[Floats, Floats], Any]  # of states and registers, one 
 POINTS = 12
 LEAST_SIZE = 1e-300  # by which what is 0 is divided
 TOLERANCE = 1e-13  # of the last coefficients of a step's polynomial, relative
-CREEP = 1e-12  # of its greatest speed, with which a mass without an end is taken to creep for ever
+CREEP = 1e-12  # of the greatest speed, below which a mass without an end time creeps without end
 ENDLESS = 1e12  # dimensionless time, thirty thousand years and more, after which a motion has no end
 ITERATIONS = 12
 # Of one lane, breaks of what changes with time not included. A step no longer than some explicit ones counts for ten:
@@ -47,7 +47,7 @@ GROWS, SHRINKS, SAFETY = 4.0, 0.1, 0.9  # factors of the step from one to the ne
 
 
 def _radau(count: int) -> tuple[Floats, Floats, Floats]:
-    """Points c_i in (0, 1], a_ij, and what gives Legendre coefficients of values at 0 and the points."""
+    """Points c_i in (0, 1], a_ij, and the matrix from values at 0 and at the points to Legendre coefficients."""
     difference = [0.0] * (count - 1) + [-1.0, 1.0]  # P_s - P_(s-1), 1 among its roots
     points = legendre.legroots(difference)
     points[-1] = 1.0
@@ -66,7 +66,7 @@ AT, WEIGHTS, TO_LEGENDRE = _radau(POINTS)
 def integrate(
     problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: NDArray[np.intp]
 ) -> None:
-    """Integrate some lanes, one after the other, from where they are, as `slipcircle.core.flow.integrate` does."""
+    """Integrate some lanes one after the other from their present states, as `slipcircle.core.flow.integrate` does."""
     with_tangents = problem._replace(cells=cells).with_outputs(problem.outputs, directions=1)
     program = with_tangents.program
     result_cells, own_cells = common_cells(problem.program, program)
@@ -110,7 +110,7 @@ class _Now(NamedTuple):
 
 
 class _Implicit(Integrator):
-    """One lane, a step of which goes to the next event or break in as many implicit steps as that takes."""
+    """One lane; its step extends to the next event or break and consists of any number of implicit steps."""
 
     steps_left = MOST_STEPS
     integrated = 0  # states, their tangents among them where these are asked for
@@ -129,7 +129,7 @@ class _Implicit(Integrator):
         self.settle(np.array([event]), rate, np.array([uneventful]))
 
     def _follow(self, now: _Now) -> tuple[_Now, int]:
-        """Steps up to the next event, or until no more are made: where that is, and which event."""
+        """Steps up to the next event or the greatest number of steps: the state there, and the event."""
         h = 4.0 * self.explicit
         event = ix.EVENT_NONE
         while event == ix.EVENT_NONE and now.time < self.limit and not self._creeps(now):
@@ -163,7 +163,7 @@ class _Implicit(Integrator):
         return bool(np.isinf(self.limit) and now.time - self.begin > ENDLESS)
 
     def _prepare(self) -> None:
-        """Prepare what all implicit steps up to the next event have in common."""
+        """Prepare the quantities that all implicit steps up to the next event share."""
         (self.tangent,) = self.program.tangents
         self.limit = float(min(self.next_break()[0], self.end_time[0]))
         integrated = self.program.states[: self.integrated]
@@ -198,7 +198,7 @@ class _Implicit(Integrator):
         return cells
 
     def _registers_at(self, times: Floats, states: Floats) -> Floats:
-        """What the program gives there, (registers, times)."""
+        """Registers in these states, (registers, times)."""
         cells = self._cells_at(times, states)
         return np.asarray(engine().registers(self.program, self._tables(times.size), cells))
 
@@ -257,7 +257,7 @@ class _Implicit(Integrator):
     # --- events ------------------------------------------------------------------------------------------------------
 
     def _event_functions(self) -> list[tuple[int, EventFunction]]:
-        """Events, with what of states and registers is above zero before them."""
+        """Events, each with the function of states and registers that is positive before it."""
         roles = self.program.roles
         normal = roles["normal"]
         upright = roles["upright"]
@@ -274,7 +274,7 @@ class _Implicit(Integrator):
         return functions
 
     def _first_event(self, step: _Step, now: _Now, end: float) -> tuple[float, int]:
-        """When the first event of a step happens, and which."""
+        """Time and kind of the first event of a step."""
         first = ix.EVENT_NONE
         for event, function in self.functions:
             at = self._first_zero(function, step, now)
@@ -284,7 +284,7 @@ class _Implicit(Integrator):
         return end, first
 
     def _first_zero(self, function: EventFunction, step: _Step, now: _Now) -> float:
-        """When a function that is above zero first passes it: by false position and halves; infinity where not."""
+        """First zero of a function that is positive at first, by false position and bisection; infinity without one."""
 
         def at(time: float) -> float:
             states = step.states(time)
@@ -318,7 +318,7 @@ class _Implicit(Integrator):
         return float(high)
 
     def _keep_peak(self, step: _Step, now: _Now, end: float) -> None:
-        """The greatest speed, where the net moment passes zero within the step."""
+        """Greatest speed within the step, where the net moment passes zero."""
         net = self.program.roles["net"]
         top = self._first_zero(lambda y, r: r[net], step, now)
         if top <= end:
@@ -326,7 +326,7 @@ class _Implicit(Integrator):
             self._keep_faster(omega, np.array([top]), x, np.zeros(1))
 
     def _write(self, begin: float, end: float, step: _Step) -> None:
-        """Read the states off at sample times from one time up to another."""
+        """Evaluate the states at the sample times between two times."""
         if self.samples is None:
             return
         column = int(self.lanes[0])
@@ -390,7 +390,7 @@ def _edges(event: int, piece: Piece) -> Iterator[tuple[int, EventFunction]]:
 
 
 def _step_factor(error: float) -> float:
-    """How much longer the next step may be for its error to be the tolerance."""
+    """Ratio of the next step to this one for which its error is the tolerance."""
     return float(SAFETY * (TOLERANCE / error) ** (1 / POINTS))
 
 

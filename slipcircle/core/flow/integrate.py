@@ -76,7 +76,7 @@ def integrate(
 
 
 def begin_phase(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
-    """The numbers of the phase that would begin where each lane is, in the direction set, without integrating.
+    """Numbers of the phase that would begin in the present state and direction of each lane, without integrating.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ def begin_phase(program: Program, tables: Sequence[Data], cells: Floats) -> Floa
 
 
 def registers(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
-    """Registers where lanes are within their phases, (registers, lanes)."""
+    """Registers in the present states of lanes, (registers, lanes)."""
     with np.errstate(all="ignore"):
         return LaneState(program, tables, cells).registers()
 
@@ -115,7 +115,7 @@ class Integrator(StickPhase):
         self._stop_endless()
 
     def _stop_endless(self) -> None:
-        """Give up lanes that take too many steps or turns, or overflow."""
+        """Stop lanes that take too many steps or reversals, or overflow."""
         active = self.status <= ix.RESTING
         most_steps = np.where(self.omega > 0.0, ix.MOST_STEPS, 2 * ix.MOST_STEPS)  # at rest it can wait
         many_steps = self.steps > most_steps
@@ -125,7 +125,7 @@ class Integrator(StickPhase):
         self.status[active & ~np.isfinite(state)] = ix.FAILED
 
     def start(self) -> None:
-        """A lane that moves at first begins its first phase; one that rests sticks or slips."""
+        """Begin the first phase of a lane with a velocity; resolve stick or slip of one at rest."""
         self.direction = np.where(self.omega < 0.0, -1.0, 1.0)
         self.omega = np.abs(self.omega)
         self.x = self.lifted = 0.0
@@ -165,7 +165,7 @@ class Integrator(StickPhase):
         self.settle(event, value(net, tau), at_limit)
 
     def _step_size(self, series: Floats, order: Floats, room: Floats) -> Floats:
-        """A share of the least radius of convergence of the states, or the room where their series end early."""
+        """A fraction of the least radius of convergence of the states, or all of the room where series end early."""
         radius = np.full(self.count, np.inf)
         for _, register, _ in self.program.states:
             of_state = radius_of_convergence(series[register], order)
@@ -176,19 +176,19 @@ class Integrator(StickPhase):
         return np.where(order < self.order, room, step)
 
     def _endless(self, net: Floats, omega: Floats, tau: Floats, room: Floats) -> Any:
-        """Where the motion has no end: a rate that depends on the speed only never becomes negative again."""
+        """Lanes that never stop: a rate that depends on the speed only never becomes negative again."""
         settled = net[0] * tau >= -ix.SETTLED * omega[0]
         return self.program.autonomous & settled & np.isinf(room) & (self.lifted == 0.0)
 
     def _advance(self, series: Floats, tau: Floats) -> None:
-        """Add what the step changes to the states and to functions of time."""
+        """Advance the states and the functions of time by the step."""
         for cell, register, _ in self.program.states:
             self.cells[cell] += increment(series[register], tau)
         for piece in self.timed:
             piece.increment += increment(series[piece.register], tau)
 
     def settle(self, event: NDArray[np.intp], rate: Floats, at_limit: Any) -> None:
-        """What follows from where a step has ended: an event, a break of what changes with time, the end."""
+        """Handle the end of a step: an event, a break of a function of time, or the end time."""
         self.passed = ix.NOTHING
         self.update_peak(rate)
         self.apply_to(event == ix.EVENT_STANDSTILL, "on_standstill", rate)
@@ -202,7 +202,7 @@ class Integrator(StickPhase):
     # --- events ------------------------------------------------------------------------------------------------------
 
     def find_event(self, series: Floats, h: Floats) -> tuple[Floats, NDArray[np.intp]]:
-        """When the first event of the step happens, and which; of equal times the last one looked for."""
+        """Time and kind of the first event of the step; of equal times the event that is searched last."""
         first = _FirstEvent(h)
         first.consider(ix.EVENT_STANDSTILL, self._standstill(series, h))
         upright = self.program.roles["upright"]
@@ -228,7 +228,7 @@ class Integrator(StickPhase):
         falls_first = (net[0] < 0.0) | ((net[0] == 0.0) & (net[1] <= 0.0))
         dips = (net[0] < 0.0) & (slope > 0.0)
         possible = (last <= 0.0) | dips | (from_rest & falls_first)
-        speed = divided_by_time(omega, from_rest)  # from rest its first root is now: divided as often as it is zero
+        speed = divided_by_time(omega, from_rest)  # from rest it is zero at first: remove that root
         for _ in range(2):
             speed = divided_by_time(speed, from_rest & (speed[0] == 0.0))
         vanishes = from_rest & (speed[0] == 0.0) & (last == 0.0)
@@ -237,7 +237,7 @@ class Integrator(StickPhase):
         return np.where(possible, root, np.inf)
 
     def _find_edges(self, first: "_FirstEvent", event: int, piece: Piece, series: Floats) -> None:
-        """Where slip, speed or rotation passes the upper edge of a piece, or speed the lower one."""
+        """Times at which slip, speed or rotation passes the upper edge of a piece, or the speed its lower edge."""
         of_speed = piece.kind == "speed"
         argument = series[self.program.roles["omega" if of_speed else "x"]]
         below = -argument
@@ -264,7 +264,7 @@ class Integrator(StickPhase):
             self.tangents.enter_or_rest(self)
 
     def on_contact_change(self, event: NDArray[np.intp], rate: Floats) -> None:
-        """Contact with the slip surface is lost, or regained."""
+        """Contact with the slip surface is lost or regained."""
         self.lifted = 1.0 - self.lifted
         self.apply_to(self.lifted > 0.0, "note_lift_off")
         if self.lifted[0] == 0.0:
@@ -285,7 +285,7 @@ class Integrator(StickPhase):
         self._enter_phase(rate)
 
     def _pass_edge(self, number: NDArray[np.intp], lower: NDArray[np.intp]) -> None:
-        """Lanes pass an edge of the same table: they are exactly there now, in the next piece."""
+        """Lanes pass an edge of the same table: set them exactly there, in the next piece."""
         piece = self.pieces[number[0]]
         edge = np.where(lower, piece.lower, piece.upper)
         self.advance_origin()
@@ -303,7 +303,7 @@ class Integrator(StickPhase):
             self.status[at_last] = ix.NEED
 
     def _enter_phase(self, rate: Floats) -> None:
-        """Begin another phase on the way; its drive is fresh or carried over, whichever is known better."""
+        """Begin another phase in motion; its drive is computed anew or carried over, whichever is more accurate."""
         drive = self.role("drive").copy()
         scale = self.role("drive_scale").copy()
         pieces_before = [piece.number.copy() for piece in self.timed]
@@ -316,7 +316,7 @@ class Integrator(StickPhase):
             self.tangents.enter(self)
 
     def carry_net_moment(self, rate: Floats, drive: Floats, scale: Floats) -> None:
-        """Keep the net moment through an event where its rounding is less than that of computing the drive anew."""
+        """Carry the net moment over an event where its rounding error is less than that of computing the drive anew."""
         net = self.registers()[self.program.roles["net"]]
         fresh = self.role("drive")
         fresh_scale = self.role("drive_scale")
@@ -328,14 +328,14 @@ class Integrator(StickPhase):
         fresh_scale[better] = carried_scale[better]
 
     def on_break_in_time(self) -> None:
-        """A function of time breaks; where its value jumps, contact may change."""
+        """A function of time has a break; where its value jumps, contact may change."""
         jumps = self.pass_breaks()
         if self.tangents and np.any(jumps):
             self.tangents.pass_break(self)
         self.apply_to(jumps, "on_discontinuity")
 
     def end(self, rate: Floats, status: Floats) -> None:
-        """What is asked for ends while the lane moves."""
+        """The integration ends while the lane moves."""
         self.status = status
         self.end_rotation = self.rotation + self.direction * self.x
         self.end_omega = self.direction * self.omega
@@ -344,7 +344,7 @@ class Integrator(StickPhase):
 
 
 class _FirstEvent:
-    """The first event of a step in each lane, found by looking for one after the other in what is left of the step."""
+    """The first event of a step in each lane: each event is searched in what the events before leave of the step."""
 
     def __init__(self, h: Floats) -> None:
         self.time = h
@@ -355,5 +355,5 @@ class _FirstEvent:
         self.time = np.minimum(at, self.time)
 
     def consider_root(self, event: int, series: Floats, passed: Any = False) -> None:
-        """An event where a series that is positive at first falls to zero, not counting a root that is now."""
+        """An event where a series that is positive at first falls to zero, except a root at the start."""
         self.consider(event, first_root(divided_by_time(series, passed), self.time))

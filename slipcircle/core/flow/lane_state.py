@@ -23,7 +23,7 @@ NEGLIGIBLE = 2.0**-56  # of the largest term of a series, which a term has to be
 
 
 class LaneState(LaneEntries):
-    """Some lanes of a program, each by itself; attributes are entries of the state, one number of each lane.
+    """Some lanes of a program; attributes are entries of the state, one number for each lane.
 
     Parameters
     ----------
@@ -65,11 +65,11 @@ class LaneState(LaneEntries):
         return self.cells.shape[1]
 
     def role(self, name: str) -> Floats:
-        """A cell that the prologue of a phase fills, by what it is for."""
+        """A cell that the prologue of a phase fills, by its role."""
         return np.asarray(self.cells[self.program.roles[f"cell_{name}"]])
 
     def part(self, mask: Any) -> Self:
-        """Some of the lanes: copies, but for the lanes themselves where it is all of them."""
+        """Some of the lanes, as copies; the lanes themselves if all are selected."""
         chosen = np.flatnonzero(mask)
         if chosen.size == self.count:
             return self
@@ -79,7 +79,7 @@ class LaneState(LaneEntries):
         return type(self)(self.program, tables, cells, lanes, self.samples, self.log, self.tangents)
 
     def apply_to(self, mask: Any, method: str, *arguments: Any) -> None:
-        """Call a method for some of the lanes, with their share of the arguments, and take over what it changed."""
+        """Call a method for some of the lanes, with their part of the arguments, and copy their state back."""
         if np.any(mask):
             part = self.part(mask)
             getattr(part, method)(*(argument[mask] for argument in arguments))
@@ -89,12 +89,12 @@ class LaneState(LaneEntries):
     # --- phases ------------------------------------------------------------------------------------------------------
 
     def find_pieces(self) -> None:
-        """The pieces of tables in which the lanes' slips and speeds lie, wherever they came from."""
+        """Find the pieces of tables in which the slips and speeds of lanes lie."""
         for piece in self.pieces:
             piece.find()
 
     def begin_phase(self) -> None:
-        """The numbers of a phase that begins where the lane is: pieces of tables, and the program's prologue."""
+        """Compute the numbers of a phase that begins now: pieces of tables, then the prologue of the program."""
         self.x = 0.0
         for piece in self.pieces:
             piece.begin()
@@ -103,20 +103,20 @@ class LaneState(LaneEntries):
         scalar_ops(self.program.scalar, self.cells)
 
     def advance_origin(self) -> None:
-        """Count rotation and slip from where the lane is now, where another phase begins."""
+        """Count rotation and slip from the present state, where another phase begins."""
         self.rotation += self.direction * self.x
         self.slip += self.x
         self.x = 0.0
 
     def next_break(self) -> Floats:
-        """The next time at which a function of time breaks; infinite where none does."""
+        """Time of the next break of a function of time; infinite without one."""
         time = np.full(self.count, np.inf)
         for piece in self.timed:
             time = np.minimum(time, piece.upper)
         return time
 
     def still_changes(self) -> Any:
-        """Whether something will still change while the lane rests."""
+        """Whether a force will still change while the lane rests."""
         return np.isfinite(self.next_break())
 
     def pass_breaks(self) -> Any:
@@ -131,7 +131,7 @@ class LaneState(LaneEntries):
         return jumps
 
     def may_start(self) -> Any:
-        """Whether a mass at rest may start the way it faces: shaking starts a one-way mass only as gravity pulls."""
+        """Whether a mass at rest may start in its direction: shaking starts a one-way mass only in that of gravity."""
         pull = self.role("driving_moment")
         down_slope = (pull > 0.0) | ((pull == 0.0) & (self.direction > 0.0))
         return (self.one_way == 0.0) | down_slope
@@ -139,18 +139,18 @@ class LaneState(LaneEntries):
     # --- series ------------------------------------------------------------------------------------------------------
 
     def registers(self) -> Floats:
-        """All registers where the lanes are, (registers, lanes)."""
+        """All registers in the present states, (registers, lanes)."""
         series = self._started(0)
         series_ops(self.program.series, series, self.cells, 0)
         return series[:, 0]
 
     def contact(self) -> Floats:
-        """Normal force on the slip surface now, over that of reference; lost below zero."""
+        """Normal force on the slip surface, over that of reference; contact is lost below zero."""
         normal = self.program.roles["normal"]
         return self.role("normal0") if normal < 0 else self.registers()[normal]
 
     def contact_margin(self, normal: Floats) -> Floats:
-        """The series of the normal force, with the sign with which it is positive until contact changes."""
+        """Series of the normal force, with the sign that makes it positive until contact changes."""
         sign = np.where(self.lifted > 0.0, -1.0, 1.0)
         return normal * sign
 
@@ -206,7 +206,7 @@ class LaneState(LaneEntries):
         return series
 
     def advance_functions_of_time(self, tau: Floats) -> None:
-        """Add to the increments of functions of time what a step adds."""
+        """Advance the increments of functions of time by a step."""
         for piece in self.timed:
             piece.increment += increment(piece.taylor(int(self.order.max())), tau)
 
@@ -222,8 +222,11 @@ class _EarlyEnd:
     def shortened(self, order: Floats, n: int, coefficients: Floats, power: int) -> Floats:
         """The orders of lanes, after these coefficients of the watched registers, at a power of the time."""
         term = np.abs(coefficients) * self.room**power
-        counts = (term > NEGLIGIBLE * self.largest) | (self.largest == 0.0) | ~np.isfinite(self.largest)
+        not_comparable = (self.largest == 0.0) | ~np.isfinite(self.largest)
+        counts = (term > NEGLIGIBLE * self.largest) | not_comparable
         self.largest = np.where(term > self.largest, term, self.largest)
-        self.in_a_row = np.where(np.any(counts, axis=0), 0.0, self.in_a_row + 1.0)
+        any_counts = np.any(counts, axis=0)
+        self.in_a_row = np.where(any_counts, 0.0, self.in_a_row + 1.0)
         ends = (self.in_a_row >= 2.0) & (n < order) & (n >= 2)
-        return np.where(ends, np.minimum(order, n + 1), order)
+        shorter = np.minimum(order, n + 1)
+        return np.where(ends, shorter, order)

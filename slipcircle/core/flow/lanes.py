@@ -1,4 +1,4 @@
-"""Lanes of scenes that share their effects and laws: integrated to their end, and asked for what they pass through."""
+"""Lanes of scenes that share their effects and laws: integrated to their end, and evaluated on the way."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -23,9 +23,9 @@ from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.section import Section
 
 Floats = NDArray[np.float64]
-# Lanes at once, so that what they need stays in the cache; rows a power of two apart would share its lines.
+# Lanes in a block, so that their numbers stay in the cache; rows a power of two apart would share its lines.
 BLOCK = 16000
-OUTPUTS = ("pressing", "normal", "mu")  # registers that a program is asked for beside its states
+OUTPUTS = ("pressing", "normal", "mu")  # registers that are evaluated beside the states
 
 
 def integrate_all(
@@ -59,7 +59,7 @@ def integrate_all(
         waiting = np.flatnonzero(state[ix.STATUS] == ix.NEED)
         if not waiting.size:
             return state
-        # One lane goes on to find how far a Python function is needed; then all start again with its whole table.
+        # One lane goes on to find how far a Python function is needed; then all start again with the whole table.
         _extend_to_end(problem, state, waiting[:1])
         cells = None
         if log is not None:
@@ -67,7 +67,7 @@ def integrate_all(
 
 
 def _integrate_stiff(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None) -> None:
-    """By implicit steps, the lanes that took too many explicit ones and still move."""
+    """Integrate lanes that took too many explicit steps and still move by implicit ones."""
     stopped = (cells[ix.STATUS] == ix.TOO_LONG) & (cells[ix.STEPS] > ix.MOST_STEPS)
     which = np.flatnonzero(stopped & (cells[ix.OMEGA] > 0.0))
     while which.size:
@@ -80,7 +80,7 @@ def _integrate_stiff(problem: Problem, cells: Floats, samples: Samples | None, l
 
 
 def _extend_to_end(problem: Problem, cells: Floats, which: Any) -> None:
-    """Extend the tables of Python functions as far as one lane, from where it is to its end, asks for them."""
+    """Extend the tables of Python functions as far as one lane needs them up to its end."""
     one = cells[:, which]
     while one[ix.STATUS, 0] == ix.NEED:
         problem.extend_tables(one)
@@ -91,7 +91,7 @@ def _extend_to_end(problem: Problem, cells: Floats, which: Any) -> None:
 
 
 class _States(NamedTuple):
-    """States of lanes, dimensionless: of each its time, rotation, omega, slip and further states, and whose it is."""
+    """States of lanes, dimensionless: time, rotation, omega, slip, further states, and the lane of each."""
 
     time: Any
     rotation: Any
@@ -102,7 +102,7 @@ class _States(NamedTuple):
 
 @dataclass(frozen=True)
 class Lanes:
-    """What lanes are made of: numbers, or arrays of one value a lane, and what they share.
+    """Fields of scenes as numbers or as arrays with one value for each lane, and what all lanes share.
 
     Attributes
     ----------
@@ -130,7 +130,7 @@ class Lanes:
     invalid: Any = False
 
     def taken(self, which: Any) -> "Lanes":
-        """Some of the lanes, by an index of them in their order."""
+        """Some of the lanes, by an index."""
 
         def select(value: Any, axes: int = 0) -> Any:
             if isinstance(value, Mapping):
@@ -152,7 +152,7 @@ class Lanes:
 
     @cached_property
     def problem(self) -> Problem:
-        """What is solved, and what programs are asked with, again and again."""
+        """The problem that is solved and evaluated."""
         return self._build()
 
     def _build(self) -> Problem:
@@ -193,7 +193,7 @@ class Lanes:
         """The final cells of all lanes."""
         if self.count == 1:
             return integrate_all(self.problem, log=log)
-        problem = self._build()  # of many lanes copies and what is kept cost as much as the integration
+        problem = self._build()  # copies of many lanes would cost as much as the integration
         final = integrate_all(problem, log=log, cells=None if problem.functions else problem.cells)
         if not problem.extend_rotations(final[ix.REACH_ROTATION]):
             return final
@@ -240,12 +240,12 @@ class Lanes:
         return outputs["pressing"] * self.stress_unit
 
     def outputs(self, times: Floats, rows: Floats) -> dict[str, Floats]:
-        """What presses, water included and without it, and friction at times in s, of states as `read` gives them."""
+        """Total and effective normal force and friction at times in s, of states as `read` returns them."""
         outputs = self._outputs_in(self._states(times, rows))
         return {name: values.reshape(rows.shape[1:]).T for name, values in outputs.items()}
 
     def holding_friction(self, times: Floats, rows: Floats) -> Floats:
-        """The friction that just holds the mass at rest where it is at times in s, (lanes, times).
+        """Friction coefficient required for equilibrium of the mass in its position at times in s, (lanes, times).
 
         The greater one of both ways, where both are open to it; NaN where nothing presses.
         """
@@ -256,7 +256,7 @@ class Lanes:
         return greatest.reshape(rows.shape[1:]).T
 
     def _holding(self, at_rest: _States, side: float) -> Floats:
-        """The friction that holds masses that face one way; NaN where nothing presses, or where they cannot start."""
+        """Friction required in one direction; NaN without contact, or where a mass cannot start."""
         problem = self._with_outputs
         cells, _ = self._begin(at_rest, side)
         forces = Forces.of(problem.program, cells)
@@ -279,14 +279,14 @@ class Lanes:
         return _States(time.ravel(), rotation, omega, further, lane)
 
     def _outputs_in(self, states: _States) -> dict[str, Floats]:
-        """The registers of `OUTPUTS` in given states."""
+        """Registers of `OUTPUTS` in some states."""
         direction = choose(states.omega < 0.0, -1.0, 1.0)
         _, registers = self._begin(states, direction)
         roles = self._with_outputs.program.roles
         return {name: registers[roles[name]] for name in OUTPUTS}
 
     def _begin(self, states: _States, side: Any) -> tuple[Floats, Floats]:
-        """Cells and registers of phases that begin in given states, in a direction of travel."""
+        """Cells and registers of phases that begin in some states, in a direction of travel."""
         problem = self._with_outputs
         cells = problem.cells[:, states.lane].copy()
         cells[ix.TIME] = states.time
@@ -308,7 +308,7 @@ class Lanes:
 
     @property
     def brake(self) -> Floats:
-        """q = 2 (lambda A mu + d)/Theta* at the start: what a unit of omega^2 takes from the rate, twice."""
+        """q = 2 (lambda A mu + d)/Theta* at the start: twice the decrease of the rate per unit of omega^2."""
         problem = self.problem
         roles = problem.program.roles
         cells = problem.cells.copy()
@@ -381,7 +381,7 @@ def _flat_friction(scene: Scene) -> Any:
 
 
 def _flat(value: Any, shape: tuple[int, ...], axes: int = 0) -> Any:
-    """An array with one axis of lanes before its own axes; a value that all lanes share as it is."""
+    """An array with one axis of lanes before its other axes; a value that all lanes share is unchanged."""
     if np.ndim(value) <= axes:
         return value
     array = np.asarray(value, np.float64)
@@ -392,7 +392,7 @@ def _flat(value: Any, shape: tuple[int, ...], axes: int = 0) -> Any:
 
 
 def _flat_numbers(scene: Scene, path: str, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Parameters of an effect or a law, of which a scene's numbers may be arrays."""
+    """Parameters of an effect or a law; those among the scene's numbers may be arrays."""
     flat = dict(given)
     for name, value in given.items():
         if f"{path}.{name}" in scene.numbers:

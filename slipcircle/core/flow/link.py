@@ -1,4 +1,4 @@
-"""Linking of a flow program: definitions by name become operations in order, without what is identically zero.
+"""Linking of a flow program: definitions by name become ordered operations, without those that are identically zero.
 
 A *cell* is a number where a phase begins, a *register* a series in time. Equal operations are computed once, and sums
 of sums are flattened. A name with a prime and a number, ``net'0``, is the tangent in that direction of the name before
@@ -11,7 +11,7 @@ from typing import Any
 
 from generated.flow import CELL_TANGENTS, SERIES_TANGENTS
 
-Operation = tuple[Any, ...]  # its name, then its arguments; of series (`Linker.series_definitions`), its results first
+Operation = tuple[Any, ...]  # name and arguments; of series (`Linker.series_definitions`) name, results, arguments
 Operations = list[tuple[Operation, tuple[str, ...]]]  # with their results
 Term = tuple[str, str]  # of a sum: a cell times a register
 RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2}  # of operations on series that have more than one
@@ -37,7 +37,7 @@ def arguments(operation: str, names: Sequence[Any]) -> list[str]:
 
 @dataclass
 class Linker:
-    """Definitions by name, and the operations that they have become.
+    """Definitions by name, and the operations that result from them.
 
     ``cells`` and ``registers`` give for each name the one under which its value is computed, or None for a register
     that is zero; ``scalar`` and ``series`` are the operations, with the names of their results.
@@ -65,7 +65,7 @@ class Linker:
     # --- cells ---------------------------------------------------------------------------------------------------
 
     def cell(self, name: str) -> str:
-        """The cell that a name stands for, computed if need be."""
+        """The cell that a name stands for, computed if necessary."""
         if name.startswith("="):
             return ZERO if PRIME in name else name
         if name not in self.cells:
@@ -76,7 +76,7 @@ class Linker:
         return self.cells[name]
 
     def _define_cell_tangent(self, name: str) -> None:
-        """By the rule for the operation that makes the cell; zero for a number that does not vary."""
+        """By the rule for the operation that computes the cell; zero for a number that does not vary."""
         base, prime, direction = name.rpartition(PRIME)
         if not prime:
             raise KeyError(name)
@@ -101,7 +101,7 @@ class Linker:
         return self.scalar.setdefault((operation, *taken), name or f"cell{len(self.scalar)}")
 
     def origins(self, names: Iterable[str]) -> set[str]:
-        """The cells given from outside that some cells are computed from."""
+        """The inputs from which some cells are computed."""
         given = set[str]()
         pending = [self.cell(name) for name in names]
         operations = {result: operation for operation, result in self.scalar.items()}
@@ -116,7 +116,7 @@ class Linker:
     # --- registers -----------------------------------------------------------------------------------------------
 
     def definition(self, name: str) -> Operation:
-        """Of a register; what has none is an empty sum."""
+        """Definition of a register; without one it is an empty sum."""
         if name not in self.series_definitions and PRIME in name and name not in self.registers:
             self._define_series_tangent(name)
         return self.series_definitions.get(name, ("lin", name, "", ()))
@@ -171,7 +171,7 @@ class Linker:
         return zero
 
     def register(self, name: str) -> str | None:
-        """The register that a name stands for, with the operations that make it; None where it is zero."""
+        """The register that a name stands for, with its operations; None where it is zero."""
         if not self.is_zero(name) and name not in self.registers:
             operation, *names = self.definition(name)
             if operation == "lin":
@@ -182,7 +182,7 @@ class Linker:
         return self.registers[name]
 
     def _result(self, name: str, operation: str, names: Sequence[Any]) -> str:
-        """The register of one result of an operation, which is done once for equal arguments."""
+        """The register of one result of an operation, which is shared by equal arguments."""
         results = tuple(names[: RESULTS.get(operation, 1)])
         taken = [self.register(register) for register in arguments(operation, names)]
         if operation == "pow":
@@ -193,7 +193,7 @@ class Linker:
         return made[results.index(name)]
 
     def zero_register(self, name: str) -> str:
-        """A register that holds zero, for what is zero and yet asked for."""
+        """A register that holds zero, for a requested quantity that is zero."""
         return self.series.setdefault(("lin", ZERO, ()), (name,))[0]
 
     def _sum(self, name: str, constant: str, terms: Iterable[Term]) -> str:
@@ -272,11 +272,11 @@ def _instance(rule: Iterable[Any], actual: dict[str, str], base: str, direction:
     return [(operation, *(substitute(name) for name in names)) for operation, *names in rule]
 
 
-# --- what of all that was linked a program keeps ---------------------------------------------------------------------
+# --- operations that a program keeps ---------------------------------------------------------------------
 
 
 def named_in(operation: Operation) -> set[str]:
-    """The cells and registers that an operation names, but for the registers of a sum."""
+    """The cells and registers that an operation names, except the registers of a sum."""
     if operation[0] != "lin":
         return {*operation[1:]}
     _, constant, terms = operation
@@ -284,7 +284,7 @@ def named_in(operation: Operation) -> set[str]:
 
 
 def needed(operations: Iterable[tuple[Operation, tuple[str, ...]]], wanted: Iterable[str]) -> Operations:
-    """The operations whose results something needs, in order."""
+    """The operations whose results are needed, in order."""
     pending = set(wanted)
     selected = Operations()
     for operation, results in reversed(list(operations)):
@@ -299,7 +299,7 @@ def needed(operations: Iterable[tuple[Operation, tuple[str, ...]]], wanted: Iter
 
 
 def places_of(operations: Operations, kept: list[str]) -> dict[str, int]:
-    """Where each cell is: those that are kept in their order; the others take turns in what is free."""
+    """Place of each cell: kept ones in their order, the others reuse free places."""
     place = {name: k for k, name in enumerate(kept)}
     last_use = dict[str, int]()
     for k, (operation, _) in enumerate(operations):

@@ -1,4 +1,4 @@
-"""The pieces of its tables in which a lane is: where they end, and their coefficients about where the phase began.
+"""The pieces of tables that a phase of a lane needs: their ends, and their coefficients about the start of the phase.
 
 A table is a function in pieces of slip, speed, rotation or time (`slipcircle.core.flow.tables`). Of the first three a
 phase holds the coefficients in powers of what is beyond its start; of time the increment since.
@@ -61,7 +61,7 @@ class Piece:
             self.number = np.maximum(begun - 1, 0)
 
     def begin(self) -> None:
-        """Where a phase begins: the bounds of the piece, its value there and the coefficients of what is beyond."""
+        """Begin a phase: the bounds of the piece, its value, and the coefficients about the start."""
         if self.kind == "time":
             self._begin_time()
             return
@@ -81,7 +81,7 @@ class Piece:
             coefficients[power - 1] = self.factor * terms[power] * unit**power
 
     def _edges(self) -> tuple[Floats, Floats]:
-        """Where the piece begins, and where the next one does: at infinity beyond the last."""
+        """The breaks at which the piece and the next one begin; infinity after the last."""
         next_piece = np.minimum(self.index + 1, self.last)
         next_edge = self.data.begins(next_piece)
         return self.data.begins(self.index), np.where(self.number < self.last, next_edge, np.inf)
@@ -128,7 +128,7 @@ class Piece:
         self._find_end()
 
     def _find_end(self) -> None:
-        """The end of the piece, and the increment there, by one rounding however many steps lie between."""
+        """The end of the piece and the increment there, with one rounding error whatever the number of steps."""
         _, next_edge = self._edges()
         self.upper = next_edge / self.scale
         past = np.where(self.number < self.last, self.upper - self.state.time, 0.0)
@@ -154,7 +154,7 @@ class Piece:
         return np.asarray(self.state.time * self.scale - self.data.breaks[self.index])
 
     def taylor(self, order: int) -> Floats:
-        """Taylor coefficients of a function of time about now, in the dimensionless time; as many as it has."""
+        """Taylor coefficients of a function of time about the present, in the dimensionless time."""
         polynomial = self.data.polynomial(self.index)
         local = self._local()
         if self.data.sine:
@@ -177,7 +177,7 @@ class Piece:
         return np.array(terms)
 
     def pass_break(self) -> Any:
-        """Enter the next piece of a function of time; whether its value leaps there.
+        """Enter the next piece of a function of time; whether its value jumps there.
 
         Increments add their roundings up along a record: beyond some way the difference of two values is better known.
         """

@@ -36,7 +36,7 @@ def value_and_slope(series: Floats, at: Floats) -> tuple[Floats, Floats]:
 
 
 def increment(series: Floats, at: Any) -> Floats:
-    """What is beyond the constant term, so that a small change keeps its digits."""
+    """The value less the constant term, without cancellation."""
     return at * value(series[1:], at)
 
 
@@ -56,7 +56,7 @@ def shifted(series: Floats, by: Floats) -> Floats:
 
 
 def divided_by_time(series: Floats, where: Any) -> Floats:
-    """One order less in some lanes, where a root at time 0 is not to be found again."""
+    """Divided by the time in some lanes, which removes a root at time 0."""
     if not np.any(where):
         return series
     lowered = np.vstack([series[1:], 0.0 * series[:1]])
@@ -91,7 +91,7 @@ def first_root(series: Floats, h: Floats) -> Floats:
 
 
 def _lowest(series: Floats, h: Floats, slope: Floats) -> tuple[Floats, Floats]:
-    """Where polynomials that fall at first and rise at h are lowest, and their least values; 0 where within rounding.
+    """Minimum of polynomials that fall at first and rise at h: its place and value, 0 within rounding.
 
     A polynomial that only touches zero does not cross it.
     """
@@ -104,7 +104,7 @@ def _lowest(series: Floats, h: Floats, slope: Floats) -> tuple[Floats, Floats]:
 
 
 def bracketed_root(series: Floats, low: Floats, at_low: Floats, high: Floats, at_high: Floats) -> Floats:
-    """Newton's method between bounds where values have opposite signs.
+    """A root between bounds at which values have opposite signs, by Newton's method.
 
     It starts where the chord crosses zero and halves where a step leaves the bounds. A step below 2^-30 of its place is
     the last, as the next one would be below rounding.
@@ -131,7 +131,7 @@ def bracketed_root(series: Floats, low: Floats, at_low: Floats, high: Floats, at
 
 
 def _inside_or_middle(place: Floats, low: Floats, high: Floats) -> Floats:
-    """A place between two bounds, or their middle where it is not between them."""
+    """A value if it lies between two bounds, otherwise their midpoint."""
     inside = (place >= low) & (place <= high)
     middle = 0.5 * (low + high)
     return np.where(inside, place, middle)
@@ -146,7 +146,7 @@ LARGEST = 1000.0  # log2 of a radius
 
 
 def radius_of_convergence(series: Floats, order: Floats) -> Floats:
-    """The least radius that any of the last four coefficients suggests, against the largest of the first five.
+    """Least radius estimated from any of the last four coefficients and the largest of the first five.
 
     |c_k/c_n|^(1/(n - k)), k < 5, n the last four orders of a lane; 2^1000 where these are zero.
     """

@@ -1,4 +1,4 @@
-"""The problem that the integrator is given: a scene's flow program, its tables, and the cells that lanes start with.
+"""The problem that the integrator solves: a scene's flow program, its tables, and the initial cells of lanes.
 
 Here the scene's SI numbers become dimensionless, by the declarations in `generated.effects`.
 """
@@ -38,30 +38,39 @@ UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)
 
 
+class Recipe(NamedTuple):
+    """The first arguments of `build_program`."""
+
+    effects: tuple[str, ...]
+    laws: tuple[str, ...]
+    moving: tuple[str, ...]
+    absent: tuple[str, ...]
+
+
 class Problem(NamedTuple):
-    """What `integrate` takes, and what turns its numbers back into seconds and metres."""
+    """Arguments of `integrate`, and the scales that make times and lengths dimensionless."""
 
     program: Program
     tables: list[Data]
     cells: Floats
     time_scale: Any
     functions: Mapping[int, Callable[[Any], Any]]  # of slip, given in Python, by the place of their table
-    recipe: tuple[tuple[str, ...], ...]  # the arguments of `build_program`: effects, laws, moving, absent
+    recipe: Recipe
     outputs: tuple[str, ...] = ()  # further ones of the program
     rotations: RotationTables | None = None  # tables that may be laid out farther
 
     def with_outputs(self, outputs: tuple[str, ...] = (), directions: int = 0) -> "Problem":
-        """The same lanes with further outputs, or with derivatives in so many directions."""
+        """The same lanes with further outputs, or with derivatives in some directions."""
         return self._with_program(build_program(*self.recipe, outputs, directions))._replace(outputs=outputs)
 
     def with_steady_shaking(self) -> "Problem":
-        """The same lanes with a constant horizontal coefficient, at first 0, in the place of their shaking."""
-        effects, laws, moving, absent = self.recipe
+        """The same lanes with a constant horizontal coefficient, initially 0, in place of their shaking."""
+        recipe = self.recipe
         shaking = {p.symbol for p in ALL_EFFECTS["shaking"].parameters}
-        others = [symbol for symbol in absent if symbol not in shaking]
-        with_shaking = in_order({*effects, "shaking"})
-        still_moving = tuple(symbol for symbol in moving if symbol not in shaking)
-        program = build_program(with_shaking, laws, still_moving, (*others, "k_v"))
+        with_shaking = in_order({*recipe.effects, "shaking"})
+        moving = tuple(symbol for symbol in recipe.moving if symbol not in shaking)
+        absent = [symbol for symbol in recipe.absent if symbol not in shaking]
+        program = build_program(with_shaking, recipe.laws, moving, (*absent, "k_v"))
         return self._with_program(program)._replace(rotations=None)
 
     def _with_program(self, program: Program) -> "Problem":
@@ -75,17 +84,20 @@ class Problem(NamedTuple):
         return self._replace(program=program, cells=cells, tables=tables)
 
     def extend_tables(self, cells: Floats) -> None:
-        """Sample Python functions of slip on, as far as lanes have slipped."""
+        """Extend the tables of Python functions to the slip of the lanes."""
         for k, function in self.functions.items():
-            scale = cells[self.program.tables[k].cells + ix.SCALE]
-            farthest = float(np.max(cells[ix.SLIP] * scale)) * (1.0 + 1e-12)
-            end = float(self.tables[k].breaks[-1])
+            first_cell = self.program.tables[k].cells
+            slip = cells[ix.SLIP] * cells[first_cell + ix.SCALE]
+            farthest = float(np.max(slip)) * (1.0 + 1e-12)
+            table = self.tables[k]
+            end = float(table.breaks[-1])
             while end <= farthest:
-                self.tables[k] = sampled(function, 2 * end, self.tables[k])
-                end = float(self.tables[k].breaks[-1])
+                table = sampled(function, 2 * end, table)
+                end = float(table.breaks[-1])
+            self.tables[k] = table
 
     def extend_rotations(self, rotation: Floats) -> bool:
-        """Lay functions of the rotation out as far as they may be needed, where lanes get beyond what is there."""
+        """Extend functions of the rotation to their full range if a lane exceeds their tables; whether one does."""
         if self.rotations is None:
             return False
         place = {table.name: k for k, table in enumerate(self.program.tables)}
@@ -103,7 +115,7 @@ class Problem(NamedTuple):
 
 @lru_cache(maxsize=256)
 def common_cells(program: Program, other: Program) -> tuple[Any, Any]:
-    """The places of the numbers that two programs are both given, in the one and in the other."""
+    """Places of the inputs that two programs have in common, in each of them."""
     names = [name for name in program.cells[: program.given] if name in other.places]
     places = [program.places[name] for name in names]
     other_places = [other.places[name] for name in names]
@@ -111,7 +123,7 @@ def common_cells(program: Program, other: Program) -> tuple[Any, Any]:
 
 
 def order(accuracy: float) -> int:
-    """Order of the series that leaves less than an accuracy at steps of exp(-2) of the radius of convergence."""
+    """Order of the series with a truncation error below an accuracy, at steps of exp(-2) radii of convergence."""
     digits = -math.log(max(accuracy, 1e-16))
     return max(math.ceil(3.0 + digits / 2.0), LOWEST)
 
@@ -119,7 +131,7 @@ def order(accuracy: float) -> int:
 def build_problem(
     arc: Arc | Section, called: Effects, friction: Any, velocity: Any, end_time: Any, accuracy: float, lanes: int
 ) -> Problem:
-    """The problem of scenes that share their effects and laws.
+    """Build the problem of scenes that share their effects and laws.
 
     Parameters
     ----------
@@ -142,7 +154,7 @@ def build_problem(
     """
     laws = law_parts(friction)
     recipe = recipe_of(called, tuple(name for name, _ in laws))
-    effects, _, moving, _ = recipe
+    effects = recipe.effects
     rotating = rotates(effects)
     upslope = "shaking" in effects or bool(np.any(velocity != 0.0))
     tolerance = FINEST_TABLES if lanes == 1 else accuracy / 100
@@ -156,14 +168,14 @@ def build_problem(
     numbers.add_start(velocity, end_time)
     inputs = numbers.inputs
     inputs["ONE_WAY"] = _one_way(called.get("shaking", {}))
-    first_only = _first_only({*effects, *moving}, laws, inputs)
+    first_only = _first_only({*effects, *recipe.moving}, laws, inputs)
     inputs["FIRST_ONLY"] = choose(end_time == np.inf, first_only, 0.0)
     # The steps of one scene cost next to nothing, whatever their order.
     inputs["ORDER"] = order(min(accuracy, FINEST) if lanes == 1 else accuracy)
     return _assembled(numbers, recipe, lanes)
 
 
-def _assembled(numbers: "_Numbers", recipe: tuple[tuple[str, ...], ...], lanes: int) -> Problem:
+def _assembled(numbers: "_Numbers", recipe: Recipe, lanes: int) -> Problem:
     """A problem from its numbers and tables, each in the place that its program has for it."""
     program = build_program(*recipe)
     places = program.places
@@ -183,8 +195,8 @@ def _assembled(numbers: "_Numbers", recipe: tuple[tuple[str, ...], ...], lanes: 
     return Problem(program, data, cells, numbers.time_scale, functions, recipe, rotations=numbers.rotations)
 
 
-def recipe_of(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
-    """The arguments of `build_program`: effects, laws, symbols of functions, symbols of what is not given."""
+def recipe_of(called: Effects, laws: tuple[str, ...]) -> Recipe:
+    """What the program of scenes with these effects and laws is built from."""
     effects = in_order(called)
     moving = list[str]()
     absent = list[str]()
@@ -196,24 +208,30 @@ def recipe_of(called: Effects, laws: tuple[str, ...]) -> tuple[tuple[str, ...], 
             elif callable(value):
                 moving.append(symbol)
     if "layered_strength" in effects and "shaking" not in effects:
-        absent += ["k_h", "k_v"]  # of which its terms are made too
-    return effects, laws, tuple(moving), tuple(absent)
+        absent += ["k_h", "k_v"]  # which its terms contain, too
+    return Recipe(effects, laws, tuple(moving), tuple(absent))
 
 
 def in_order(effects: Collection[str]) -> tuple[str, ...]:
     """Effects by name in the order in which they are declared."""
+    return _in_order(tuple(effects))
+
+
+@lru_cache(maxsize=256)
+def _in_order(effects: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(name for declared in ALL_EFFECTS for name in effects if without_soil(name) == declared)
 
 
+@lru_cache(maxsize=256)
 def symbols_of(effect: str) -> dict[str, str]:
-    """The symbols of an effect's parameters in the balance, by their names; of one soil with its number."""
+    """Symbols of an effect's parameters in the balance, by their names; of one soil with its number."""
     declared = ALL_EFFECTS[without_soil(effect)].parameters
     return {p.name: f"{p.symbol}{soil_number(effect)}" for p in declared if p.symbol}
 
 
 @dataclass
 class _Numbers:
-    """The dimensionless numbers and tables of a scene, by the names that its program has for them."""
+    """Dimensionless numbers and tables of a scene, by their names in its program."""
 
     arc: Arc | Section
     upslope: bool  # whether the mass may move beyond where it began
@@ -229,7 +247,7 @@ class _Numbers:
         self.inputs: dict[str, Any] = {name: getattr(coefficients, name) for name in INPUTS}
 
     def add_start(self, velocity: Any, end_time: Any) -> None:
-        """How the motion starts, when it ends, and what the integrator remembers at first."""
+        """Add the initial velocity, the end time, and initial values of the integrator's records."""
         with np.errstate(over="ignore"):  # what overflows is refused where it is asked for
             self.inputs["omega"] = velocity / self.radius * self.time_scale
             self.inputs["END_TIME"] = end_time / self.time_scale
@@ -237,7 +255,7 @@ class _Numbers:
         self.inputs |= {"FACTOR": STEP, "CLOSE": np.inf, "LIFT_TIME": np.nan}
 
     def add_effect(self, effect: str, given: Mapping[str, Any], rotating: bool) -> None:
-        """What an effect gives: numbers by their symbols, functions of time or of the rotation as tables."""
+        """Add the parameters of an effect: numbers by their symbols, functions of time or of the rotation as tables."""
         declared = ALL_EFFECTS[without_soil(effect)].parameters
         symbols = symbols_of(effect)
         in_balance = [p for p in declared if p.symbol]
@@ -260,7 +278,7 @@ class _Numbers:
                 self.tables[p.symbol] = tables.of_time(value), self.time_scale, factor
 
     def _under_water(self, rotating: bool) -> Data:
-        """The mean pore pressure under a section's water level, Pa, until its weight presses no more."""
+        """Mean pore pressure below a section's water level, Pa, as a function of the rotation until contact is lost."""
         section = self.arc
         assert isinstance(section, Section)
 
@@ -282,7 +300,7 @@ class _Numbers:
         return table if section.shape else table._replace(breaks=breaks[:, 0], coefficients=values[:, :, 0, 0])
 
     def add_layers(self, given: Effects, friction: Any) -> None:
-        """What the soils of a layered section give that changes with the rotation."""
+        """Add the functions of the rotation that belong to the soils of a layered section."""
         assert isinstance(self.arc, LayeredSection)
         functions = {
             symbols_of(effect)[name]: term
@@ -300,7 +318,7 @@ class _Numbers:
             self.tables[name] = table, 1.0, 1.0
 
     def add_law(self, name: str, given: Mapping[str, Any]) -> None:
-        """What a friction law gives: a table, or dimensionless numbers under its own name."""
+        """Add a friction law: a table, or dimensionless numbers by its name."""
         speed = self.radius / self.time_scale
         cell = name
         name = without_soil(name)
@@ -324,7 +342,7 @@ class _Numbers:
 
 
 def scales_of(arc: Arc | Section) -> dict[str, Any]:
-    """The numbers of an arc by which parameters of effects are made dimensionless, SI."""
+    """Scales of an arc by which parameters of effects are made dimensionless, SI."""
     return {
         "half_angle": arc.half_angle,
         "gravity": arc.gravity,
@@ -347,17 +365,26 @@ def _one_way(shaking: Mapping[str, Any]) -> float:
 
 
 def _first_only(terms: Collection[str], laws: Any, inputs: Mapping[str, Any]) -> Any:
-    """1 where nothing ever brings the mass to rest, 2 where water or heat may carry it: it is followed to its stop.
+    """1 where nothing brings the mass to rest, 2 where water or heat may lift it; it is integrated to its first stop.
 
     Of effects and symbols of functions.
     """
-    if not rotates(ALL_EFFECTS.keys() & terms) or "layered_cohesion" in terms:
+    turning = rotates(ALL_EFFECTS.keys() & terms)
+    if not turning or "layered_cohesion" in terms:
         return 0.0
     (name, parameters), *others = laws
-    constant = name == "constant" and not others
-    frictionless = parameters["coefficient"] == 0.0 if constant else False
-    lifts = [n for n in {*terms, *inputs} if n.startswith(("layered_lift", "soil_lift"))]
-    may_lift = not UPLIFT.isdisjoint(terms) or any(n in terms or np.any(inputs[n]) for n in lifts)
-    swings = choose(frictionless, 1.0, 2.0 if may_lift else 0.0)
+    is_constant = name == "constant" and not others
+    frictionless = parameters["coefficient"] == 0.0 if is_constant else False
+    swings = choose(frictionless, 1.0, 2.0 if _may_lift(terms, inputs) else 0.0)
     cohesion = inputs.get("cohesion", 0.0) + inputs.get("layered_cohesion", 0.0)
     return choose(cohesion > 0.0, 0.0, swings)
+
+
+def _may_lift(terms: Collection[str], inputs: Mapping[str, Any]) -> bool:
+    """Whether the pressure of water may exceed the normal stress."""
+    if not UPLIFT.isdisjoint(terms):
+        return True
+    of_soils = ("layered_lift", "soil_lift")
+    if any(name.startswith(of_soils) for name in terms):
+        return True
+    return any(np.any(value) for name, value in inputs.items() if name.startswith(of_soils))

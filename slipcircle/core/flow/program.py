@@ -1,4 +1,4 @@
-"""What a flow program is: operations on the cells and registers of a lane, and what the integrator reads of them.
+"""Flow programs: operations on the cells and registers of a lane, and those that the integrator reads.
 
 `slipcircle.core.flow.build` makes the program of a scene from the fragments in `generated.flow`.
 """
@@ -16,7 +16,7 @@ Log = list[tuple[int, float, float, float]]  # events: kind, time, rotation, dir
 
 
 class Samples(NamedTuple):
-    """States at given times, filled on the way: (states, times, lanes)."""
+    """States at sample times, filled during the integration: (states, times, lanes)."""
 
     times: Floats  # dimensionless, increasing, (times, lanes)
     states: Floats  # rotation, angular velocity, its rate, slip, then the further states
@@ -36,7 +36,7 @@ class Table:
 
 
 class Tangent(NamedTuple):
-    """What a direction adds to a program: cells and registers of derivatives, by those that they are derivatives of."""
+    """One direction of derivatives in a program: cells and registers of derivatives, by those that they belong to."""
 
     cells: Mapping[int, int]
     registers: Mapping[int, int]
@@ -78,14 +78,14 @@ class Program:
         return len(self.states) == 2 and self.roles["x"] not in arguments
 
     def blank(self, lanes: int) -> NDArray[np.float64]:
-        """Cells of lanes of which nothing is known but the constants; memory that nobody writes to is not taken."""
+        """Cells of lanes with the constants of the program, otherwise zero."""
         cells = np.zeros((len(self.cells), lanes))
         for name, value in self.constants.items():
             cells[self.places[name]] = value
         return cells
 
 
-# Cells that the integrator reads, by role: the drive, the size of its terms, what presses, the weight's components.
+# Cells that the integrator reads, by role: drive, size of its terms, normal force, components of the weight.
 OUTPUT_CELLS = {
     "cell_drive": "drive",
     "cell_drive_scale": "drive_scale",

@@ -1,4 +1,4 @@
-"""What is kept of a motion on its way: its greatest speed and rotation, its events, its states at sample times."""
+"""Records of a motion: greatest speed and rotation, events, and states at sample times."""
 
 from typing import Any, Literal
 
@@ -13,16 +13,16 @@ Floats = NDArray[np.float64]
 
 
 class Recorder(LaneState):
-    """Lanes of which extremes, events and samples are kept."""
+    """Lanes with records of extremes, events and samples."""
 
     # --- the greatest speed and rotation -----------------------------------------------------------------------------
 
     def update_peak(self, rate: Floats) -> None:
-        """Where the lane is now, at the start of a phase or the end of a step, may be where it is fastest."""
+        """Record the present speed, at the start of a phase or the end of a step, if it is the greatest."""
         self._keep_faster(self.omega, self.time, self.x, rate)
 
     def _keep_faster(self, speed: Floats, time: Floats, x: Floats, rate: Floats, series: Floats | None = None) -> None:
-        """Keep a candidate for the greatest speed where it is faster than what is kept."""
+        """Record a candidate for the greatest speed if it exceeds the record."""
         faster = np.flatnonzero(speed > np.abs(self.peak_omega))
         direction = self.direction[faster]
         travelled = direction * x[faster]
@@ -36,7 +36,7 @@ class Recorder(LaneState):
             self.tangents.keep_peak(self, peak_time, peak_rate, series)
 
     def update_peak_within(self, series: Floats, tau: Floats) -> None:
-        """The greatest speed within a step, where the net moment falls through zero."""
+        """Record the greatest speed within a step, where the net moment falls through zero."""
         roles = self.program.roles
         net = series[roles["net"], :-1]
         at = self._peak_time(net, tau)
@@ -51,7 +51,7 @@ class Recorder(LaneState):
         self._keep_faster(speed, self.time + inside, distance, rate, series)
 
     def _peak_time(self, net: Floats, tau: Floats) -> Floats:
-        """When the net moment falls through zero, at first or beyond a hump; infinite where it does not."""
+        """Time at which the net moment falls through zero, possibly after a maximum; infinite without one."""
         at = np.full(self.count, np.inf)
         rate = value(net, tau)
         slope = value(derivative(net), tau)
@@ -69,7 +69,7 @@ class Recorder(LaneState):
         return at
 
     def update_reach(self) -> None:
-        """Where the lane is now may be farthest from its start."""
+        """Record the present rotation if it is the greatest."""
         rotation = self.rotation + self.direction * self.x
         farther = np.flatnonzero(np.abs(rotation) > np.abs(self.reach_rotation))
         self.reach_time[farther] = self.time[farther]
@@ -80,7 +80,7 @@ class Recorder(LaneState):
     # --- events ------------------------------------------------------------------------------------------------------
 
     def note(self, kind: int) -> None:
-        """Write an event of lane 0 down."""
+        """Log an event of lane 0."""
         if self.log is not None and self.lanes[0] == 0:
             self.log.append((kind, float(self.time[0]), float(self.rotation[0]), float(self.direction[0])))
 
@@ -92,7 +92,7 @@ class Recorder(LaneState):
     # --- samples -----------------------------------------------------------------------------------------------------
 
     def read_samples(self, begin: Floats, end: Floats, series: Floats | None = None) -> None:
-        """States at the sample times from one time up to, and without, another; without series the lanes rest."""
+        """Evaluate states at the sample times in a half-open interval; without series the lanes rest."""
         if self.samples is None:
             return
         for lane, column in enumerate(self.lanes):
@@ -126,7 +126,7 @@ class Recorder(LaneState):
 
 
 def _root_beyond_hump(net: Floats, tau: Floats, rate: Floats, slope: Floats) -> Floats:
-    """Where polynomials that are negative at both ends, and rise and fall between, pass zero falling; or infinity."""
+    """Falling zero of polynomials that are negative at both ends with a maximum between; infinity without one."""
     start = np.zeros(tau.size)
     slopes = derivative(net)
     top = bracketed_root(slopes, start, slopes[0], tau, slope)

@@ -25,7 +25,7 @@ class StickPhase(Recorder):
     # --- slip begins -------------------------------------------------------------------------------------------------
 
     def start_moving(self, rate: Floats) -> None:
-        """A phase of motion begins, in the direction faced."""
+        """Begin a phase of slip in the present direction."""
         self.status = ix.MOVING
         self.passed = ix.NOTHING
         self.phases += 1.0
@@ -36,7 +36,7 @@ class StickPhase(Recorder):
         self.update_peak(rate)
 
     def start_with_velocity(self) -> None:
-        """A lane that is given a velocity moves; its normal force, velocity included, says whether it has contact."""
+        """Begin with a velocity; the normal force, including its centripetal part, decides whether there is contact."""
         self.lifted = 0.0
         self.begin_phase()
         self.lifted = self.contact() < 0.0
@@ -44,7 +44,7 @@ class StickPhase(Recorder):
         self.start_moving(self.registers()[self.program.roles["net"]])
 
     def start_again(self, sudden: Floats) -> None:
-        """A phase begins where the net moment at rest passes zero: the drive is zero then, but after a sudden leap."""
+        """Begin slip where the net moment at rest passes zero; the drive is zero there except after a jump."""
         self.face()
         if self.tangents:
             # t' = -drive'/(d drive/dt); a jump comes with a break of what changes with time
@@ -59,19 +59,19 @@ class StickPhase(Recorder):
     # --- stick or slip at a standstill -------------------------------------------------------------------------------
 
     def face(self) -> None:
-        """The numbers of a phase from rest in the direction that is set."""
+        """Compute the numbers of a phase from rest in the present direction."""
         self.x = self.omega = self.lifted = 0.0
         self.begin_phase()
         self.lifted = self.role("normal0") <= 0.0
         self.apply_to(self.lifted > 0.0, "begin_phase")
 
     def reverse(self) -> None:
-        """Face the other way, in contact or lifted as before."""
+        """Reverse the direction, with contact as before."""
         self.direction *= -1.0
         self.begin_phase()
 
     def resolve_stick_or_slip(self) -> None:
-        """At rest: slip in the direction faced, else in the other one, else stick."""
+        """At rest: slip in the present direction, otherwise in the other one, otherwise stick."""
         slips = self._slips()
         stays = ~slips & (self.status != ix.STOPPED)
         only_this_way = self.may_start() & (self.one_way > 0.0)
@@ -83,7 +83,7 @@ class StickPhase(Recorder):
         self.apply_to(sticks, "stick")
 
     def resolve_last_direction(self) -> None:
-        """Slip in the direction faced, else stick: what has just stopped does not go on the way it came."""
+        """Slip in the present direction, otherwise stick: a mass that has just stopped does not go on."""
         slips = self._slips()
         sticks = ~slips & (self.status != ix.STOPPED)
         self.apply_to(slips, "slip_from_rest")
@@ -93,7 +93,7 @@ class StickPhase(Recorder):
         self.start_moving(self.role("drive"))
 
     def _slips(self) -> Any:
-        """Whether the drive exceeds the resistance in the direction set; lanes that nothing brings to rest stop."""
+        """Whether the drive exceeds the resistance; lanes that nothing brings to rest are stopped."""
         self.face()
         never = (self.first_only > 0.0) & (self.phases > 0.0) & self._never_rests()
         self.apply_to(never, "stay", np.full(self.count, ix.STOPPED))
@@ -108,7 +108,7 @@ class StickPhase(Recorder):
         return allowed & (drive > 0.0)
 
     def _never_rests(self) -> Any:
-        """Whether a mass swings on for ever: at its lowest next to nothing presses on it, and that will not change."""
+        """Whether a mass swings without end: at its lowest point the normal force is and stays negligible."""
         load = self.role("normal_load")
         greatest_load = np.hypot(load, self.role("normal_load_slope"))
         greatest_normal = self.role("normal0") + (greatest_load - load)
@@ -116,7 +116,7 @@ class StickPhase(Recorder):
         return (self.first_only == 1.0) | (carried & ~self.still_changes())
 
     def stick(self) -> None:
-        """Nothing moves the lane now: it waits for another time, or stays."""
+        """The lane sticks: it waits for a change of the forces, or stays for good."""
         changes = self.still_changes()
         self.apply_to(~changes, "stay", np.full(self.count, ix.ARRESTED))
         self.status[changes] = ix.RESTING
@@ -136,7 +136,7 @@ class StickPhase(Recorder):
     # --- at rest -----------------------------------------------------------------------------------------------------
 
     def wait(self) -> None:
-        """One step of lanes at rest: to the next break of what changes with time, or to where the mass starts."""
+        """One step of lanes at rest: to the next break of a function of time, or to the start of slip."""
         limit = self.next_break()
         room = np.where(np.isfinite(limit), limit - self.time, 1.0)
         ahead = np.zeros((5, self.count))
@@ -154,7 +154,7 @@ class StickPhase(Recorder):
         self._go_on(limit, room, ahead)
 
     def _look_ahead(self, room: Floats, ahead: Floats) -> None:
-        """When slip begins in the direction faced, and when contact is lost or made again, if that is sooner."""
+        """Times at which slip begins in the present direction, and at which contact changes, if earlier."""
         series, order = self.expand(room, at_rest=True)
         net = series[self.program.roles["net"], :-1]
         self._look_for_start(net, order, room, ahead)
@@ -167,7 +167,7 @@ class StickPhase(Recorder):
             ahead[row] = np.minimum(at, ahead[row])
 
     def _look_for_start(self, net: Floats, order: Floats, room: Floats, ahead: Floats) -> None:
-        """When the net moment passes zero: at once where it touches it and rises, or has leapt above it."""
+        """Time at which the net moment passes zero: immediately if it is zero and rises, or has jumped above it."""
         touches = np.abs(net[0]) <= TOUCHES * self.role("drive_scale")
         sudden = ~touches & (net[0] > 0.0)
         ends_early = order < self.order
@@ -184,7 +184,7 @@ class StickPhase(Recorder):
             ahead[row] = np.where(sooner, values, ahead[row])
 
     def _go_on(self, limit: Floats, room: Floats, ahead: Floats) -> None:
-        """Take lanes at rest to what lies ahead first: a start, a change of contact, a break, or nothing ever."""
+        """Advance lanes at rest to the first event: start of slip, change of contact, break, or none."""
         stretch, start, direction, sudden, lift = ahead
         lifts = (lift <= stretch) & (lift <= start * (1.0 + TOGETHER))  # where both pass zero it does not start
         starts = ~lifts & (start <= stretch)
@@ -192,7 +192,7 @@ class StickPhase(Recorder):
         waits_until = np.where(breaks, limit, self.time + stretch)
         until = np.where(starts, self.time + start, waits_until)
         for_ever = ~starts & np.isinf(until)
-        paused = ~for_ever & (until >= self.end_time)  # what happens after its end time decides nothing
+        paused = ~for_ever & (until >= self.end_time)  # events after the end time do not count
         until = np.minimum(until, self.end_time)
         self.read_samples(self.time, until)
         self.steps += ~breaks
@@ -207,7 +207,7 @@ class StickPhase(Recorder):
         self.apply_to(breaks, "pass_breaks_at_rest")
 
     def change_contact_at_rest(self) -> None:
-        """Contact is lost, or made again, while the mass rests."""
+        """Contact is lost or regained while the mass rests."""
         self.lifted = 1.0 - self.lifted
         self.passed = ix.LIFT
         self.apply_to(self.lifted > 0.0, "note_lift_off")
@@ -219,7 +219,7 @@ class StickPhase(Recorder):
     # --- jumps of what changes with time -----------------------------------------------------------------------------
 
     def on_discontinuity(self) -> None:
-        """Where forces have leapt, contact is decided again; if it changes, the phase goes on from where it is."""
+        """After a jump of the forces contact is decided again; if it changes, the phase is restarted."""
         loses = self.contact() < 0.0
         changes = loses != (self.lifted > 0.0)
         self.apply_to(changes & loses, "note_lift_off")
@@ -227,7 +227,7 @@ class StickPhase(Recorder):
         self.apply_to(changes, "restart_phase")
 
     def restart_phase(self) -> None:
-        """The phase goes on, with numbers of where it is now."""
+        """Restart the phase with the numbers of the present state."""
         moves = self.tangents and self.status[0] == ix.MOVING
         if self.tangents and moves:
             self.tangents.leave_now(self)

@@ -1,4 +1,4 @@
-"""Derivatives of a motion by the numbers of its scene, carried along by the integrator: how they begin, jump and end.
+"""Derivatives of a motion by the numbers of its scene, integrated with it: how they begin, jump and end.
 
 The program differentiates itself; here is what it does not know: the derivatives of what a phase begins with, and how
 derivatives jump at an event. A name with ``_dot`` holds derivatives, one for each direction, those of states at a fixed
@@ -35,7 +35,7 @@ class TableGrowth(NamedTuple):
 
 
 class InputGrowth(NamedTuple):
-    """How what lanes are given changes with each parameter.
+    """Derivatives of the inputs of lanes by each parameter.
 
     ``time`` is the relative derivative of the unit of time, ``end`` that of the end time over this unit, ``tables``
     those of the program's tables by name.
@@ -47,7 +47,7 @@ class InputGrowth(NamedTuple):
 
 
 class Tangents:
-    """Derivatives of one motion, of which each lane carries one direction."""
+    """Derivatives of one motion; each lane carries one direction."""
 
     def __init__(self, program: Program, cells: Floats, growth: InputGrowth) -> None:
         (tangent,) = program.tangents
@@ -139,10 +139,14 @@ class Tangents:
     def _taylor_dots(self, state: LaneState, piece: Piece, order: int) -> Floats:
         """Derivatives of a function of time's Taylor coefficients about now, at a fixed time, (terms, directions)."""
         growth = self.growth.tables[piece.slot.name]
-        terms = _padded(piece.taylor(order + 1)[:, 0], order + 2)
+        every = _padded(piece.taylor(order + 1)[:, 0], order + 2)
+        terms = every[:-1]
         n = np.arange(order + 1)
-        by_scale = state.time[0] * (n + 1) * terms[1:] + n * terms[:-1]
-        return terms[:-1, None] * growth.factor + by_scale[:, None] * growth.scale
+        slopes = (n + 1) * every[1:]
+        time = state.time[0]
+        by_factor = terms[:, None] * growth.factor
+        by_scale = time * slopes + n * terms
+        return by_factor + by_scale[:, None] * growth.scale
 
     def start_series(self, state: LaneState, series: Floats) -> None:
         """The tangents of functions of time, as increments since the phase began."""
@@ -173,8 +177,8 @@ class Tangents:
         self._leave(state, -self.along(register, self.series, self.tau) / slope)
 
     def leave_edge(self, state: LaneState, piece: Piece, lower: bool, rate: float) -> None:
-        """g = the argument of a table less its edge, which goes with the table's scale."""
-        if piece.kind == "rotation":  # a pressure and its derivatives go on smoothly
+        """g = the argument of a table less its edge, which varies with the table's scale."""
+        if piece.kind == "rotation":  # a function of the rotation and its derivatives are continuous
             self._leave(state, self.none)
             return
         next_piece = piece.index[0] + (not lower)
@@ -188,7 +192,7 @@ class Tangents:
         self._leave(state, event_dot)
 
     def leave_rest(self, state: LaneState, sudden: bool) -> None:
-        """g = the drive at rest; where it has leapt, the break, of which the time in s is given."""
+        """g = the drive at rest; after a jump the time of the break in s, which is an input."""
         self.event_dot = self.none
         drive = state.program.roles["cell_drive"]
         net = state.program.roles["net"]
@@ -201,7 +205,7 @@ class Tangents:
         self._leave(state, event_dot)
 
     def leave_now(self, state: LaneState) -> None:
-        """A time that is given in s."""
+        """g = a time in s, which is an input."""
         self.rates = self._rates_now(state)
         self._leave(state, -state.time[0] * self.growth.time)
 
@@ -210,7 +214,7 @@ class Tangents:
         return [float(registers[rate, 0]) for _, _, rate in self.states]
 
     def _leave(self, state: LaneState, event_dot: Floats) -> None:
-        """Total derivatives where the lane is now, for a phase that begins here."""
+        """Total derivatives in the present state, for a phase that begins here."""
         omega = state.omega[0]
         moved = self.dot(state, ix.X) + omega * event_dot
         rotation_dot = self.dot(state, ix.ROTATION) + state.direction[0] * moved
@@ -224,7 +228,7 @@ class Tangents:
         self.event_dot = event_dot
 
     def enter(self, state: LaneState) -> None:
-        """At fixed times again, now that the rates of what begins are known."""
+        """Convert total derivatives to those at fixed times, with the rates of the new phase."""
         rates = self._rates_now(state)
         for (cell, _, _), rate in zip(self.states[1:], rates[1:], strict=True):
             at_fixed_time = self.totals[cell] - rate * self.event_dot
@@ -239,7 +243,7 @@ class Tangents:
             self.event_dot = self.none
 
     def enter_from_rest(self, state: LaneState, sudden: bool) -> None:
-        """Where the drive passes zero smoothly, it and its derivatives are zero."""
+        """Begin slip; where the drive passes zero smoothly, its derivatives are zero."""
         if sudden:
             self.enter(state)
         else:
@@ -248,7 +252,7 @@ class Tangents:
             self.event_dot = self.none
 
     def pass_break(self, state: LaneState) -> None:
-        """A function of time has leapt, at a time that is given in s, and the phase goes on."""
+        """A function of time has jumped, at a time in s which is an input, and the phase continues."""
         event_dot = -state.time[0] * self.growth.time
         rates = self._rates_now(state)
         for (cell, _, _), before, after in zip(self.states[1:], self.rates[1:], rates[1:], strict=True):
@@ -258,7 +262,7 @@ class Tangents:
     # --- outcomes ----------------------------------------------------------------------------------------------------
 
     def rotation_dot(self, state: LaneState) -> Floats:
-        """Derivatives of the rotation where the lane is, or where it is at its end time."""
+        """Derivatives of the present rotation, or of that at the end time."""
         travelled = self.dot(state, ix.X) + state.omega[0] * self.end_dot
         return self.dot(state, ix.ROTATION) + state.direction[0] * travelled
 
@@ -266,7 +270,7 @@ class Tangents:
         self.reach_dot = self.rotation_dot(state)
 
     def keep_peak(self, state: LaneState, time: float, rate: float, series: Floats | None) -> None:
-        """Of the greatest speed: within a step, at the end, where a force leaps, or where a phase begins."""
+        """Derivatives of the greatest speed: within a step, at the end, at a jump, or at the start of a phase."""
         if series is not None:
             since = time - float(state.time[0])
             self.peak_dot = self.along(state.program.roles["omega"], series, since)
@@ -283,13 +287,13 @@ class Tangents:
 
 
 def _about(data: Data, piece: NDArray[np.intp], local: float, count: int) -> Floats:
-    """So many coefficients of a piece of a table about a place within it."""
+    """Coefficients of a piece of a table about a place within it."""
     terms = shifted(data.polynomial(piece), np.array([local]))
     return _padded(terms[:, 0], count)
 
 
 def _padded(terms: Floats, count: int) -> Floats:
-    """So many terms, those beyond the last of them zero."""
+    """Terms filled up with zeros."""
     padded = np.zeros(count)
     padded[: len(terms)] = terms[:count]
     return padded

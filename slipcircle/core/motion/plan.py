@@ -8,7 +8,7 @@ from typing import Any
 from generated.effects import ALL_EFFECTS, EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.core.flow.build import build_program
-from slipcircle.core.flow.problem import order, recipe_of
+from slipcircle.core.flow.problem import Recipe, order, recipe_of
 from slipcircle.core.flow.program import Program
 from slipcircle.core.motion.equation import Equation, equation_of
 from slipcircle.core.scene.friction import law_depends, law_names, without_soil
@@ -85,12 +85,11 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
 
 
 @cache
-def _choice(recipe: tuple[tuple[str, ...], ...], depends: tuple[str, ...], accuracy: float) -> dict[str, Any]:
+def _choice(recipe: Recipe, depends: tuple[str, ...], accuracy: float) -> dict[str, Any]:
     """What a plan is made of but for the scene's values, so that it is chosen once."""
-    instances, laws, moving, _ = recipe
     program = build_program(*recipe)
-    effects = tuple(dict.fromkeys(map(without_soil, instances)))
-    symbols = {*map(without_soil, moving)}
+    effects = tuple(dict.fromkeys(map(without_soil, recipe.effects)))
+    symbols = {*map(without_soil, recipe.moving)}
     functions = [(e, p) for e in effects for p in ALL_EFFECTS[e].parameters if p.symbol in symbols]
     of_rotation = [e for e, p in functions if p.kind == "rotation"]
     of_time = dict.fromkeys(e for e, p in functions if p.kind == "series")
@@ -102,10 +101,10 @@ def _choice(recipe: tuple[tuple[str, ...], ...], depends: tuple[str, ...], accur
     return {
         "effects": effects,
         "left_out": tuple(e for e in EFFECTS if e not in effects),
-        "law": " times ".join(dict.fromkeys(map(without_soil, laws))),
+        "law": " times ".join(dict.fromkeys(map(without_soil, recipe.laws))),
         "method": FLOW,
         "why": "; ".join(reasons),
-        "fragments": ("gravity", *instances, *laws, "balance"),
+        "fragments": ("gravity", *recipe.effects, *recipe.laws, "balance"),
         "operations": counted(program),
         "cost": STEPS * flops(program, terms),
     }

@@ -1,7 +1,7 @@
 """`slipcircle sweep --records`: a scene under each record of a suite, its options, tables and files."""
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,6 +14,7 @@ from slipcircle.workbench.records.suite import Suite, read_suite
 from slipcircle.workbench.studies.ensemble import ensemble
 from slipcircle.workbench.studies.statistics import value_text
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
+from slipcircle.workbench.suites.regressions import Comparison
 from slipcircle.workbench.suites.statistics import THRESHOLDS, distribution, fragility, variance_shares
 
 _HEADS = {
@@ -42,6 +43,7 @@ def options(parser: argparse.ArgumentParser) -> None:
     scale.add_argument("--scale-to-pga", type=values.levels, metavar="FROM:TO:COUNT", help=pga)
     group.add_argument("--strict", action="store_true", help="stop if a file is no record, instead of going on without")
     ground = "what the records hold, positive down-slope; default %(default)s, whose opposite drives the mass"
+    group.add_argument("--magnitude", type=float, metavar="M", help="of the earthquakes, for regressions that need it")
     group.add_argument("--holds", choices=("ground", "driving"), default="ground", help=ground)
     group.add_argument("--units", help="unit of files that do not name theirs: g, m/s2, cm/s2, gal, mm/s2")
     group.add_argument("--step", type=float, metavar="S", help="time between samples of files without times, s")
@@ -58,13 +60,15 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
     return found
 
 
-def parts(study: SuiteStudy) -> Iterator[Part]:
+def parts(study: SuiteStudy, magnitude: float) -> Iterator[Part]:
     """The records, what they do at the scale next to their own, and statistics at all scales."""
     yield _records_part(study.suite)
     scale = study.own_scale
     yield _by_record_part(study, scale)
     yield _statistics_part(study)
     yield _fragility_part(study)
+    if compared := study.regressions(scale, magnitude):
+        yield _regressions_part(study, compared, scale)
     shares = variance_shares(study.displacement, scale)
     if shares.records == shares.records and study.values["status"].shape[-1] > 1:
         rows = [[name, f"{100 * share:.3g} %"] for name, share in shares._asdict().items()]
@@ -94,6 +98,17 @@ def _statistics_part(study: SuiteStudy) -> Part:
         lengths = (mean, p16, median, p84, geometric, std_ln)
         rows.append([study.scale_text(k), f"{100 * moving:.3g} %", *map(value_text, lengths)])
     return Part(head, rows, "distribution of the displacement D", "geometric mean and std of ln D: of those that move")
+
+
+def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: int) -> Part:
+    """Published regressions beside the displacements at a scale."""
+    head = ["regression", "in its range", "mean of ln ratio", "std", "its std"]
+    rows = [[c.name, str(c.records), *(f"{x:.2f}" for x in (c.mean, c.std, c.std_ln))] for c in compared]
+    k_y, factor = shown(study.yield_coefficient), shown(study.block_factor)
+    title = f"displacement at {study.scale_text(scale)} over that of a rigid block with k_y = {k_y} by regressions"
+    return Part(
+        head, rows, title, f"displacements are divided by {factor}, by which the arc moves farther than a block"
+    )
 
 
 def _fragility_part(study: SuiteStudy) -> Part:

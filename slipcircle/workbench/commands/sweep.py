@@ -1,6 +1,7 @@
 """`slipcircle sweep`: an ensemble or a grid of one scene, its table and files."""
 
 import argparse
+import math
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError
@@ -139,7 +140,14 @@ def _answer_of_records(study: SuiteStudy, options: argparse.Namespace) -> Answer
     if options.npz:
         with files.replacing(options.npz) as file:
             np.savez(file, **cast(dict[str, Any], study.arrays()))
-    return Answer(study.to_dict, records.parts(study), [f"{study.scene.name}: {line}" for line in study.warnings])
+    magnitude = math.nan if options.magnitude is None else options.magnitude
+    compared = [c._asdict() for c in study.regressions(study.own_scale, magnitude)]
+    tables = records.parts(study, magnitude)
+    return Answer(
+        lambda: study.to_dict() | {"regressions": compared},
+        tables,
+        [f"{study.scene.name}: {line}" for line in study.warnings],
+    )
 
 
 def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:

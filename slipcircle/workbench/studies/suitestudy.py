@@ -5,22 +5,25 @@ split into that of records and that of the soil. It reads the record itself and 
 of a study does not grow with the records' samples.
 """
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.series import Series
+from slipcircle.base.series import Pulse, Series
 from slipcircle.base.text import shown
-from slipcircle.core import STRONGEST, Pictured, Scene, Status
+from slipcircle.core import STRONGEST, Pictured, Scene, Status, solve
 from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.quantities import OUTCOMES, plain
 from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.records.suite import Entry, Suite
 from slipcircle.workbench.studies.design import NO_RESULT, Design, Result
 from slipcircle.workbench.studies.motions import motions
+from slipcircle.workbench.suites.regressions import Comparison, Shaking, comparisons
 from slipcircle.workbench.suites.statistics import distribution
 
 Floats = NDArray[np.float64]
@@ -216,6 +219,38 @@ class SuiteStudy(Pictured):
         """Peak accelerations of the scaled records over gravity, (record, scale)."""
         return self.factors * np.array([[entry.peak] for entry in self.suite])
 
+    @cached_property
+    def yield_coefficient(self) -> float:
+        """k_y of the scene at the medians of its uncertain numbers."""
+        return float(solve(self.scene).yield_coefficient)
+
+    @cached_property
+    def block_factor(self) -> float:
+        """Gamma, the acceleration along the arc over that of a rigid block with the same k_y; NaN if k_y is negative.
+
+        From the velocity after a millisecond at 0.1 g beyond k_y, in which nothing else changes.
+        """
+        if not 0.0 < self.yield_coefficient < math.inf:
+            return math.nan
+        pulse = Pulse("rectangular", self.yield_coefficient + 0.1, 0.0, 1e-3)
+        assert isinstance(self.scene.effects, dict)
+        shaken = replace(self.scene, effects=self.scene.effects | {"shaking": {"horizontal": pulse}})
+        gravity = float(np.ravel(self.scene.arc.gravity)[0])
+        return float(solve(shaken).outcomes["peak_velocity"]) / (0.1 * gravity * 1e-3)
+
+    def regressions(self, scale: int, magnitude: float = math.nan) -> list[Comparison]:
+        """Displacements at a scale beside published regressions of rigid blocks.
+
+        Of each record the mean of polarities and the median of samples, over `block_factor`.
+        """
+        if math.isnan(self.block_factor):
+            return []
+        by_record = np.median(self.displacement[:, :, scale], axis=-1).mean(axis=1)
+        factors = self.factors[:, scale]
+        pgv, arias = np.array([(e.intensities.pgv, e.intensities.arias) for e in self.suite]).T
+        shaking = Shaking(self.yield_coefficient, self.pga[:, scale], factors * pgv, factors**2 * arias, magnitude)
+        return comparisons(by_record / self.block_factor, shaking)
+
     @property
     def own_scale(self) -> int:
         """The place of the scale at which the records are next to as they are."""
@@ -320,6 +355,8 @@ class SuiteStudy(Pictured):
             "not_read": [unread._asdict() for unread in self.suite.unread],
             "polarities": self.design.polarities,
             "scale_is": "pga_g" if self.design.to_pga else "factor",
+            "yield_coefficient": self.yield_coefficient,
+            "block_factor": self.block_factor,
             "seed": sampling.seed,
             "method": sampling.method,
             "accuracy": sampling.accuracy,
