@@ -262,7 +262,7 @@ def test_the_section_says_when_and_how_far_and_that_the_circle_goes_on() -> None
 
 def test_energies_say_of_what_width_they_are() -> None:
     wide = replace(load("wet-slope"), arc=replace(load("wet-slope").arc, width=50.0))
-    assert plots.phase_plane(solve(wide), drawn()).get_ylabel() == "energy of 50 m of width (MJ)"
+    assert plots.phase_plane(solve(wide), drawn()).get_ylabel() == "energy of 50 m of width\n(MJ)"
 
 
 @pytest.mark.parametrize("depth", [0.0, 5.0])

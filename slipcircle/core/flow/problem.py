@@ -214,9 +214,15 @@ def recipe_of(called: Effects, laws: tuple[str, ...]) -> Recipe:
 
 def in_order(effects: Collection[str]) -> tuple[str, ...]:
     """Effects by name in the order in which they are declared."""
+    return _in_order(tuple(effects))
+
+
+@lru_cache(maxsize=256)
+def _in_order(effects: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(name for declared in ALL_EFFECTS for name in effects if without_soil(name) == declared)
 
 
+@lru_cache(maxsize=256)
 def symbols_of(effect: str) -> dict[str, str]:
     """Symbols of an effect's parameters in the balance, by their names; of one soil with its number."""
     declared = ALL_EFFECTS[without_soil(effect)].parameters

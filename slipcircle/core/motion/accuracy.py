@@ -30,7 +30,8 @@ CUT, ROUNDED = 4.5, 6.0
 LEAST_SIZE = 1e-300  # by which what is 0 is divided
 LEAST = 8 * EPS / 2  # that an estimate is
 UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
-SHARES = (np.arange(8) + 0.5) / 8  # of the duration, at which states are compared
+# Shares of the duration at which states are compared, of each run the same.
+SHARES = np.repeat((np.arange(8) + 0.5) / 8, RUNS).reshape(-1, RUNS)
 
 
 @lru_cache(maxsize=256)
@@ -63,7 +64,7 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Problem:
     return problem._replace(cells=cells)
 
 
-def estimate(lanes: Lanes, final: Mapping[int, Floats]) -> Floats:
+def estimate(lanes: Lanes, final: Mapping[int, Any]) -> Any:
     """The estimated relative error of each lane's peak velocity, run-out and duration.
 
     Of a single lane also of its states along the way, relative to peak velocity and run-out. It is 1 where rounding
@@ -71,16 +72,17 @@ def estimate(lanes: Lanes, final: Mapping[int, Floats]) -> Floats:
     """
     summary = summary_vector(final)
     size = np.maximum(np.abs(summary), LEAST_SIZE)
+    spread: Any
+    known: Any
     if lanes.count == 1:
         spread, unlike = _of_single(lanes, final, summary, size)
-        error = ROUNDED * spread
+        known = min(max(ROUNDED * spread, LEAST), 1.0)
     else:
         spread, unlike = _of_ensemble(lanes, final, summary, size)
-        error = CUT * spread
-    undecided = unlike | np.asarray(final[ix.CLOSE] < UNDECIDED)
-    known = np.minimum(np.maximum(error, LEAST), 1.0)
-    still = np.equal(final[ix.PHASES], 0.0)
-    return np.where(undecided, 1.0, np.where(still, 0.0, known))
+        known = np.minimum(np.maximum(CUT * spread, LEAST), 1.0)
+    undecided = unlike | (final[ix.CLOSE] < UNDECIDED)
+    still = final[ix.PHASES] == 0.0
+    return choose(undecided, 1.0, choose(still, 0.0, known))
 
 
 def _of_ensemble(lanes: Lanes, final: Mapping[int, Floats], summary: Floats, size: Floats) -> tuple[Floats, Any]:
@@ -96,18 +98,17 @@ def _of_ensemble(lanes: Lanes, final: Mapping[int, Floats], summary: Floats, siz
     return spread, unlike
 
 
-def _of_single(lanes: Lanes, final: Mapping[int, Floats], summary: Floats, size: Floats) -> tuple[Floats, Any]:
+def _of_single(lanes: Lanes, final: Mapping[int, Any], summary: Floats, size: Floats) -> tuple[float, bool]:
     """The same of one lane: all runs at once, beside the motion itself, with their states along the way."""
     problem = perturbed_runs(lanes.problem, slice(None), lanes.arc.rounding)
-    times = np.repeat(SHARES * summary[0], RUNS).reshape(-1, RUNS)
-    states = np.zeros((2 + len(problem.program.states), *times.shape))
-    cells = integrate_all(problem, Samples(times, states))
+    states = np.zeros((2 + len(problem.program.states), *SHARES.shape))
+    cells = integrate_all(problem, Samples(summary[0] * SHARES, states))
     difference = np.abs(summary_vector(cells) - summary) / size
+    spread = float(np.fmax.reduce(difference, axis=None))
     if final[ix.PHASES] > 0.0:
         along = np.abs(states[:2] - states[:2, :, :1]) / size[1:, :, None]  # of rotation and angular velocity
-        difference = np.concatenate((difference, *along))
-    spread = np.fmax.reduce(difference, axis=None, keepdims=True)
-    return spread[0], _ends_otherwise(cells, final).any()
+        spread = float(np.fmax(spread, np.fmax.reduce(along, axis=None)))
+    return spread, bool(_ends_otherwise(cells, final).any())
 
 
 def _ends_otherwise(cells: Floats, final: Mapping[int, Floats]) -> Any:

@@ -77,10 +77,11 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
 
 def _refuse(motion: Motion) -> None:
     """Raise an error for a single scene without a result."""
-    scene, status = motion.plan.scene, motion.status
+    scene = motion.plan.scene
     speed = float(np.asarray(scene.initial_velocity))
-    if math.isfinite(motion.run_out + motion.outcomes["peak_velocity"] + speed * speed):
-        return  # without an answer they are NaN
+    if motion.is_finite and math.isfinite(speed * speed):
+        return
+    status = motion.status
     turns = any(ALL_EFFECTS[e].turns for e in motion.plan.effects)
     stands = "shaking" in motion.plan.effects and not motion.factor_of_safety < 1.0  # but for what shakes it
     overflows = status == Status.FAILED and not stands and scene.end_time is None and speed * speed < math.inf

@@ -4,6 +4,7 @@ The integration keeps a few state entries of each lane's end; what happens on th
 asked for. Dimensionless numbers become SI units here: times by sqrt(R/g), lengths along the arc by R.
 """
 
+import math
 from collections.abc import Mapping
 from functools import cached_property, partial
 from typing import Any
@@ -70,6 +71,13 @@ class Trajectory:
     def _solved(self) -> Any:
         """Which lanes have a result."""
         return self._status <= TURNED
+
+    @property
+    def is_finite(self) -> bool:
+        """Whether a single motion has a result, and that does not overflow."""
+        lanes, final = self._lanes, self._final
+        velocity = lanes.radius * (final[ix.PEAK_OMEGA] / lanes.time_scale)
+        return self._solved and math.isfinite(lanes.radius * final[ix.END_ROTATION] + velocity)
 
     def _known(self, values: Any) -> Any:
         """Values of lanes with a result, NaN of the others."""

@@ -44,6 +44,17 @@ def points_errors(name: str, given: Any, many: bool) -> list[str]:
     return complaint(line_errors(name, lines), shape[:-2])
 
 
+def continued(lines: Floats, left: Any, right: Any) -> Floats:
+    """Lines (n, V, 2) with a horizontal edge at either end that leads at least to an x, (n, V + 2, 2)."""
+    first = lines[:, :1].copy()
+    last = lines[:, -1:].copy()
+    first_x = first[:, 0, 0]
+    last_x = last[:, 0, 0]
+    first[:, 0, 0] = np.minimum(left, first_x - 1.0)
+    last[:, 0, 0] = np.maximum(right, last_x + 1.0)
+    return np.concatenate([first, lines, last], axis=1)
+
+
 def _upper(lines: Floats, x: Floats) -> Floats:
     """Heights of lines (n, V, 2) at x (n, M), the upper one on a scarp; -inf beyond their ends."""
     x_1, y_1 = np.moveaxis(lines[:, None, :-1], -1, 0)

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from generated import slopes
 from slipcircle.core.scene.circles import Cut, Floats, cut
+from slipcircle.core.scene.ground import continued
 
 _TOGETHER = 1 << 14  # arcs times pieces at a time: their arrays stay in the caches
 
@@ -66,8 +67,9 @@ class HeightIntegrals(NamedTuple):
         if np.array_equal(start, stop):
             return np.zeros(1)
         angle = np.where((start <= low) & (stop >= high), span, stop - start)
-        along = np.sin(start - low)
-        bent = 2 * np.sin((start - low) / 2) ** 2
+        ahead = start - low
+        along = np.sin(ahead)
+        bent = 2 * np.sin(ahead / 2) ** 2
         more_sine = cosine * along - sine * bent
         more_cosine = -sine * along - cosine * bent
         start_height = height + slope * more_sine + more_cosine
@@ -84,12 +86,15 @@ class HeightIntegrals(NamedTuple):
         high = self.pieces.high[0]
         start = np.clip(first[..., None], low, high)
         stop = np.clip(last[..., None], low, high)
-        x = self.line[0, self.edge, 0]
-        run = np.diff(self.line[0, :, 0])[self.edge]
-        second = (np.cos(start) - np.cos(stop) - x * (stop - start)) / run
+        line_x = self.line[0, :, 0]
+        x = line_x[self.edge]
+        run = np.diff(line_x)[self.edge]
+        angle = stop - start
+        second = (np.cos(start) - np.cos(stop) - x * angle) / run
+        first_one = angle - second
         direction = np.stack([-self.slope[0], np.ones_like(run)], axis=1)
         by_vertex = np.zeros((*second.shape[:-1], *self.line.shape[1:]))
-        for k, hat in ((0, stop - start - second), (1, second)):
+        for k, hat in ((0, first_one), (1, second)):
             of_vertex: Any = (..., self.edge + k, slice(None))
             np.add.at(by_vertex, of_vertex, hat[..., None] * direction)
         by_vertex[..., 1, :] += by_vertex[..., 0, :]
@@ -125,25 +130,32 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     Each edge has three parts: before it enters the circle, inside, and after; it may be all before. Outside and above
     the circle, it is over the upper half, which angles pass from right to left, as over the lower half.
     """
-    points = _continued(points, centre, radius)
+    of_circles = np.broadcast_to(points, (len(radius), *points.shape[1:]))
+    x = centre[:, 0]
+    points = continued(of_circles, x - 2 * radius, x + 2 * radius)
     line = (points - centre[:, None]) / radius[:, None, None]
-    run, rise = np.moveaxis(np.diff(points, axis=1), -1, 0)
-    slope = _slope(run, rise)
+    edges = np.diff(points, axis=1)
+    slope = _slope(edges[..., 0], edges[..., 1])
     lower, upper = _halves(cut(points, centre, radius), line, slope)
 
     turn = 2 * np.pi
-    two_turns = [*(p.turned(-turn) for p in upper), *lower, *upper, *(p.turned(turn) for p in lower)]
-    pieces = _Pieces(*(np.concatenate(columns, axis=1) for columns in zip(*two_turns, strict=True)))
+    before = [pieces.turned(-turn) for pieces in upper]
+    after = [pieces.turned(turn) for pieces in lower]
+    two_turns = [*before, *lower, *upper, *after]
+    columns = [np.concatenate(parts, axis=1) for parts in zip(*two_turns, strict=True)]
     edge = np.tile(np.arange(slope.shape[1]), len(two_turns))
-    used = np.flatnonzero((pieces.span > 0.0).any(axis=0))
+
+    has_width = _Pieces(*columns).span > 0.0
+    used = np.flatnonzero(has_width.any(axis=0))
+    used_pieces = _Pieces(*(column[:, used] for column in columns))
     edge = edge[used]
-    return HeightIntegrals(_Pieces(*(column[:, used] for column in pieces)), slope[:, edge], edge, line)
+    return HeightIntegrals(used_pieces, slope[:, edge], edge, line)
 
 
 def _halves(parts: Cut, line: Floats, slope: Floats) -> tuple[list[_Pieces], list[_Pieces]]:
     """Pieces over the lower halves of circles, below all three parts of edges, and over the upper halves."""
     start = line[:, :-1]
-    first = line[:, :-1, 0]
+    first = start[..., 0]
     last = line[:, 1:, 0]
     missed = (parts.e_x == 0.0) & (parts.e_y == 0.0)
     enters = np.where(missed, last, parts.x)
@@ -151,15 +163,6 @@ def _halves(parts: Cut, line: Floats, slope: Floats) -> tuple[list[_Pieces], lis
     before, before_upper = _outside(start, slope, first, enters)
     after, after_upper = _outside(start, slope, leaves, last)
     return [_inside(parts), before, after], [before_upper, after_upper]
-
-
-def _continued(points: Floats, centre: Floats, radius: Floats) -> Floats:
-    """Lines with a level edge at either end that leads beyond the circles, (n, V + 2, 2)."""
-    points = np.broadcast_to(points, (len(radius), *points.shape[1:]))
-    ends = points[:, [0, -1]].copy()
-    ends[:, 0, 0] = np.minimum(centre[:, 0] - 2 * radius, ends[:, 0, 0] - 1.0)
-    ends[:, 1, 0] = np.maximum(centre[:, 0] + 2 * radius, ends[:, 1, 0] + 1.0)
-    return np.concatenate([ends[:, :1], points, ends[:, 1:]], axis=1)
 
 
 def _slope(run: Floats, rise: Floats) -> Floats:
@@ -172,14 +175,16 @@ def _inside(parts: Cut) -> _Pieces:
     With g = 1 - rho^2 of a point, which does not cancel near the circle, the arc below it has cos = sqrt(y^2 + g), and
     the point's height above it is cos + y = g/(cos - y).
     """
-    x_2 = parts.x + parts.e_x
-    y_2 = parts.y + parts.e_y
-    cosine = np.sqrt(parts.y**2 + parts.first)
+    x, y = parts.x, parts.y
+    x_2 = x + parts.e_x
+    y_2 = y + parts.e_y
+    cosine = np.sqrt(y**2 + parts.first)
     cosine_2 = np.sqrt(y_2**2 + parts.second)
-    height = np.divide(parts.first, cosine - parts.y, out=cosine + parts.y, where=parts.y < 0.0)
-    low = np.arctan2(parts.x, cosine)
+    height = np.divide(parts.first, cosine - y, out=cosine + y, where=y < 0.0)
+    low = np.arctan2(x, cosine)
     high = np.arctan2(x_2, cosine_2)
-    return _Pieces(low, high, _span(parts.e_x, cosine, cosine_2), parts.x, cosine, height)
+    span = _span(parts.e_x, cosine, cosine_2)
+    return _Pieces(low, high, span, x, cosine, height)
 
 
 def _outside(start: Floats, slope: Floats, first: Floats, last: Floats) -> tuple[_Pieces, _Pieces]:
@@ -190,15 +195,20 @@ def _outside(start: Floats, slope: Floats, first: Floats, last: Floats) -> tuple
     start_y = start[..., 1]
     y = start_y + slope * (x - start_x)
     y_2 = start_y + slope * (x_2 - start_x)
-    cosine = np.sqrt((1.0 - x) * (1.0 + x))
-    cosine_2 = np.sqrt((1.0 - x_2) * (1.0 + x_2))
+    cosine = _half_width(x)
+    cosine_2 = _half_width(x_2)
     above = (x_2 > x) & (y + y_2 > 0.0)
     span = np.where(above, _span(x_2 - x, cosine, cosine_2), 0.0)
     low = np.arctan2(x, cosine)
-    high = np.arctan2(x_2, cosine_2)
-    high = np.where(above, high, low)
+    high = np.where(above, np.arctan2(x_2, cosine_2), low)
     lower = _Pieces(low, high, span, x, cosine, y + cosine)
-    return lower, _Pieces(np.pi - high, np.pi - low, span, x_2, -cosine_2, y_2 - cosine_2)
+    upper = _Pieces(np.pi - high, np.pi - low, span, x_2, -cosine_2, y_2 - cosine_2)
+    return lower, upper
+
+
+def _half_width(x: Floats) -> Floats:
+    """Half the circle's width across its axis at x, the cosine of a direction whose sine is x."""
+    return np.asarray(np.sqrt((1.0 - x) * (1.0 + x)))
 
 
 def _span(run: Floats, cosine: Floats, cosine_2: Floats) -> Floats:

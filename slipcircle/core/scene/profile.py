@@ -8,7 +8,7 @@ c = cos(beta), rho^2 = x^2 + y^2, and dx = c dbeta, the integrals over y from th
     (y^2 - c^2)/2,  where h = y + c and L = ln((1 + c)/(rho - y)).
 
 Written with h and 1 - rho^2 = h (2 c - h) nothing cancels in thin masses. They are smooth between the edges of strips;
-there they are integrated as series of Chebyshev, in pieces that are halved until the series have converged.
+there they are integrated as Chebyshev series, in pieces that are halved until the series have converged.
 """
 
 from collections.abc import Sequence
@@ -48,7 +48,7 @@ class Profile(NamedTuple):
     before : ndarray
         The integrals up to there, (pieces + 1, integrals, surfaces, circles).
     series : ndarray
-        Coefficients of Chebyshev of the integral within each piece, (pieces, terms, integrals, surfaces, circles).
+        Chebyshev coefficients of the integral within each piece, (pieces, terms, integrals, surfaces, circles).
     """
 
     edges: Floats
@@ -57,20 +57,27 @@ class Profile(NamedTuple):
 
     def up_to(self, beta: Floats) -> Floats:
         """The integrals up to directions (M, circles) within the arcs, (integrals, surfaces, M, circles)."""
-        inside = np.clip(beta, self.edges[0], self.edges[-1])
+        edges = self.edges
+        series = self.series
+        inside = np.clip(beta, edges[0], edges[-1])
         piece = np.zeros(inside.shape, dtype=np.intp)
-        for edge in self.edges[1:-1]:
+        for edge in edges[1:-1]:
             piece += inside.real >= edge.real
         circle = np.arange(inside.shape[1])
-        first = self.edges[piece, circle]
-        width = self.edges[piece + 1, circle] - first
+        first = edges[piece, circle]
+        width = edges[piece + 1, circle] - first
         share = (inside - first) / np.where(width != 0.0, width, 1.0)
-        place = (4.0 * share - 2.0)[:, :, None, None]  # twice what series of Chebyshev are of
-        ahead = np.zeros((*inside.shape, *self.before.shape[1:3]), dtype=self.series.dtype)
+        place = (4.0 * share - 2.0)[:, :, None, None]  # twice the argument of Chebyshev polynomials
+
+        _, integrals, surfaces, _ = self.before.shape
+        ahead = np.zeros((*inside.shape, integrals, surfaces), dtype=series.dtype)
         after = ahead
-        for k in range(self.series.shape[1] - 1, 0, -1):  # Clenshaw's recurrence
-            ahead, after = self.series[piece, k, :, :, circle] + place * ahead - after, ahead
-        total = self.before[piece, :, :, circle] + self.series[piece, 0, :, :, circle] + place / 2 * ahead - after
+        last_term = series.shape[1] - 1
+        for k in range(last_term, 0, -1):  # Clenshaw's recurrence
+            coefficient = series[piece, k, :, :, circle]
+            ahead, after = coefficient + place * ahead - after, ahead
+        constant = self.before[piece, :, :, circle] + series[piece, 0, :, :, circle]
+        total = constant + place / 2 * ahead - after
         return np.moveaxis(total, (2, 3), (0, 1))
 
     @property
@@ -104,15 +111,18 @@ def profile_of(strips: Strips) -> Profile:
     """
     pieces = sorted(_converged(strips), key=lambda piece: float((piece.first + piece.last).real.sum()))
     firsts, lasts, series = (np.stack(column) for column in zip(*pieces, strict=True))
-    each = series.sum(axis=1)  # at the right end every polynomial of Chebyshev is 1
-    before = np.concatenate([np.zeros_like(each[:1]), np.cumsum(each, axis=0)])
-    return Profile(np.concatenate([firsts, lasts[-1:]]), before, series)
+    edges = np.concatenate([firsts, lasts[-1:]])
+    each = series.sum(axis=1)  # at the right end every Chebyshev polynomial is 1
+    nothing = np.zeros_like(each[:1])
+    before = np.concatenate([nothing, np.cumsum(each, axis=0)])
+    return Profile(edges, before, series)
 
 
 def _converged(strips: Strips) -> list[_Piece]:
     """Pieces in which the series have converged: strips, or parts of them."""
     beta = strips.beta.T
-    first, last = beta[:-1], beta[1:]
+    first = beta[:-1]
+    last = beta[1:]
     strip = np.arange(len(first))
     done = list[_Piece]()
     scale = 0.0
@@ -121,14 +131,21 @@ def _converged(strips: Strips) -> list[_Piece]:
         nodes = first + half * (1.0 + _NODES[:, None, None])
         values = half * _integrands(strips, strip, nodes)
         chebyshev = np.tensordot(_TO_CHEBYSHEV, values, (1, 2))  # terms, integrals, surfaces, pieces, circles
-        scale = max(scale, float(np.abs(chebyshev).max(initial=0.0)))
-        tail = np.abs(chebyshev[-2:]).max(axis=(0, 1, 2))
-        rough = (tail > _ACCURACY * scale).any(axis=1) & (2 * half.real > _SHORTEST).any(axis=1)
-        series = np.tensordot(_INTEGRAL, values[:, :, :, ~rough], (1, 2)).transpose(3, 0, 1, 2, 4)
-        done += map(_Piece, first[~rough], last[~rough], series)
+        size = np.abs(chebyshev)
+        scale = max(scale, float(size.max(initial=0.0)))
+        tail = size[-2:].max(axis=(0, 1, 2))
+        is_truncated = (tail > _ACCURACY * scale).any(axis=1)
+        is_long = (2 * half.real > _SHORTEST).any(axis=1)
+        rough = is_truncated & is_long
+        smooth = ~rough
+
+        series = np.tensordot(_INTEGRAL, values[:, :, :, smooth], (1, 2))
+        by_piece = series.transpose(3, 0, 1, 2, 4)
+        done += map(_Piece, first[smooth], last[smooth], by_piece)
         middle = (first + last)[rough] / 2
-        first, last = np.concatenate([first[rough], middle]), np.concatenate([middle, last[rough]])
-        strip = np.concatenate([strip[rough], strip[rough]])
+        first = np.concatenate([first[rough], middle])
+        last = np.concatenate([middle, last[rough]])
+        strip = np.tile(strip[rough], 2)
     return done
 
 
@@ -136,13 +153,18 @@ def _integrands(strips: Strips, strip: NDArray[np.intp], beta: Floats) -> Floats
     """What is integrated, at directions (nodes, pieces, circles) in strips: (integrals, surfaces, nodes, ...)."""
     x = np.sin(beta)
     c = np.cos(beta)
-    beyond = x - strips.x.T[strip]
+    edges = strips.x.T
+    left = edges[strip]
+    beyond = x - left
     y = _by_strip(strips.y, strip) + _by_strip(strips.slope, strip) * beyond
-    h = np.where(_by_strip(strips.above, strip) & (y + c > 0.0), y + c, 0.0)
-    columns = _over_height(x, c, h)
+    height = y + c
+    is_above = _by_strip(strips.above, strip) & (height > 0.0)
+    columns = _over_height(x, c, np.where(is_above, height, 0.0))
     if strips.loads:
-        middle = (strips.x.T[strip] + strips.x.T[strip + 1]) / 2
-        on_ground = strips.y[0].T[strip] + strips.slope[0].T[strip] * beyond
+        middle = (left + edges[strip + 1]) / 2
+        ground, *_ = strips.y
+        slope, *_ = strips.slope
+        on_ground = ground.T[strip] + slope.T[strip] * beyond
         columns = np.concatenate([columns, _of_loads(strips, x, on_ground, middle)], axis=1)
     return np.asarray(columns * c)
 
@@ -154,9 +176,17 @@ def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
     inward = gap / (1.0 + rho)  # 1 - rho
     log = np.log1p((inward + h) / (rho + c - h))
     square = x * x
-    polar = (h * rho + c * inward + square * log) / 2
-    inertia = h * (square + (h * h - 3.0 * c * h) / 3 + c * c)
-    return np.stack([h, polar, inertia, x * log, -inward, x * h, h * (h - 2.0 * c) / 2, h / c])
+    rows = {
+        AREA: h,
+        POLAR: (h * rho + c * inward + square * log) / 2,
+        INERTIA: h * (square + (h * h - 3.0 * c * h) / 3 + c * c),
+        RADIAL_X: x * log,
+        RADIAL_Y: -inward,
+        MOMENT_X: x * h,
+        MOMENT_Y: h * (h - 2.0 * c) / 2,
+        HEAD: h / c,
+    }
+    return np.stack([rows[k] for k in range(len(rows))])
 
 
 def _by_strip(values: Any, strip: NDArray[np.intp]) -> Any:
@@ -167,10 +197,14 @@ def _by_strip(values: Any, strip: NDArray[np.intp]) -> Any:
 def _of_loads(strips: Strips, x: Floats, y: Floats, middle: Floats) -> Floats:
     """The same of unit pressures on the ground at (x, y), over x: pressures times 1, rho, ... there."""
     pressures = []
-    for first, last in strips.loads:
-        share = (x - first[:, 0]) / (last[:, 0] - first[:, 0])
-        under = (middle > first[:, 0]) & (middle < last[:, 0])
-        pressures += [np.where(under, 1.0 - share, 0.0), np.where(under, share, 0.0)]
+    for load in strips.loads:
+        first, last = (end[:, 0] for end in load)
+        share = (x - first) / (last - first)
+        under = (middle > first) & (middle < last)
+        falling = np.where(under, 1.0 - share, 0.0)
+        rising = np.where(under, share, 0.0)
+        pressures += [falling, rising]
     rho = np.sqrt(x * x + y * y)
-    values = np.stack(np.broadcast_arrays(1.0, rho, rho * rho, x / rho, y / rho, x, y, 0.0))
+    integrands = (1.0, rho, rho * rho, x / rho, y / rho, x, y, 0.0)
+    values = np.stack(np.broadcast_arrays(*integrands))
     return np.asarray(values[:, None] * np.stack(pressures))

@@ -266,11 +266,6 @@ class Section(SlidingBody, TurningMass):
         return self._shaped(centre + from_centre)
 
     @cached_property
-    def arc_length(self) -> Any:
-        """m."""
-        return 2 * self.half_angle * self.radius
-
-    @cached_property
     def depth(self) -> Any:
         """Greatest thickness of the mass along a radius, m."""
         return self._shaped(circles.thickness(self._cut, self._mine)) * self.radius

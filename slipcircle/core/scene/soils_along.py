@@ -57,18 +57,28 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
     weight = _from_entry(section, AREA, ends)
     shares = np.diff(weight) / weight[-1]
     normal = mean_normal_stress(section, ends)
-    vertical = np.diff(_from_entry(section, HEAD, ends)) / np.diff(ends) * _radius(section)
-    growth = np.diff(section.arc_strength._growth(ends[:, None])[..., 0], axis=1) * _radius(section) / np.diff(ends)
+    vertical = _means(section, ends, _from_entry(section, HEAD, ends))
+    growth = _means(section, ends, section.arc_strength._growth(ends[:, None])[..., 0])
     rows = []
     for k, layer in enumerate(layers):
-        soil = section.layers[layer][0]
-        ratio = float(np.asarray(soil.pore_ratio))
-        pressure = ratio * vertical[k] if ratio else _head(section, ends[k], ends[k + 1])
-        cohesion = np.asarray(soil.cohesion) + np.asarray(soil.cohesion_gradient) * growth[layer, k]
-        strength = float(cohesion + np.asarray(soil.peak) * (normal[k] - pressure))
+        soil, _ = section.layers[layer]
         start, end = float(ends[k]), float(ends[k + 1])
-        length = _radius(section) * (end - start)
-        rows.append(Stretch(soil, start, end, length, float(shares[k]), float(normal[k]), float(pressure), strength))
+        ratio = float(np.asarray(soil.pore_ratio))
+        pressure = ratio * vertical[k] if ratio else _head(section, start, end)
+        gradient = np.asarray(soil.cohesion_gradient)
+        cohesion = np.asarray(soil.cohesion) + gradient * growth[layer, k]
+        friction = np.asarray(soil.peak) * (normal[k] - pressure)
+        stretch = Stretch(
+            soil=soil,
+            start=start,
+            end=end,
+            length=_radius(section) * (end - start),
+            weight_share=float(shares[k]),
+            normal_stress=float(normal[k]),
+            pore_pressure=float(pressure),
+            strength=float(cohesion + friction),
+        )
+        rows.append(stretch)
     return tuple(rows)
 
 
@@ -79,8 +89,12 @@ def mean_normal_stress(section: LayeredSection, directions: ArrayLike) -> Floats
     """
     _one_lane(section)
     ends = np.asarray(directions, dtype=np.float64)
-    force = -_from_entry(section, RADIAL_Y, ends)
-    return np.asarray(np.diff(force) / np.diff(ends) * _radius(section))
+    return _means(section, ends, -_from_entry(section, RADIAL_Y, ends))
+
+
+def _means(section: LayeredSection, ends: Floats, integral: Floats) -> Floats:
+    """Means between neighbouring directions, of an integral up to each of them that is over R."""
+    return np.asarray(np.diff(integral, axis=-1) / np.diff(ends) * _radius(section))
 
 
 def _one_lane(section: LayeredSection) -> None:

@@ -7,6 +7,7 @@ A quantity q of the soils summed over the stretches, with a cumulative integral 
 so that only C at the joints depends on the rotation, and only the differences on the numbers of the soils.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -37,8 +38,9 @@ class Stretches(NamedTuple):
         q_after)_j C(b_j); of an integral from elsewhere the last row takes what is at the entry.
         """
         rows = np.concatenate([self.before.T, self.last[None], self.first[None]])
-        one = np.eye(soils)[rows].transpose(0, 2, 1)
-        one[:-2] -= np.eye(soils)[self.after.T].transpose(0, 2, 1)
+        of_soil = np.eye(soils)
+        one = of_soil[rows].transpose(0, 2, 1)
+        one[:-2] -= of_soil[self.after.T].transpose(0, 2, 1)
         one[-1] *= -1.0
         return np.asarray(one)
 
@@ -55,25 +57,30 @@ class StretchIntegrals:
     @cached_property
     def stretches(self) -> Stretches:
         """Where the soil at the base changes, from the entry to the exit; a foreland's comes in at the exit."""
-        strips, down = self.section._strips, self.section._facing[:, None] > 0.0
-        base = np.where(down, strips.base, strips.base[:, ::-1])
-        edges = np.where(down, strips.beta, -strips.beta[:, ::-1])
-        before, after, joint = base[:, :-1], base[:, 1:], edges[:, 1:-1]
-        last = base[:, -1]
-        if self.section.foreland is not None:
-            last = np.full_like(last, len(self.section.layers))
-            before = np.concatenate([before, base[:, -1:]], axis=1)
-            after = np.concatenate([after, last[:, None]], axis=1)
-            joint = np.concatenate([joint, edges[:, -1:]], axis=1)
+        section = self.section
+        strips = section._strips
+        faces_right = section._facing[:, None] > 0.0
+        base = np.where(faces_right, strips.base, strips.base[:, ::-1])
+        edges = np.where(faces_right, strips.beta, -strips.beta[:, ::-1])
+        first = base[:, 0]
+        if section.foreland is not None:  # the layer of a further strip, beyond the exit
+            beyond = np.full_like(base[:, :1], len(section.layers))
+            base = np.concatenate([base, beyond], axis=1)
+            edges = np.concatenate([edges, edges[:, -1:]], axis=1)
+        before = base[:, :-1]
+        after = base[:, 1:]
+        joint = edges[:, 1:-1]
         changes = np.any(before != after, axis=0)
-        return Stretches(joint[:, changes], before[:, changes], after[:, changes], base[:, 0], last)
+        return Stretches(joint[:, changes], before[:, changes], after[:, changes], first, base[:, -1])
 
     @cached_property
     def span(self) -> tuple[Floats, Floats]:
         """Directions of the entry and of the exit, (circles,)."""
         left, right = self.section._angles
-        down = self.section._facing > 0.0
-        return np.where(down, left, -right), np.where(down, right, -left)
+        faces_right = self.section._facing > 0.0
+        entry = np.where(faces_right, left, -right)
+        exit_ = np.where(faces_right, right, -left)
+        return entry, exit_
 
     def _joints_met(self, rotation: Floats) -> Floats:
         """Where the mass meets the joints, and its exit, after rotations (M, circles), (J + 1, M, circles).
@@ -83,7 +90,8 @@ class StretchIntegrals:
         first, last = self.span
         moved = rotation if self.section.strength == "base" else np.zeros_like(rotation)
         joints = [np.clip(j - moved, first, last) for j in self.stretches.joint.T]
-        return np.stack([*joints, np.broadcast_to(last, rotation.shape)])
+        exit_ = np.broadcast_to(last, rotation.shape)
+        return np.stack([*joints, exit_])
 
     @cached_property
     def _surfaces(self) -> tuple[Profile, Floats]:
@@ -94,10 +102,12 @@ class StretchIntegrals:
         profile = self.section.profile.of(_PRESSING)
         steps = self.section.weight_steps
         circles = profile.edges.shape[1]
-        if circles == 1 and np.all(steps == steps[:, :1]):
-            steps = steps[:, :1]
+        of_first_lane = steps[:, :1]
+        if circles == 1 and np.all(steps == of_first_lane):
+            steps = of_first_lane
         if steps.shape[1] == circles:
-            profile, steps = profile.combined(steps), np.ones((1, 1))
+            profile = profile.combined(steps)
+            steps = np.ones((1, 1))
         return profile, steps / self.section._weights_per_area
 
     def _pressing(self, rotation: Floats) -> Floats:
@@ -108,10 +118,12 @@ class StretchIntegrals:
         profile, _ = self._surfaces
         facing = self.section._facing
         met = self._joints_met(rotation)
-        at = profile.up_to(facing * met.reshape(-1, met.shape[-1]))
-        at = np.where(facing > 0.0, at, profile.whole[:, :, None] - at)
-        at[1] *= facing
-        by_joint = at.reshape(*at.shape[:2], *met.shape)
+        directions = met.reshape(-1, met.shape[-1])
+        from_left = profile.up_to(facing * directions)
+        from_right = profile.whole[:, :, None] - from_left
+        from_entry = np.where(facing > 0.0, from_left, from_right)
+        from_entry[1] *= facing
+        by_joint = from_entry.reshape(*from_entry.shape[:2], *met.shape)
         return np.moveaxis(by_joint, 1, 2)
 
     def parts(self, rotation: Floats, names: Any) -> dict[str, Floats]:
@@ -119,8 +131,10 @@ class StretchIntegrals:
         of_weight = {"normal", "tilt", "inertia", "overburden"}
         every: dict[str, Floats] = {name: getattr(self, name)(rotation) for name in {*names} - of_weight}
         if of_weight & {*names}:
-            radial_y, radial_x, polar, overburden = self._pressing(rotation).reshape(4, -1, *rotation.shape)
-            cosine, sine = np.cos(rotation), np.sin(rotation)
+            pressing = self._pressing(rotation)
+            radial_y, radial_x, polar, overburden = pressing.reshape(4, -1, *rotation.shape)
+            cosine = np.cos(rotation)
+            sine = np.sin(rotation)
             # J(psi - phi) = J cos(phi) - J' sin(phi), and its derivative by psi
             every["normal"] = -radial_y * cosine - radial_x * sine
             every["tilt"] = radial_x * cosine - radial_y * sine
@@ -131,16 +145,22 @@ class StretchIntegrals:
     def space(self, rotation: Floats) -> Floats:
         """Directions in space of the joints, the exit and the entry after rotations, (J + 2, M, circles)."""
         first, last = self.span
-        start, end = first + rotation, last + rotation
+        start = first + rotation
+        end = last + rotation
         joints = self.stretches.joint.T
-        there = [np.clip(j, start, end) if self.section.strength == "base" else j + rotation for j in joints]
+        if self.section.strength == "base":
+            there = [np.clip(joint, start, end) for joint in joints]
+        else:
+            there = [joint + rotation for joint in joints]
         return np.stack([*there, end, start])
 
     def heads(self, rotation: Floats) -> Floats:
         """Integrals of the head of the water level from the entry to these directions, (J + 2, M, circles)."""
         there = self.section._facing * self.space(rotation)
         entry = np.broadcast_to(there[-1], there.shape)
-        return self.section.heads_between(np.minimum(entry, there), np.maximum(entry, there))
+        left = np.minimum(entry, there)
+        right = np.maximum(entry, there)
+        return self.section.heads_between(left, right)
 
     def _growth(self, b: Floats) -> Floats:
         """Integral over the arc, from its entry to directions b, of the depth below each soil's datum, over R.
@@ -155,8 +175,10 @@ class StretchIntegrals:
                 rows.append(np.zeros_like(b))
                 continue
             level = (datum - centre[:, 1]) / radius  # of the datum above the centre
-            reach = np.arccos(np.clip(-level, -1.0, 1.0))  # the datum crosses the arc at -reach and reach
-            start, end = np.clip(first, -reach, reach), np.clip(b, -reach, reach)
+            depth = np.clip(-level, -1.0, 1.0)
+            reach = np.arccos(depth)  # the datum crosses the arc at -reach and reach
+            start = np.clip(first, -reach, reach)
+            end = np.clip(b, -reach, reach)
             rows.append(level * (end - start) + np.sin(end) - np.sin(start))
         return np.stack(rows)
 
@@ -168,18 +190,14 @@ class StretchIntegrals:
             there = there - rotation
         limit = last if self.section.foreland is None else np.inf  # a foreland's own rule goes on beyond the exit
         growth = self._growth(np.clip(there, first, limit))
-        *joints, exit_, entry = range(len(there))
-        stretches = self.stretches
-        parts = np.zeros((len(self.section.soils), *rotation.shape), dtype=growth.dtype)
-        circle = np.arange(rotation.shape[1])
-        for k in joints:
-            parts[stretches.before[:, k], :, circle] += growth[stretches.before[:, k], k, :, circle]
-            parts[stretches.after[:, k], :, circle] -= growth[stretches.after[:, k], k, :, circle]
-        parts[stretches.last, :, circle] += growth[stretches.last, exit_, :, circle]
-        parts[stretches.first, :, circle] -= growth[stretches.first, entry, :, circle]
+        by_direction = self.incidence.transpose(1, 0, 2)[:, :, None]
+        parts = (by_direction * growth).sum(axis=1)
+        *_, exit_, entry = there
         if self.section.foreland is None:
-            parts += self._held_value(stretches.last, last, np.maximum(there[exit_] - last, 0.0))
-        return parts + self._held_value(stretches.first, first, np.maximum(first - there[entry], 0.0))
+            beyond_exit = np.maximum(exit_ - last, 0.0)
+            parts = parts + self._held_value(self.stretches.last, last, beyond_exit)
+        above_entry = np.maximum(first - entry, 0.0)
+        return np.asarray(parts + self._held_value(self.stretches.first, first, above_entry))
 
     def _held_value(self, soil: NDArray[np.intp], direction: Floats, length: Floats) -> Floats:
         """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
@@ -187,7 +205,8 @@ class StretchIntegrals:
         parts = np.zeros((len(self.section.soils), *length.shape), dtype=length.dtype)
         for k, datum in enumerate(self.section.datums):
             if datum is not None:
-                depth = np.maximum((datum - centre[:, 1]) / radius + np.cos(direction), 0.0)
+                level = (datum - centre[:, 1]) / radius
+                depth = np.maximum(level + np.cos(direction), 0.0)
                 parts[k] = np.where(soil == k, depth * length, 0.0)
         return parts
 
@@ -197,19 +216,28 @@ class StretchIntegrals:
         section = self.section
         ends = np.stack(self.span, axis=1).real
         joints = self.stretches.joint.real
-        down = section._facing[:, None]
+        facing = section._facing[:, None]
         kinks = [ends[:, 1:] - ends[:, :1]]
         if section.level is not None:
+            of_level = section._water.kinks * facing
             turning = ends if section.strength == "base" else np.concatenate([ends, joints], axis=1)
-            kinks.append(_differences(section._water.kinks * down, turning))
+            kinks.append(_differences(of_level, turning))
         if section.strength == "base":
-            kinks.append(_differences(joints, section._strips.beta.real * down))
-            _, centre, radius = section._circle
-            for datum in section.datums:
-                if datum is not None:
-                    reach = np.arccos(np.clip((centre[:, 1] - datum).real / radius.real, -1.0, 1.0))
-                    kinks.append(_differences(np.stack([reach, -reach], axis=1), ends))
-        return np.sort(np.concatenate(kinks, axis=1), axis=1).T
+            strips = section._strips.beta.real * facing
+            kinks.append(_differences(joints, strips))
+            kinks += [_differences(crossings, ends) for crossings in self._datum_crossings]
+        every = np.concatenate(kinks, axis=1)
+        return np.sort(every, axis=1).T
+
+    @property
+    def _datum_crossings(self) -> Iterator[Floats]:
+        """Directions at which heights below which cohesion grows cross the circle, (circles, 2) each."""
+        _, centre, radius = self.section._circle
+        for datum in self.section.datums:
+            if datum is not None:
+                depth = (centre[:, 1] - datum).real / radius.real
+                reach = np.arccos(np.clip(depth, -1.0, 1.0))
+                yield np.stack([reach, -reach], axis=1)
 
     @cached_property
     def incidence(self) -> Floats:

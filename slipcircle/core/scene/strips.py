@@ -17,6 +17,8 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.core.scene.ground import continued
+
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 _THIN = 1e-14  # narrower strips are rounding
@@ -80,16 +82,22 @@ def cut_into_strips(
         `Strips.loads`.
     """
     first, last = ends
-    lines = [_to_both_sides(line) for line in lines]
+    lines = [continued(line, -2.0, 2.0) for line in lines]  # beyond both sides of the circle
     edges = _edges(lines, first, last, extra)
-    middle = (edges[:, :-1] + edges[:, 1:]) / 2
+    left = edges[:, :-1]
+    middle = (left + edges[:, 1:]) / 2
     arc = -_depth(middle)
-    start, slope = np.stack([edge_below(line, edges[:, :-1], middle) for line in lines], axis=1)
-    at_middle = start + slope * (middle - edges[:, :-1])
+    start, slope = np.stack([edge_below(line, left, middle) for line in lines], axis=1)
+    at_middle = start + slope * (middle - left)
     lowest = np.stack([_lowest(at_middle, chosen) for chosen in surfaces])
-    above = np.take_along_axis(at_middle, lowest, 0) > arc
-    y = np.take_along_axis(start, lowest, 0)
-    return Strips(edges, y, np.take_along_axis(slope, lowest, 0), above, _base(at_middle[:layers], arc), loads)
+    return Strips(
+        x=edges,
+        y=np.take_along_axis(start, lowest, 0),
+        slope=np.take_along_axis(slope, lowest, 0),
+        above=np.take_along_axis(at_middle, lowest, 0) > arc,
+        base=_base(at_middle[:layers], arc),
+        loads=loads,
+    )
 
 
 def _depth(x: Floats) -> Floats:
@@ -106,27 +114,26 @@ def _lowest(at_middle: Floats, chosen: Sequence[int]) -> Integers:
 def _base(tops: Floats, arc: Floats) -> Integers:
     """The layer at the arc, of tops that are cut off by those above them."""
     boundaries = np.minimum.accumulate(tops, axis=0)
-    return np.maximum(np.count_nonzero(boundaries > arc, axis=0) - 1, 0)
-
-
-def _to_both_sides(line: Floats) -> Floats:
-    """A line that goes on horizontally beyond both sides of the circle."""
-    left, right = line[:, :1].copy(), line[:, -1:].copy()
-    left[..., 0] = np.minimum(left[..., 0] - 1.0, -2.0)
-    right[..., 0] = np.maximum(right[..., 0] + 1.0, 2.0)
-    return np.concatenate([left, line, right], axis=1)
+    above = np.count_nonzero(boundaries > arc, axis=0)
+    return np.maximum(above - 1, 0)
 
 
 def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats | None) -> Floats:
     """Edges of the strips, (circles, strips + 1), sorted."""
-    count = len(first)
-    cuts = [first[:, None], last[:, None], *(line[..., 0] for line in lines), *map(meets_circle, lines)]
+    left = first[:, None]
+    right = last[:, None]
+    cuts = [left, right]
+    cuts += [line[..., 0] for line in lines]
+    cuts += [meets_circle(line) for line in lines]
     cuts += [line_crossings(one, other) for one, other in combinations(lines, 2)]
-    cuts += [] if extra is None else [extra]
-    every = np.concatenate([np.broadcast_to(x, (count, x.shape[-1])) for x in cuts], axis=1)
-    edges = np.sort(np.clip(every, first[:, None], last[:, None]), axis=1)
-    needed = np.any(np.diff(edges, axis=1).real > _THIN, axis=0)
-    return edges[:, np.concatenate([[True], needed])]
+    if extra is not None:
+        cuts.append(extra)
+    of_circles = [np.broadcast_to(x, (len(first), x.shape[-1])) for x in cuts]
+    every = np.concatenate(of_circles, axis=1)
+    edges = np.sort(np.clip(every, left, right), axis=1)
+    width = np.diff(edges, axis=1).real
+    is_needed = np.any(width > _THIN, axis=0)
+    return edges[:, np.concatenate([[True], is_needed])]
 
 
 def meets_circle(line: Floats) -> Floats:
@@ -138,15 +145,19 @@ def meets_circle(line: Floats) -> Floats:
     edge = np.diff(line, axis=1)
     square = np.sum(edge * edge, axis=2)
     along = np.sum(start * edge, axis=2)
-    discriminant = along * along - square * (np.sum(start * start, axis=2) - 1.0)
+    outside = np.sum(start * start, axis=2) - 1.0
+    discriminant = along * along - square * outside
     crosses = discriminant.real > 0.0
     root = np.sqrt(np.where(crosses, discriminant, 1.0))
-    run = np.where(square.real > 0.0, square, 1.0)
+    divisor = np.where(square.real > 0.0, square, 1.0)
+    first_x = start[..., 0]
+    run = edge[..., 0]
     crossings = []
     for sign in (-1.0, 1.0):
-        share = (-along + sign * root) / run
+        share = (-along + sign * root) / divisor
         on_edge = crosses & (share.real >= 0.0) & (share.real <= 1.0)
-        crossings.append(np.where(on_edge, start[..., 0] + share * edge[..., 0], start[..., 0]))
+        x = first_x + share * run
+        crossings.append(np.where(on_edge, x, first_x))
     return np.concatenate(crossings, axis=1)
 
 
@@ -163,24 +174,36 @@ def line_crossings(one: Floats, other: Floats) -> Floats:
     parallel = across.real == 0.0
     safe = np.where(parallel, 1.0, across)
     share = _cross(apart, other_edge) / safe
-    other_share = _cross(apart, edge).real / safe.real
-    inside = (share.real > 0.0) & (share.real < 1.0) & (other_share > 0.0) & (other_share < 1.0)
-    x = np.where(inside & ~parallel, start[..., 0] + share * edge[..., 0], one[:, 1, 0, None, None])
+    other_share = _cross(apart, edge) / safe
+    inside = _within_edge(share) & _within_edge(other_share)
+    at_crossing = start[..., 0] + share * edge[..., 0]
+    at_vertex = one[:, 1, 0, None, None]
+    x = np.where(inside & ~parallel, at_crossing, at_vertex)
     return x.reshape(len(x), -1)
 
 
+def _within_edge(share: Floats) -> NDArray[np.bool_]:
+    """Whether a point lies between the ends of an edge, by its share of it."""
+    return (share.real > 0.0) & (share.real < 1.0)
+
+
 def _cross(a: Floats, b: Floats) -> Floats:
+    """The cross product of vectors."""
     return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])
 
 
 def edge_below(line: Floats, x: Floats, middle: Floats) -> tuple[Floats, Floats]:
     """y of lines (n or 1, V, 2) at x (n, M), and their slopes, of the edges below or above the points ``middle``."""
     points = np.broadcast_to(line, (len(x), *line.shape[1:]))
-    after = np.count_nonzero(points[:, None, :, 0].real <= middle[..., None].real, axis=-1)
-    k = np.clip(after - 1, 0, points.shape[1] - 2)
+    vertices = points[:, None, :, 0].real
+    passed = np.count_nonzero(vertices <= middle[..., None].real, axis=-1)
+    last_edge = points.shape[1] - 2
+    edge = np.clip(passed - 1, 0, last_edge)
     circle = np.arange(len(x))[:, None]
-    start, end = points[circle, k], points[circle, k + 1]
-    run = end[..., 0] - start[..., 0]
+    start_x, start_y = np.moveaxis(points[circle, edge], -1, 0)
+    end_x, end_y = np.moveaxis(points[circle, edge + 1], -1, 0)
+    run = end_x - start_x
     upright = run.real <= 0.0
-    slope = np.where(upright, 0.0, (end[..., 1] - start[..., 1]) / np.where(upright, 1.0, run))
-    return start[..., 1] + slope * (x - start[..., 0]), slope
+    divisor = np.where(upright, 1.0, run)
+    slope = np.where(upright, 0.0, (end_y - start_y) / divisor)
+    return start_y + slope * (x - start_x), slope

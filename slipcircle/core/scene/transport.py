@@ -48,8 +48,12 @@ class _Surface(NamedTuple):
 def active_parameters(section: Section) -> list[str]:
     """The numbers of a single section that its motion depends on; of the ground those of the edges above the arc."""
     vertices = _vertices_above(section)
-    ground = {n for n, at in indices_of(section, "ground").items() if at[0] in vertices}
-    return [n for field in section.quantities for n in indices_of(section, field) if field != "ground" or n in ground]
+    names = []
+    for field in section.quantities:
+        for name, index in indices_of(section, field).items():
+            if field != "ground" or index[0] in vertices:
+                names.append(name)
+    return names
 
 
 def _vertices_above(section: Section) -> range:
@@ -71,15 +75,18 @@ def section_derivatives(section: Section, names: Sequence[str]) -> SectionDeriva
     chain = _chain_rule(section, names)
     (points,), (centre,), (radius,) = section._circle
     ground = (points - centre) / radius
+    vertices = len(ground)
     surface = _surface(section, np.diff(ground, axis=0))
-    moments = {name: chain(by, ground, "ground") for name, by in _moments_by_vertex(surface, len(ground)).items()}
-    ends = chain(_ends_by_vertex(surface, np.concatenate(section._angles), len(ground)), ground, "ground")
+    by_vertex = _moments_by_vertex(surface, vertices)
+    moments = {name: chain(by, ground, "ground") for name, by in by_vertex.items()}
+    angles = np.concatenate(section._angles)
+    ends = chain(_ends_by_vertex(surface, angles, vertices), ground, "ground")
 
     above = _ground_heights(section)
-    first, last = np.concatenate(section._angles)
-    at_ends = above.at(np.array([first, last]))
+    first, last = angles
+    first_height, last_height = above.at(angles)
     by_ground = chain(above.gradient(first, last), ground, "ground")
-    heights = by_ground + at_ends[1] * ends[1] - at_ends[0] * ends[0]
+    heights = by_ground + last_height * ends[1] - first_height * ends[0]
     of_scale = np.array([float(n == "radius") for n in names]) / radius
     return SectionDerivatives(moments, heights, ends, _pressure(section, ends, chain, of_scale))
 
@@ -90,20 +97,25 @@ def _chain_rule(section: Section, names: Sequence[str]) -> _Chain:
 
     def by_numbers(by_vertex: Any, vertices: Floats, field: str) -> Floats:
         known = {name: by_vertex[(..., *at)] for name, at in indices_of(section, field).items()}
-        known |= {f"centre.{axis}": -by_vertex[..., k].sum(axis=-1) for k, axis in enumerate("xy")}
+        known["centre.x"] = -by_vertex[..., 0].sum(axis=-1)
+        known["centre.y"] = -by_vertex[..., 1].sum(axis=-1)
         known["radius"] = -(by_vertex * vertices).sum(axis=(-2, -1))
         unaffected = np.zeros(by_vertex.shape[:-2])
-        return np.stack([known.get(n, unaffected) for n in names], axis=-1) / radius
+        columns = [known.get(name, unaffected) for name in names]
+        return np.stack(columns, axis=-1) / radius
 
     return by_numbers
 
 
 def _surface(section: Section, edges: Floats) -> _Surface:
+    """Of a single section, from the edges of its ground."""
     cut = section._cut
     (vertex,) = np.nonzero(section._edges_over_mass)
     edge = edges[vertex]
-    start = np.stack([cut.x[0], cut.y[0]], axis=1)[vertex]
-    part = np.stack([cut.e_x[0], cut.e_y[0]], axis=1)[vertex]
+    starts = np.stack([cut.x[0], cut.y[0]], axis=1)
+    parts = np.stack([cut.e_x[0], cut.e_y[0]], axis=1)
+    start = starts[vertex]
+    part = parts[vertex]
     (points,), (centre,), (radius,) = section._circle
     before = start - (points[vertex] - centre) / radius
     square = (edge**2).sum(axis=1)
@@ -114,15 +126,19 @@ def _surface(section: Section, edges: Floats) -> _Surface:
 
 def _moments_by_vertex(surface: _Surface, vertices: int) -> dict[str, Floats]:
     """Derivatives of the integrals over the mass by each vertex, (V, 2): of f (v x ds), with v one hat function."""
-    at, weight = _along(surface.start, surface.part)
-    x = surface.start[:, :1] + at * surface.part[:, :1]
-    y = surface.start[:, 1:] + at * surface.part[:, 1:]
+    start = surface.start
+    part = surface.part
+    at, weight = _along(start, part)
+    x = start[:, :1] + at * part[:, :1]
+    y = start[:, 1:] + at * part[:, 1:]
     r = np.hypot(x, y)
     integrands = {"polar": r, "inertia": r * r, "radial_x": x / r, "radial_y": y / r, "moment_x": x, "moment_y": y}
-    second = surface.skipped[:, None] + at * surface.share[:, None]  # hat function of an edge's second vertex
+    second = surface.skipped[:, None] + at * surface.share[:, None]  # hat function of the second vertex of an edge
     hats = np.stack([1.0 - second, second]) * weight
-    along_normal = np.einsum("fkn,hkn->hfk", np.stack([*integrands.values()]), hats)
-    normal = np.stack([-surface.part[:, 1], surface.part[:, 0]], axis=1)
+    values = np.stack([*integrands.values()])
+    along_normal = np.einsum("fkn,hkn->hfk", values, hats)
+    run, rise = part.T
+    normal = np.stack([-rise, run], axis=1)
     by_vertex = np.zeros((len(integrands), vertices, 2))
     for k, integrals in enumerate(along_normal):
         by_vertex[:, surface.vertex + k] += integrals[..., None] * normal
@@ -135,12 +151,17 @@ def _ends_by_vertex(surface: _Surface, angles: Floats, vertices: int) -> Floats:
     An end stays on its edge and on the arc: it moves by (v x edge)/(tangent x edge) along the arc.
     """
     by_vertex = np.zeros((2, vertices, 2))
-    shares = surface.skipped[0], surface.skipped[-1] + surface.share[-1]
-    for end, (angle, part, share) in enumerate(zip(angles, (0, -1), shares, strict=True)):
+    skipped = surface.skipped[0]
+    passed = surface.skipped[-1] + surface.share[-1]
+    ends = ((0, angles[0], skipped), (-1, angles[1], passed))
+    for end, (part, angle, share) in enumerate(ends):
         u, v = surface.edge[part]
-        along_arc = np.array([v, -u]) / (np.cos(angle) * v - np.sin(angle) * u)
-        by_vertex[end, surface.vertex[part]] = (1.0 - share) * along_arc
-        by_vertex[end, surface.vertex[part] + 1] = share * along_arc
+        tangent_x = np.cos(angle)
+        tangent_y = np.sin(angle)
+        along_arc = np.array([v, -u]) / (tangent_x * v - tangent_y * u)
+        vertex = surface.vertex[part]
+        by_vertex[end, vertex] = (1.0 - share) * along_arc
+        by_vertex[end, vertex + 1] = share * along_arc
     return by_vertex
 
 
@@ -149,19 +170,25 @@ def _along(start: Floats, edge: Floats) -> tuple[Floats, Floats]:
 
     By Gauss; on an edge longer than its distance p from the centre in asinh(t/p), in which r = p cosh is entire.
     """
-    x, y = start[:, :1], start[:, 1:]
-    u, v = edge[:, :1], edge[:, 1:]
+    x = start[:, :1]
+    y = start[:, 1:]
+    u = edge[:, :1]
+    v = edge[:, 1:]
     length = np.hypot(u, v)
-    foot = (x * u + y * v) / length  # t of the start, from the foot of the perpendicular
+    first = (x * u + y * v) / length  # t of the start, from the foot of the perpendicular
+    last = first + length
     distance = np.abs(x * v - y * u) / length
     long = length > distance
     p = np.where(long, np.maximum(distance, 1e-9), 1.0)
-    low, high = (np.where(long, np.arcsinh(end / p), end) for end in (foot, foot + length))
+    low = np.where(long, np.arcsinh(first / p), first)
+    high = np.where(long, np.arcsinh(last / p), last)
     half = (high - low) / 2
     node = (low + high) / 2 + half * _NODES
     t = np.where(long, p * np.sinh(node), node)
     dt = np.where(long, p * np.cosh(node), 1.0)  # by the node
-    return (t - foot) / length, dt * half * _WEIGHTS / length
+    place = (t - first) / length
+    weight = dt * half * _WEIGHTS / length
+    return place, weight
 
 
 def _ground_heights(section: Section) -> HeightIntegrals:
@@ -182,11 +209,16 @@ def _pressure(section: Section, ends: Floats, chain: _Chain, of_scale: Floats) -
     line = water.line[0, 1:-1]
 
     def pressure(turn: Any) -> Any:
-        begin = first + way * turn[..., 0]
-        end = last + way * turn[..., 0]
+        rotation = turn[..., 0]
+        begin = first + way * rotation
+        end = last + way * rotation
         by_level = chain(water.gradient(begin, end), line, "level")
-        by_ends = water.at(end)[..., None] * ends[1] - water.at(begin)[..., None] * ends[0]
-        mean = section.mean_pressure(turn[..., 0])[..., None]
-        return (unit * (by_level + by_ends) - mean * (ends[1] - ends[0])) / (last - first) + mean * of_scale
+        head_at_end = water.at(end)[..., None]
+        head_at_begin = water.at(begin)[..., None]
+        by_ends = head_at_end * ends[1] - head_at_begin * ends[0]
+        mean = section.mean_pressure(rotation)[..., None]
+        angle_dot = ends[1] - ends[0]
+        total = unit * (by_level + by_ends)
+        return (total - mean * angle_dot) / (last - first) + mean * of_scale
 
     return pressure
