@@ -9,6 +9,7 @@ import sysconfig
 import tokenize
 import zipfile
 from collections.abc import Iterator
+from functools import cache
 from graphlib import TopologicalSorter
 from pathlib import Path
 
@@ -36,6 +37,13 @@ def python(code: str, *argv: str | Path, cwd: Path = ROOT) -> str:
     return succeed(sys.executable, "-I", "-c", code, *argv, cwd=cwd)
 
 
+@cache
+def parsed(path: Path) -> tuple[str, list[ast.AST]]:
+    """The text of a module, and all its syntax nodes."""
+    text = path.read_text("utf-8")
+    return text, [*ast.walk(ast.parse(text))]
+
+
 def sources(package: str) -> list[Path]:
     """Its modules; the texts among the templates are those of `generated`, and judged there."""
     return sorted(path for path in (ROOT / package).rglob("*.py") if "templates" not in path.parts)
@@ -56,7 +64,7 @@ def test_no_test_module_imports_another() -> None:
     """What two of them share is in `tests.support`."""
     modules = {path.stem for path in (ROOT / "tests").glob("*.py")} - {"__init__"}
     for path in (ROOT / "tests").rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        for node in parsed(path)[1]:
             imported = [alias.name for alias in node.names] if isinstance(node, ast.Import | ast.ImportFrom) else []
             imported += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
             assert not modules & {part for name in imported for part in name.split(".")}, path
@@ -71,9 +79,9 @@ def test_scripts_are_posix_shell_and_executable(script: str) -> None:
 # --- imports -------------------------------------------------------------------------------------------------------
 
 
-def imported(source: str) -> Iterator[tuple[str, set[str]]]:
-    """All modules that a source imports, anywhere in it, and the names from each; relative imports stay at home."""
-    for node in ast.walk(ast.parse(source)):
+def imported(path: Path) -> Iterator[tuple[str, set[str]]]:
+    """All modules that a file imports, anywhere in it, and the names from each; relative imports stay at home."""
+    for node in parsed(path)[1]:
         match node:
             case ast.Import(names=names):
                 yield from ((alias.name, set()) for alias in names)
@@ -81,9 +89,9 @@ def imported(source: str) -> Iterator[tuple[str, set[str]]]:
                 yield module, {alias.name for alias in names}
 
 
-def called(source: str) -> Iterator[str]:
+def called(path: Path) -> Iterator[str]:
     """Modules that it imports by a call."""
-    for node in ast.walk(ast.parse(source)):
+    for node in parsed(path)[1]:
         if isinstance(node, ast.Call) and node.args and isinstance(node.args[0], ast.Constant):
             name = getattr(node.func, "attr", getattr(node.func, "id", ""))
             if name in ("import_module", "__import__", "run_module"):
@@ -97,8 +105,7 @@ FORBIDDEN = {"derive": {"generated", "slipcircle"}, "slipcircle": {"derive"}, "g
 def test_imports_go_one_way(package: str) -> None:
     assert sources(package)
     for path in sources(package):
-        text = path.read_text("utf-8")
-        names = {name.partition(".")[0] for name in (*(module for module, _ in imported(text)), *called(text))}
+        names = {name.partition(".")[0] for name in (*(module for module, _ in imported(path)), *called(path))}
         assert not names & FORBIDDEN[package], path
         assert package != "generated" or names <= {"generated", "numpy", *sys.stdlib_module_names}, path
 
@@ -119,16 +126,14 @@ LAYERS = {
 
 def graph(package: str) -> dict[str, set[str]]:
     """What each module of a package imports of it; a folder's own are its contents."""
-    text = {}
-    for path in sources(package):
-        name = ".".join(path.relative_to(ROOT).with_suffix("").parts)
-        text[name.removesuffix(".__init__")] = path.read_text("utf-8")
+    names = (".".join(path.relative_to(ROOT).with_suffix("").parts) for path in sources(package))
+    paths = dict(zip((name.removesuffix(".__init__") for name in names), sources(package), strict=True))
     found: dict[str, set[str]] = {}
-    for name, source in text.items():
-        for module, names in imported(source):
-            of = {f"{module}.{x}" for x in names}
-            found.setdefault(name, set()).update(of if of and of <= set(text) else of | {module})
-    return {name: found.get(name, set()) & set(text) - {name} for name in text}
+    for name, path in paths.items():
+        for module, names_of in imported(path):
+            of = {f"{module}.{x}" for x in names_of}
+            found.setdefault(name, set()).update(of if of and of <= set(paths) else of | {module})
+    return {name: found.get(name, set()) & set(paths) - {name} for name in paths}
 
 
 def layer(name: str) -> int:
@@ -148,7 +153,7 @@ def test_imports_go_down_the_layers_without_a_circle(package: str) -> None:
 def test_the_workbench_uses_public_names_of_the_core_alone() -> None:
     public = {*vars(core)["_MODULES"]}
     for path in (*(ROOT / "slipcircle/workbench").rglob("*.py"), ROOT / "slipcircle/__main__.py"):
-        for module, names in imported(path.read_text("utf-8")):
+        for module, names in imported(path):
             assert not module.startswith("slipcircle.core."), f"{path}: {module} is internal to the core"
             assert module != "slipcircle.core" or names <= public, path
 
@@ -245,10 +250,11 @@ DENSITY = {
 }
 
 
-def code_lines(text: str) -> int:
+def code_lines(path: Path) -> int:
     """Lines that hold code and no docstring or comment."""
     docstrings: set[int] = set()
-    for node in ast.walk(ast.parse(text)):
+    text, nodes = parsed(path)
+    for node in nodes:
         documented = ast.Module | ast.ClassDef | ast.FunctionDef
         if isinstance(node, documented) and ast.get_docstring(node, False) is not None:
             docstrings |= set(range(node.body[0].lineno, (node.body[0].end_lineno or 0) + 1))
@@ -262,9 +268,9 @@ def code_lines(text: str) -> int:
 def test_functions_and_files_fit_into_one_view() -> None:
     for package in ("derive", "slipcircle"):
         for path in sources(package):
-            text = path.read_text("utf-8")
+            text, every = parsed(path)
             assert len(text.splitlines()) <= 400, path
-            for node in ast.walk(ast.parse(text)):
+            for node in every:
                 if isinstance(node, ast.FunctionDef):
                     nodes, lines = sum(1 for _ in ast.walk(node)), (node.end_lineno or 0) - node.lineno + 1
                     assert nodes <= 400, f"{path}: {node.name} has {nodes} syntax nodes; split it at its thoughts"
@@ -273,6 +279,5 @@ def test_functions_and_files_fit_into_one_view() -> None:
 
 @pytest.mark.parametrize("folder", DENSITY)
 def test_lines_are_no_denser_than_they_were(folder: str) -> None:
-    texts = [path.read_text("utf-8") for path in sorted((ROOT / folder).rglob("*.py"))]
-    nodes = sum(1 for text in texts for _ in ast.walk(ast.parse(text)))
-    assert nodes / sum(map(code_lines, texts)) <= DENSITY[folder]
+    paths = sorted((ROOT / folder).rglob("*.py"))
+    assert sum(len(parsed(path)[1]) for path in paths) / sum(map(code_lines, paths)) <= DENSITY[folder]

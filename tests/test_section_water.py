@@ -1,10 +1,8 @@
 """A mass that turns through a water level: random sections against 30 digits, energy, both walks, ensembles, words."""
 
-import contextlib
 import dataclasses
 from typing import Any
 
-import flint
 import numpy as np
 import pytest
 
@@ -52,25 +50,6 @@ def test_a_thin_mass_lands_where_it_leaves_the_water(wide: float, friction: floa
     cells = bound.cells.copy()
     integrate.integrate(bound.program, bound.tables, cells)
     assert cells[ix.END_ROTATION] == pytest.approx(motion.end.rotation, rel=1e-10)
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_mean_pressure_and_cover_of_random_sections(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    while True:
-        with contextlib.suppress(taylor.Unfit):
-            arc = section_references.drawn("level", rng)["arc"]
-            break
-    section = Section(**arc)
-    with flint.ctx.workprec(200):
-        exact = section_references.Section(section_references.plain(arc, 0.1))
-        flint.ctx.cap = 1
-        for turn in (0.0, 0.1, -0.2):
-            place = sum(bool(b < turn) for b in exact.borders)
-            under: Any = exact.under(flint.arb_series([turn]), place)
-            pressure = under[0] * exact.measured(arc)["reference_stress"]
-            assert section.mean_pressure(turn) == pytest.approx(float(pressure), rel=2e-14, abs=1e-9)
-        assert section.moment_coefficients.cover == pytest.approx(float(exact.cover), rel=2e-14)
 
 
 def test_heights_of_any_arc_against_thirty_digits() -> None:

@@ -18,7 +18,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-TESTS = ("tests/test_accuracy.py", "tests/test_scenefile.py", "tests/test_cli.py", "tests/test_records.py")
+TESTED = ("accuracy", "ensemble_states", "scenefile", "cli", "records")
+TESTS = [f"tests/test_{name}.py" for name in TESTED]
 COPIED = ("derive", "generated", "slipcircle", "tests", "notebooks")
 SETTINGS: dict[str, dict[str, str]] = {
     "no binary": {"SLIPCIRCLE_COMPILED": "0"},
