@@ -1,6 +1,7 @@
 """A mass that turns through a water level: random sections against 30 digits, energy, both walks, ensembles, words."""
 
 import dataclasses
+import json
 from typing import Any
 
 import numpy as np
@@ -12,19 +13,29 @@ from slipcircle.core.flow import compiled, integrate
 from slipcircle.core.scene import transport
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
 from tests.campaigns import section_heights
-from tests.campaigns.references import judged
 from tests.support import accuracy, references, section_references, taylor
 from tests.support.grounds import GROUND, LEVEL
 
-GAMMA, SEED = 20e3, section_references.SEED
+GAMMA = 20e3
 
 
-@pytest.mark.parametrize("index", [*range(len(section_references.GROUPS)), 37, 226, 297])
-def test_random_sections_against_thirty_digits(index: int) -> None:
+ROWS: list[dict[str, Any]] = json.loads(section_references.FILE.read_text("utf-8"))
+
+
+@pytest.mark.parametrize("row", ROWS, ids=map(str, section_references.KEPT))
+def test_random_sections_against_thirty_digits(row: dict[str, Any]) -> None:
     """Among them steep edges under water, and masses that water or shaking carries for a while."""
-    found = judged(index, SEED)
-    assert found.alike, found.scene
-    assert found.error <= found.estimate < 1e-10, found.scene
+    motion, reference = solve(section_references.scene(row["scene"])), row["reference"]
+    assert (motion.moves, motion.arrested) == (reference["moves"], reference["arrested"])
+    assert max(accuracy.true_error(motion, reference)) <= motion.error_estimate < 1e-10
+
+
+@pytest.mark.parametrize("index", [0, 2])
+def test_references_of_sections_are_derived_again(index: int) -> None:
+    """All by ``python -m tests.campaigns.references --sections``."""
+    reference = ROWS[index]["reference"]
+    again = taylor.solve(ROWS[index]["scene"], references.SHARES, 28, section_references.Section)
+    assert references.agree(again, reference, 28)
 
 
 @pytest.mark.parametrize(("wide", "friction"), [(60, 0.4113), (600, 0.3291)])
