@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "1ba3be6332718f75f60585bdee6d6dee03eb775c3ba4eb1c68d34855e0b920dc"
+#define DIGEST "cf24a006339201419d033520c33a60a3c3414e5f38e28666a4eff46b59a0d24e"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1230,6 +1230,8 @@ static void step(Batch *b, unsigned which)
         if (t->kind == OF_TIME) continue;
         const V *const p = t->kind == OF_SPEED ? omega : x;
         const V upper = minimum(c[t->cell + UPPER], broadcast(1e300)), lower = c[t->cell + LOWER];
+        if (i && t->kind == OF_ROTATION && t[-1].kind == OF_ROTATION && !(which & bits(upper != c[t[-1].cell + UPPER])))
+            continue; /* its pieces end with those of the table before */
         const M slower = t->kind == OF_SPEED ? c[PASSED] == (double)SLOWER : no;
         if ((ask = which & may_cross(p, top, tau, -one, upper, slower))) {
             event_function(e, p, top, -one, upper, slower);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1e2c6afe34efdd0fdcb68d64f989d38ff6aa07bfd43be35a2d3d8feec226e105
+# sha256 of the text below: 9670af1cb804ff1eb4eb0eb7cb97cbe017299c026092bbbfc53f595efa722bcd
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8, 'pow': 9}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "1ba3be6332718f75f60585bdee6d6dee03eb775c3ba4eb1c68d34855e0b920dc"  # of the compiled integrator's source
+DIGEST = "cf24a006339201419d033520c33a60a3c3414e5f38e28666a4eff46b59a0d24e"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -15,7 +15,7 @@ import slipcircle
 from generated import layout as ix
 from slipcircle import Arc, Scene, load, solve
 from slipcircle.core.flow.problem import Problem
-from tests.support import references, taylor
+from tests.support import references, taylor, vaiont
 from tests.support.accuracy import DATA, MANY, NUMBERS, ROWS, TIMED, error, near_limit, off, scene, solved, true_error
 
 
@@ -167,7 +167,7 @@ def falling(slip: Any) -> Any:
     return 0.17 + 0.2 * np.exp(-slip / 3.0)
 
 
-@pytest.mark.parametrize("radius", [1492.6, np.array([500.0, 1500.0, 6000.0])])
+@pytest.mark.parametrize("radius", [vaiont.RADIUS, np.array([500.0, 1500.0, 6000.0])])
 def test_a_callable_is_known_wherever_the_mass_is(radius: Any) -> None:
     """Its first table ends at R/256; friction beyond is that of the function, on the way and at once."""
     scene: Scene[Any] = load("vaiont")

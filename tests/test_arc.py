@@ -14,8 +14,8 @@ from mpmath import mpf
 from slipcircle import Arc
 from slipcircle.core.scene.arc import GIVEN
 from tests.support import oracle
+from tests.support.vaiont import FIELDS as VAIONT
 
-VAIONT = {"radius": 1492.6, "theta_1": np.deg2rad(215.2), "theta_2": np.deg2rad(276.9), "unit_weight": 20e3}
 TABLE_4_1 = dict(zip(GIVEN, (0.4376, 0.0870, 0.0387, 0.1523, 0.468), strict=True))
 
 

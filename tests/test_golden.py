@@ -57,25 +57,6 @@ def test_those_kept_are_those_of_ball_arithmetic(name: str) -> None:
 
 
 @SOME
-def test_one_time_is_a_time_among_others(name: str) -> None:
-    motion = golden.solved(name)
-    times = dense(motion)[::7]
-    together = motion.at(times)
-    gravity, stress = weight(name)
-    size = {"velocity": abs(float(motion.peak.velocity)), "acceleration": gravity, "normal_stress": stress,
-            "displacement": abs(motion.run_out)}  # fmt: skip
-    radius = float(motion.plan.scene.arc.radius)  # type: ignore[arg-type]
-    size |= {"rotation": size["displacement"] / radius, "angular_velocity": size["velocity"] / radius}
-    error = 20 * motion.error_estimate + 1e-14
-    for k, t in enumerate(times.tolist()):
-        alone = motion.at(t)
-        assert alone.time == t
-        for field, scale in size.items():
-            assert abs(getattr(alone, field) - getattr(together, field)[k]) <= error * scale, field
-            assert np.ndim(getattr(alone, field)) == 0, field
-
-
-@SOME
 def test_peak_and_end_are_states_of_their_times(name: str) -> None:
     motion = golden.solved(name)
     gravity, stress = weight(name)

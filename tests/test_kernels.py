@@ -14,7 +14,7 @@ from derive.algebra.integrate import closed_forms, quadrature
 from derive.algebra.rules import prove_arc_growth
 from derive.declare.quantities import MOMENTS
 from generated import _compiled, growth, kernels
-from tests.support import oracle
+from tests.support import oracle, vaiont
 from tests.support.kernels import SEAM, angles, errors
 
 Floats = NDArray[np.float64]
@@ -33,7 +33,7 @@ def arcs() -> tuple[tuple[float, float], ...]:
     found = [(np.pi, np.pi + x) for x in (1e-10, 1e-3, 1.0, 2.0, float(np.pi))]  # sin(theta_1) = 0
     found += [(float(np.deg2rad(x)), float(np.deg2rad(x + 180.0))) for x in (0.0, 37.0, 123.4, 180.0, 187.3, 200.0)]
     found += [(float(np.deg2rad(x)), 2 * np.pi) for x in (180.0, 270.0, 359.0, 359.999999)]  # theta_2 = 360 degrees
-    found += [(float(np.deg2rad(215.2)), float(np.deg2rad(276.9)))]  # the paper's
+    found += [vaiont.ENDS]
     level = 3 * np.pi / 2  # a chord of zero dip: theta_m = 3 pi/2
     found += [(level - x, level + x) for x in (1e-10, 1e-8, 1e-3, 0.3, SEAM, 1.2, 1.5)]
     found += [(4.1, 4.1), (4.1, float(np.nextafter(4.1, 5.0))), (0.0, 5e-324), (1e-300, 1e-299), (-1e-200, 1e-200)]

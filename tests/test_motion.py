@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Scene, load, solve
+from tests.support.vaiont import ARC as VAIONT
 
-VAIONT = Arc(1492.6, np.deg2rad(215.2), np.deg2rad(276.9), 20e3)
 BOTH = pytest.mark.parametrize("effects", [(), ("centripetal",)], ids=["without centripetal", "centripetal"])
 
 

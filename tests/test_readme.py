@@ -168,6 +168,9 @@ def test_every_command_of_the_table_runs(line: str, tmp_path: Path, monkeypatch:
     monkeypatch.chdir(tmp_path)
     Path("SLOPE.toml").write_text("[ground]\nheight_m = 10\nangle_deg = 26.6\nunit_weight_kN_m3 = 20\n[friction]\n"
                                   "angle_deg = 19.6\n[cohesion]\ncohesion_kPa = 3\n", "utf-8")  # fmt: skip
+    Path("FOLDER").mkdir()
+    Path("FOLDER/quake.csv").write_text("time_s,k_h_g\n0,0\n0.5,0.3\n1,-0.3\n1.5,0\n", "utf-8")
+    line = line.replace("FOLDER ...", "FOLDER")
     if "--correlation" in line:
         drawn = "--uncertain friction.angle_deg=normal:10:1 --uncertain cohesion.cohesion_kPa=uniform:1:2"
         line = line.replace("vaiont", "wet-slope").replace("SCENE", "wet-slope") + f" {drawn}"

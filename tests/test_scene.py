@@ -18,6 +18,7 @@ from slipcircle.base.series import Pulse
 from slipcircle.core.scene.arc import QUANTITIES
 from slipcircle.workbench.files.scenefile import load as read
 from slipcircle.workbench.files.scenefile import shipped
+from tests.support import vaiont
 
 FOLDER = Path(slipcircle.__file__).parent / "scenes"
 ARC = Arc(800.0, 3.8, 5.0, 21e3)
@@ -157,7 +158,7 @@ def test_every_shipped_scene_loads_solves_and_passes_its_own_check() -> None:
 
 
 def test_the_papers_scenes_hold_the_papers_numbers() -> None:
-    arc = Arc(1492.6, float(np.deg2rad(215.2)), float(np.deg2rad(276.9)), 20e3)
+    arc = vaiont.ARC
     frozen, mu = load("vaiont-frozen"), float(np.tan(np.deg2rad(10.0)))
     assert frozen == Scene(arc, mu, ("centripetal",), 0.0, 30.0, None, "vaiont-frozen", frozen.note)
     assert load("vaiont").called == {"rotation": {}, "centripetal": {}}

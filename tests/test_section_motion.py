@@ -78,13 +78,6 @@ def test_what_is_not_solved_is_told() -> None:
         solve(Scene(Arc(60.0, 4.0, 5.0, 2e4), 0.9)).journey  # noqa: B018
 
 
-def test_an_ensemble_of_frictions_on_one_section() -> None:
-    many = solve(Scene(body(), np.array([0.1, 0.2, 0.3]), ["rotation"]))
-    one = solve(Scene(body(), 0.2, ["rotation"]))
-    assert many.run_out[1] == pytest.approx(one.run_out, rel=1e-9)
-    assert many.journey.run_out[1] == pytest.approx(one.journey.run_out, rel=1e-9)
-
-
 def test_a_travel_angle_is_that_of_the_centroids_way(tmp_path: Path, said: Any) -> None:
     """Of a mass that does not move the limit, and none in words; the slope falls to the left."""
     section = body()

@@ -1,10 +1,9 @@
 """A mass that turns through a water level: random sections against 30 digits, energy, both walks, ensembles, words."""
 
-import contextlib
 import dataclasses
+import json
 from typing import Any
 
-import flint
 import numpy as np
 import pytest
 
@@ -14,19 +13,29 @@ from slipcircle.core.flow import compiled, integrate
 from slipcircle.core.scene import transport
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
 from tests.campaigns import section_heights
-from tests.campaigns.references import judged
 from tests.support import accuracy, references, section_references, taylor
 from tests.support.grounds import GROUND, LEVEL
 
-GAMMA, SEED = 20e3, section_references.SEED
+GAMMA = 20e3
 
 
-@pytest.mark.parametrize("index", [*range(len(section_references.GROUPS)), 37, 226, 297])
-def test_random_sections_against_thirty_digits(index: int) -> None:
+ROWS: list[dict[str, Any]] = json.loads(section_references.FILE.read_text("utf-8"))
+
+
+@pytest.mark.parametrize("row", ROWS, ids=map(str, section_references.KEPT))
+def test_random_sections_against_thirty_digits(row: dict[str, Any]) -> None:
     """Among them steep edges under water, and masses that water or shaking carries for a while."""
-    found = judged(index, SEED)
-    assert found.alike, found.scene
-    assert found.error <= found.estimate < 1e-10, found.scene
+    motion, reference = solve(section_references.scene(row["scene"])), row["reference"]
+    assert (motion.moves, motion.arrested) == (reference["moves"], reference["arrested"])
+    assert max(accuracy.true_error(motion, reference)) <= motion.error_estimate < 1e-10
+
+
+@pytest.mark.parametrize("index", [0, 2])
+def test_references_of_sections_are_derived_again(index: int) -> None:
+    """All by ``python -m tests.campaigns.references --sections``."""
+    reference = ROWS[index]["reference"]
+    again = taylor.solve(ROWS[index]["scene"], references.SHARES, 28, section_references.Section)
+    assert references.agree(again, reference, 28)
 
 
 @pytest.mark.parametrize(("wide", "friction"), [(60, 0.4113), (600, 0.3291)])
@@ -52,25 +61,6 @@ def test_a_thin_mass_lands_where_it_leaves_the_water(wide: float, friction: floa
     cells = bound.cells.copy()
     integrate.integrate(bound.program, bound.tables, cells)
     assert cells[ix.END_ROTATION] == pytest.approx(motion.end.rotation, rel=1e-10)
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_mean_pressure_and_cover_of_random_sections(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    while True:
-        with contextlib.suppress(taylor.Unfit):
-            arc = section_references.drawn("level", rng)["arc"]
-            break
-    section = Section(**arc)
-    with flint.ctx.workprec(200):
-        exact = section_references.Section(section_references.plain(arc, 0.1))
-        flint.ctx.cap = 1
-        for turn in (0.0, 0.1, -0.2):
-            place = sum(bool(b < turn) for b in exact.borders)
-            under: Any = exact.under(flint.arb_series([turn]), place)
-            pressure = under[0] * exact.measured(arc)["reference_stress"]
-            assert section.mean_pressure(turn) == pytest.approx(float(pressure), rel=2e-14, abs=1e-9)
-        assert section.moment_coefficients.cover == pytest.approx(float(exact.cover), rel=2e-14)
 
 
 def test_heights_of_any_arc_against_thirty_digits() -> None:

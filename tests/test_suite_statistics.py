@@ -10,6 +10,7 @@ from slipcircle import Series
 from slipcircle.workbench.suites.intensities import intensities
 from slipcircle.workbench.suites.regressions import REGRESSIONS, Shaking, comparisons
 from slipcircle.workbench.suites.statistics import distribution, fragility, variance_shares
+from slipcircle.workbench.suites.synthetic import synthetic_records
 
 GRAVITY = 9.81
 
@@ -96,3 +97,17 @@ def test_regressions_say_nothing_outside_their_range_or_without_a_magnitude() ->
     residuals = np.log([1.0, 2.0]) - menu.ln_cm(shaking)[:2]
     assert (found[0].mean, found[0].std) == pytest.approx((residuals.mean(), residuals.std(ddof=1)), rel=1e-12)
     assert found[0].std_ln == pytest.approx(0.3 * math.log(10.0))
+
+
+def test_synthetic_records_have_the_intensity_and_duration_asked_for() -> None:
+    records = synthetic_records(24, 2.0, 8.0, seed=3)
+    measures = [intensities(record) for record in records.values()]
+    assert [m.arias for m in measures] == pytest.approx([2.0] * 24, rel=1e-12)
+    assert np.mean([m.duration for m in measures]) == pytest.approx(8.0, rel=0.05)
+    periods = np.array([m.mean_period for m in measures])
+    assert np.all((periods > 0.2) & (periods < 0.8))
+    fewer = synthetic_records(2, 2.0, 8.0, seed=3)
+    assert all(np.array_equal(record.values, records[name].values) for name, record in fewer.items())
+    assert not np.array_equal(synthetic_records(1, 2.0, 8.0)["synthetic 1"].values, records["synthetic 1"].values)
+    with pytest.raises(ValueError, match=r"arias = -1.0: must be a positive number"):
+        synthetic_records(2, -1.0)

@@ -23,6 +23,7 @@ from derive.judge.claims import VERDICTS, Claim
 from derive.judge.paper import CLAIMS
 from derive.judge.report import SIMPLY, report
 from derive.judge.verify import KEYS, Row, judge, rows
+from tests.support import vaiont
 
 ROOT = Path(__file__).parents[1]
 BY_ID = {claim.id: claim for claim in CLAIMS}
@@ -258,7 +259,7 @@ def test_vector_balance_by_adding_up_forces() -> None:
 
 def test_strips_by_adding_up_columns() -> None:
     """Sand above and rock below of an arc cut into 100,000 columns: what a uniform stress gives beside strips."""
-    theta_1, theta_2 = np.deg2rad(215.2), np.deg2rad(276.9)
+    theta_1, theta_2 = vaiont.ENDS
     ends = np.array([[np.cos(x), np.sin(x)] for x in (theta_1, theta_2)])
     edges = np.linspace(ends[0, 0], ends[1, 0], 100_001)
     x = (edges[1:] + edges[:-1]) / 2

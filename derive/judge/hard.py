@@ -6,10 +6,10 @@ tests run through the same list with quadrature of the definitions instead.
 
 import json
 import math
+import shutil
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache, partial
-from itertools import groupby
 from typing import Any, Literal, NamedTuple
 
 import mpmath
@@ -248,12 +248,16 @@ def report(form: Literal["text", "json"]) -> str:
         "",
         f"{'printed':>9} {'ours':>8} {'ulp':>6}   input",
     ]
-    for name, group in groupby(results, key=lambda x: x.function):
+    width = min(shutil.get_terminal_size((96, 24)).columns, 96)
+    indent = " " * 28
+    for name in dict.fromkeys(x.function for x in results):
         lines += ["", name]
-        for x in group:
+        for x in results:
+            if x.function != name:
+                continue
             arguments = ", ".join(map(repr, x.arguments))
             lines.append(f"{_short(x.naive_error):>9} {x.our_error:8.0e} {x.our_ulp:6.1f}   ({arguments})")
-            lines += textwrap.wrap(f"{x.why}; {x.naive}", 96, initial_indent=" " * 28, subsequent_indent=" " * 28)
+            lines += textwrap.wrap(f"{x.why}; {x.naive}", width, initial_indent=indent, subsequent_indent=indent)
     return "\n".join(lines)
 
 

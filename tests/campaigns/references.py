@@ -3,7 +3,7 @@
 ``python -m tests.campaigns.references --fresh COUNT --seed N [--sections]`` draws COUNT scenes that nobody has seen, of
 arcs or of sections, solves them by Taylor series and by the package, and prints by kind the worst error and the least
 estimate over error; the exit status is 1 if an estimate is below its error, or a decision other than the reference's.
-Without ``--fresh`` it writes the 400 scenes of the tests anew, `tests/support/references.json`.
+Without ``--fresh`` it writes the scenes of the tests anew, 400 of arcs or those of sections, into `tests/support`.
 """
 
 import argparse
@@ -77,14 +77,19 @@ def main() -> int:
     given = parser.parse_args()
     if given.fresh:
         return fresh(given.fresh, given.seed, given.sections)
+    draw: Any = make
+    which: Any = names()
+    path = FILE
+    if given.sections:
+        draw, which, path = section_references.row, section_references.KEPT, section_references.FILE
     rows = []
     with ProcessPoolExecutor() as pool:
-        for row in pool.map(make, names()):
+        for row in pool.map(draw, which):
             rows.append(json.dumps(row))
-            print(f"\r{len(rows)} of {len(names())} scenes", end="", file=sys.stderr, flush=True)
-    temporary = FILE.with_suffix(".tmp")
+            print(f"\r{len(rows)} of {len(which)} scenes", end="", file=sys.stderr, flush=True)
+    temporary = path.with_suffix(".tmp")
     temporary.write_text("[\n" + ",\n".join(rows) + "\n]\n", encoding="utf-8")
-    os.replace(temporary, FILE)
+    os.replace(temporary, path)
     return 0
 
 

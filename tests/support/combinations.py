@@ -9,11 +9,11 @@ import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle import Scene
-from tests.support import golden, oracle
+from tests.support import golden, oracle, vaiont
 
 ARCS: dict[str, tuple[float, float, float, float]] = {  # radius, angles in degrees, gravity
-    "vaiont": (1492.6, 215.2, 276.9, 9.81),
-    "leans back": (1492.6, 263.1, 324.8, 9.81),
+    "vaiont": (vaiont.RADIUS, *vaiont.ENDS_DEG, 9.81),
+    "leans back": (vaiont.RADIUS, 263.1, 324.8, 9.81),
     "steep, wide": (80.0, 194.3, 306.1, 3.7),
     "thin": (5000.0, 240.64, 240.646, 9.81),
     "half disc": (12.0, 190.0, 370.0, 9.81),

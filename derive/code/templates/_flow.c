@@ -1054,6 +1054,8 @@ static void step(Batch *b, unsigned which)
         if (t->kind == OF_TIME) continue;
         const V *const p = t->kind == OF_SPEED ? omega : x;
         const V upper = minimum(c[t->cell + UPPER], broadcast(1e300)), lower = c[t->cell + LOWER];
+        if (i && t->kind == OF_ROTATION && t[-1].kind == OF_ROTATION && !(which & bits(upper != c[t[-1].cell + UPPER])))
+            continue; /* its pieces end with those of the table before */
         const M slower = t->kind == OF_SPEED ? c[PASSED] == (double)SLOWER : no;
         if ((ask = which & may_cross(p, top, tau, -one, upper, slower))) {
             event_function(e, p, top, -one, upper, slower);

@@ -1,6 +1,7 @@
 """The strength of a layered section as piecewise polynomials of the rotation, all with the same pieces."""
 
 from collections.abc import Mapping
+from functools import reduce
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -158,11 +159,11 @@ def _of_one(table: Data) -> Data:
 def _combined(function: OfRotation, rows: Mapping[str, int], parts: Floats) -> Floats:
     """Coefficients (pieces, TERMS, lanes) of a function from those of its parts (pieces, TERMS, parts)."""
     pieces, terms, _ = parts.shape
-    total: Any = 0.0
+    products = list[Floats]()
     for name, coefficients in function.coefficients.items():
         first = rows[name]
         last = first + len(coefficients)
         part = parts[:, :, first:last].reshape(pieces * terms, -1)
-        product = part @ coefficients
-        total = total + product.reshape(pieces, terms, -1)
-    return np.asarray(total)
+        products.append(part @ coefficients)
+    total = reduce(np.add, products)  # of one part no copy
+    return total.reshape(pieces, terms, -1)

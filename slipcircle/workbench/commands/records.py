@@ -16,6 +16,7 @@ from slipcircle.workbench.studies.statistics import value_text
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 from slipcircle.workbench.suites.regressions import Comparison
 from slipcircle.workbench.suites.statistics import THRESHOLDS, distribution, fragility, variance_shares
+from slipcircle.workbench.suites.synthetic import synthetic_records
 
 _HEADS = {
     "record": "record",
@@ -34,6 +35,8 @@ def options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("earthquake records", "shake the scene in place of its own shaking")
     formats = "AT2, ESM, K-NET, COSMOS, and tables of numbers, mixed"
     group.add_argument("--records", nargs="+", metavar="PATH", help=f"files and folders of records: {formats}")
+    made = "synthetic ones in their place, of an Arias intensity in m/s and a duration (5 to 95 %%) in s: 20:1.5:12"
+    group.add_argument("--synthetic", type=_synthetic, metavar="COUNT:ARIAS:DURATION", help=made)
     group.add_argument("--polarities", action="store_true", help="each record also reversed")
     scale = group.add_mutually_exclusive_group()
     scale.add_argument(
@@ -49,11 +52,21 @@ def options(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--step", type=float, metavar="S", help="time between samples of files without times, s")
 
 
+def _synthetic(text: str) -> tuple[int, float, float]:
+    """COUNT:ARIAS:DURATION."""
+    count, arias, duration = text.split(":")
+    return int(count), float(arias), float(duration)
+
+
 def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteStudy:
     """Compute what the options ask for."""
     gravity = float(np.ravel(scene.arc.gravity)[0])
     reading = {name: getattr(options, name) for name in ("strict", "holds", "units", "step")}
-    suite = read_suite(options.records, gravity=gravity, **reading)
+    if options.synthetic:
+        count, arias, duration = options.synthetic
+        suite = Suite.of(synthetic_records(count, arias, duration, sampling["rng"] or 0, gravity))
+    else:
+        suite = read_suite(options.records, gravity=gravity, **reading)
     scales = {"scales": options.scale, "scale_to_pga": options.scale_to_pga}
     of_records = {"records": suite, "polarities": options.polarities} | scales
     found: SuiteStudy = ensemble(scene, options.samples or 1, **sampling, **of_records)
@@ -126,11 +139,12 @@ def _fragility_part(study: SuiteStudy) -> Part:
 
 def _records_part(suite: Suite) -> Part:
     """What was read."""
-    head = ["record", "component", "samples", "step (s)", "unit", "PGA (g)", "PGV (m/s)", "Arias (m/s)"]
-    head += ["D5-95 (s)", "mean period (s)"]
+    head = ["record", "component", "samples", "step (s)", "unit", "PGA (g)", "PGV (m/s)", "I_A (m/s)"]
+    head += ["D5-95 (s)", "T_m (s)"]
     rows = []
     for entry in suite:
         measures = [f"{value:.4g}" for value in entry.intensities]
         samples = [str(entry.samples), shown(entry.step), entry.unit]
         rows.append([entry.name, entry.component or "-", *samples, *measures])
-    return Part(head, rows, f"{len(suite)} records, {len(suite.pairs)} pairs of components")
+    note = "I_A: Arias intensity; D5-95: significant duration; T_m: mean period"
+    return Part(head, rows, f"{len(suite)} records, {len(suite.pairs)} pairs of components", note)

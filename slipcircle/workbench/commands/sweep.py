@@ -117,17 +117,20 @@ def run(options: argparse.Namespace) -> Answer:
 
 def _check_options(options: argparse.Namespace) -> None:
     """Reject combinations of options that are not possible."""
-    if not (options.samples or options.grid or options.records):
+    under_records = options.records or options.synthetic
+    if not (options.samples or options.grid or under_records):
         raise ValueError("sweep: give --samples N, --grid KEY=FROM:TO:COUNT, or --records FOLDER")
+    if options.records and options.synthetic:
+        raise ValueError("sweep: --records and --synthetic exclude each other; give one of them")
     if options.report and options.grid:
         raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
-    if options.records and options.report:
+    if under_records and options.report:
         raise ValueError("sweep: --report: of samples, not of records; give --plot, --csv, --npz or --json")
     if options.search_each and options.grid:
         raise ValueError("sweep: --search-each: of samples, not of a grid")
-    if options.records and options.grid:
+    if under_records and options.grid:
         raise ValueError("sweep: --records and --grid exclude each other; give uncertain numbers and --samples")
-    if not options.records and (options.scale is not None or options.scale_to_pga is not None or options.polarities):
+    if not under_records and (options.scale is not None or options.scale_to_pga is not None or options.polarities):
         raise ValueError("sweep: --polarities, --scale and --scale-to-pga: are of --records; give them as well")
 
 
@@ -178,7 +181,7 @@ def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespac
             "search_each": options.search_each,
             "correlation": {tuple(keys.split(",")): r for keys, r in pairs.items()},
         }
-        if options.records:
+        if options.records or options.synthetic:
             return records.study(scene, options, **settings)
         study: Study = ensemble(scene, options.samples, **settings)
         return study

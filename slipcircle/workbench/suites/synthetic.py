@@ -1,0 +1,65 @@
+"""Synthetic records: filtered noise that swells and fades, with a given Arias intensity and significant duration."""
+
+import math
+
+import numpy as np
+
+from slipcircle.base.series import Series
+from slipcircle.workbench.common.distributions import statistics
+from slipcircle.workbench.suites.intensities import intensities
+
+_SHAPE = 3.0  # of the gamma distribution by which the intensity grows with time (Saragoni and Hart 1974)
+_STEP = 0.01  # s
+_GROUND, _DAMPING = 2.5, 0.6  # Hz; of the soil that filters the noise (Kanai 1957, Tajimi 1960)
+_SLOWEST = 0.15  # Hz, below which there is little
+
+
+def synthetic_records(
+    count: int, arias: float = 1.0, duration: float = 12.0, seed: int = 0, gravity: float = 9.81
+) -> dict[str, Series]:
+    """Synthetic records by name, accelerations over gravity; they stand for no site and no earthquake.
+
+    Parameters
+    ----------
+    count : int
+    arias : float, optional
+        Arias intensity of each, m/s, exactly.
+    duration : float, optional
+        Significant duration from 5 to 95 % of it, s, in the mean of many records.
+    seed : int, optional
+        The same seed gives the same records, of which more begin with the same ones.
+    gravity : float, optional
+        m/s^2.
+
+    Raises
+    ------
+    ValueError
+        Names the argument that is not positive.
+    """
+    given = {"count": count, "arias": arias, "duration": duration, "gravity": gravity}
+    for name, value in given.items():
+        if not 0.0 < value < math.inf:
+            raise ValueError(f"synthetic records: {name} = {value!r}: must be a positive number")
+    streams = np.random.SeedSequence(seed).spawn(count)
+    return {
+        f"synthetic {k}": _record(np.random.default_rng(stream), arias, duration, gravity)
+        for k, stream in enumerate(streams, 1)
+    }
+
+
+def _record(rng: np.random.Generator, arias: float, duration: float, gravity: float) -> Series:
+    growth = statistics().gamma(_SHAPE)
+    first, last = growth.ppf([0.05, 0.95])
+    scale = duration / float(last - first)
+    count = math.ceil(scale * float(growth.ppf(0.9995)) / _STEP)
+    time = np.asarray(_STEP * np.arange(count), dtype=np.float64)
+    envelope = np.sqrt(growth.pdf(time / scale))
+    frequencies = np.fft.rfftfreq(count, _STEP)
+    ratio = frequencies / _GROUND
+    damped = (2.0 * _DAMPING * ratio) ** 2
+    amplitude = np.sqrt((1.0 + damped) / ((1.0 - ratio**2) ** 2 + damped))
+    slow = frequencies**2 / (frequencies**2 + _SLOWEST**2)
+    noise = np.fft.rfft(rng.normal(size=count))
+    shaking = envelope * np.fft.irfft(noise * amplitude * slow, count)
+    record = Series(time, shaking, held=False)
+    return record.scaled(math.sqrt(arias / intensities(record, gravity).arias))
