@@ -135,6 +135,11 @@ def test_each_soil_may_have_a_law_of_its_own(write: Write) -> None:
     text = str(motion.plan.equation)
     assert "soil_mu_0 = mu(slip)" in text
     assert "soil_mu_1 = residual_1 + (peak_1 - residual_1) exp(-slip/length_1)" in text
+    assert (
+        r"soil_{\mu,1} &= \mu_{r,1} + \left(\mu_{p,1} - \mu_{r,1}\right) e^{- \frac{S}{L_{1}}}"
+        in motion.plan.equation.latex
+    )
+    assert motion.plan.law == "tabulated, exponential, constant by soil"
     with pytest.raises(ValueError, match=r"with slip\.strength = 'mass' each may have a law of its own"):
         slipcircle.load(write(scene, slip.format("base")))
 

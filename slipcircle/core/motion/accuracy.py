@@ -102,11 +102,15 @@ def _of_single(lanes: Lanes, final: Mapping[int, Any], summary: Floats, size: Fl
     """The same of one lane: all runs at once, beside the motion itself, with their states along the way."""
     problem = perturbed_runs(lanes.problem, slice(None), lanes.arc.rounding)
     states = np.zeros((2 + len(problem.program.states), *SHARES.shape))
-    cells = integrate_all(problem, Samples(summary[0] * SHARES, states))
+    duration = summary[0]
+    samples = Samples(duration * SHARES, states)
+    cells = integrate_all(problem, samples)
     difference = np.abs(summary_vector(cells) - summary) / size
     spread = float(np.fmax.reduce(difference, axis=None))
     if final[ix.PHASES] > 0.0:
-        along = np.abs(states[:2] - states[:2, :, :1]) / size[1:, :, None]  # of rotation and angular velocity
+        rotation_and_velocity = states[:2]
+        change = np.abs(rotation_and_velocity - states[:2, :, :1])
+        along = change / size[1:, :, None]
         spread = float(np.fmax(spread, np.fmax.reduce(along, axis=None)))
     return spread, bool(_ends_otherwise(cells, final).any())
 

@@ -145,7 +145,12 @@ def _terms_of_effects(effects: tuple[str, ...], absent: tuple[str, ...]) -> list
             if not missing & {*symbols, *(symbol + number for symbol in symbols)}:
                 terms.append(_numbered(EquationTerm(quantity, formula, name, latex=latex), number))
         if number and position != "frozen":
-            terms.append(_numbered(EquationTerm("soil_turning", "-soil_slope sin(phi)", name), number))
+            terms.append(
+                _numbered(
+                    EquationTerm("soil_turning", "-soil_slope sin(phi)", name, latex=r"- soil_{slope} \sin\varphi"),
+                    number,
+                )
+            )
     return terms
 
 
@@ -160,13 +165,20 @@ def _numbered(term: EquationTerm, number: str) -> EquationTerm:
     if term.value is not None:  # of a number the formula is what it is, in words
         return term._replace(symbol=symbol)
     formula = re.sub(rf"\b({'|'.join(own)})\b", rf"\1{index}", term.formula)
-    return term._replace(symbol=symbol, formula=formula, latex=rf"\mathrm{{{formula}}}")
+    number = index[1:]
+    latex = re.sub(r"soil_\{(.+?)\}", rf"soil_{{\1,{number}}}", term.latex)
+    latex = re.sub(r"\\mu_([pr0])", rf"\\mu_{{\1,{number}}}", latex)
+    latex = re.sub(r"\b([LV])\b", rf"\1_{{{number}}}", latex)
+    return term._replace(symbol=symbol, formula=formula, latex=latex)
 
 
 def _terms_of_friction(laws: tuple[str, ...]) -> list[EquationTerm]:
     """The friction coefficient of a law, or the product of a law of slip and one of speed."""
     terms = [
-        _numbered(EquationTerm("soil_mu", TERMS[without_soil(law)][0][1], law), soil_number(law))
+        _numbered(
+            EquationTerm("soil_mu", TERMS[without_soil(law)][0][1], law, latex=TERMS[without_soil(law)][0][2]),
+            soil_number(law),
+        )
         for law in laws
         if soil_number(law)
     ]
@@ -269,6 +281,9 @@ def _latex(symbol: str) -> str:
         return r"\Theta\,\frac{d\omega}{dt}"
     if symbol in EQUATION_QUANTITIES:
         return EQUATION_QUANTITIES[symbol][1]
+    if symbol.startswith("soil_"):
+        _, name, number = symbol.split("_")
+        return rf"soil_{{{LATEX.get(name, name)},{number}}}".replace("{mu,", r"{\mu,")
     if symbol.endswith("/dphi"):
         return rf"\frac{{d {_latex(symbol[1:-5])}}}{{d\varphi}}"
     name, underscore, index = symbol.partition("_")

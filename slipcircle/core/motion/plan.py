@@ -11,7 +11,7 @@ from slipcircle.core.flow.build import build_program
 from slipcircle.core.flow.problem import Recipe, order, recipe_of
 from slipcircle.core.flow.program import Program
 from slipcircle.core.motion.equation import Equation, equation_of
-from slipcircle.core.scene.friction import law_depends, law_names, without_soil
+from slipcircle.core.scene.friction import OF_SOIL, law_depends, law_names, without_soil
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
 
 DEFAULT_ACCURACY = 1e-9
@@ -101,13 +101,22 @@ def _choice(recipe: Recipe, depends: tuple[str, ...], accuracy: float) -> dict[s
     return {
         "effects": effects,
         "left_out": tuple(e for e in EFFECTS if e not in effects),
-        "law": " times ".join(dict.fromkeys(map(without_soil, recipe.laws))),
+        "law": _law_in_words(recipe.laws),
         "method": FLOW,
         "why": "; ".join(reasons),
         "fragments": ("gravity", *recipe.effects, *recipe.laws, "balance"),
         "operations": counted(program),
         "cost": STEPS * flops(program, terms),
     }
+
+
+def _law_in_words(laws: tuple[str, ...]) -> str:
+    """The friction law, or those of soils, times the law of speed."""
+    of_soils = [without_soil(law) for law in laws if OF_SOIL in law]
+    factors = [law for law in laws if OF_SOIL not in law]
+    if of_soils:
+        factors.insert(0, f"{', '.join(dict.fromkeys(of_soils))} by soil")
+    return " times ".join(factors)
 
 
 def _reasons(effect: str, in_time: bool) -> Iterator[str]:

@@ -95,11 +95,15 @@ def _clearances(points: Floats, centre: Floats, radius: Floats) -> tuple[Floats,
     r = radius[:, None]
     x, y = (points[..., k] - centre[:, k, None] for k in (0, 1))
     clear = r * r - x * x - y * y
-    lane, vertex = np.nonzero(np.abs(clear) < 0.1 * r * r)  # where a difference of near equals takes two doubles
+    is_near = np.abs(clear) < 0.1 * r * r
+    lane, vertex = np.nonzero(is_near)  # a difference of near equals takes two doubles
     near = np.broadcast_to(points, (*clear.shape, 2))[lane, vertex]
-    clear[lane, vertex] = _clearance(_difference(near, centre[lane]), radius[lane]).high
-    size = np.abs(points).max(axis=2) + np.abs(centre).max(axis=1)[:, None]
-    return clear, clear > 32 * EPS * r * (r + size)
+    from_centre = _difference(near, centre[lane])
+    clear[lane, vertex] = _clearance(from_centre, radius[lane]).high
+    greatest_coordinate = np.abs(points).max(axis=2)
+    size = greatest_coordinate + np.abs(centre).max(axis=1)[:, None]
+    rounding = 32 * EPS * r * (r + size)
+    return clear, clear > rounding
 
 
 def _with_one_end_inside(
@@ -107,31 +111,37 @@ def _with_one_end_inside(
 ) -> tuple[Floats, Floats]:
     """From the end inside: s of D s^2 + 2 b s = g, by the form of the positive root that does not cancel."""
     lane, edge = at
-    end = lane, edge + last_in
+    end_inside = lane, edge + last_in
     along = np.broadcast_to(edges, (len(clear), *edges.shape[1:]))[at]
-    b = np.where(last_in, -1.0, 1.0) * (from_centre[end] * along).sum(axis=1)
+    outward = np.where(last_in, -1.0, 1.0)
+    b = outward * (from_centre[end_inside] * along).sum(axis=1)
     d = (along**2).sum(axis=1)
-    g = clear[end]
+    g = clear[end_inside]
     root = np.sqrt(b * b + d * g)
-    share = np.minimum(np.where(b > 0.0, g / (b + root), (root - b) / d), 1.0)
-    return np.where(last_in, 1.0 - share, 0.0), share
+    positive_root = np.where(b > 0.0, g / (b + root), (root - b) / d)
+    share = np.minimum(positive_root, 1.0)
+    start = np.where(last_in, 1.0 - share, 0.0)
+    return start, share
 
 
 def _with_both_ends_outside(at: Any, points: Floats, centre: Floats, radius: Floats) -> tuple[Floats, Floats]:
     """Of edges that may pass through the circle: the discriminant may be small, and takes two doubles."""
     lane, edge = at
     line = np.broadcast_to(points, (len(radius), *points.shape[1:]))
-    p = line[lane, edge]
-    q = line[lane, edge + 1]
-    u, v = _difference(q, p)
-    from_centre = _difference(p, centre[lane])
+    first_end = line[lane, edge]
+    second_end = line[lane, edge + 1]
+    u, v = _difference(second_end, first_end)
+    from_centre = _difference(first_end, centre[lane])
     x, y = from_centre
     b = x * u + y * v
     d = u * u + v * v
-    discriminant = b * b + d * _clearance(from_centre, radius[lane])
+    clearance = _clearance(from_centre, radius[lane])
+    discriminant = b * b + d * clearance
     root = np.sqrt(np.maximum(discriminant.high, 0.0))
-    start = np.maximum((-b.high - root) / d.high, 0.0)
-    return start, np.minimum(2 * root / d.high, 1.0 - start)
+    enters_at = (-b.high - root) / d.high
+    start = np.maximum(enters_at, 0.0)
+    share = np.minimum(2 * root / d.high, 1.0 - start)
+    return start, share
 
 
 def _difference(points: Floats, others: Floats) -> tuple[DoubleDouble, DoubleDouble]:
@@ -148,11 +158,13 @@ def _clearance(point: tuple[DoubleDouble, DoubleDouble], radius: Floats) -> Doub
 
 def stretches(parts: Cut) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.bool_]]:
     """Circle and number of every whole stretch; and which circles hold an end of the ground."""
-    from_start = (parts.leaves & (parts.stretch < 0)).any(axis=1)  # the ground begins inside the circle
+    leaves_first = parts.leaves & (parts.stretch < 0)
+    from_start = leaves_first.any(axis=1)  # the ground begins inside the circle
     count = parts.leaves.sum(axis=1) - from_start
     to_end = parts.enters.sum(axis=1) > count
-    both_ends = (parts.first[:, 0] > 0.0) & (parts.second[:, -1] > 0.0)
-    all_inside = both_ends & ~parts.leaves.any(axis=1)
+    begins_inside = parts.first[:, 0] > 0.0
+    ends_inside = parts.second[:, -1] > 0.0
+    all_inside = begins_inside & ends_inside & ~parts.leaves.any(axis=1)
     lanes = np.repeat(np.arange(len(count)), count)
     before = np.cumsum(count) - count
     number = np.arange(len(lanes)) - np.repeat(before, count)
@@ -165,9 +177,10 @@ def ends(parts: Cut, number: Any) -> tuple[Floats, Floats]:
     lane = np.arange(len(parts.x))
     first = lane, np.argmax(parts.enters & mine, axis=1)
     last = lane, np.argmax(parts.leaves & mine, axis=1)
+    right_x = parts.x[last] + parts.e_x[last]
+    right_y = parts.y[last] + parts.e_y[last]
     left = np.stack([parts.x[first], parts.y[first]])
-    right = np.stack([parts.x[last] + parts.e_x[last], parts.y[last] + parts.e_y[last]])
-    return left, right
+    return left, np.stack([right_x, right_y])
 
 
 def moments(parts: Cut, mine: NDArray[np.bool_]) -> dict[str, Floats]:
@@ -186,20 +199,24 @@ def moments(parts: Cut, mine: NDArray[np.bool_]) -> dict[str, Floats]:
 
 def _moments(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
     """The same of one block: short edges by quadrature of their rings, long ones by sectors and triangles."""
-    x = parts.x
-    y = parts.y
     u = np.where(mine, parts.e_x, 0.0)
     v = np.where(mine, parts.e_y, 0.0)
-    distances = np.hypot(x, y) + np.hypot(x + u, y + v)
-    long = u * u + v * v > (slopes.REACH * distances) ** 2
-    total = _ring_moments(parts, np.where(long, 0.0, u), np.where(long, 0.0, v))
-    lane, edge = np.nonzero(long)
+    first_distance = np.hypot(parts.x, parts.y)
+    second_distance = np.hypot(parts.x + u, parts.y + v)
+    distances = first_distance + second_distance
+    is_long = u * u + v * v > (slopes.REACH * distances) ** 2
+    short_u = np.where(is_long, 0.0, u)
+    short_v = np.where(is_long, 0.0, v)
+    total = _ring_moments(parts, short_u, short_v)
+    at = np.nonzero(is_long)
+    lane, _ = at
     if lane.size:
-        at = lane, edge
-        cross = x[at] * v[at] - y[at] * u[at]
-        dot = x[at] * (x[at] + u[at]) + y[at] * (y[at] + v[at])
-        by_edge = slopes.closed(x[at], y[at], u[at], v[at], np.arctan2(cross, dot))
-        total += np.array([np.bincount(lane, values, len(x)) for values in by_edge])
+        x, y, u, v = (values[at] for values in (parts.x, parts.y, u, v))
+        cross = x * v - y * u
+        dot = x * (x + u) + y * (y + v)
+        angle = np.arctan2(cross, dot)
+        by_edge = slopes.closed(x, y, u, v, angle)
+        total += np.array([np.bincount(lane, values, len(parts.x)) for values in by_edge])
     return total
 
 
@@ -211,7 +228,9 @@ def _ring_moments(parts: Cut, u: Floats, v: Floats) -> Floats:
     square = u * u + v * v
     totals = np.zeros((len(MEASURES), *u.shape))
     for s, weight in _GAUSS:
-        rings = np.array(slopes.rings((1.0 - s) * first + s * second + (s * (1.0 - s)) * square))
+        along_chord = (1.0 - s) * first + s * second
+        gap = along_chord + (s * (1.0 - s)) * square
+        rings = np.array(slopes.rings(gap))
         totals[:5] += weight * rings
         totals[5:] += (weight * s) * rings[3:]
     area, polar, inertia, radial, moment, radial_s, moment_s = totals
@@ -222,7 +241,8 @@ def _ring_moments(parts: Cut, u: Floats, v: Floats) -> Floats:
     moment_x = moment * x + moment_s * u
     moment_y = moment * y + moment_s * v
     by_edge = np.array([area, polar, inertia, radial_x, radial_y, moment_x, moment_y])
-    return np.asarray((by_edge * (x * v - y * u)).sum(axis=2))
+    cross = x * v - y * u
+    return np.asarray((by_edge * cross).sum(axis=2))
 
 
 def thickness(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
@@ -231,14 +251,19 @@ def thickness(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
     to_foot = -(parts.x * parts.e_x + parts.y * parts.e_y)  # of the perpendicular from the centre
     on_edge = (to_foot > 0.0) & (to_foot < square)
     share = np.divide(to_foot, square, out=np.zeros(square.shape), where=on_edge)
-    at_foot = (1.0 - share) * parts.first + share * parts.second + share * (1.0 - share) * square
-    gap = np.maximum(np.maximum(parts.first, parts.second), at_foot)  # 1 - rho^2
-    greatest = np.minimum(np.where(mine, gap, 0.0).max(axis=1), 1.0)
+    rest = 1.0 - share
+    at_foot = rest * parts.first + share * parts.second + share * rest * square
+    at_ends = np.maximum(parts.first, parts.second)
+    gap = np.maximum(at_ends, at_foot)  # 1 - rho^2
+    greatest = np.where(mine, gap, 0.0).max(axis=1)
+    greatest = np.minimum(greatest, 1.0)
     return greatest / (1.0 + np.sqrt(1.0 - greatest))
 
 
 def below_ground(parts: Cut, mine: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Which circles have their centre below the ground of the stretch."""
-    around_centre = (parts.x <= 0.0) & (parts.x + parts.e_x >= 0.0) & (parts.e_x > 0.0)
+    x_2 = parts.x + parts.e_x
+    around_centre = (parts.x <= 0.0) & (x_2 >= 0.0) & (parts.e_x > 0.0)
     above_centre = parts.x * parts.e_y <= parts.y * parts.e_x
-    return np.any(mine & around_centre & above_centre, axis=1)
+    is_below = mine & around_centre & above_centre
+    return np.any(is_below, axis=1)

@@ -107,27 +107,34 @@ class _ComplexSection(LayeredSection):
     def heads_between(self, low: Floats, high: Floats) -> Floats:
         """The integrals move with the vertices of the level and with both directions."""
         water = self.real._water
-        first, last = low.real[..., :1], high.real[..., :1]
-        by_vertex = water.gradient(first[..., 0], last[..., 0])
+        first = low.real[..., 0]
+        last = high.real[..., 0]
+        by_vertex = water.gradient(first, last)
         line = derivative(self._lines_over_radius[-1])
         moved = np.einsum("...vk,nvk->...n", by_vertex, line)
-        moved = moved + water.at(last[..., 0])[..., None] * derivative(high)
-        moved = moved - water.at(first[..., 0])[..., None] * derivative(low)
-        return water.integral(first, last) + 1j * STEP * moved
+        moved = moved + water.at(last)[..., None] * derivative(high)
+        moved = moved - water.at(first)[..., None] * derivative(low)
+        integral = water.integral(first[..., None], last[..., None])
+        return integral + 1j * STEP * moved
 
 
 def _raise_if_a_boundary_touches(section: LayeredSection) -> None:
     """A line below the ground that comes next to the arc between its ends, and goes away again."""
     left, right = (float(end[0][0]) for end in section._ends)
     for k, line in enumerate(section._lines_over_radius[1 : len(section.layers)], 2):
-        points = line[0]
-        if len(points) == 2 and points[0, 1] == points[1, 1]:  # a height
-            points = np.array([[-2.0, points[0, 1]], [2.0, points[0, 1]]])
-        start, edge = points[:-1], np.diff(points, axis=0)
+        (points,) = line
+        first_y, last_y = points[[0, -1], 1]
+        if len(points) == 2 and first_y == last_y:  # a height
+            points = np.array([[-2.0, first_y], [2.0, first_y]])
+        start = points[:-1]
+        edge = np.diff(points, axis=0)
         share = -(start * edge).sum(axis=1) / (edge * edge).sum(axis=1)
         foot = start + share[:, None] * edge
-        near = np.abs(np.hypot(*foot.T) - 1.0) < _TOUCHES
-        if np.any(near & (share > 0.0) & (share < 1.0) & (foot[:, 0] > left) & (foot[:, 0] < right)):
+        x, y = foot.T
+        near = np.abs(np.hypot(x, y) - 1.0) < _TOUCHES
+        on_edge = (share > 0.0) & (share < 1.0)
+        on_arc = (x > left) & (x < right)
+        if np.any(near & on_edge & on_arc):
             raise ValueError(
                 f"sensitivity: layers.{k}.top: touches the slip circle without crossing it, where there are no "
                 "derivatives; move the boundary or the circle a little"

@@ -73,12 +73,14 @@ def _with_coordinates(points: Any, axes: int, replaced: Mapping[str, Index], val
     shape = points.shape[-axes:]
     some_stay = len(replaced) < np.prod(shape)
     lanes_of_the_rest = points.shape[:-axes] if some_stay else ()
-    lanes = np.broadcast_shapes(lanes_of_the_rest, *(np.shape(values[name]) for name in replaced))
-    changed: Any = np.empty((*lanes, *shape), dtype=np.result_type(points, *(values[name] for name in replaced)))
+    numbers = [values[name] for name in replaced]
+    lanes = np.broadcast_shapes(lanes_of_the_rest, *map(np.shape, numbers))
+    kind = np.result_type(points, *numbers)
+    changed: Any = np.empty((*lanes, *shape), dtype=kind)
     if some_stay:
         changed[...] = points
-    for name, index in replaced.items():
-        changed[(..., *index)] = values[name]
+    for index, number in zip(replaced.values(), numbers, strict=True):
+        changed[(..., *index)] = number
     return changed
 
 

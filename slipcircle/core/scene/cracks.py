@@ -62,11 +62,15 @@ class CrackedSection(Section):
         (left, _), (right, _) = whole._ends
         x = meets_circle(self._lowered_ground)
         height, _ = edge_below(self._lowered_ground, x, x)
-        on_arc = np.abs(height + np.sqrt(np.maximum(1.0 - x * x, 0.0))) < _ON_ARC
-        inside = on_arc & (x.real > left[:, None].real) & (x.real < right[:, None].real)
+        depth_of_arc = np.sqrt(np.maximum(1.0 - x * x, 0.0))
+        on_arc = np.abs(height + depth_of_arc) < _ON_ARC
+        beyond_left = x.real > left[:, None].real
+        before_right = x.real < right[:, None].real
+        inside = on_arc & beyond_left & before_right
         from_left = np.where(inside, x, np.inf).min(axis=1)
         from_right = np.where(inside, x, -np.inf).max(axis=1)
-        place = centre[:, 0] + radius * np.where(whole._facing > 0.0, from_left, from_right)
+        next_to_entry = np.where(whole._facing > 0.0, from_left, from_right)
+        place = centre[:, 0] + radius * next_to_entry
         return np.where(np.isfinite(place), place, np.nan)
 
     @cached_property
@@ -82,8 +86,9 @@ class CrackedSection(Section):
         """Of a cracked mass the part on the lower side of the crack."""
         lane, number, left, right, held = super()._candidates
         if self._is_cracked:
-            below = ((left + right) / 2 - self._crack_place[lane]) * self._uncracked._facing[lane] > 0.0
-            lane, number, left, right = lane[below], number[below], left[below], right[below]
+            from_crack = (left + right) / 2 - self._crack_place[lane]
+            below = from_crack * self._uncracked._facing[lane] > 0.0
+            lane, number, left, right = (values[below] for values in (lane, number, left, right))
         return lane, number, left, right, held
 
     @property
@@ -127,8 +132,11 @@ class CrackedSection(Section):
 def _with_slits(ground: Floats, bottom: Floats, x: Floats) -> Floats:
     """Grounds (lanes, V + 3, 2) with a slit down to a height at an x of each lane."""
     lines = np.broadcast_to(ground, (len(x), *ground.shape[1:]))
-    top = edge_below(lines, x[:, None], x[:, None])[0][:, 0]
-    slit = np.stack([np.stack([x] * 3, axis=1), np.stack([top, bottom, top], axis=1)], axis=2)
+    across = x[:, None]
+    ((top,), _) = (values.T for values in edge_below(lines, across, across))
+    slit_x = np.stack([x, x, x], axis=1)
+    slit_y = np.stack([top, bottom, top], axis=1)
+    slit = np.stack([slit_x, slit_y], axis=2)
     points = np.concatenate([lines, slit], axis=1)
     order = np.argsort(points[..., 0].real, axis=1, kind="stable")
     return np.take_along_axis(points, order[..., None], axis=1)

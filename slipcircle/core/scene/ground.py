@@ -60,9 +60,12 @@ def _upper(lines: Floats, x: Floats) -> Floats:
     x_1, y_1 = np.moveaxis(lines[:, None, :-1], -1, 0)
     x_2, y_2 = np.moveaxis(lines[:, None, 1:], -1, 0)
     at = x[..., None]
+    rise = y_2 - y_1
     with np.errstate(divide="ignore", invalid="ignore"):
-        share = np.where(x_2 > x_1, (at - x_1) / (x_2 - x_1), y_2 > y_1)
-    heights = y_1 + share * (y_2 - y_1)
+        share = (at - x_1) / (x_2 - x_1)
+    upper_end = y_2 > y_1  # of a scarp
+    share = np.where(x_2 > x_1, share, upper_end)
+    heights = y_1 + share * rise
     on_edge = (x_1 <= at) & (at <= x_2)
     return np.asarray(np.where(on_edge, heights, -np.inf).max(axis=-1))
 
@@ -189,14 +192,17 @@ def circle_through(
     """
     p, q = _from_left(first, second)
     chord = q - p
-    half = np.hypot(chord[..., 0], chord[..., 1]) / 2
+    run, rise = np.moveaxis(chord, -1, 0)
+    half = np.hypot(run, rise) / 2
     raise_all("circle_through", _through_errors(chord, half, radius, depth))
     if depth is not None:
         radius = (half**2 + np.square(depth)) / (2 * np.asarray(depth))
     size = np.asarray(radius)
     above_chord = np.sqrt((size - half) * (size + half))
-    normal = np.stack([-chord[..., 1], chord[..., 0]], axis=-1) / (2 * half)[..., None]
-    return (p + q) / 2 + normal * above_chord[..., None], size[()]
+    length = 2 * half
+    normal = np.stack([-rise, run], axis=-1) / length[..., None]
+    middle = (p + q) / 2
+    return middle + normal * above_chord[..., None], size[()]
 
 
 def _through_errors(chord: Floats, half: Floats, radius: Any, depth: Any) -> list[str]:
@@ -232,13 +238,18 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     run = (q - p)[..., 0]
     high = np.maximum(from_left, from_right)
     low = np.minimum(from_left, from_right)
-    if np.any((low < 0.0) | (high <= 0.0)) or np.any(run == 0.0):
+    too_high = (low < 0.0) | (high <= 0.0)
+    if np.any(too_high) or np.any(run == 0.0):
         raise ValueError(
             f"circle_touching: level = {np.max(base):.10g}: must lie below both points or touch the lower one, "
             "and the points must differ in x"
         )
-    between = np.sqrt(high * low * (run**2 + (high - low) ** 2))
-    away = high * (run**2 - low * (high - low)) / (high * run + between)
+    rise = high - low
+    root = np.sqrt(high * low * (run**2 + rise**2))
+    away = high * (run**2 - low * rise) / (high * run + root)
     radius = (away**2 + high**2) / (2 * high)
-    x = np.where(from_left >= from_right, p[..., 0] + away, q[..., 0] - away)
-    return np.stack([x, base + radius], axis=-1), radius[()]
+    from_left_end = p[..., 0] + away
+    from_right_end = q[..., 0] - away
+    x = np.where(from_left >= from_right, from_left_end, from_right_end)
+    centre = np.stack([x, base + radius], axis=-1)
+    return centre, radius[()]

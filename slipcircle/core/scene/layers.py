@@ -300,8 +300,14 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
 def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
     """Whether two sections have the same boundaries, crack, places of surcharges, and heights where cohesion grows."""
-    same = len(one.layers) == len(other.layers) and len(one.soils) == len(other.soils)
-    same &= one.strength == other.strength and one._saturated == other._saturated and one.crack is other.crack
-    same &= [load[:2] for load in one.surcharge] == [load[:2] for load in other.surcharge]
-    same &= all(mine is theirs for (_, mine), (_, theirs) in zip(one.layers, other.layers, strict=same))
-    return same and all(np.array_equal(mine, theirs) for mine, theirs in zip(one.datums, other.datums, strict=True))
+    if len(one.layers) != len(other.layers) or len(one.soils) != len(other.soils) or one.crack is not other.crack:
+        return False
+    if one.strength != other.strength or one._saturated != other._saturated:
+        return False
+    if [load[:2] for load in one.surcharge] != [load[:2] for load in other.surcharge]:
+        return False
+    tops = [(top, other_top) for (_, top), (_, other_top) in zip(one.layers, other.layers, strict=True)]
+    if any(top is not other_top for top, other_top in tops):
+        return False
+    datums = zip(one.datums, other.datums, strict=True)
+    return all(np.array_equal(datum, other_datum) for datum, other_datum in datums)

@@ -122,11 +122,14 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]
     scene has the values of the first valid one.
     """
     known = parameters(scene)
-    invalid = ~np.logical_and.reduce(np.broadcast_arrays(*(known[n].allows(v) for n, v in values.items())))
-    before: dict[str, Any] = {n: parameter_value(scene, n) for n in values}
+    allowed = np.broadcast_arrays(*(known[name].allows(value) for name, value in values.items()))
+    invalid = ~np.logical_and.reduce(allowed)
+    before: dict[str, Any] = {name: parameter_value(scene, name) for name in values}
     while True:
-        stand_in = before if np.all(invalid) else {n: v[np.argmin(invalid)] for n, v in values.items()}
-        changed = _fields_with(scene, {n: np.where(invalid, stand_in[n], v) for n, v in values.items()})
+        first_valid = np.argmin(invalid)
+        stand_in = before if np.all(invalid) else {name: value[first_valid] for name, value in values.items()}
+        valid_values = {name: np.where(invalid, stand_in[name], value) for name, value in values.items()}
+        changed = _fields_with(scene, valid_values)
         arc = replace_unchecked(scene.arc, changed["arc"])
         faults = arc.geometry_errors() if arc is not scene.arc and not np.all(invalid) else ()
         impossible = next((lanes for lanes, _ in faults if np.any(lanes)), None)

@@ -151,16 +151,19 @@ class Section(SlidingBody, TurningMass):
         _, centre, radius = self._circle
         lane, number, held = circles.stretches(self._cut)
         ends = circles.ends(self._cut.only(lane), number)
-        left, right = (centre[lane, 0] + radius[lane] * end[0] for end in ends)
+        left, right = (centre[lane, 0] + radius[lane] * x for x, _ in ends)
         if self.between is None:
             return lane, number, left, right, held
         low, high = self.between
         rounding = 1e-9 * radius[lane]
         keep = (left >= low - rounding) & (right <= high + rounding)
-        without = np.bincount(lane, keep, len(radius))[lane] == 0
+        kept = np.bincount(lane, keep, len(radius))
+        without = kept[lane] == 0
         middle = (left + right) / 2
-        keep |= without & (middle >= low) & (middle <= high)
-        return lane[keep], number[keep], left[keep], right[keep], np.zeros(len(held), dtype=bool)
+        middle_between = (middle >= low) & (middle <= high)
+        keep |= without & middle_between
+        lane, number, left, right = (values[keep] for values in (lane, number, left, right))
+        return lane, number, left, right, np.zeros(len(held), dtype=bool)
 
     @cached_property
     def _ends(self) -> tuple[Floats, Floats]:

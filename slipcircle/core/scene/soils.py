@@ -136,10 +136,15 @@ def datum_mistakes(soil: Soil, layers: Sequence[tuple[Soil, Any]]) -> list[str]:
 def _load_mistakes(k: int, load: Any) -> list[str]:
     """What is wrong with a surcharge, counted from 0."""
     words = f"surcharge[{k}] = {load!r}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
-    numbers = [np.asarray(number) for number in load] if isinstance(load, Sequence) else []
-    right = len(numbers) == 4 and all(number.dtype.kind in "iuf" and np.all(np.isfinite(number)) for number in numbers)
-    right = right and numbers[0].ndim == numbers[1].ndim == 0 and bool(numbers[0] < numbers[1])
-    return [] if right and min(np.min(numbers[2]), np.min(numbers[3])) >= 0.0 else [words]
+    if not isinstance(load, Sequence) or len(load) != 4:
+        return [words]
+    numbers = [np.asarray(number) for number in load]
+    if not all(number.dtype.kind in "iuf" and np.all(np.isfinite(number)) for number in numbers):
+        return [words]
+    first, last, *pressures = numbers
+    in_order = first.ndim == last.ndim == 0 and first < last
+    none_pulls = all(np.all(pressure >= 0.0) for pressure in pressures)
+    return [] if in_order and none_pulls else [words]
 
 
 def _top_mistakes(k: int, top: Any) -> list[str]:

@@ -69,20 +69,25 @@ class TurningMass:
         """
         toe = self.placed(self.exit, rotation)
         run_out = (toe - self.exit)[..., 0] * self.facing
-        fall = self.centroid[..., 1] - self.placed(self.centroid, rotation)[..., 1]
-        half_way = self.placed(self.centroid, np.multiply(rotation, 0.5)) - np.asarray(self.centre)
+        centroid = self.placed(self.centroid, rotation)
+        fall = self.centroid[..., 1] - centroid[..., 1]
+        half_rotation = np.multiply(rotation, 0.5)
+        half_way = self.placed(self.centroid, half_rotation) - np.asarray(self.centre)
+        x, y = np.moveaxis(half_way, -1, 0)
         sign = np.where(np.less(rotation, 0.0), -1.0, 1.0)
-        travel_angle = np.arctan2(-sign * self.facing * half_way[..., 0], -sign * half_way[..., 1])
+        travel_angle = np.arctan2(-sign * self.facing * x, -sign * y)
         return Journey(toe, run_out, fall, travel_angle)
 
 
 def _greatest_depth(line: Floats, level: Floats) -> float:
     """Of a line's points below a level, at the vertices of both, m; 0 where the line is above."""
-    below_level = np.interp(line[:, 0], *level.T) - line[:, 1]
-    x, y = line[:-1].T
+    level_x, level_y = level.T
+    line_x, line_y = line.T
+    below_level = np.interp(line_x, level_x, level_y) - line_y
     run, rise = np.diff(line, axis=0).T
     with np.errstate(divide="ignore", invalid="ignore"):
-        share = (level[:, :1] - x) / run  # of each edge, where a vertex of the level is
+        share = (level_x[:, None] - line_x[:-1]) / run  # of each edge, where a vertex of the level is
     on_edge = (share > 0.0) & (share < 1.0)
-    below_vertices = np.where(on_edge, level[:, 1:] - (y + share * rise), 0.0)
+    height = line_y[:-1] + share * rise
+    below_vertices = np.where(on_edge, level_y[:, None] - height, 0.0)
     return float(max(0.0, below_level.max(), below_vertices.max()))
