@@ -83,6 +83,21 @@ def test_regressions_by_hand() -> None:
     assert math.exp(REGRESSIONS[2].ln_cm(shaking)[0]) == pytest.approx(10 ** (-1.474 + 3.833 * 0.30103), rel=1e-5)
 
 
+def test_regressions_on_magnitude_and_arias_intensity_by_hand() -> None:
+    """As above, with an Arias intensity of 2 m/s: D in cm and the standard deviation of ln D."""
+    pga, pgv, arias = np.array([[0.3], [0.3], [2.0]])
+    shaking = Shaking(0.15, pga, pgv, arias, 7.0)
+    expected = {
+        "Jibson (2007), r and magnitude": (1.0000, 1.0454),
+        "Jibson (2007), Arias intensity and k_y": (2.2951, 1.5105),
+        "Saygili and Rathje (2008), PGA, PGV and Arias intensity": (2.6394, 0.595),
+        "Rathje and Saygili (2009), PGA and magnitude": (2.9246, 0.99175),
+    }
+    found = {r.name: (math.exp(r.ln_cm(shaking)[0]), r.std_ln(shaking)[0]) for r in REGRESSIONS}
+    for name, values in expected.items():
+        assert found[name] == pytest.approx(values, rel=1e-4)
+
+
 def test_regressions_say_nothing_outside_their_range_or_without_a_magnitude() -> None:
     pga = np.array([0.2, 0.3, 0.101, 5.0])
     shaking = Shaking(0.1, pga, pga, pga)
@@ -91,6 +106,8 @@ def test_regressions_say_nothing_outside_their_range_or_without_a_magnitude() ->
         ("Ambraseys", 2),
         ("Jibson", 2),
         ("Jibson", 2),
+        ("Jibson", 2),
+        ("Saygili", 2),
         ("Saygili", 2),
     ]
     menu = REGRESSIONS[0]

@@ -86,10 +86,31 @@ def _jibson_arias(shaking: Shaking) -> Floats:
     return np.asarray(_LN_10 * (0.561 * log_arias - 3.833 * log_ratio - 1.474))
 
 
+def _jibson_magnitude(shaking: Shaking) -> Floats:
+    of_ratio = _of_ratio(-2.710, 2.335, -1.478)
+    return of_ratio(shaking) + _LN_10 * 0.424 * shaking.magnitude
+
+
+def _jibson_arias_only(shaking: Shaking) -> Floats:
+    log_arias, log_yield = np.log10(shaking.arias), math.log10(shaking.k_y)
+    return np.asarray(_LN_10 * (2.401 * log_arias - 3.481 * log_yield - 3.230))
+
+
 def _saygili_rathje(shaking: Shaking) -> Floats:
     shape = np.polynomial.Polynomial((-1.56, -4.58, -20.84, 44.75, -30.50))
     velocity_cm = 100.0 * shaking.pgv
     return np.asarray(shape(shaking.ratio) - 0.64 * np.log(shaking.pga) + 1.55 * np.log(velocity_cm))
+
+
+def _saygili_rathje_arias(shaking: Shaking) -> Floats:
+    shape = np.polynomial.Polynomial((-0.74, -4.93, -19.91, 43.75, -30.12))
+    of_peaks = -1.30 * np.log(shaking.pga) + 1.04 * np.log(100.0 * shaking.pgv)
+    return np.asarray(shape(shaking.ratio) + of_peaks + 0.67 * np.log(shaking.arias))
+
+
+def _rathje_saygili(shaking: Shaking) -> Floats:
+    shape = np.polynomial.Polynomial((4.89, -4.85, -19.64, 42.49, -29.06))
+    return np.asarray(shape(shaking.ratio) + 0.72 * np.log(shaking.pga) + 0.89 * (shaking.magnitude - 6.0))
 
 
 def _bray_travasarou(shaking: Shaking) -> Floats:
@@ -126,10 +147,34 @@ REGRESSIONS = (
         _constant(0.616 * _LN_10),
     ),
     Regression(
+        "Jibson (2007), r and magnitude",
+        "Engineering Geology 91, 209-218, eq. 7",
+        _jibson_magnitude,
+        _constant(0.454 * _LN_10),
+    ),
+    Regression(
+        "Jibson (2007), Arias intensity and k_y",
+        "Engineering Geology 91, 209-218, eq. 9",
+        _jibson_arias_only,
+        _constant(0.656 * _LN_10),
+    ),
+    Regression(
         "Saygili and Rathje (2008), PGA and PGV",
         "Journal of Geotechnical and Geoenvironmental Engineering 134, 790-803",
         _saygili_rathje,
         lambda shaking: 0.41 + 0.52 * shaking.ratio,
+    ),
+    Regression(
+        "Saygili and Rathje (2008), PGA, PGV and Arias intensity",
+        "Journal of Geotechnical and Geoenvironmental Engineering 134, 790-803",
+        _saygili_rathje_arias,
+        lambda shaking: 0.20 + 0.79 * shaking.ratio,
+    ),
+    Regression(
+        "Rathje and Saygili (2009), PGA and magnitude",
+        "Bulletin of the New Zealand Society for Earthquake Engineering 42, 18-27",
+        _rathje_saygili,
+        lambda shaking: 0.732 + 0.789 * shaking.ratio - 0.539 * shaking.ratio**2,
     ),
     Regression(
         "Bray and Travasarou (2007), rigid",
