@@ -126,8 +126,7 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]
     invalid = ~np.logical_and.reduce(allowed)
     before: dict[str, Any] = {name: parameter_value(scene, name) for name in values}
     while True:
-        first_valid = np.argmin(invalid)
-        stand_in = before if np.all(invalid) else {name: value[first_valid] for name, value in values.items()}
+        stand_in = before if np.all(invalid) else {name: value[np.argmin(invalid)] for name, value in values.items()}
         valid_values = {name: np.where(invalid, stand_in[name], value) for name, value in values.items()}
         changed = _fields_with(scene, valid_values)
         arc = replace_unchecked(scene.arc, changed["arc"])
