@@ -357,10 +357,16 @@ def test_the_least_factor_is_that_of_differential_evolution(seed: int) -> None:
     assert peers_slopes.excess(seed) < 5e-4
 
 
+SAND = Soil(19e3, friction=tangent(30.0), name="sand")
+CLAY = Soil(19e3, cohesion=40e3, name="clay")
+
+
 @pytest.mark.parametrize(
     ("slope", "more", "words"),
     [
         (replace(ACADS, cohesion=0.0), {}, "ever thinner masses"),
+        (Slope(ACADS.ground, layers=[(SAND, None)]), {}, "ever thinner masses; give a least depth"),
+        (Slope(ACADS.ground, layers=[(SAND, None), (CLAY, 22.0)], base=20.0), {}, "where the soil has no cohesion"),
         (replace(ACADS, friction=0.0, base=None), {}, "infinitely deep, where the factor tends to 0.0828;"),
         (replace(ACADS, friction=0.0, base=None, k_h=0.1), {}, "infinitely deep"),
         (Slope([(0, 0), (50, 0)], 1e3, 0.5, 2e4), {}, "level"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -141,6 +142,7 @@ def critical(
     least = np.inf if least is None else least
     if entry is None and exit is None:
         _refuse_bottomless(slope, least, shaken=method == YIELD or slope.k_h > 0.0)
+    _refuse_skin(slope, circle)
     tell(f"{least_of(method)}: {least:.6g}")
     warnings = [circle.warning, *_reached_ends(search, circle), *_reached_limits(search, best[:1], circle)]
     values = np.concatenate(search.values)
@@ -243,7 +245,7 @@ def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) ->
         mistakes += _limit_mistakes(name, pair, ground)
     if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
         mistakes.append("{ground}: is level; nothing drives a mass")
-    elif not depth and slope.cohesion == 0.0 and not slope.layers:
+    elif not depth and _is_cohesionless(slope):
         mistakes.append(
             f"{{cohesion}} = 0: the factor decreases towards ever thinner masses{_skin(slope)}; give a least depth"
         )
@@ -269,11 +271,28 @@ def _limit_mistakes(name: str, pair: Any, ground: Floats) -> list[str]:
     return []
 
 
+def _is_cohesionless(slope: Slope) -> bool:
+    """Whether no soil of the slope has cohesion at any depth."""
+    if not slope.layers:
+        return slope.cohesion == 0.0
+    return not any(soil.cohesion or soil.cohesion_gradient for soil, _ in slope.layers)
+
+
 def _skin(slope: Slope) -> str:
     """What the factor of a dry skin is, but for a scarp."""
     run, rise = np.diff(np.asarray(slope.ground), axis=0).T
     steepest = float(np.max(np.abs(rise) / np.maximum(run, 1e-300)))
-    return f", tan(phi)/tan(slope) = {slope.friction / steepest:.4g} if dry" if steepest < 1e6 else ""
+    if slope.layers or steepest >= 1e6:
+        return ""
+    return f", tan(phi)/tan(slope) = {slope.friction / steepest:.4g} if dry"
+
+
+def _refuse_skin(slope: Slope, circle: Critical) -> None:
+    """Raise a ValueError where the search went to ever thinner masses, in a layer without cohesion at the ground."""
+    chord = math.dist(circle.entry, circle.exit)
+    if chord < 1e-4 * float(np.ptp(np.asarray(slope.ground))):
+        words = f"the factor decreases towards ever thinner masses near x = {circle.entry[0]:.4g}"
+        raise InputError("critical", [f"{{layers}}: {words}, where the soil has no cohesion; give a least depth"])
 
 
 def _refuse_bottomless(slope: Slope, least: float, shaken: bool) -> None:
