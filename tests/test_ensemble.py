@@ -191,6 +191,39 @@ def drawn(angles: Any, radii: Any = VAIONT.arc.radius) -> Any:
 # --- linear propagation ----------------------------------------------------------------------------------------------
 
 
+WATERED = """
+[ground]
+points_m = [[0, 25], [30, 25], [50, 35], [90, 35]]
+unit_weight_kN_m3 = 20
+[circle]
+centre_m = [40, 40]
+radius_m = 12
+[friction]
+angle_deg = { distribution = "uniform", low = 5, high = 60 }
+[cohesion]
+cohesion_kPa = 1
+[pore_pressure]
+ratio = { distribution = "uniform", low = 0.0, high = 0.95 }
+"""
+
+
+def test_a_method_without_a_factor_widens_the_probability_of_failure(tmp_path: Path) -> None:
+    """Bishop's equation has no root for some samples: between none and all of them fail, (Clopper and Pearson)."""
+    path = tmp_path / "watered.toml"
+    path.write_text(WATERED, "utf-8")
+    study = ensemble(read(path), 512, 1, sensitivity=0)
+    values = {n: u.to_si(study.samples[u.key]) for n, u in study.design.inputs.items()}
+    factors = factors_of_safety(motions(study.scene, values).plan.scene)["bishop"]
+    failing, unknown = int(np.sum(factors < 1.0)), int(np.sum(np.isnan(factors)))
+    assert failing > 200
+    assert unknown > 20
+    low = stats.binomtest(failing, 512).proportion_ci().low
+    high = stats.binomtest(failing + unknown, 512).proportion_ci().high
+    probability = study.failure["bishop"]
+    assert math.isnan(probability.value)
+    assert (probability.low, probability.high) == pytest.approx((low, high), rel=1e-12)
+
+
 @pytest.mark.parametrize(("method", "keep"), [("monte-carlo", True), ("sobol", False)], ids=["kept", "streamed"])
 def test_linear_propagation_of_narrow_inputs(method: str, keep: bool) -> None:
     """As draws of NumPy scatter, and as the samples: nothing to warn of."""
@@ -434,6 +467,11 @@ def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) ->
     outcomes = "reach (m),run_out (m),peak_velocity (m/s),duration (s)"
     assert head == f'friction.angle_deg,arc.radius_m,{outcomes},"factor of safety, paper",status,reason'
     assert len(rows) == len(records(line)[0]["rows"]) == 82
+    # The paper's factor is proportional to the friction; each of three combinations counts alike.
+    factors = records("sweep vaiont --grid friction.angle_deg=8,12,20")[0]["factor_of_safety"]["paper"]
+    critical_angle = math.tan(math.radians(12)) / factors["quantile_0.5"]
+    assert factors["quantile_0.95"] == pytest.approx(math.tan(math.radians(20)) / critical_angle, rel=1e-12)
+    assert factors["below_1"] == np.mean(np.tan(np.radians([8, 12, 20])) < critical_angle)
     _, out, err = asked("sweep vaiont --grid friction.angle_deg=1e-9,10")
     assert "never rests" in out
     assert "1 of 2 scenes move without a result: it never rests" in err

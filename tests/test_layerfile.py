@@ -171,6 +171,13 @@ def test_what_motions_do_not_know_is_searched_and_not_run(write: Write, asked: A
     assert reason in error
 
 
+def test_a_shaken_motion_says_whose_loads_its_start_has(write: Write, said: Any) -> None:
+    pulse = '[shaking]\npulse = "half-sine"\namplitude_g = 0.2\nduration_s = 1\n'
+    words = "those of the motion, also for k_y"
+    assert words in said("run", write(SCENE, LOAD, pulse))
+    assert words not in said("run", write(SCENE, LOAD)) + said("run", write(SCENE, pulse))
+
+
 def test_k_h_pushes_surcharges_where_it_is_asked_to(write: Write) -> None:
     """As it pushes a thin heavy layer of the same weight, which rises above the ground by 1 mm."""
 

@@ -32,6 +32,7 @@ from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
 HELP = "a scene on a grid of values, for samples of its uncertain numbers, or under earthquake records"
 _MOST_ROWS = 60  # of a grid, on the screen
+_GRID_QUANTILES = (0.05, 0.5, 0.95)
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -211,10 +212,32 @@ def _of_grid(study: Study) -> _Tables:
         counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(study.counts) if count)
         table = f"{len(rows)} scenes; {counts}; for every one of them give --csv FILE, --npz FILE or --json"
 
-    def record() -> Any:
-        return {"scene": study.scene.name, "rows": [dict(zip(head, row, strict=True)) for row in rows]}
+    shares = _factors_of_grid(study)
 
-    return _Tables(head, rows, record, [table])
+    def record() -> Any:
+        scenes = [dict(zip(head, row, strict=True)) for row in rows]
+        return {"scene": study.scene.name, "rows": scenes, "factor_of_safety": shares}
+
+    methods = [[method, *map(shown, values.values())] for method, values in shares.items()]
+    names = ["method", "P(F < 1)", *(f"{100 * p:g} %" for p in _GRID_QUANTILES)]
+    factor_part = Part(names, methods, "factor of safety, each combination counted alike")
+    return _Tables(head, rows, record, [table, factor_part])
+
+
+def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
+    """Share of a grid's combinations with a factor below 1, and quantiles over them, by method.
+
+    Of the combinations that have such a factor.
+    """
+    shares = {}
+    for name, values in study.samples.items():
+        heading, _, method = name.partition(", ")
+        known = values[~np.isnan(values)] if heading == "factor of safety" else values[:0]
+        if known.size:
+            quantiles = np.quantile(known, _GRID_QUANTILES, method="inverted_cdf").tolist()
+            named = {f"quantile_{p}": value for p, value in zip(_GRID_QUANTILES, quantiles, strict=True)}
+            shares[method] = {"below_1": float(np.mean(known < 1.0)), **named}
+    return shares
 
 
 def _of_samples(study: Study) -> _Tables:

@@ -80,6 +80,8 @@ def motion_summary(motion: Motion) -> dict[str, str]:
     critical = stability_of(motion.plan.scene)
     if critical is not None:
         column |= _starting_factors(critical, motion.factor_of_safety, column["factor of safety"])
+        if critical.slope.surcharge and "shaking" in motion.plan.scene.called:
+            column["loads at the start"] = "those of the motion, also for k_y: surcharges are shaken with the mass"
     return column | {"estimated error": f"{motion.error_estimate:.1e}"}
 
 
