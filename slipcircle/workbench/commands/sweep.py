@@ -205,9 +205,8 @@ def _of_grid(study: Study) -> _Tables:
     *columns, statuses = (values.tolist() for values in study.samples.values())
     rows = [[*row, Status(s).name, Status(s).reason] for *row, s in zip(*columns, statuses, strict=True)]
     cells = [[*map(shown, numbers), reason or Status[name].words] for *numbers, name, reason in rows]
-    table: Part | str = Part(
-        [*keys, *(q.heading for q in OUTCOMES.values()), *factors, "status"], cells, study.scene.name
-    )
+    columns_shown = [*keys, *(q.heading for q in OUTCOMES.values()), *factors, "status"]
+    table: Part | str = Part(columns_shown, cells, study.scene.name)
     if len(rows) > _MOST_ROWS:
         counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(study.counts) if count)
         table = f"{len(rows)} scenes; {counts}; for every one of them give --csv FILE, --npz FILE or --json"
@@ -218,10 +217,14 @@ def _of_grid(study: Study) -> _Tables:
         scenes = [dict(zip(head, row, strict=True)) for row in rows]
         return {"scene": study.scene.name, "rows": scenes, "factor_of_safety": shares}
 
-    methods = [[method, *map(shown, values.values())] for method, values in shares.items()]
-    names = ["method", "P(F < 1)", *(f"{100 * p:g} %" for p in _GRID_QUANTILES)]
-    factor_part = Part(names, methods, "factor of safety, each combination counted alike")
-    return _Tables(head, rows, record, [table, factor_part])
+    return _Tables(head, rows, record, [table, _factor_part(shares)])
+
+
+def _factor_part(shares: Mapping[str, Mapping[str, float]]) -> Part:
+    """Factors of safety over the combinations of a grid as a table."""
+    head = ["method", "P(F < 1)", *(f"{100 * p:g} %" for p in _GRID_QUANTILES)]
+    rows = [[method, *map(shown, values.values())] for method, values in shares.items()]
+    return Part(head, rows, "factor of safety, each combination counted alike")
 
 
 def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
