@@ -188,13 +188,19 @@ def measured_tests(folder: Path, jobs: int) -> dict[str, Any]:
 
 
 def tests_near(fault: Fault, measured: dict[str, Any]) -> list[str]:
-    """The tests that reach a fault, the quickest first; for what imports run, then all others."""
+    """The tests that reach a fault, the quickest first; for what imports run, then all others.
+
+    What `derive` keeps in caches counts for the first test that asks for it: all tests of the package follow.
+    """
     seconds, reached = measured["seconds"], measured["reached"]
+    package = fault.path.partition("/")[0]
     near = set().union(*(reached.get(f"{fault.path}:{line}", ()) for line in fault.lines))
-    package = str(Path(fault.path).parent)
     beside = set().union(*(tests for line, tests in reached.items() if line.startswith(f"{package}/")))
-    chosen = [test for test in seconds if test in near or AT_IMPORT in near or not near]
-    return sorted(chosen, key=lambda test: (test not in near, test not in beside, seconds[test]))
+    if package == "derive":
+        chosen = beside
+    else:
+        chosen = near if near and AT_IMPORT not in near else seconds.keys()
+    return sorted(chosen - {AT_IMPORT}, key=lambda test: (test not in near, test not in beside, seconds[test]))
 
 
 def judged(folder: Path, fault: Fault, measured: dict[str, Any], good: dict[str, Any]) -> str:
