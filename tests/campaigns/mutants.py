@@ -32,6 +32,7 @@ from typing import Any, NamedTuple
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("slipcircle", "derive")
 NOT_OF_BEHAVIOUR = ("test_house", "test_book")  # style and layout, which every change of a tree can offend
+AT_IMPORT = "import"  # in the place of a test
 HANG_S = 120  # of one test; the slowest takes a fifth of it
 LIMIT_S = 900  # of all tests of one fault
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
@@ -181,16 +182,25 @@ def measured_tests(folder: Path, jobs: int) -> dict[str, Any]:
             tests = {re.split(r"[\[|]", context)[0] for context in contexts}
             fixtures = {context.partition("::")[0] for context in contexts if context.endswith("|setup")}
             tests |= {test for test in seconds if test.partition("::")[0] in fixtures}
-            reached[f"{path}:{line}"] = sorted(tests & seconds.keys())
+            at_import = {AT_IMPORT} if "" in contexts else set()
+            reached[f"{path}:{line}"] = sorted(tests & seconds.keys() | at_import)
     return {"seconds": seconds, "reached": reached}
 
 
 def tests_near(fault: Fault, measured: dict[str, Any]) -> list[str]:
-    """The tests that reach a fault, the quickest first; those of its module, or all, for what imports run."""
+    """The tests that reach a fault, the quickest first; for what imports run, then all others.
+
+    What `derive` keeps in caches counts for the first test that asks for it: all tests of the package follow.
+    """
     seconds, reached = measured["seconds"], measured["reached"]
+    package = fault.path.partition("/")[0]
     near = set().union(*(reached.get(f"{fault.path}:{line}", ()) for line in fault.lines))
-    near = near or set().union(*(tests for line, tests in reached.items() if line.startswith(f"{fault.path}:")))
-    return sorted(near or seconds, key=lambda test: seconds[test])
+    beside = set().union(*(tests for line, tests in reached.items() if line.startswith(f"{package}/")))
+    if package == "derive":
+        chosen = beside
+    else:
+        chosen = near if near and AT_IMPORT not in near else seconds.keys()
+    return sorted(chosen - {AT_IMPORT}, key=lambda test: (test not in near, test not in beside, seconds[test]))
 
 
 def judged(folder: Path, fault: Fault, measured: dict[str, Any], good: dict[str, Any]) -> str:
