@@ -6,6 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import mpmath as mp
 import numpy as np
@@ -282,6 +283,20 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert any(row.split()[:4] == ["RSN6_ELC180.AT2", "0.4", one, other] for row in out.splitlines())
     assert "corrupt.AT2: holds" in asked(f"{line} --strict")[2]
     assert asked("sweep newmark-pulse --polarities")[0] != 0
+
+
+def test_a_report_of_a_suite_is_written_again_to_the_byte(tmp_path: Path, said: Any) -> None:
+    line = "sweep newmark-pulse --synthetic 3:1.5:12 --seed 2 --polarities --scale 1,2 --report"
+    pages = [tmp_path / name for name in ("one.html", "two.html")]
+    for page in pages:
+        said(f"{line} {page}")
+    first, second = (page.read_text("utf-8").replace(page.name, "") for page in pages)
+    assert first == second
+    words = " ".join(ElementTree.fromstring(first.removeprefix("<!DOCTYPE html>")).itertext())
+    held = json.loads(said(f"{line.removesuffix('--report')} --json"))
+    median = np.median(np.abs(np.array(held["run_out"])[:, :, 0, 0]))
+    assert f"median displacements {median:.4g} m" in " ".join(words.split())
+    assert "synthetic 3" in words
 
 
 def test_a_picture_has_every_record_in_order() -> None:

@@ -436,7 +436,7 @@ def random_motions(rng: np.random.Generator, count: int) -> np.ndarray:
             continue  # upright, or without end
         if not motion.moves or motion.duration < 1.0 or len(motion.phases) > 1 or motion.run_out < 0.0:
             continue
-        expected = AlongTheArc(section, 12).motion()
+        expected = AlongTheArc(section).motion()
         errors = np.array([motion.peak.velocity, motion.run_out, motion.duration]) / expected - 1.0
         rows.append([*np.abs(errors), motion.error_estimate])
     return np.array(rows)

@@ -22,6 +22,7 @@ from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import find, load
 from slipcircle.workbench.outputs import pictures, studyplots
 from slipcircle.workbench.outputs.report import parts, study_report
+from slipcircle.workbench.outputs.suitereport import suite_report
 from slipcircle.workbench.outputs.tables import Answer, Part
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import METHODS
@@ -103,7 +104,7 @@ def run(options: argparse.Namespace) -> Answer:
         remedy = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
         raise ValueError(f"--engine {options.engine}: a worker died; {remedy}") from error
     if isinstance(study, SuiteStudy):
-        return _answer_of_records(study, options)
+        return _answer_of_records(study, options, content)
     pictures.write(options.plot, "study", study)
     if options.report:
         files.write(options.report, study_report(study, content, options.line).encode())
@@ -125,8 +126,6 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError("sweep: --records and --synthetic exclude each other; give one of them")
     if options.report and options.grid:
         raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
-    if under_records and options.report:
-        raise ValueError("sweep: --report: of samples, not of records; give --plot, --csv, --npz or --json")
     if options.search_each and options.grid:
         raise ValueError("sweep: --search-each: of samples, not of a grid")
     if under_records and options.grid:
@@ -135,7 +134,7 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError("sweep: --polarities, --scale and --scale-to-pga: are of --records; give them as well")
 
 
-def _answer_of_records(study: SuiteStudy, options: argparse.Namespace) -> Answer:
+def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_file: bytes) -> Answer:
     """The tables of a study over records; writes its files."""
     pictures.write(options.plot, "suite", study)
     if options.csv:
@@ -146,12 +145,11 @@ def _answer_of_records(study: SuiteStudy, options: argparse.Namespace) -> Answer
             np.savez(file, **cast(dict[str, Any], study.arrays()))
     magnitude = math.nan if options.magnitude is None else options.magnitude
     compared = [c._asdict() for c in study.regressions(study.own_scale, magnitude)]
-    tables = records.parts(study, magnitude)
-    return Answer(
-        lambda: study.to_dict() | {"regressions": compared},
-        tables,
-        [f"{study.scene.name}: {line}" for line in study.warnings],
-    )
+    tables = list(records.parts(study, magnitude))
+    record = study.to_dict() | {"regressions": compared}
+    if options.report:
+        files.write(options.report, suite_report(study, tables, record, scene_file, options.line).encode())
+    return Answer(lambda: record, tables, [f"{study.scene.name}: {line}" for line in study.warnings])
 
 
 def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:

@@ -53,7 +53,7 @@ PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
 # --- pages -----------------------------------------------------------------------------------------------------------
 
 
-def _page(
+def page(
     title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes | None]], command: str, script: str = ""
 ) -> str:
     """A page of parts, and how to reproduce it: command, digests of scene files, versions."""
@@ -67,7 +67,7 @@ def _page(
     return document(title, body, live.style() + live.text("report.css"), script)
 
 
-def _chapter(
+def chapter(
     plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], record: Any, unit: str, file: bytes | None
 ) -> Iterable[Raw]:
     """Note and warnings of a scene, its parts, its result as JSON, and its file."""
@@ -102,7 +102,7 @@ def _scrolling(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
     return Raw(f'<div class="scroll" tabindex="0">{table(rows, head)}</div>')
 
 
-def _figure(name: str, caption: str, drawing: bytes) -> Raw:
+def figure(name: str, caption: str, drawing: bytes) -> Raw:
     """An SVG in the page, with its name for screen readers and its caption."""
     image = base64.b64encode(drawing).decode()
     return Raw(
@@ -131,7 +131,7 @@ def _estimate(e: Estimate) -> Raw:
     return Raw(f"{_data(float(e.value), value)} {ends}".rstrip())
 
 
-def _inputs(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
+def input_parts(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
     """Inputs with units and sources, effects, friction law, equation of motion, and assumptions."""
     text = None if file is None else file.decode("utf-8-sig")
     given = [[_path(row.path), *row[1:]] for row in inputs(plan.scene, text)]
@@ -169,10 +169,10 @@ def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), comman
         parts.append(Raw(f'<section id="scene-{number}">'))
         if several:
             parts.append(tag("h2", name))
-        parts += _chapter(motion.plan, (), about, record(motion), " in SI units and radians", file)
+        parts += chapter(motion.plan, (), about, record(motion), " in SI units and radians", file)
         parts.append(Raw("</section>"))
     named_files = zip(names, files, strict=True)
-    return _page(", ".join(names), parts, named_files, command, live.script())
+    return page(", ".join(names), parts, named_files, command, live.script())
 
 
 def _overview(motions: Sequence[Motion], names: Sequence[str]) -> Raw:
@@ -193,7 +193,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
     yield tag("h3", "Pictures")
     for what, caption in track(_captions(motion).items(), "pictures drawn"):
-        yield _figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
+        yield figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
     quantities = {q.label: q for q in results(motion)}
     rows = []
     for label, text in motion_column(motion).items():
@@ -201,7 +201,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     yield Part([], rows, "Results")
     if layered := stretches_part(motion):
         yield layered._replace(title="Soils along the slip surface")
-    yield from _inputs(plan, file)
+    yield from input_parts(plan, file)
     error = motion.error_estimate
     method = [
         ["program of", ", ".join(plan.fragments)],
@@ -351,8 +351,8 @@ def study_report(study: Study, file: bytes | None = None, command: str = "") -> 
     name, way = study.scene.name or "scene", plan(study.scene, study.design.accuracy)
     if command and "--seed" not in command:
         command += f" --seed {study.seed}"
-    chapter = _chapter(way, study.warnings, _of_study(study, way, file), export.record(study), "", file)
-    return _page(f"Uncertain slide: {name}", chapter, [(name, file)], command)
+    of_study = chapter(way, study.warnings, _of_study(study, way, file), export.record(study), "", file)
+    return page(f"Uncertain slide: {name}", of_study, [(name, file)], command)
 
 
 def _of_study(study: Study, way: Plan, file: bytes | None) -> Iterable[Part | Raw]:
@@ -360,12 +360,12 @@ def _of_study(study: Study, way: Plan, file: bytes | None) -> Iterable[Part | Ra
     design = study.design
     caption = "Exceedance probability of greatest displacement and peak velocity"
     caption += "; below, sensitivity indices." if study.sensitivity else "."
-    yield _figure(f"Exceedance of {study.scene.name}", caption, pictures.picture("study", study, "svg"))
+    yield figure(f"Exceedance of {study.scene.name}", caption, pictures.picture("study", study, "svg"))
     medians = [(f"median {words(name, q.unit)}", study.quantile(name, 0.5)) for name, q in OUTCOMES.items()]
     numbers = [("probability of moving", study.moving), *medians]
     yield Raw(f'<dl class="facts">{terms((name, _estimate(estimate)) for name, estimate in numbers)}</dl>')
     yield from parts(study)
-    yield from _inputs(way, file)
+    yield from input_parts(way, file)
     uncertain = []
     for unknown in design.drawn.values():
         distribution = [f"{name} {value}" for name, value in unknown.record.items() if name != "key"]

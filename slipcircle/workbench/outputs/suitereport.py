@@ -1,0 +1,61 @@
+"""Reports on suites of records: picture and key numbers first, then the tables of the command, inputs and method."""
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.text import shown
+from slipcircle.core import plan
+from slipcircle.workbench.common.markup import Raw, terms
+from slipcircle.workbench.outputs import pictures
+from slipcircle.workbench.outputs.report import chapter, figure, input_parts, page
+from slipcircle.workbench.outputs.tables import Part
+from slipcircle.workbench.studies.suitestudy import SuiteStudy
+
+_CAPTION = (
+    "Displacement of each record in both polarities; below, displacement by scale with the band from 16 to 84 % of the "
+    "records, and the probability that it exceeds a threshold."
+)
+
+
+def suite_report(study: SuiteStudy, tables: Iterable[Part], record: Any, file: bytes, command: str) -> str:
+    """A report on a suite of records as HTML; the seed is added to the command if missing."""
+    name, way = study.scene.name or "scene", plan(study.scene, study.design.sampling.accuracy)
+    if command and "--seed" not in command:
+        command += f" --seed {study.design.sampling.seed}"
+    of_suite = chapter(way, study.warnings, _contents(study, [*tables], file), record, "", file)
+    return page(f"Shaken slope: {name}", of_suite, [(name, file)], command)
+
+
+def _contents(study: SuiteStudy, tables: Sequence[Part], file: bytes) -> Iterator[Part | Raw]:
+    """Picture, key numbers, tables, inputs and method."""
+    yield figure(f"Suite of {study.scene.name}", _CAPTION, pictures.picture("suite", study, "svg"))
+    yield Raw(f'<dl class="facts">{terms(_key_numbers(study))}</dl>')
+    yield from tables
+    yield from input_parts(plan(study.scene, study.design.sampling.accuracy), file)
+    sampling = study.design.sampling
+    method = [
+        ["records", str(len(study.suite))],
+        ["motions", str(study.displacement.size)],
+        ["samples of uncertain numbers", str(sampling.n)],
+        ["seed", str(sampling.seed)],
+        ["requested relative error of each solution", f"{sampling.accuracy:.0e}"],
+    ]
+    yield Part([], method, "Method and accuracy")
+
+
+def _key_numbers(study: SuiteStudy) -> list[tuple[str, str]]:
+    """Displacements at the records' own scale, the share of motions that move, yield coefficient and Gamma."""
+    displacement = study.displacement[:, :, study.own_scale]
+    known = displacement[np.isfinite(displacement)]
+    numbers = [("yield coefficient", shown(study.yield_coefficient))]
+    if known.size:
+        quantiles = np.quantile(known, [0.16, 0.5, 0.84])
+        for words, value in zip(("16 % of", "median", "84 % of"), quantiles, strict=True):
+            numbers.append((f"{words} displacements", f"{shown(float(value))} m"))
+        numbers.append(("that move", f"{100 * float(np.mean(known > 0.0)):.3g} %"))
+    if not math.isnan(study.block_factor):
+        numbers.append(("displacement of the arc over that of a block", shown(study.block_factor)))
+    return numbers
