@@ -214,8 +214,10 @@ def judged(folder: Path, fault: Fault, measured: dict[str, Any], good: dict[str,
         pytest = ("-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *hang, "@chosen")
         printed = run(folder, LIMIT_S, *pytest)
         took = f"{time.monotonic() - begin:.0f} s, {len(near)} tests"
-        if printed is None or not re.search(r"^\d+ (passed|skipped)", printed, re.MULTILINE):
-            red = re.search(r"^(?:FAILED|ERROR) (tests/[^\s\[]*)", printed or "", re.MULTILINE)
+        if printed is None:
+            return f"not decided within the limit ({took})"
+        if not re.search(r"^\d+ (passed|skipped)", printed, re.MULTILINE):
+            red = re.search(r"^(?:FAILED|ERROR) (tests/[^\s\[]*)", printed, re.MULTILINE)
             return f"caught by {red[1] if red else 'a hang or crash'} ({took})"
         text = run(folder, LIMIT_S, "-m", "tests.campaigns.mutants", "--answers")
         found = json.loads(text) if text else {}
