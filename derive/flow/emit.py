@@ -113,7 +113,7 @@ def of_cell(means: Expr) -> Template:
 
 # What a derivative is made of, as registers, and the operation that makes one which is not there.
 _s, _v, _x, _e, _z, _p, _l, _h = (cell(x) for x in "svxezplh")
-_POWERS = {_x**power: cell(str(result)) for power, result in reversed([*enumerate(POWERS, 2)])}
+_POWERS = {_x**power: cell(str(result)) for power, result in reversed([*enumerate(POWERS, 2)])}  # highest first
 _KNOWN = {
     cos(_x): 1 - _v,
     sin(_x): _s,

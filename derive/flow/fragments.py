@@ -162,7 +162,7 @@ def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]
 
 
 def piece(low: Lowering, table: str, argument: str, degree: int) -> Increment:
-    """The increment of a table's piece, a polynomial of a register; all powers of the highest degree by one operation."""
+    """The increment of a table's piece, a polynomial of a register; of full degree with all powers at once."""
     coefficients = [cell(f"{table}.Q{power}") for power in range(1, degree + 1)]
     if degree < DEGREE:
         return {(argument,) * power: c for power, c in enumerate(coefficients, 1)}
