@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "cf24a006339201419d033520c33a60a3c3414e5f38e28666a4eff46b59a0d24e"
+#define DIGEST "5154598b68b861dfedd712b22a15c0340081166868f5b8a277e98e88fa4c5e78"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -243,7 +243,7 @@ enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define STIFF_CHANGE 0.001
 #define CARRIED 0.001
 #define SETTLED 1.4210854715202004e-14
-enum { LIN, RAMP, MUL, SQR, TIM, TURN, EXP, REC, LOG, POW };
+enum { LIN, RAMP, MUL, SQR, POWERS, TIM, TURN, EXP, REC, LOG, POW };
 enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S_LOG, S_LOG1P, S_SQRT, S_ABS, S_MIN, S_MAX, S_LESS, S_SELECT };
 enum { READY, START_MOVING, RESOLVE, START_AGAIN, ENTER_PHASE, DISCONTINUITY, BEGIN_PHASE }; /* what a lane waits for before its next step */
 
@@ -413,6 +413,39 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
             d[n] = sum0;
         }
         return at + 3;
+    }
+    case POWERS: { /* p2 = x**2, p3 = x**3, p4 = x**4, p5 = x**5, p6 = x**6, p7 = x**7 */
+        V *restrict p2 = r + (ptrdiff_t)at[1] * stride;
+        V *restrict p3 = r + (ptrdiff_t)at[2] * stride;
+        V *restrict p4 = r + (ptrdiff_t)at[3] * stride;
+        V *restrict p5 = r + (ptrdiff_t)at[4] * stride;
+        V *restrict p6 = r + (ptrdiff_t)at[5] * stride;
+        V *restrict p7 = r + (ptrdiff_t)at[6] * stride;
+        const V *x = r + (ptrdiff_t)at[7] * stride;
+        if (n == 0) {
+            p2[0] = x[0] * x[0];
+            p3[0] = x[0] * x[0] * x[0];
+            p4[0] = x[0] * x[0] * x[0] * x[0];
+            p5[0] = x[0] * x[0] * x[0] * x[0] * x[0];
+            p6[0] = x[0] * x[0] * x[0] * x[0] * x[0] * x[0];
+            p7[0] = x[0] * x[0] * x[0] * x[0] * x[0] * x[0] * x[0];
+        } else {
+            V part0[2] = {{0}}, part1[2] = {{0}}, part2[2] = {{0}}, part3[2] = {{0}}, part4[2] = {{0}}, part5[2] = {{0}};
+            OVER(1, n + 1, part0[j] += x[k] * p2[n - k]; part1[j] += x[k] * p3[n - k]; part2[j] += x[k] * p4[n - k]; part3[j] += x[k] * p5[n - k]; part4[j] += x[k] * p6[n - k]; part5[j] += x[k] * x[n - k]);
+            V sum0 = (part0[0] + part0[1]);
+            V sum1 = (part1[0] + part1[1]);
+            V sum2 = (part2[0] + part2[1]);
+            V sum3 = (part3[0] + part3[1]);
+            V sum4 = (part4[0] + part4[1]);
+            V sum5 = (part5[0] + part5[1]);
+            p2[n] = (sum5 + x[0] * x[n]);
+            p3[n] = (sum0 + p2[n] * x[0]);
+            p4[n] = (sum1 + p3[n] * x[0]);
+            p5[n] = (sum2 + p4[n] * x[0]);
+            p6[n] = (sum3 + p5[n] * x[0]);
+            p7[n] = (sum4 + p6[n] * x[0]);
+        }
+        return at + 8;
     }
     case TIM: { /* q = t*Derivative(a, t) */
         V *restrict q = r + (ptrdiff_t)at[1] * stride;

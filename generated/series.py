@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9670af1cb804ff1eb4eb0eb7cb97cbe017299c026092bbbfc53f595efa722bcd
+# sha256 of the text below: a048a09001338808613a00201d3d2e2e4f7c3b88dd745dbc3434e1db9df0bfd0
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 # Codes of the operations on series and on cells, as the compiled integrator numbers them.
-SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8, 'pow': 9}
+SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn': 6, 'exp': 7, 'rec': 8, 'log': 9,
+    'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "cf24a006339201419d033520c33a60a3c3414e5f38e28666a4eff46b59a0d24e"  # of the compiled integrator's source
+DIGEST = "5154598b68b861dfedd712b22a15c0340081166868f5b8a277e98e88fa4c5e78"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
@@ -74,6 +75,31 @@ def _sqr(r: Floats, c: Floats, n: int, d_: int, a_: int) -> None:
         sum0 = 2.0 * _over(a, a, n, 0, (n - 1) // 2)
         sum0 += a[n // 2] ** 2 if n % 2 == 0 else 0.0
         d[n] = sum0
+
+
+def _powers(r: Floats, c: Floats, n: int, p2_: int, p3_: int, p4_: int, p5_: int, p6_: int, p7_: int, x_: int) -> None:
+    """p2 = x**2, p3 = x**3, p4 = x**4, p5 = x**5, p6 = x**6, p7 = x**7."""
+    p2, p3, p4, p5, p6, p7, x = r[p2_], r[p3_], r[p4_], r[p5_], r[p6_], r[p7_], r[x_]
+    if n == 0:
+        p2[0] = x[0] * x[0]
+        p3[0] = x[0] * x[0] * x[0]
+        p4[0] = x[0] * x[0] * x[0] * x[0]
+        p5[0] = x[0] * x[0] * x[0] * x[0] * x[0]
+        p6[0] = x[0] * x[0] * x[0] * x[0] * x[0] * x[0]
+        p7[0] = x[0] * x[0] * x[0] * x[0] * x[0] * x[0] * x[0]
+    else:
+        sum0 = _over(x, p2, n, 1, n)
+        sum1 = _over(x, p3, n, 1, n)
+        sum2 = _over(x, p4, n, 1, n)
+        sum3 = _over(x, p5, n, 1, n)
+        sum4 = _over(x, p6, n, 1, n)
+        sum5 = _over(x, x, n, 1, n)
+        p2[n] = (sum5 + x[0] * x[n])
+        p3[n] = (sum0 + p2[n] * x[0])
+        p4[n] = (sum1 + p3[n] * x[0])
+        p5[n] = (sum2 + p4[n] * x[0])
+        p6[n] = (sum3 + p5[n] * x[0])
+        p7[n] = (sum4 + p6[n] * x[0])
 
 
 def _tim(r: Floats, c: Floats, n: int, q_: int, a_: int) -> None:
@@ -155,8 +181,8 @@ def _pow(r: Floats, c: Floats, n: int, p_: int, m_: int, z_: int, power_: int) -
 
 
 
-_SERIES: dict[str, Any] = {"mul": _mul, "sqr": _sqr, "tim": _tim, "turn": _turn, "exp": _exp, "rec": _rec, "log": _log,
-    "pow": _pow}
+_SERIES: dict[str, Any] = {"mul": _mul, "sqr": _sqr, "powers": _powers, "tim": _tim, "turn": _turn, "exp": _exp,
+    "rec": _rec, "log": _log, "pow": _pow}
 _SCALARS: dict[str, Any] = {
     "add": np.add,
     "sub": np.subtract,

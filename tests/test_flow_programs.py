@@ -11,7 +11,7 @@ from flint import arb, arb_series, ctx
 
 from derive.check.proof import ProofError
 from derive.declare import effects as declared
-from derive.declare.effects import EFFECTS, LAMBDA, LAWS, MU, OMEGA, SLIP, THETA, VALUE, Effect, Law, Parameter
+from derive.declare.effects import DEGREE, EFFECTS, LAMBDA, LAWS, MU, OMEGA, SLIP, THETA, VALUE, Effect, Law, Parameter
 from derive.flow import emit, fragments, operations
 from generated import flow, layout, series
 from slipcircle.core.flow.build import build_program
@@ -69,6 +69,7 @@ def test_numpy_runs_the_table(name: str) -> None:
         exact: dict[str, tuple[Any, ...]] = {
             "mul": (a * b,), "sqr": (b * b,), "tim": (arb_series([arb(0), *b.derivative().coeffs()], prec=order + 1),),
             "turn": (b.sin(), one - b.cos()), "exp": (b.exp(), b.exp() - one), "rec": (one / (one + b), -b / (one + b)),
+            "powers": tuple(b**power for power in range(2, DEGREE + 1)),
             "log": ((one + b).log(),), "pow": ((one + b) ** arb(1.7), (one + b) ** arb(1.7) - one),
         }  # fmt: skip
         for i, wanted in enumerate(exact[name]):

@@ -10,7 +10,7 @@ from derive.declare.effects import ALL_EFFECTS, LAWS, Effect, Law
 from derive.flow import equation
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
 from derive.flow.lowering import ZERO, Fragment, Lowering, cell, series
-from derive.flow.operations import OPERATIONS, POWER, SCALARS, Operation
+from derive.flow.operations import OPERATIONS, POWER, POWERS, SCALARS, Operation
 
 _HEAD = '''"""The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
@@ -113,7 +113,16 @@ def of_cell(means: Expr) -> Template:
 
 # What a derivative is made of, as registers, and the operation that makes one which is not there.
 _s, _v, _x, _e, _z, _p, _l, _h = (cell(x) for x in "svxezplh")
-_KNOWN = {cos(_x): 1 - _v, sin(_x): _s, exp(_z): _e, (1 + _z) ** POWER: _p, log(1 + _z): _l, 1 / (1 + _z): _h}
+_POWERS = {_x**power: cell(str(result)) for power, result in reversed([*enumerate(POWERS, 2)])}  # highest first
+_KNOWN = {
+    cos(_x): 1 - _v,
+    sin(_x): _s,
+    exp(_z): _e,
+    (1 + _z) ** POWER: _p,
+    log(1 + _z): _l,
+    1 / (1 + _z): _h,
+    **_POWERS,
+}
 _HELPERS = {_l: ("log", "l", "z"), _h: ("rec", "h", "*.h_less_1", "z")}
 
 

@@ -161,9 +161,14 @@ def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]
     return variables
 
 
-def powers(table: str, argument: str, degree: int) -> Increment:
-    """The increment of a table's piece, a polynomial of a register."""
-    return {(argument,) * k: cell(f"{table}.Q{k}") for k in range(1, degree + 1)}
+def piece(low: Lowering, table: str, argument: str, degree: int) -> Increment:
+    """The increment of a table's piece, a polynomial of a register; of full degree with all powers at once."""
+    coefficients = [cell(f"{table}.Q{power}") for power in range(1, degree + 1)]
+    if degree < DEGREE:
+        return {(argument,) * power: c for power, c in enumerate(coefficients, 1)}
+    higher = [f"{argument}^{power}" for power in range(2, degree + 1)]
+    low.put("powers", *higher, argument)
+    return {(name,): c for name, c in zip((argument, *higher), coefficients, strict=True)}
 
 
 def of_effect(effect: Effect) -> Fragment:
@@ -173,7 +178,7 @@ def of_effect(effect: Effect) -> Fragment:
     low = Lowering(effect.name, moving(effect))
     for p in effect.parameters:
         if p.kind == "rotation":
-            low.register(powers(str(p.symbol), "x", DEGREE), f"d{p.symbol}")
+            low.register(piece(low, str(p.symbol), "x", DEGREE), f"d{p.symbol}")
     for x in effect.states:
         low.cells[f"{x}_less"] = -x
         low.cells[f"{x}_0"] = -cell(f"{x}_less")  # the state's cell changes along the phase
@@ -223,7 +228,7 @@ def of_law(law: Law) -> Fragment:
             _log_speed(law, low)
         of = "log(omega/omega_0)" if variable == "speed" else "x"
         words.append(f"mu = VALUE + Q1 y + Q2 y^2 + ..., y = {of}")
-        low.moving = {value: (value, powers(law.name, argument, law.degree))}
+        low.moving = {value: (value, piece(low, law.name, argument, law.degree))}
     return low.fragment(words, {"mu": value}, tables=((law.name, variable, argument, law.degree),))
 
 

@@ -31,6 +31,7 @@ from sympy import (
 
 from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import Select, expm1, log1p, unfold
+from derive.declare.effects import DEGREE
 
 n, k = symbols("n k", integer=True)
 A, B, Q, X, Z, E, H, P, S, V, L = (IndexedBase(x) for x in "abqxzehpsvl")
@@ -60,12 +61,22 @@ class Operation:
 
 D = IndexedBase("d")
 M = IndexedBase("m")
+POWERS = tuple(IndexedBase(f"p{power}") for power in range(2, DEGREE + 1))
 _t = Symbol("t", real=True)  # the variable of the series: `tim` is t d/dt
 OPERATIONS = {
     o.name: o
     for o in (
         Operation("mul", (D,), (A, B), (A * B,), (A[0] * B[0],), (_sum(A[k] * B[n - k], 0),)),
         Operation("sqr", (D,), (A,), (A**2,), (A[0] ** 2,), (_sum(A[k] * A[n - k], 0),)),
+        Operation(
+            "powers",
+            POWERS,
+            (X,),
+            tuple(X**power for power in range(2, DEGREE + 1)),
+            tuple(X[0] ** power for power in range(2, DEGREE + 1)),
+            # x^(i + 1) = x x^i; the term with x[0] apart, since coefficient n of x^i is of the same order.
+            tuple(X[0] * lower[n] + _sum(X[k] * lower[n - k]) for lower in (X, *POWERS[:-1])),
+        ),
         Operation("tim", (Q,), (A,), (_t * Derivative(A, _t),), (Integer(0),), (n * A[n],)),
         Operation(
             "turn",

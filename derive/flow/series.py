@@ -34,7 +34,7 @@ def _sums(o: Operation) -> dict[Sum, _Sum]:
         factor = "" if weight == 1 else f"{_text(weight, {})} * "
         a = str(at_k.base)
         b = str(at_rest.base)
-        sums[total] = _Sum(str(i), factor, a, b, int(first), int(n - last), a == b and not factor)
+        sums[total] = _Sum(str(i), factor, a, b, int(first), int(n - last), a == b and first == 0)
     return sums
 
 

@@ -14,7 +14,7 @@ from generated.flow import CELL_TANGENTS, SERIES_TANGENTS
 Operation = tuple[Any, ...]  # name and arguments; of series (`Linker.series_definitions`) name, results, arguments
 Operations = list[tuple[Operation, tuple[str, ...]]]  # with their results
 Term = tuple[str, str]  # of a sum: a cell times a register
-RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2}  # of operations on series that have more than one
+RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2, "powers": 6}  # of operations on series that have more than one
 ZERO, ONE, MINUS_ONE = "=0.0", "=1.0", "=-1.0"
 PRIME = "'"
 TANGENT_OF_COPY = (("d", "a"), (("set", "d'", "a'"),))
