@@ -124,12 +124,17 @@ def test_a_fragility_that_motions_do_not_identify_has_a_reason_and_no_number(sha
     assert one.reason.startswith(("all motions have one peak acceleration", "every motion exceeds it"))
 
 
-def test_two_records_give_a_curve_without_intervals() -> None:
-    """What has no peak acceleration does not count."""
-    shares = np.array([[0.0, 0.5, 1.0], [0.0, 1.0, 0.5], [0.0, 0.0, 0.0]])
-    curve = fragility_curve(shares, np.array([[0.1, 0.2, 0.3]] * 2 + [[0.0] * 3]), 0.1)
-    assert math.isfinite(curve.median.value)
-    assert np.isnan([curve.median.low, curve.dispersion.high, curve.probability(0.2)[1]]).all()
+def test_a_fragility_that_rests_on_one_record_has_no_number() -> None:
+    """All exceed between 0.1 and 0.2 g, but for one motion; what has no peak acceleration does not count."""
+    shares, pga = np.tile([0.0, 1.0, 1.0], (6, 1)), np.tile([0.1, 0.2, 0.4], (6, 1))
+    shares[2, 1] = 0.5
+    pga[2] *= 1.1
+    pga[5], shares[5] = 0.0, 0.0
+    curve = fragility_curve(shares, pga, 0.1)
+    assert "rests on one record, without which no motion exceeds it up to a peak of 0.1 g and every" in curve.reason
+    shares[3], pga[3] = shares[2], pga[2]
+    assert fragility_curve(shares, pga, 0.1).reason == ""
+    assert fragility_curve(shares[2:5], pga[2:5], 0.1).reason == "needs 4 records at least"
 
 
 def test_shares_of_the_variance_of_a_sum() -> None:
