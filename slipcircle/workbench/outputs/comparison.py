@@ -61,7 +61,11 @@ def _heights(motions: Sequence[Motion]) -> list[float]:
 
 def _same_slope(motions: Sequence[Motion]) -> bool:
     """Whether all masses are the same at the start."""
-    first, *others = (mass_of(motion.plan.scene.arc, motion.plan.scene.arc).outline() for motion in motions)
+    outlines = []
+    for motion in motions:
+        soil = motion.plan.scene.arc
+        outlines.append(mass_of(soil, soil).outline())
+    first, *others = outlines
     return all(other.shape == first.shape and np.allclose(other, first, rtol=1e-9) for other in others)
 
 
@@ -77,9 +81,14 @@ def _sections(motions: Sequence[Motion], ax: Any) -> None:
 
     soil = motions[0].plan.scene.arc
     facing = float(soil.facing)
-    mass, styles = mass_of(soil, soil), _named(motions)
+    mass = mass_of(soil, soil)
+    styles = _named(motions)
     start = mass.outline()
-    ends = {k: mass.outline(facing * float(motion.end.rotation)) for k, motion in enumerate(motions) if motion.moves}
+    ends = {}
+    for k, motion in enumerate(motions):
+        if motion.moves:
+            turn = facing * float(motion.end.rotation)
+            ends[k] = mass.outline(turn)
     view = View.around(start, *ends.values())
     margin = 0.1 * view.size
     view = scenery(ax, mass, soil, view.grown(margin, margin))
@@ -98,9 +107,12 @@ def _curves(motions: Sequence[Motion], ax: Any, column: str, words: str) -> None
     for k, motion in enumerate(motions):
         if motion.moves and k not in styles:
             colour, dashes, _ = REST
-            ax.plot(drawn(motion)["time"], drawn(motion)[column], color=colour, ls=dashes, lw=0.8)
+            columns = drawn(motion)
+            ax.plot(columns["time"], columns[column], color=colour, ls=dashes, lw=0.8)
     for k, (colour, dashes, _) in styles.items():
-        times, values = drawn(motions[k])["time"], drawn(motions[k])[column]
+        columns = drawn(motions[k])
+        times = columns["time"]
+        values = columns[column]
         ax.plot(times, values, color=colour, ls=dashes, lw=1.8)
         later = slice(len(times) // 8, None)
         name = motions[k].plan.scene.name

@@ -179,7 +179,8 @@ def _explain_zeros(ax: Any, motion: Motion, with_required: bool) -> None:
     drops = (friction[1:] == 0.0) & (friction[:-1] > 0.0)
     if np.any(drops):
         last = int(np.argmax(drops))
-        label(ax, "no effective stress", (times[last + 1], friction[last] / 2), LINES["main"]["color"])
+        beside_drop = times[last + 1], friction[last] / 2
+        label(ax, "no effective stress", beside_drop, LINES["main"]["color"])
 
 
 def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
@@ -266,17 +267,20 @@ def _energies(motion: Motion, ax: Any, along: Floats) -> str:
     factor, unit = prefixed(np.concatenate([supplied, columns["dissipation"]]), "J")
     if not motion.moves:
         return unit
+    supplied = factor * supplied
     dissipation = factor * columns["dissipation"]
     kinetic = factor * columns["kinetic_energy"]
     total = dissipation + kinetic
     ax.fill_between(along, 0.0, dissipation, **AREAS["dissipation"])
     ax.fill_between(along, dissipation, total, **AREAS["kinetic"])
-    ax.plot(along, factor * supplied, **LINES["total"])
+    ax.plot(along, supplied, **LINES["total"])
     ax.set_ylim(0.0, 1.2 * float(np.max(total)))
     words = work(motion) + (" and first kinetic energy" if at_start else "")
     later = slice(len(along) // 4, None)
-    label(ax, words, points_of(along[later], factor * supplied[later]), LINES["total"]["color"])
-    label(ax, "dissipation", points_of(along[later], dissipation[later] / 2), "0.25", inside=True)
+    on_line = points_of(along[later], supplied[later])
+    in_middle = points_of(along[later], dissipation[later] / 2)
+    label(ax, words, on_line, LINES["total"]["color"])
+    label(ax, "dissipation", in_middle, "0.25", inside=True)
     thickest = int(np.argmax(kinetic))
     middle = dissipation[thickest] + kinetic[thickest] / 2
     label(ax, "kinetic energy", (along[thickest], middle), "0.25")
@@ -319,10 +323,16 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
 
 def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
     """The run-out as the effects of a scene are added one by one, beside that of the whole scene."""
-    ax, rungs = axis(ax, (9.0, 3.5)), list(rungs)
-    lines(ax, [f"+ {r.added.replace('_', ' ')}" if r.added else "no effect" for r in rungs])
+    ax = axis(ax, (9.0, 3.5))
+    rungs = list(rungs)
+    names = []
+    for r in rungs:
+        effect = r.added.replace("_", " ")
+        names.append(f"+ {effect}" if effect else "no effect")
+    lines(ax, names)
     for place, r in enumerate(rungs):
-        ax.barh(place, r.run_out, height=0.62, **AREAS["rests" if r.arrested else "moves on"])
+        style = "rests" if r.arrested else "moves on"
+        ax.barh(place, r.run_out, height=0.62, **AREAS[style])
     ax.axvline(rungs[-1].run_out, **LINES["help"])
     ax.set_xlabel(f"run-out along the arc (m); dotted: with all effects, {number(rungs[-1].run_out)} m")
     side = ax.secondary_yaxis("right")
