@@ -7,9 +7,10 @@ import pytest
 from scipy import stats
 
 from slipcircle import Series
+from slipcircle.workbench.suites.fragility import fragility_curve
 from slipcircle.workbench.suites.intensities import intensities
 from slipcircle.workbench.suites.regressions import REGRESSIONS, Shaking, comparisons
-from slipcircle.workbench.suites.statistics import distribution, fragility, variance_shares
+from slipcircle.workbench.suites.statistics import distribution, exceedance, exceedance_shares, variance_shares
 from slipcircle.workbench.suites.synthetic import synthetic_records
 
 GRAVITY = 9.81
@@ -38,7 +39,7 @@ def test_intensities_of_coarse_straight_lines() -> None:
     assert still[:4] == (0.0, 0.0, 0.0, 0.0)
 
 
-def test_distribution_and_fragility_of_lognormal_displacements() -> None:
+def test_distribution_and_exceedance_of_lognormal_displacements() -> None:
     """Of 4,000 lognormal displacements, a quarter of which is 0 instead."""
     drawn = stats.lognorm(0.8, scale=0.2).ppf((np.arange(3000) + 0.5) / 3000)
     values = np.concatenate([np.zeros(1000), drawn]).reshape(1000, 4, 1, 1)
@@ -48,17 +49,87 @@ def test_distribution_and_fragility_of_lognormal_displacements() -> None:
     assert (found.geometric_mean, found.std_ln) == pytest.approx((0.2, 0.8), rel=2e-3)
     quantiles = stats.lognorm(0.8, scale=0.2).ppf([(0.5 - 0.25) / 0.75, (0.84 - 0.25) / 0.75])
     assert (found.p16, found.median, found.p84) == pytest.approx((0.0, *quantiles), rel=1e-2)
-    ((estimate,),) = fragility(values, np.array([0.2]))
+    ((estimate,),) = exceedance(values, np.array([0.2]))
     interval = stats.binomtest(375, 1000).proportion_ci(0.95, "exact")
     assert estimate == pytest.approx((0.375, interval.low, interval.high), rel=1e-9)
 
 
 def test_motions_without_a_result_exceed_every_threshold() -> None:
     values = np.array([0.0, 0.1, np.inf, np.nan]).reshape(4, 1, 1, 1)
-    ((estimate,),) = fragility(values, np.array([50.0]))
+    ((estimate,),) = exceedance(values, np.array([50.0]))
     assert estimate.value == pytest.approx(1 / 3)
     assert math.isinf(distribution(values, 0).mean)
     assert math.isnan(variance_shares(values, 0).records)
+
+
+def test_a_fragility_curve_has_the_greatest_likelihood_of_a_grid() -> None:
+    """Of a known fragility, with two polarities of a record that correlate: the likelihood itself, on a fine grid."""
+    rng = np.random.default_rng(3)
+    common, each = rng.normal(size=(60, 1)), rng.normal(size=(60, 2))
+    capacity = 0.3 * np.exp(0.4 * (math.sqrt(0.6) * common + math.sqrt(0.4) * each))
+    pga = 0.3 * np.exp(0.2 * rng.normal(size=(60, 1))) * np.linspace(0.5, 2.0, 5)
+    displacement = np.where(pga[:, None] > capacity[:, :, None], 0.2, 0.0)[..., None]
+    share = exceedance_shares(displacement, 0.1)
+    curve = fragility_curve(share, pga, 0.1)
+    medians, dispersions = np.linspace(0.25, 0.35, 51), np.linspace(0.3, 0.5, 51)
+    argument = np.log(pga[:, :, None, None] / medians[:, None]) / dispersions
+    above, below = stats.norm.logcdf(argument), stats.norm.logcdf(-argument)
+    likelihood = np.einsum("rs,rsmd->md", share, above) + np.einsum("rs,rsmd->md", 1.0 - share, below)
+    m, d = np.unravel_index(np.argmax(likelihood), likelihood.shape)
+    assert (curve.median.value, curve.dispersion.value) == pytest.approx((medians[m], dispersions[d]), abs=2.1e-3)
+    assert curve.median.low < 0.3 < curve.median.high
+    assert curve.dispersion.low < 0.4 < curve.dispersion.high
+
+
+def test_a_fragility_curve_of_two_levels_by_hand_and_by_leaving_out_each_record() -> None:
+    """Two shares lie on the curve: z = (ln PGA - ln median)/dispersion at both. Standard errors by the jackknife."""
+    rng = np.random.default_rng(5)
+    drawn = np.sort(rng.choice([0.0, 0.5, 1.0], (60, 2), p=[0.4, 0.2, 0.4]), axis=1)
+    levels = np.array([0.2, 0.4])
+
+    def logarithms(share: np.ndarray) -> np.ndarray:
+        low, high = stats.norm.ppf(share.mean(axis=0))
+        dispersion = math.log(2.0) / (high - low)
+        return np.array([math.log(0.2) - low * dispersion, math.log(dispersion)])
+
+    curve = fragility_curve(drawn, np.broadcast_to(levels, drawn.shape), 1.0)
+    values = np.log([curve.median.value, curve.dispersion.value])
+    assert values == pytest.approx(logarithms(drawn), abs=1e-7)
+    assert curve.probability(levels)[0] == pytest.approx(drawn.mean(axis=0), abs=1e-7)
+    without = np.array([logarithms(np.delete(drawn, r, axis=0)) for r in range(60)])
+    errors = np.sqrt(59.0 * without.var(axis=0))
+    widths = np.log([curve.median.high / curve.median.low, curve.dispersion.high / curve.dispersion.low])
+    assert widths == pytest.approx(2.0 * stats.t(58).ppf(0.975) * errors, rel=0.03)
+    low, high = curve.probability(levels)[1:]
+    assert np.all((low < drawn.mean(axis=0)) & (drawn.mean(axis=0) < high))
+
+
+@pytest.mark.parametrize(
+    ("share", "reason"),
+    [
+        ([0.0, 0.0, 0.0], "no motion exceeds it"),
+        ([1.0, 1.0, 1.0], "every motion exceeds it"),
+        ([0.0, 0.0, 1.0], "up to a peak of 0.2 g and every one does from 0.4 g"),
+        ([0.0, 0.5, 1.0], "below a peak of 0.2 g and every one above"),
+        ([0.7, 0.5, 0.4], "not exceeded more often at larger peak accelerations"),
+    ],
+)
+def test_a_fragility_that_motions_do_not_identify_has_a_reason_and_no_number(share: list[float], reason: str) -> None:
+    shares = np.tile(share, (4, 1))
+    curve = fragility_curve(shares, np.broadcast_to([0.1, 0.2, 0.4], shares.shape), 0.1)
+    assert reason in curve.reason
+    numbers = [*curve.median, *curve.dispersion, *curve.probability(0.2)]
+    assert np.all(np.isnan(numbers))
+    one = fragility_curve(shares + 0.1 * (1.0 - shares), np.full(shares.shape, 0.3), 0.1)
+    assert one.reason.startswith(("all motions have one peak acceleration", "every motion exceeds it"))
+
+
+def test_two_records_give_a_curve_without_intervals() -> None:
+    """What has no peak acceleration does not count."""
+    shares = np.array([[0.0, 0.5, 1.0], [0.0, 1.0, 0.5], [0.0, 0.0, 0.0]])
+    curve = fragility_curve(shares, np.array([[0.1, 0.2, 0.3]] * 2 + [[0.0] * 3]), 0.1)
+    assert math.isfinite(curve.median.value)
+    assert np.isnan([curve.median.low, curve.dispersion.high, curve.probability(0.2)[1]]).all()
 
 
 def test_shares_of_the_variance_of_a_sum() -> None:

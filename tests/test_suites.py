@@ -16,7 +16,8 @@ from matplotlib import pyplot
 from slipcircle import Arc, Scene, Series, ensemble, solve
 from slipcircle.core import Status
 from slipcircle.workbench.records.suite import Suite, place_of, read_suite
-from slipcircle.workbench.studies.suitestudy import LANE_RESULTS, SuiteStudy
+from slipcircle.workbench.studies.suitedesign import LANE_RESULTS
+from slipcircle.workbench.studies.suitestudy import SuiteStudy
 from tests.support.blocks import exactly, quake
 
 GRAVITY = 9.81
@@ -269,6 +270,7 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     """The same numbers in its table, CSV and JSON; a warning for each file that is no record, unless strict."""
     (folder / "corrupt.AT2").write_text(BAD["corrupt.AT2"][0], "utf-8")
     line = f"sweep newmark-pulse --records {folder} --polarities --scale-to-pga 0.2,0.4 --units g --step 0.01"
+    line += f" --thresholds 0.02,0.5 --fragility {folder / 'fragility.csv'}"
     status, out, err = asked(f"{line} --csv {folder / 'all.csv'}")
     assert status == 0
     assert err.count("corrupt.AT2: holds ") == 1
@@ -281,6 +283,16 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert float(first["run_out"]) == held["run_out"][0][0][0][0]
     one, other = (f"{abs(held['run_out'][0][p][1][0]):.4g}" for p in (0, 1))
     assert any(row.split()[:4] == ["RSN6_ELC180.AT2", "0.4", one, other] for row in out.splitlines())
+    points = (folder / "fragility.csv").read_text().splitlines()
+    assert len(points) == 1 + 2 * 2
+    point = dict(zip(points[0].split(","), map(float, points[2].split(",")), strict=True))
+    assert point["share"] == np.mean(np.abs(np.array(held["run_out"])[:, :, 1]) > 0.02)
+    low, high = held["fragility"]
+    assert low["reason"].endswith("give scales next to it") or low["median_pga_g"]["value"] > 0.0
+    assert (high["threshold_m"], high["reason"]) == (0.5, "no motion exceeds it; give larger scales")
+    assert {*high["median_pga_g"].values(), *high["dispersion"].values()} == {None}
+    assert "D > 0.5 m" in out
+    assert "no motion exceeds it; give larger scales" in out
     assert "corrupt.AT2: holds" in asked(f"{line} --strict")[2]
     assert asked("sweep newmark-pulse --polarities")[0] != 0
 
@@ -303,7 +315,7 @@ def test_a_picture_has_every_record_in_order() -> None:
     records = {name: quake(seed) for name, seed in (("a", 1), ("b", 2), ("c", 3))}
     study = ensemble(FROZEN, records=records, polarities=True, scale_to_pga=[0.2, 0.4])
     figure = study.plot().figure
-    displacements, incremental, exceedance = figure.axes
+    displacements, incremental, fragility, velocity, displacement = figure.axes
     names = [text.get_text() for text in displacements.get_yticklabels()]
     table = study.by_record(study.own_scale)
     mean = dict(zip(table["record"], table["mean_m"], strict=True))
@@ -313,5 +325,12 @@ def test_a_picture_has_every_record_in_order() -> None:
     median = incremental.lines[-1].get_ydata()
     assert median == pytest.approx(np.quantile(study.displacement, 0.5, axis=(0, 1, 3), method="inverted_cdf"))
     above = np.mean(study.displacement > 0.05, axis=(0, 1, 3))
-    assert exceedance.lines[1].get_ydata() == pytest.approx(above)
+    assert fragility.containers[1].lines[0].get_ydata() == pytest.approx(above)
+    assert fragility.containers[1].lines[0].get_xdata() == pytest.approx([0.2, 0.4])
+    scale = study.own_scale
+    (middle,) = (k for k, entry in enumerate(study.suite) if entry.name == names[1])
+    for panel, name in ((velocity, "peak_velocity"), (displacement, "run_out")):
+        assert panel.get_title() == f"{names[1]}, median at a peak of 0.4 g"
+        ends = [np.max(np.abs(line.get_ydata())) for line in panel.lines[:2]]
+        assert ends == pytest.approx(np.abs(study.values[name][middle, :, scale, 0]), rel=1e-6)
     pyplot.close(figure)

@@ -12,7 +12,7 @@ import numpy as np
 
 from slipcircle.base.text import shown
 from slipcircle.core import Scene, Status
-from slipcircle.workbench.commands import records
+from slipcircle.workbench.commands import suite
 from slipcircle.workbench.commands import values as read
 from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
 from slipcircle.workbench.common import files
@@ -84,7 +84,7 @@ def options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
     picture = "exceedance curves and sensitivity indices, a grid of one or two numbers, or displacements by record"
     arrays = "all results as NumPy arrays, the samples where kept"
-    records.options(parser)
+    suite.options(parser)
     add_files(parser, picture, report=REPORT, csv="one table of all results", npz=arrays)
     add_scene(parser)
 
@@ -130,8 +130,12 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError("sweep: --search-each: of samples, not of a grid")
     if under_records and options.grid:
         raise ValueError("sweep: --records and --grid exclude each other; give uncertain numbers and --samples")
-    if not under_records and (options.scale is not None or options.scale_to_pga is not None or options.polarities):
-        raise ValueError("sweep: --polarities, --scale and --scale-to-pga: are of --records; give them as well")
+    of_records = ("polarities", "scale", "scale_to_pga", "thresholds", "fragility")
+    absent = (None, False)
+    given = [name for name in of_records if not any(getattr(options, name) is value for value in absent)]
+    if given and not under_records:
+        names = ", ".join(f"--{name.replace('_', '-')}" for name in given)
+        raise ValueError(f"sweep: {names}: of records; give --records FOLDER as well")
 
 
 def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_file: bytes) -> Answer:
@@ -143,9 +147,12 @@ def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_fil
     if options.npz:
         with files.replacing(options.npz) as file:
             np.savez(file, **cast(dict[str, Any], study.arrays()))
+    if options.fragility:
+        exceedance = study.fragility_columns()
+        files.write(options.fragility, files.table(exceedance, zip(*exceedance.values(), strict=True)))
     magnitude = math.nan if options.magnitude is None else options.magnitude
     compared = [c._asdict() for c in study.regressions(study.own_scale, magnitude)]
-    tables = list(records.parts(study, magnitude))
+    tables = list(suite.parts(study, magnitude))
     record = study.to_dict() | {"regressions": compared}
     if options.report:
         files.write(options.report, suite_report(study, tables, record, scene_file, options.line).encode())
@@ -181,7 +188,7 @@ def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespac
             "correlation": {tuple(keys.split(",")): r for keys, r in pairs.items()},
         }
         if options.records or options.synthetic:
-            return records.study(scene, options, **settings)
+            return suite.study(scene, options, **settings)
         study: Study = ensemble(scene, options.samples, **settings)
         return study
 

@@ -1,4 +1,4 @@
-"""Pictures of a suite of records: displacements by record, against the scale, and their exceedance probabilities."""
+"""Pictures of a suite of records: displacements by record and scale, fragility, histories of the median record."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -10,19 +10,23 @@ from slipcircle.workbench.outputs.plotstyle import (
     SERIES,
     WIDTH,
     axis,
+    empty,
     label,
     legend,
     letter,
     note,
     points_of,
 )
-from slipcircle.workbench.suites.statistics import THRESHOLDS, distribution, fragility
+from slipcircle.workbench.outputs.trace import drawn
+from slipcircle.workbench.suites.statistics import distribution, exceedance
 
 if TYPE_CHECKING:
     from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
 _NAMED = 60  # records up to which each has its name
 _LEAST = 1e-3  # of the greatest displacement, which a logarithmic axis begins with
+_POLARITIES = ("as recorded", "reversed")
+_PANEL = 3.4  # inches, how high a row of curves is
 
 
 def displacements(study: "SuiteStudy", ax: Any = None) -> Any:
@@ -33,7 +37,7 @@ def displacements(study: "SuiteStudy", ax: Any = None) -> Any:
     ranks = np.arange(order.size)
     in_order = values[order]
     ax.hlines(ranks, in_order.min(axis=1), in_order.max(axis=1), color="0.7", lw=1.0, zorder=1)
-    for name, column, (colour, _, marker) in zip(("as recorded", "reversed"), in_order.T, SERIES, strict=False):
+    for name, column, (colour, _, marker) in zip(_POLARITIES, in_order.T, SERIES, strict=False):
         ax.plot(column, ranks, marker, color=colour, ms=4, label=name)
     ax.set(xlabel=f"displacement at {study.scale_text(scale)} (m)", ylim=(-0.6, order.size - 0.4))
     if order.size <= _NAMED:
@@ -50,52 +54,98 @@ def incremental(study: "SuiteStudy", ax: Any = None) -> Any:
     """Displacement against the scale: each record (mean of polarities), the median of all, and 16 to 84 %."""
     ax = axis(ax)
     values = np.median(study.displacement, axis=-1).mean(axis=1)
-    found = [distribution(study.displacement, k) for k in range(study.scales.size)]
-    low = [level.p16 for level in found]
-    middle = [level.median for level in found]
-    high = [level.p84 for level in found]
+    levels = [distribution(study.displacement, k) for k in range(study.scales.size)]
+    low, middle, high = np.array([(level.p16, level.median, level.p84) for level in levels]).T
+    greatest = float(np.max(values, initial=_LEAST, where=np.isfinite(values)))
+    least = _LEAST * greatest
     ax.plot(study.scales, values.T, color="0.75", lw=0.6, zorder=1)
     ax.fill_between(study.scales, low, high, **AREAS["band"], alpha=0.6)
     ax.plot(study.scales, middle, **LINES["main"])
-    label(ax, "median", points_of(study.scales, middle), LINES["main"]["color"])
-    ax.set(xlabel=_scale_words(study), ylabel="displacement (m)", yscale="log")
-    greatest = float(np.max(values, initial=_LEAST, where=np.isfinite(values)))
-    ax.set_ylim(_LEAST * greatest, 1.5 * greatest)
+    in_view = middle > least
+    label(ax, "median", points_of(study.scales[in_view], middle[in_view]), LINES["main"]["color"])
+    words = "peak acceleration of each record (g)" if study.design.to_pga else "factor on the records (–)"
+    ax.set(xlabel=words, ylabel="displacement (m)", yscale="log", ylim=(least, 1.5 * greatest))
     note(ax, ["grey: records; band: 16 to 84 %"])
     return ax
 
 
-def exceedance(study: "SuiteStudy", ax: Any = None) -> Any:
-    """Probabilities that the displacement exceeds thresholds, against the scale, with their 95 % intervals."""
+def fragility(study: "SuiteStudy", ax: Any = None) -> Any:
+    """Probabilities that the displacement exceeds thresholds, with lognormal curves and their intervals of 95 %.
+
+    Points are the shares at each scale, at the median peak acceleration of the records; they have intervals where some
+    motions exceed the threshold and some do not.
+    """
     ax = axis(ax)
-    estimates = np.array(fragility(study.displacement, THRESHOLDS))
-    for k, threshold in enumerate(THRESHOLDS.tolist()):
-        colour, dashes, marker = SERIES[k]
+    levels = np.median(study.pga, axis=0)
+    pga = np.linspace(0.0, 1.05 * levels.max(), 201)[1:]
+    estimates = np.array(exceedance(study.displacement, study.design.thresholds))
+    for k, curve in enumerate(study.fragility()):
+        colour, dashes, marker = SERIES[k % len(SERIES)]
         value, low, high = estimates[:, k].T
-        ax.fill_between(study.scales, low, high, color=colour, alpha=0.12, lw=0)
-        ax.plot(study.scales, value, color=colour, ls=dashes, marker=marker, ms=4)
-        label(ax, f"D > {threshold:g} m", points_of(study.scales, value), colour)
-    ax.set(xlabel=_scale_words(study), ylabel="exceedance probability (–)", ylim=(-0.02, 1.02))
+        errors = np.where((value > 0.0) & (value < 1.0), [value - low, high - value], 0.0)
+        ax.errorbar(levels, value, errors, color=colour, ls="", marker=marker, ms=4, elinewidth=0.7, alpha=0.8)
+        probability, lower, upper = curve.probability(pga)
+        ax.fill_between(pga, lower, upper, color=colour, alpha=0.15, lw=0)
+        ax.plot(pga, probability, color=colour, ls=dashes)
+        steep = (probability > 0.3) & (probability < 0.9)
+        anchors = points_of(levels, value) if curve.reason else points_of(pga[steep], probability[steep])
+        label(ax, f"D > {curve.threshold:g} m", anchors, colour)
+    ax.set(xlabel="peak acceleration (g)", ylabel="exceedance probability (–)", xlim=(0.0, pga[-1]), ylim=(-0.02, 1.02))
     ax.grid(alpha=0.3)
     return ax
 
 
-def _scale_words(study: "SuiteStudy") -> str:
-    return "peak acceleration of each record (g)" if study.design.to_pga else "factor on the records (–)"
+def _history(study: "SuiteStudy", what: str, ax: Any = None) -> Any:
+    """A quantity over time under the record of median displacement, at the scale next to the records' own."""
+    ax, scale = axis(ax), study.own_scale
+    record = study.median_record(scale)
+    name, unit = {"velocity": ("velocity", "m/s"), "displacement": ("displacement", "m")}[what]
+    ax.set_title(f"{study.suite.entries[record].name}, median at {study.scale_text(scale)}", fontsize="medium")
+    ax.set(xlabel="time (s)", ylabel=f"{name} ({unit})")
+    motions = study.motions_of(record, scale)
+    end = max(float(motion.duration) for motion in motions)
+    if not any(motion.moves for motion in motions):
+        return empty("does not move", ax, "x", "y")
+    for words, motion, (colour, dashes, _) in zip(_POLARITIES, motions, SERIES, strict=False):
+        columns = drawn(motion)
+        times, values = np.append(columns["time"], end), np.append(columns[what], columns[what][-1])
+        ax.plot(times, values, color=colour, ls=dashes, lw=1.2)
+        high = np.abs(values) > 0.6 * np.max(np.abs(values), initial=0.0)
+        label(ax, words, points_of(times[high], values[high]), colour)
+    ax.grid(alpha=0.3)
+    return ax
 
 
-PANELS = {"displacements": displacements, "incremental": incremental, "exceedance": exceedance}
+def velocity(study: "SuiteStudy", ax: Any = None) -> Any:
+    """Velocity along the arc over time under the record of median displacement, in each polarity."""
+    return _history(study, "velocity", ax)
+
+
+def displacement(study: "SuiteStudy", ax: Any = None) -> Any:
+    """Displacement along the arc over time under the record of median displacement, in each polarity."""
+    return _history(study, "displacement", ax)
+
+
+PANELS = {
+    "displacements": displacements,
+    "incremental": incremental,
+    "fragility": fragility,
+    "velocity": velocity,
+    "displacement": displacement,
+}
 
 
 def overview(study: "SuiteStudy", figure: Any) -> Any:
-    """Displacements by record, and where there are several scales, curves against them."""
-    rows = 1 + (study.scales.size > 1)
-    grid = figure.add_gridspec(rows, 2, height_ratios=_heights(study))
+    """Displacements by record, curves against the scale and the peak acceleration, histories of the median record."""
+    heights = _heights(study)
+    grid = figure.add_gridspec(len(heights), 2, height_ratios=heights)
     displacements(study, figure.add_subplot(grid[0, :]))
-    if rows > 1:
+    if study.scales.size > 1:
         incremental(study, figure.add_subplot(grid[1, 0]))
-        exceedance(study, figure.add_subplot(grid[1, 1]))
-        letter(figure.axes)
+        fragility(study, figure.add_subplot(grid[1, 1]))
+    velocity(study, figure.add_subplot(grid[-1, 0]))
+    displacement(study, figure.add_subplot(grid[-1, 1]))
+    letter(figure.axes)
     name = study.scene.name
     figure.suptitle(f"{name[:1].upper()}{name[1:]}: {len(study.suite)} records", parse_math=False, fontweight="bold")
     return figure
@@ -108,4 +158,5 @@ def size(study: "SuiteStudy") -> tuple[float, float]:
 
 def _heights(study: "SuiteStudy") -> list[float]:
     records = 1.2 + 0.15 * min(len(study.suite), _NAMED)
-    return [records, 3.4] if study.scales.size > 1 else [records]
+    curves = [_PANEL] if study.scales.size > 1 else []
+    return [records, *curves, 0.8 * _PANEL]

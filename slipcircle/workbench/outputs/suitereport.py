@@ -15,8 +15,10 @@ from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
 _CAPTION = (
-    "Displacement of each record in both polarities; below, displacement by scale with the band from 16 to 84 % of the "
-    "records, and the probability that it exceeds a threshold."
+    "Displacement of each record in its polarities; at several scales displacement by scale with the band from 16 to "
+    "84 % of the records, and the probability that it exceeds a threshold: points are shares of the motions, curves "
+    "lognormal fragilities, both with intervals of 95 %; last, velocity and displacement over time under the record "
+    "whose displacement is the median."
 )
 
 

@@ -25,7 +25,8 @@ from slipcircle.workbench.studies.engines import Blocks, Folder, as_executor, en
 from slipcircle.workbench.studies.sampling import MOST_LATIN
 from slipcircle.workbench.studies.searched import search_mistakes
 from slipcircle.workbench.studies.study import Study
-from slipcircle.workbench.studies.suitestudy import OfRecords, SuiteDesign, SuiteStudy, suite_design
+from slipcircle.workbench.studies.suitedesign import OfRecords, SuiteDesign, suite_design
+from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
 T = TypeVar("T")
 _KEEP = 2**20  # samples up to which they are kept by default

@@ -1,170 +1,28 @@
-"""Studies over records: a scene shaken by each record of a suite, in both polarities, at several scales.
-
-A block is one record with the lanes of a block of samples, which are the same for every record: so the variance can be
-split into that of records and that of the soil. It reads the record itself and returns a few numbers a lane; the memory
-of a study does not grow with the records' samples.
-"""
+"""Results of studies over records: a scene shaken by each record of a suite, in both polarities, at several scales."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterable
+from dataclasses import replace
 from functools import cached_property
-from typing import Any, TypedDict
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.series import Pulse, Series
+from slipcircle.base.series import Pulse
 from slipcircle.base.text import shown
-from slipcircle.core import STRONGEST, Pictured, Scene, Status, solve
+from slipcircle.core import Motion, Pictured, Scene, Status, solve
 from slipcircle.workbench.common.forms import library
-from slipcircle.workbench.common.quantities import OUTCOMES, plain
-from slipcircle.workbench.files.numbers import Number
-from slipcircle.workbench.records.suite import Entry, Suite
-from slipcircle.workbench.studies.design import NO_RESULT, Design, Result
+from slipcircle.workbench.common.quantities import plain
+from slipcircle.workbench.studies.design import NO_RESULT, Result
 from slipcircle.workbench.studies.motions import motions
+from slipcircle.workbench.studies.suitedesign import LANE_RESULTS, SuiteDesign
+from slipcircle.workbench.suites.fragility import FragilityCurve, fragility_curve
 from slipcircle.workbench.suites.regressions import Comparison, Shaking, comparisons
-from slipcircle.workbench.suites.statistics import distribution
+from slipcircle.workbench.suites.statistics import distribution, exceedance, exceedance_shares
 
 Floats = NDArray[np.float64]
 DIMENSIONS = ("record", "polarity", "scale", "sample")
-# Of each lane, with its unit: signed, NaN without a result, 0 of what does not move.
-LANE_RESULTS: Mapping[str, str] = {name: q.unit for name, q in OUTCOMES.items()} | {"rotation": "rad", "slips": ""}
-
-
-@dataclass(frozen=True)
-class SuiteDesign:
-    """What is computed, as plain data."""
-
-    sampling: Design  # of the scene without shaking, whose samples every record sees
-    shaking: Mapping[str, Any]  # what the scene says of its shaking beside the record
-    suite: Suite
-    polarities: tuple[float, ...]  # 1 as recorded, -1 reversed
-    scales: Floats  # factors, or peak accelerations over gravity
-    to_pga: bool  # whether scales are peak accelerations
-    replaces: tuple[str, ...]  # the scene's functions of time, in place of which the records come
-
-    @property
-    def blocks(self) -> int:
-        """How many blocks there are: of each record those of its samples."""
-        return len(self.suite) * self.sampling.sample_blocks
-
-    def scenes(self, index: int) -> int:
-        """How many scenes a block solves."""
-        samples = self.sampling.scenes(index % self.sampling.sample_blocks)
-        return len(self.polarities) * self.scales.size * samples
-
-    def factors(self, entry: Entry) -> Floats:
-        """What a record is multiplied by at each scale."""
-        return self.scales / entry.peak if self.to_pga else self.scales
-
-    def shaken(self, record: Series) -> Scene:
-        """The scene that a record shakes."""
-        scene = self.sampling.scene
-        assert isinstance(scene.effects, dict)
-        return replace(scene, effects=scene.effects | {"shaking": {**self.shaking, "horizontal": record}})
-
-    def task(self, index: int) -> tuple[Callable[[int], Result], int]:
-        """What computes a block: the design of its record alone."""
-        record, block = divmod(index, self.sampling.sample_blocks)
-        return replace(self, suite=Suite(self.suite.entries[record : record + 1])).run_block, block
-
-    def run_block(self, block: int) -> Result:
-        """Compute a block of the samples of the first record.
-
-        Returns
-        -------
-        dict of ndarray
-            `LANE_RESULTS` and ``status``, (polarities, scales, samples), and the samples' inputs.
-        """
-        entry, inputs = self.suite.entries[0], self.sampling.inputs
-        values = self.sampling.values(block)
-        factors = np.multiply.outer(self.polarities, self.factors(entry))[..., None]
-        shape = (*factors.shape[:2], self.sampling.scenes(block))
-        lanes = {"shaking.scale": np.broadcast_to(factors, shape).ravel()}
-        for (name, number), value in zip(inputs.items(), values, strict=True):
-            lanes[name] = np.broadcast_to(number.to_si(value), shape).ravel()
-        motion = motions(self.shaken(entry.record()), lanes, self.sampling.accuracy)
-        solved = {**motion.outcomes, "rotation": motion.end.rotation, "slips": motion.slips, "status": motion.status}
-        result = {name: np.reshape(lane_values, shape) for name, lane_values in solved.items()}
-        return result | {f"sample.{n.key}": v for n, v in zip(inputs.values(), values, strict=True)}
-
-
-class OfRecords(TypedDict, total=False):
-    """How records shake a scene.
-
-    Attributes
-    ----------
-    polarities : bool
-        Whether each record also shakes the scene reversed.
-    scales, scale_to_pga : float or array_like
-        Factors on the records; or peak accelerations over gravity to which each is scaled.
-    strict : bool
-        Whether a file that is no record is an error; otherwise it is a warning of the study.
-    """
-
-    polarities: bool
-    scales: Any
-    scale_to_pga: Any
-    strict: bool
-
-
-def suite_design(sampling: Design, records: Any, shaken: OfRecords) -> SuiteDesign:
-    """The design of a study over records.
-
-    Raises
-    ------
-    ValueError
-        Lists what is wrong with the scene, the scales and the records.
-    """
-    scene = sampling.scene
-    scales, to_pga = _scales(shaken)
-    gravity = float(np.ravel(scene.arc.gravity)[0])
-    suite = Suite.of(records, strict=shaken.get("strict", False), gravity=gravity)
-    assert isinstance(scene.effects, dict)
-    shaking = scene.effects.get("shaking", {})
-    still = {effect: given for effect, given in scene.effects.items() if effect != "shaking"}
-    sampling = replace(sampling, scene=replace(scene, effects=still, uncertain={}))
-    two_way = {key: given for key, given in shaking.items() if key == "two_way"}
-    replaces = tuple(name for name in ("horizontal", "vertical") if name in shaking)
-    polarities = (1.0, -1.0) if shaken.get("polarities") else (1.0,)
-    design = SuiteDesign(sampling, two_way, suite, polarities, scales, to_pga, replaces)
-    if mistakes := [*_input_mistakes(sampling.inputs), *_record_mistakes(design)]:
-        raise ValueError("\n".join(f"ensemble: {mistake}" for mistake in mistakes))
-    return design
-
-
-def _scales(shaken: OfRecords) -> tuple[Floats, bool]:
-    """The scales, and whether they are peak accelerations."""
-    given = {name: shaken.get(name) for name in ("scales", "scale_to_pga") if shaken.get(name) is not None}
-    if len(given) > 1:
-        raise ValueError("ensemble: scales and scale_to_pga exclude each other; leave one out")
-    name, values = next(iter(given.items()), ("scales", 1.0))
-    scales = np.atleast_1d(np.asarray(values, dtype=np.float64))
-    if scales.ndim != 1 or not scales.size or not np.all((scales > 0.0) & (scales < np.inf)):
-        raise ValueError(f"ensemble: {name} = {scales.tolist()!r}: must be one or more positive numbers")
-    return scales, name == "scale_to_pga"
-
-
-def _input_mistakes(inputs: Mapping[str, Number]) -> Iterator[str]:
-    """Numbers that cannot be uncertain where there are records."""
-    for name, number in inputs.items():
-        if name.startswith("shaking."):
-            yield f"{number.key}: belongs to the scene's shaking, which the records replace; leave it out"
-        elif name == "gravity":
-            yield f"{number.key}: must be one number with records, which are read over gravity"
-
-
-def _record_mistakes(design: SuiteDesign) -> Iterator[str]:
-    """Records that cannot be scaled as they are to be."""
-    for entry in design.suite:
-        if design.to_pga and entry.peak == 0.0:
-            yield f"{entry.name}: is zero at all times, so that it has no peak to scale"
-        elif (peak := float(np.max(design.factors(entry))) * entry.peak) > STRONGEST:
-            yield (
-                f"{entry.name}: would reach {peak:.4g} g, and no ground has shaken with more than {STRONGEST:g} g; "
-                "give smaller scales"
-            )
 
 
 class SuiteStudy(Pictured):
@@ -245,11 +103,48 @@ class SuiteStudy(Pictured):
         """
         if math.isnan(self.block_factor):
             return []
-        by_record = np.median(self.displacement[:, :, scale], axis=-1).mean(axis=1)
+        by_record = self._by_record(scale)
         factors = self.factors[:, scale]
         pgv, arias = np.array([(e.intensities.pgv, e.intensities.arias) for e in self.suite]).T
         shaking = Shaking(self.yield_coefficient, self.pga[:, scale], factors * pgv, factors**2 * arias, magnitude)
         return comparisons(by_record / self.block_factor, shaking)
+
+    def _by_record(self, scale: int) -> Floats:
+        """Displacement of each record at a scale, m: mean of polarities, median of samples."""
+        return np.asarray(np.median(self.displacement[:, :, scale], axis=-1).mean(axis=1))
+
+    def fragility(self) -> list[FragilityCurve]:
+        """Lognormal fragility curves of the thresholds over the peak acceleration, by `fragility_curve`."""
+        thresholds = self.design.thresholds.tolist()
+        displacement, pga = self.displacement, self.pga
+        return [fragility_curve(exceedance_shares(displacement, t), pga, t) for t in thresholds]
+
+    def fragility_columns(self) -> dict[str, list[float]]:
+        """Exceedance at every threshold and scale, in columns: of the motions, and of the fragility curve.
+
+        Each with its interval of 95 %, the curve at the median peak acceleration of the scale.
+        """
+        levels = np.median(self.pga, axis=0)
+        shares = np.array(exceedance(self.displacement, self.design.thresholds))
+        columns: dict[str, list[Any]] = {"threshold_m": [], "scale": [], "median_pga_g": []}
+        columns |= {name: [] for name in ("share", "share_low", "share_high", "curve", "curve_low", "curve_high")}
+        for curve, of_threshold in zip(self.fragility(), np.swapaxes(shares, 0, 1), strict=True):
+            fitted = curve.probability(levels)
+            rows = [np.full(levels.size, curve.threshold), self.scales, levels, *of_threshold.T, *fitted]
+            for name, values in zip(columns, rows, strict=True):
+                columns[name] += values.tolist()
+        return columns
+
+    def median_record(self, scale: int) -> int:
+        """The place of the record with the median displacement at a scale, the lower one of two."""
+        order = np.argsort(self._by_record(scale), kind="stable")
+        return int(order[(order.size - 1) // 2])
+
+    def motions_of(self, record: int, scale: int) -> list[Motion]:
+        """The motions under a record at a scale, by their places, one a polarity, at medians of uncertain numbers."""
+        entry = self.suite.entries[record]
+        factors = self.factors[record, scale] * self.polarities
+        return [solve(self.design.shaken(entry.record().scaled(f)), self.design.sampling.accuracy) for f in factors]
 
     @property
     def own_scale(self) -> int:
@@ -365,6 +260,9 @@ class SuiteStudy(Pictured):
                 {"scale": scale} | distribution(self.displacement, k)._asdict()
                 for k, scale in enumerate(self.scales.tolist())
             ],
+            "fragility": [curve.to_dict() for curve in self.fragility()],
+            "exceedance": self.fragility_columns(),
+            "median_record": self.suite.entries[self.median_record(self.own_scale)].name,
             "warnings": self.warnings,
         }
         results = {name: values for name, values in self.arrays().items() if name not in ("record", "polarity")}

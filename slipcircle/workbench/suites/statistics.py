@@ -59,10 +59,20 @@ def _valid(displacement: Floats, scale: int) -> Floats:
     return np.asarray(values[~np.isnan(values)])
 
 
-def fragility(displacement: Floats, thresholds: Floats, confidence: float = 0.95) -> list[list[Estimate]]:
+def exceedance_shares(displacement: Floats, threshold: float) -> Floats:
+    """Share of a record's motions at a scale that exceed a threshold, m, (record, scale); NaN if none is known."""
+    known = ~np.isnan(displacement)
+    exceeds = (displacement > threshold) & known
+    with np.errstate(invalid="ignore"):
+        return np.asarray(exceeds.sum(axis=(1, 3)) / known.sum(axis=(1, 3)))
+
+
+def exceedance(displacement: Floats, thresholds: Floats, confidence: float = 0.95) -> list[list[Estimate]]:
     """Probabilities that displacements exceed thresholds, m, by scale and threshold.
 
-    The intervals are those of a share of as many draws as there are records (Clopper and Pearson 1934).
+    The intervals are those of a share of as many draws as there are records (Clopper and Pearson 1934): as if both
+    polarities and all samples of a record exceeded a threshold together, which is never too short. Counting motions
+    instead would be, as the two polarities of a record are not independent.
     """
     records, _, scales, _ = displacement.shape
     found = []

@@ -1,4 +1,4 @@
-"""`slipcircle sweep --records`: a scene under each record of a suite, its options, tables and files."""
+"""`slipcircle sweep --records`: a scene under each record of a suite, its options and tables."""
 
 import argparse
 from collections.abc import Iterator, Sequence
@@ -15,7 +15,7 @@ from slipcircle.workbench.studies.ensemble import ensemble
 from slipcircle.workbench.studies.statistics import value_text
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 from slipcircle.workbench.suites.regressions import Comparison
-from slipcircle.workbench.suites.statistics import THRESHOLDS, distribution, fragility, variance_shares
+from slipcircle.workbench.suites.statistics import distribution, exceedance, variance_shares
 from slipcircle.workbench.suites.synthetic import synthetic_records
 
 _HEADS = {
@@ -44,6 +44,10 @@ def options(parser: argparse.ArgumentParser) -> None:
     )
     pga = "peak accelerations in g to which each record is scaled: 0.1:0.5:5, or 0.35"
     scale.add_argument("--scale-to-pga", type=values.levels, metavar="FROM:TO:COUNT", help=pga)
+    thresholds = "displacements in m for exceedance and fragility; default 0.01,0.05,0.15,1"
+    group.add_argument("--thresholds", type=values.levels, metavar="A,B,C", help=thresholds)
+    points = "write exceedance and fragility curves at every threshold and scale as a table, CSV"
+    group.add_argument("--fragility", metavar="FILE", help=points)
     group.add_argument("--strict", action="store_true", help="stop if a file is no record, instead of going on without")
     ground = "what the records hold, positive down-slope; default %(default)s, whose opposite drives the mass"
     group.add_argument("--magnitude", type=float, metavar="M", help="of the earthquakes, for regressions that need it")
@@ -67,7 +71,7 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
         suite = Suite.of(synthetic_records(count, arias, duration, sampling["rng"] or 0, gravity))
     else:
         suite = read_suite(options.records, gravity=gravity, **reading)
-    scales = {"scales": options.scale, "scale_to_pga": options.scale_to_pga}
+    scales = {"scales": options.scale, "scale_to_pga": options.scale_to_pga, "thresholds": options.thresholds}
     of_records = {"records": suite, "polarities": options.polarities} | scales
     found: SuiteStudy = ensemble(scene, options.samples or 1, **sampling, **of_records)
     return found
@@ -79,6 +83,7 @@ def parts(study: SuiteStudy, magnitude: float) -> Iterator[Part]:
     scale = study.own_scale
     yield _by_record_part(study, scale)
     yield _statistics_part(study)
+    yield _exceedance_part(study)
     yield _fragility_part(study)
     if compared := study.regressions(scale, magnitude):
         yield _regressions_part(study, compared, scale)
@@ -124,10 +129,11 @@ def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: 
     )
 
 
-def _fragility_part(study: SuiteStudy) -> Part:
+def _exceedance_part(study: SuiteStudy) -> Part:
     """Exceedance probabilities at each scale."""
-    levels = fragility(study.displacement, THRESHOLDS)
-    head = ["", "median PGA (g)", *(f"D > {shown(d)} m" for d in THRESHOLDS.tolist())]
+    thresholds = study.design.thresholds
+    levels = exceedance(study.displacement, thresholds)
+    head = ["", "median PGA (g)", *(f"D > {shown(d)} m" for d in thresholds.tolist())]
     pga = np.median(study.pga, axis=0).tolist()
     rows = [
         [study.scale_text(k), shown(pga[k]), *(f"{e.value:.2f} ({e.low:.2f} to {e.high:.2f})" for e in estimates)]
@@ -135,6 +141,16 @@ def _fragility_part(study: SuiteStudy) -> Part:
     ]
     note = "95 % intervals, of as many draws as there are records"
     return Part(head, rows, "probability that D exceeds a threshold", note)
+
+
+def _fragility_part(study: SuiteStudy) -> Part:
+    """Lognormal fragility curves, and why there is none."""
+    head = ["", "median PGA (g)", "dispersion", "no curve"]
+    rows = [[f"D > {shown(c.threshold)} m", c.median, c.dispersion, c.reason or "-"] for c in study.fragility()]
+    if not any(curve.reason for curve in study.fragility()):
+        head, rows = head[:-1], [row[:-1] for row in rows]
+    title = "lognormal fragility: probability Phi(ln(PGA/median)/dispersion) that D exceeds a threshold"
+    return Part(head, rows, title, "greatest likelihood, with 95 % intervals of records as independent draws")
 
 
 def _records_part(suite: Suite) -> Part:

@@ -1,0 +1,172 @@
+"""Designs of studies over records: what shakes a scene, at which scales and in which polarities, block by block.
+
+A block is one record with the lanes of a block of samples, which are the same for every record: so the variance can be
+split into that of records and that of the soil. It reads the record itself and returns a few numbers a lane; the memory
+of a study does not grow with the records' samples.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, TypedDict
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.base.series import Series
+from slipcircle.core import STRONGEST, Scene
+from slipcircle.workbench.common.quantities import OUTCOMES
+from slipcircle.workbench.files.numbers import Number
+from slipcircle.workbench.records.suite import Entry, Suite
+from slipcircle.workbench.studies.design import Design, Result
+from slipcircle.workbench.studies.motions import motions
+from slipcircle.workbench.suites.statistics import THRESHOLDS
+
+Floats = NDArray[np.float64]
+# Of each lane, with its unit: signed, NaN without a result, 0 of what does not move.
+LANE_RESULTS: Mapping[str, str] = {name: q.unit for name, q in OUTCOMES.items()} | {"rotation": "rad", "slips": ""}
+
+
+@dataclass(frozen=True)
+class SuiteDesign:
+    """What is computed, as plain data."""
+
+    sampling: Design  # of the scene without shaking, whose samples every record sees
+    shaking: Mapping[str, Any]  # what the scene says of its shaking beside the record
+    suite: Suite
+    polarities: tuple[float, ...]  # 1 as recorded, -1 reversed
+    scales: Floats  # factors, or peak accelerations over gravity
+    to_pga: bool  # whether scales are peak accelerations
+    replaces: tuple[str, ...]  # the scene's functions of time, in place of which the records come
+    thresholds: Floats  # of the displacement, m, of exceedance and fragility
+
+    @property
+    def blocks(self) -> int:
+        """How many blocks there are: of each record those of its samples."""
+        return len(self.suite) * self.sampling.sample_blocks
+
+    def scenes(self, index: int) -> int:
+        """How many scenes a block solves."""
+        samples = self.sampling.scenes(index % self.sampling.sample_blocks)
+        return len(self.polarities) * self.scales.size * samples
+
+    def factors(self, entry: Entry) -> Floats:
+        """What a record is multiplied by at each scale."""
+        return self.scales / entry.peak if self.to_pga else self.scales
+
+    def shaken(self, record: Series) -> Scene:
+        """The scene that a record shakes."""
+        scene = self.sampling.scene
+        assert isinstance(scene.effects, dict)
+        return replace(scene, effects=scene.effects | {"shaking": {**self.shaking, "horizontal": record}})
+
+    def task(self, index: int) -> tuple[Callable[[int], Result], int]:
+        """What computes a block: the design of its record alone."""
+        record, block = divmod(index, self.sampling.sample_blocks)
+        return replace(self, suite=Suite(self.suite.entries[record : record + 1])).run_block, block
+
+    def run_block(self, block: int) -> Result:
+        """Compute a block of the samples of the first record.
+
+        Returns
+        -------
+        dict of ndarray
+            `LANE_RESULTS` and ``status``, (polarities, scales, samples), and the samples' inputs.
+        """
+        entry, inputs = self.suite.entries[0], self.sampling.inputs
+        values = self.sampling.values(block)
+        factors = np.multiply.outer(self.polarities, self.factors(entry))[..., None]
+        shape = (*factors.shape[:2], self.sampling.scenes(block))
+        lanes = {"shaking.scale": np.broadcast_to(factors, shape).ravel()}
+        for (name, number), value in zip(inputs.items(), values, strict=True):
+            lanes[name] = np.broadcast_to(number.to_si(value), shape).ravel()
+        motion = motions(self.shaken(entry.record()), lanes, self.sampling.accuracy)
+        solved = {**motion.outcomes, "rotation": motion.end.rotation, "slips": motion.slips, "status": motion.status}
+        result = {name: np.reshape(lane_values, shape) for name, lane_values in solved.items()}
+        return result | {f"sample.{n.key}": v for n, v in zip(inputs.values(), values, strict=True)}
+
+
+class OfRecords(TypedDict, total=False):
+    """How records shake a scene.
+
+    Attributes
+    ----------
+    polarities : bool
+        Whether each record also shakes the scene reversed.
+    scales, scale_to_pga : float or array_like
+        Factors on the records; or peak accelerations over gravity to which each is scaled.
+    thresholds : array_like
+        Displacements, m, whose exceedance and fragility are given.
+    strict : bool
+        Whether a file that is no record is an error; otherwise it is a warning of the study.
+    """
+
+    polarities: bool
+    scales: Any
+    scale_to_pga: Any
+    thresholds: Any
+    strict: bool
+
+
+def suite_design(sampling: Design, records: Any, shaken: OfRecords) -> SuiteDesign:
+    """The design of a study over records.
+
+    Raises
+    ------
+    ValueError
+        Lists what is wrong with the scene, the scales and the records.
+    """
+    scene = sampling.scene
+    scales, to_pga = _scales(shaken)
+    gravity = float(np.ravel(scene.arc.gravity)[0])
+    suite = Suite.of(records, strict=shaken.get("strict", False), gravity=gravity)
+    assert isinstance(scene.effects, dict)
+    shaking = scene.effects.get("shaking", {})
+    still = {effect: given for effect, given in scene.effects.items() if effect != "shaking"}
+    sampling = replace(sampling, scene=replace(scene, effects=still, uncertain={}))
+    two_way = {key: given for key, given in shaking.items() if key == "two_way"}
+    replaces = tuple(name for name in ("horizontal", "vertical") if name in shaking)
+    polarities = (1.0, -1.0) if shaken.get("polarities") else (1.0,)
+    given = shaken.get("thresholds")
+    thresholds = THRESHOLDS if given is None else _positive("thresholds", given)
+    design = SuiteDesign(sampling, two_way, suite, polarities, scales, to_pga, replaces, thresholds)
+    if mistakes := [*_input_mistakes(sampling.inputs), *_record_mistakes(design)]:
+        raise ValueError("\n".join(f"ensemble: {mistake}" for mistake in mistakes))
+    return design
+
+
+def _scales(shaken: OfRecords) -> tuple[Floats, bool]:
+    """The scales, and whether they are peak accelerations."""
+    given = {name: shaken.get(name) for name in ("scales", "scale_to_pga") if shaken.get(name) is not None}
+    if len(given) > 1:
+        raise ValueError("ensemble: scales and scale_to_pga exclude each other; leave one out")
+    name, values = next(iter(given.items()), ("scales", 1.0))
+    return _positive(name, values), name == "scale_to_pga"
+
+
+def _positive(name: str, values: Any) -> Floats:
+    """One or more positive numbers."""
+    numbers = np.atleast_1d(np.asarray(values, dtype=np.float64))
+    if numbers.ndim != 1 or not numbers.size or not np.all((numbers > 0.0) & (numbers < np.inf)):
+        raise ValueError(f"ensemble: {name} = {numbers.tolist()!r}: must be one or more positive numbers")
+    return numbers
+
+
+def _input_mistakes(inputs: Mapping[str, Number]) -> Iterator[str]:
+    """Numbers that cannot be uncertain where there are records."""
+    for name, number in inputs.items():
+        if name.startswith("shaking."):
+            yield f"{number.key}: belongs to the scene's shaking, which the records replace; leave it out"
+        elif name == "gravity":
+            yield f"{number.key}: must be one number with records, which are read over gravity"
+
+
+def _record_mistakes(design: SuiteDesign) -> Iterator[str]:
+    """Records that cannot be scaled as they are to be."""
+    for entry in design.suite:
+        if design.to_pga and entry.peak == 0.0:
+            yield f"{entry.name}: is zero at all times, so that it has no peak to scale"
+        elif (peak := float(np.max(design.factors(entry))) * entry.peak) > STRONGEST:
+            yield (
+                f"{entry.name}: would reach {peak:.4g} g, and no ground has shaken with more than {STRONGEST:g} g; "
+                "give smaller scales"
+            )

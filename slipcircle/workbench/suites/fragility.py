@@ -1,0 +1,185 @@
+"""Lognormal fragility curves: the probability that the displacement exceeds a threshold, by the peak acceleration.
+
+With records as clusters: polarities, scales and samples of one record are not independent draws.
+"""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from slipcircle.base.text import shown
+from slipcircle.workbench.common.distributions import statistics
+from slipcircle.workbench.studies.statistics import NOT_GIVEN, Estimate
+
+Floats = NDArray[np.float64]
+_FEWEST = 4  # records that give an interval of two fitted numbers
+_UNKNOWN = np.full((2, 2), np.nan)
+
+
+class FragilityCurve(NamedTuple):
+    """The probability Phi(ln(PGA/median)/dispersion) that the displacement exceeds a threshold.
+
+    Attributes
+    ----------
+    threshold : float
+        Of the displacement, m.
+    reason : str
+        Why there is no curve; empty where there is one.
+    median, dispersion : Estimate
+        Peak acceleration over gravity at which the probability is one half, and standard deviation of the logarithm of
+        the peak acceleration at which a motion exceeds the threshold; NaN where the motions do not identify them.
+    coefficients, covariance : ndarray
+        a and b of Phi(a + b ln PGA), and their covariance.
+    quantile : float
+        Of Student's distribution: half the width of an interval in standard errors.
+    """
+
+    threshold: float
+    reason: str = ""
+    median: Estimate = NOT_GIVEN
+    dispersion: Estimate = NOT_GIVEN
+    coefficients: Floats = _UNKNOWN[0]
+    covariance: Floats = _UNKNOWN
+    quantile: float = math.nan
+
+    def probability(self, pga: ArrayLike) -> Floats:
+        """Probability of exceedance at positive peak accelerations over gravity and its interval, (3, ...)."""
+        log_pga = np.log(np.asarray(pga, dtype=np.float64))
+        terms = np.stack([np.ones_like(log_pga), log_pga])
+        middle = np.tensordot(self.coefficients, terms, 1)
+        variance = np.einsum("i...,ij,j...->...", terms, self.covariance, terms)
+        half = self.quantile * np.sqrt(np.maximum(variance, 0.0))
+        return np.asarray(statistics().norm.cdf(np.stack([middle, middle - half, middle + half])))
+
+    def to_dict(self) -> dict[str, Any]:
+        """The curve for JSON."""
+        fitted = {"median_pga_g": self.median._asdict(), "dispersion": self.dispersion._asdict()}
+        return {"threshold_m": self.threshold} | fitted | {"reason": self.reason}
+
+
+def fragility_curve(share: Floats, pga: Floats, threshold: float, confidence: float = 0.95) -> FragilityCurve:
+    """The lognormal fragility curve of greatest likelihood.
+
+    The likelihood is that of Baker (2015), of motions by record and scale, whether all records have the same peak
+    acceleration at a scale (stripes) or each its own (a cloud). In a and b of Phi(a + b ln PGA), with b = 1/dispersion
+    and a = -b ln median, its logarithm is concave.
+
+    Both polarities of a record, and their samples, count as one share of exceedance, and all scales of a record as one
+    draw: pooling them does not bias the curve, but intervals that took them for independent would be too short. The
+    intervals are those of a jackknife over records, one Newton step for each that is left out, with Student's
+    distribution of as many degrees of freedom as there are records less the two fitted numbers. In simulations with 6
+    to 50 records, whose polarities correlate by 0.6, intervals of 95 % held the median in 94 to 98 %, the probability
+    in 92 to 99 %, and the dispersion, which few records underestimate, in 86 to 97 % of cases. Samples of the soil are
+    the same for every record: their error is not in the intervals, and falls with their number.
+
+    Parameters
+    ----------
+    share : ndarray
+        Of the motions of a record at a scale, those that exceed the threshold, (record, scale); NaN if there are none.
+    pga : ndarray
+        Peak accelerations over gravity, of the same shape; what has none exceeds nothing, and is not counted.
+    threshold : float
+    confidence : float, optional
+
+    Returns
+    -------
+    FragilityCurve
+        Without numbers, and with the reason, where the likelihood has no maximum.
+
+    References
+    ----------
+    J. W. Baker, Efficient analytical fragility function fitting using dynamic structural analysis, Earthquake Spectra
+    31(1), 2015, pp. 579-599.
+    """
+    counts = np.isfinite(share) & (pga > 0.0)
+    if reason := _not_identified(share[counts], pga[counts]):
+        return FragilityCurve(threshold, reason=reason)
+    log_pga = np.log(np.where(counts, pga, 1.0))
+    centre, width = log_pga[counts].mean(), log_pga[counts].std()
+    terms = np.stack([np.ones_like(log_pga), (log_pga - centre) / width], axis=-1)
+    shares = np.where(counts, share, 0.0)
+    scaled, scaled_covariance = _fit(terms, shares, counts)
+    unscale = np.array([[1.0, -centre / width], [0.0, 1.0 / width]])
+    coefficients = unscale @ scaled
+    covariance = unscale @ scaled_covariance @ unscale.T
+    records = np.count_nonzero(counts.any(axis=1))
+    freedom = records - coefficients.size
+    quantile = float(statistics().t.ppf((1.0 + confidence) / 2.0, freedom)) if records >= _FEWEST else math.nan
+    return _curve(threshold, coefficients, covariance, quantile)
+
+
+def _curve(threshold: float, coefficients: Floats, covariance: Floats, quantile: float) -> FragilityCurve:
+    """The curve of a and b, with intervals by the derivatives of ln median = -a/b and ln dispersion = -ln b."""
+    intercept, slope = coefficients.tolist()
+    log_median, log_dispersion = -intercept / slope, -math.log(slope)
+    of_median = np.array([-1.0, intercept / slope]) / slope
+    of_dispersion = np.array([0.0, -1.0 / slope])
+    median = _lognormal(log_median, of_median, covariance, quantile)
+    dispersion = _lognormal(log_dispersion, of_dispersion, covariance, quantile)
+    return FragilityCurve(threshold, "", median, dispersion, coefficients, covariance, quantile)
+
+
+def _not_identified(share: Floats, pga: Floats) -> str:
+    """Why the likelihood has no maximum at a finite median and dispersion; empty where it has one.
+
+    It has none where a peak acceleration separates what exceeds from what does not (Albert and Anderson 1984).
+    """
+    if not np.any(share > 0.0):
+        return "no motion exceeds it; give larger scales"
+    if np.all(share == 1.0):
+        return "every motion exceeds it; give smaller scales"
+    if np.ptp(pga) == 0.0:
+        return "all motions have one peak acceleration; give several scales"
+    log_pga = np.log(pga)
+    growth = (share - share.mean()) @ (log_pga - log_pga.mean())
+    if growth <= 0.0:
+        return "it is not exceeded more often at larger peak accelerations"
+    lowest, highest = float(pga[share > 0.0].min()), float(pga[share < 1.0].max())
+    if lowest == highest:
+        return f"no motion exceeds it below a peak of {shown(lowest)} g and every one above; give scales next to it"
+    if lowest > highest:
+        both = f"no motion exceeds it up to a peak of {shown(highest)} g and every one does from {shown(lowest)} g"
+        return f"{both}; give scales between"
+    return ""
+
+
+def _fit(terms: Floats, share: Floats, counts: NDArray[np.bool_]) -> tuple[Floats, Floats]:
+    """Coefficients of greatest likelihood and their covariance by the jackknife over records."""
+    from scipy import optimize
+
+    def negative(coefficients: Floats) -> tuple[float, Floats]:
+        likelihood, score, _ = _likelihood(terms @ coefficients, share)
+        return -float(likelihood[counts].sum()), -score[counts] @ terms[counts]
+
+    found = optimize.minimize(negative, np.array([0.0, 1.0]), jac=True, method="BFGS", options={"gtol": 1e-9})
+    _, score, weight = _likelihood(terms @ found.x, share)
+    scores = np.einsum("rs,rsi->ri", score * counts, terms)
+    information = np.einsum("rs,rsi,rsj->rij", weight * counts, terms, terms)
+    remaining = information.sum(axis=0) - information
+    records = np.count_nonzero(counts.any(axis=1))
+    try:
+        steps = np.linalg.solve(remaining, scores[:, :, None])[:, :, 0]
+    except np.linalg.LinAlgError:  # without one of the records the curve is not identified
+        return found.x, _UNKNOWN
+    return found.x, (records - 1) / records * steps.T @ steps
+
+
+def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats]:
+    """Log-likelihood of shares at arguments of Phi, its derivative, and its expected second derivative, negative."""
+    from scipy import special
+
+    log_above, log_below = special.log_ndtr(argument), special.log_ndtr(-argument)
+    log_density = -(argument**2 + math.log(2.0 * math.pi)) / 2.0
+    above, below = np.exp(log_density - log_above), np.exp(log_density - log_below)
+    likelihood = share * log_above + (1.0 - share) * log_below
+    return likelihood, share * above - (1.0 - share) * below, above * below
+
+
+def _lognormal(log_value: float, derivative: Floats, covariance: Floats, quantile: float) -> Estimate:
+    """A positive number and its interval from the standard error of its logarithm."""
+    variance = np.maximum(derivative @ covariance @ derivative, 0.0)  # not below it by rounding
+    half = quantile * math.sqrt(variance)
+    low, high = math.exp(log_value - half), math.exp(log_value + half)
+    return Estimate(math.exp(log_value), low, high)
