@@ -1,6 +1,9 @@
-"""Several motions in one picture: final positions, velocities and displacements over time, run-outs."""
+"""Several motions in one picture: final positions, velocities and displacements over time, run-outs.
 
-from collections.abc import Sequence
+So too the run-outs of one scene with more and more of its effects.
+"""
+
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -8,9 +11,11 @@ import numpy as np
 from slipcircle.core import Motion
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
+    LINES,
     REST,
     SERIES,
     WIDTH,
+    axis,
     ending,
     label,
     letter,
@@ -23,6 +28,7 @@ from slipcircle.workbench.outputs.plotstyle import (
 from slipcircle.workbench.outputs.sectionplot import scenery
 from slipcircle.workbench.outputs.shapes import View, mass_of
 from slipcircle.workbench.outputs.trace import drawn
+from slipcircle.workbench.studies.ladder import Rung
 
 _MOST_BARS = 24  # further ones are summarised in text
 _SECTION, _CURVES, _BAR = 3.6, 2.8, 0.3  # inches
@@ -149,3 +155,31 @@ def _outcome(motion: Motion) -> str:
         return "does not move"
     speed, duration = number(abs(float(motion.peak.velocity))), number(motion.duration)
     return f"{number(motion.run_out)} m, peak {speed} m/s, {ending(motion)} after {duration} s"
+
+
+def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
+    """The run-out as the effects of a scene are added one by one, beside that of the whole scene."""
+    ax = axis(ax, (9.0, 3.5))
+    rungs = list(rungs)
+    names = []
+    for r in rungs:
+        effect = r.added.replace("_", " ")
+        names.append(f"+ {effect}" if effect else "no effect")
+    lines(ax, names)
+    for place, r in enumerate(rungs):
+        style = "rests" if r.arrested else "moves on"
+        ax.barh(place, r.run_out, height=0.62, **AREAS[style])
+    ax.axvline(rungs[-1].run_out, **LINES["help"])
+    ax.set_xlabel(f"run-out along the arc (m); dotted: with all effects, {number(rungs[-1].run_out)} m")
+    side = ax.secondary_yaxis("right")
+    side.set_yticks(range(len(rungs)), [_rung_words(r) for r in rungs])
+    side.tick_params(length=0, labelsize="small")
+    return ax
+
+
+def _rung_words(rung: Rung) -> str:
+    """Run-out, peak velocity and duration of a rung in words."""
+    if not rung.peak_velocity:
+        return "does not move"
+    end = "at rest after" if rung.arrested else "still moving at"
+    return f"{number(rung.run_out)} m, peak {number(rung.peak_velocity)} m/s, {end} {number(rung.duration)} s"

@@ -14,6 +14,7 @@ import numpy as np
 from slipcircle.base.text import shown
 from slipcircle.core import LayeredSection, Motion, in_time
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
+from slipcircle.workbench.outputs.comparison import ladder
 from slipcircle.workbench.outputs.film import animate
 from slipcircle.workbench.outputs.kinks import Kinks, friction_kinks, motion_kinks, water_kinks
 from slipcircle.workbench.outputs.layerplot import stress_along
@@ -27,7 +28,6 @@ from slipcircle.workbench.outputs.plotstyle import (
     known,
     label,
     letter,
-    lines,
     mark,
     note,
     number,
@@ -38,7 +38,6 @@ from slipcircle.workbench.outputs.plotstyle import (
 )
 from slipcircle.workbench.outputs.sectionplot import section
 from slipcircle.workbench.outputs.trace import Floats, drawn
-from slipcircle.workbench.studies.ladder import Rung
 
 __all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]
 
@@ -319,34 +318,6 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     label(ax, words, [(share * last, yields) for share in (0.1, 0.3, 0.5, 0.7, 0.9)])
     ax.grid(alpha=0.3)
     return ax
-
-
-def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
-    """The run-out as the effects of a scene are added one by one, beside that of the whole scene."""
-    ax = axis(ax, (9.0, 3.5))
-    rungs = list(rungs)
-    names = []
-    for r in rungs:
-        effect = r.added.replace("_", " ")
-        names.append(f"+ {effect}" if effect else "no effect")
-    lines(ax, names)
-    for place, r in enumerate(rungs):
-        style = "rests" if r.arrested else "moves on"
-        ax.barh(place, r.run_out, height=0.62, **AREAS[style])
-    ax.axvline(rungs[-1].run_out, **LINES["help"])
-    ax.set_xlabel(f"run-out along the arc (m); dotted: with all effects, {number(rungs[-1].run_out)} m")
-    side = ax.secondary_yaxis("right")
-    side.set_yticks(range(len(rungs)), [_rung_words(r) for r in rungs])
-    side.tick_params(length=0, labelsize="small")
-    return ax
-
-
-def _rung_words(rung: Rung) -> str:
-    """Run-out, peak velocity and duration of a rung in words."""
-    if not rung.peak_velocity:
-        return "does not move"
-    end = "at rest after" if rung.arrested else "still moving at"
-    return f"{number(rung.run_out)} m, peak {number(rung.peak_velocity)} m/s, {end} {number(rung.duration)} s"
 
 
 def overview(motion: Motion, figure: Any) -> Any:
