@@ -246,7 +246,7 @@ DENSITY = {
     "slipcircle/core": 12.5,
     "slipcircle/workbench": 12.6,
     "slipcircle/workbench/files": 12.1,
-    "slipcircle/workbench/outputs": 12.7,
+    "slipcircle/workbench/outputs": 12.2,
 }
 
 

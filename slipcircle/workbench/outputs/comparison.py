@@ -1,6 +1,9 @@
-"""Several motions in one picture: final positions, velocities and displacements over time, run-outs."""
+"""Several motions in one picture: final positions, velocities and displacements over time, run-outs.
 
-from collections.abc import Sequence
+So too the run-outs of one scene with more and more of its effects.
+"""
+
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -8,9 +11,11 @@ import numpy as np
 from slipcircle.core import Motion
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
+    LINES,
     REST,
     SERIES,
     WIDTH,
+    axis,
     ending,
     label,
     letter,
@@ -23,6 +28,7 @@ from slipcircle.workbench.outputs.plotstyle import (
 from slipcircle.workbench.outputs.sectionplot import scenery
 from slipcircle.workbench.outputs.shapes import View, mass_of
 from slipcircle.workbench.outputs.trace import drawn
+from slipcircle.workbench.studies.ladder import Rung
 
 _MOST_BARS = 24  # further ones are summarised in text
 _SECTION, _CURVES, _BAR = 3.6, 2.8, 0.3  # inches
@@ -61,7 +67,11 @@ def _heights(motions: Sequence[Motion]) -> list[float]:
 
 def _same_slope(motions: Sequence[Motion]) -> bool:
     """Whether all masses are the same at the start."""
-    first, *others = (mass_of(motion.plan.scene.arc, motion.plan.scene.arc).outline() for motion in motions)
+    outlines = []
+    for motion in motions:
+        soil = motion.plan.scene.arc
+        outlines.append(mass_of(soil, soil).outline())
+    first, *others = outlines
     return all(other.shape == first.shape and np.allclose(other, first, rtol=1e-9) for other in others)
 
 
@@ -77,9 +87,14 @@ def _sections(motions: Sequence[Motion], ax: Any) -> None:
 
     soil = motions[0].plan.scene.arc
     facing = float(soil.facing)
-    mass, styles = mass_of(soil, soil), _named(motions)
+    mass = mass_of(soil, soil)
+    styles = _named(motions)
     start = mass.outline()
-    ends = {k: mass.outline(facing * float(motion.end.rotation)) for k, motion in enumerate(motions) if motion.moves}
+    ends = {}
+    for k, motion in enumerate(motions):
+        if motion.moves:
+            turn = facing * float(motion.end.rotation)
+            ends[k] = mass.outline(turn)
     view = View.around(start, *ends.values())
     margin = 0.1 * view.size
     view = scenery(ax, mass, soil, view.grown(margin, margin))
@@ -98,9 +113,12 @@ def _curves(motions: Sequence[Motion], ax: Any, column: str, words: str) -> None
     for k, motion in enumerate(motions):
         if motion.moves and k not in styles:
             colour, dashes, _ = REST
-            ax.plot(drawn(motion)["time"], drawn(motion)[column], color=colour, ls=dashes, lw=0.8)
+            columns = drawn(motion)
+            ax.plot(columns["time"], columns[column], color=colour, ls=dashes, lw=0.8)
     for k, (colour, dashes, _) in styles.items():
-        times, values = drawn(motions[k])["time"], drawn(motions[k])[column]
+        columns = drawn(motions[k])
+        times = columns["time"]
+        values = columns[column]
         ax.plot(times, values, color=colour, ls=dashes, lw=1.8)
         later = slice(len(times) // 8, None)
         name = motions[k].plan.scene.name
@@ -137,3 +155,31 @@ def _outcome(motion: Motion) -> str:
         return "does not move"
     speed, duration = number(abs(float(motion.peak.velocity))), number(motion.duration)
     return f"{number(motion.run_out)} m, peak {speed} m/s, {ending(motion)} after {duration} s"
+
+
+def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
+    """The run-out as the effects of a scene are added one by one, beside that of the whole scene."""
+    ax = axis(ax, (9.0, 3.5))
+    rungs = list(rungs)
+    names = []
+    for r in rungs:
+        effect = r.added.replace("_", " ")
+        names.append(f"+ {effect}" if effect else "no effect")
+    lines(ax, names)
+    for place, r in enumerate(rungs):
+        style = "rests" if r.arrested else "moves on"
+        ax.barh(place, r.run_out, height=0.62, **AREAS[style])
+    ax.axvline(rungs[-1].run_out, **LINES["help"])
+    ax.set_xlabel(f"run-out along the arc (m); dotted: with all effects, {number(rungs[-1].run_out)} m")
+    side = ax.secondary_yaxis("right")
+    side.set_yticks(range(len(rungs)), [_rung_words(r) for r in rungs])
+    side.tick_params(length=0, labelsize="small")
+    return ax
+
+
+def _rung_words(rung: Rung) -> str:
+    """Run-out, peak velocity and duration of a rung in words."""
+    if not rung.peak_velocity:
+        return "does not move"
+    end = "at rest after" if rung.arrested else "still moving at"
+    return f"{number(rung.run_out)} m, peak {number(rung.peak_velocity)} m/s, {end} {number(rung.duration)} s"

@@ -40,12 +40,16 @@ def _reactions(ax: Any, motion: Motion, places: Floats, length: float) -> None:
         outward = at / np.hypot(*at)
         x, y = outward
         along = way * np.array([-y, x])
-        _arrow(ax, at + 0.7 * length * outward, at, "normal", 1.6)
+        tail = at + 0.7 * length * outward
+        _arrow(ax, tail, at, "normal", 1.6)
         if "tangential" in symbols:
             foot = at + 0.06 * length * outward
+            tip = foot - 0.55 * length * along
             feet.append(foot - 0.3 * length * along)
-            _arrow(ax, foot, foot - 0.55 * length * along, "tangential", 1.6)
-    anchors = {"normal": places * (1.0 + 0.5 * length / np.hypot(*places[0])), "tangential": feet}
+            _arrow(ax, foot, tip, "tangential", 1.6)
+    radius = np.hypot(*places[0])
+    on_tails = places * (1.0 + 0.5 * length / radius)
+    anchors = {"normal": on_tails, "tangential": feet}
     for force, symbol in symbols.items():
         label(ax, f"{force} reaction ${symbol}$", anchors[force], FORCES[force])
 

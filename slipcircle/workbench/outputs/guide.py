@@ -34,31 +34,35 @@ def guide() -> str:
     """The text, at most 100 columns wide."""
     tables = tables_of("constant")
     lines = [HEAD, "Above the first table", *_keys(tables[""])]
-    by_head = {f"[{path}]": table for path, table in (tables | dict(SLOPING)).items() if path in _PLACES} | _of_layers()
+    every_table = tables | dict(SLOPING)
+    by_head = {f"[{path}]": table for path, table in every_table.items() if path in _PLACES}
+    by_head |= _of_layers()
     for head, table in by_head.items():
         lines += ["", *_title(head, table.title), *_keys(table)]
     lines += ["", *_title("factors of safety", f"of a circle of a slope, by three methods. {COMPARED}")]
-    lines += [line for m, (name, said) in METHODS.items() for line in _title(f"  {m}", f"{name}: {said}")]
+    for method, (name, description) in METHODS.items():
+        lines += _title(f"  {method}", f"{name}: {description}")
     lines += [
         "",
         *_title("[friction]", "mu on the slip surface, by one of these laws; of layers [soils.NAME.friction]"),
     ]
     for name, law in LAWS.items():
-        lines += ["", *_title(f'  law = "{name}"', f"{law.help} ({law.equation})"), *_keys(tables_of(name)["friction"])]
+        keys = tables_of(name)["friction"]
+        lines += ["", *_title(f'  law = "{name}"', f"{law.help} ({law.equation})"), *_keys(keys)]
     lines += ["", *_title("[friction.rate]", "a law of speed that multiplies one of slip, with the keys of that law")]
     for name, effect in EFFECTS.items():
         lines += ["", *_title(f"[{name}]", f"{effect.help} ({effect.equation})")]
-        lines += [*(f"{'':{INDENT}}{f}" for f in effect.formulas), *_keys(tables[name])]
-    drawn = ", ".join(f"{name} ({', '.join(kind.parameters)})" for name, kind in DISTRIBUTIONS.items())
-    lines += [
-        "",
-        *_title(
-            "uncertain numbers",
-            'instead of a number: { distribution = "normal", mean = 10, std = 1 }, '
-            f"in the key's unit, for `slipcircle sweep`; {drawn}",
-        ),
-    ]
+        lines += [INDENT * " " + formula for formula in effect.formulas]
+        lines += _keys(tables[name])
+    lines += ["", *_title("uncertain numbers", _of_uncertain_numbers())]
     return "\n".join(lines)
+
+
+def _of_uncertain_numbers() -> str:
+    """Form of an uncertain number, and its distributions."""
+    example = '{ distribution = "normal", mean = 10, std = 1 }'
+    kinds = [f"{name} ({', '.join(kind.parameters)})" for name, kind in DISTRIBUTIONS.items()]
+    return f"instead of a number: {example}, in the key's unit, for `slipcircle sweep`; {', '.join(kinds)}"
 
 
 def _of_layers() -> dict[str, Table]:
@@ -87,10 +91,12 @@ def _keys(table: Table) -> Iterator[str]:
     for k, key in table.keys.items():
         other = pairs.get(k)
         if other is not None:
-            words = f"{table.keys[other].title}: {key.allowed} or {table.keys[other].allowed}, needed"
+            alternative = table.keys[other]
+            words = f"{alternative.title}: {key.allowed} or {alternative.allowed}, needed"
             yield from _title(f"  {k} or {other}", words)
         elif k != "law" and k not in pairs.values():
-            yield from _title(f"  {k}", f"{key.title}: {key.allowed}{', needed' if key.required else ''}")
+            needed = ", needed" if key.required else ""
+            yield from _title(f"  {k}", f"{key.title}: {key.allowed}{needed}")
     if table.any_of:
         yield f"{'':{INDENT}}needed: {' or '.join(table.any_of)}"
     if table.sets:

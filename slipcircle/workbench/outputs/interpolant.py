@@ -67,9 +67,10 @@ def interpolant(motion: Motion, most: int) -> Interpolant:
     times, velocity, acceleration = map(_rounded, _at(motion, times)[:3], _INTEGERS)
     points = Interpolant(times, velocity, acceleration, 0.0)
     greatest_displacement = abs(float(motion.reach.displacement)) or 1.0
-    of_displacement = np.abs(points.displacement - motion.at(times).displacement) / greatest_displacement
-    error = max(float(np.max(_velocity_errors(motion, points))), float(np.max(of_displacement)))
-    return points._replace(error=error)
+    displacement_errors = np.abs(points.displacement - motion.at(times).displacement)
+    of_displacement = np.max(displacement_errors) / greatest_displacement
+    of_velocity = np.max(_velocity_errors(motion, points))
+    return points._replace(error=float(max(of_velocity, of_displacement)))
 
 
 def _ticks(values: Floats, kind: str) -> tuple[Any, float]:
@@ -88,13 +89,17 @@ def hermite(times: Floats, values: Floats, slopes: Floats, at: Floats) -> Floats
     """The piecewise cubic with values and slopes at increasing times, at other times between the first and the last."""
     last = np.clip(np.searchsorted(times, at), 1, times.size - 1)
     first = last - 1
-    step = times[last] - times[first]
-    share = (at - times[first]) / step
+    start = times[first]
+    step = times[last] - start
+    share = (at - start) / step
     rest = 1.0 - share
-    from_first = rest**2 * (1.0 + 2.0 * share) * values[first]
-    from_last = share**2 * (1.0 + 2.0 * rest) * values[last]
-    from_slopes = share * rest * (rest * slopes[first] - share * slopes[last])
-    return np.asarray(from_first + from_last + step * from_slopes)
+    weight_first = rest**2 * (1.0 + 2.0 * share)
+    weight_last = share**2 * (1.0 + 2.0 * rest)
+    slope_first = rest * slopes[first]
+    slope_last = share * slopes[last]
+    from_values = weight_first * values[first] + weight_last * values[last]
+    from_slopes = share * rest * (slope_first - slope_last)
+    return np.asarray(from_values + step * from_slopes)
 
 
 def _at(motion: Motion, times: Floats) -> Interpolant:
@@ -105,7 +110,8 @@ def _at(motion: Motion, times: Floats) -> Interpolant:
 
 def _velocity_errors(motion: Motion, points: Interpolant) -> Floats:
     """Greatest error of each cubic at three times within its interval, as a share of the greatest velocity."""
-    between = np.linspace(points.times[:-1], points.times[1:], 5)[1:-1]
+    quarters = np.linspace(points.times[:-1], points.times[1:], 5)
+    between = quarters[1:-1]
     times = np.ravel(between)
     cubic = hermite(points.times, points.velocity, points.acceleration, times)
     errors = np.abs(cubic - motion.at(times).velocity)
@@ -116,10 +122,13 @@ def _velocity_errors(motion: Motion, points: Interpolant) -> Floats:
 
 def _dividing_times(times: Floats, divided: NDArray[np.intp], bends: Floats) -> Floats:
     """The bend next to the middle of each divided interval, or its middle where the interval has none."""
-    start, end = times[divided], times[divided + 1]
+    start = times[divided]
+    end = times[divided + 1]
     middle = (start + end) / 2
-    next_bend = np.clip(np.searchsorted(bends, middle), 1, bends.size - 1)
-    before, after = bends[next_bend - 1], bends[next_bend]
+    position = np.searchsorted(bends, middle)
+    next_bend = np.clip(position, 1, bends.size - 1)
+    before = bends[next_bend - 1]
+    after = bends[next_bend]
     nearest = np.where(middle - before < after - middle, before, after)
     is_inside = (start < nearest) & (nearest < end)
     return np.where(is_inside, nearest, middle)

@@ -25,7 +25,9 @@ def motion_kinks(motion: Motion) -> Kinks:
 def friction_kinks(motion: Motion) -> Kinks:
     """Where a law of friction bends: at the end of its softening, at ends of its table, and at breakpoints in time."""
     columns = drawn(motion)
-    times, path, speed = columns["time"], columns["path"], np.abs(columns["velocity"])
+    times = columns["time"]
+    path = columns["path"]
+    speed = np.abs(columns["velocity"])
     kinks: Kinks = []
     for name, given in law_parts(motion.plan.scene.friction):
         if name == "linear":
@@ -61,4 +63,5 @@ def _crossings(times: Floats, values: Floats, level: float, words: str) -> Itera
         before, after = values[k : k + 2]
         start, end = times[k : k + 2]
         share = (level - before) / (after - before)
-        yield float(start + share * (end - start)), words
+        crossing = start + share * (end - start)
+        yield float(crossing), words

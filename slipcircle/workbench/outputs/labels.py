@@ -68,15 +68,19 @@ class Label(Annotation):
         half = np.array([box.width, box.height]) / 2
         anchors = self.parent.transData.transform(self.anchors)
         distances, offsets = self._offsets(half, pixels)
-        which = np.repeat(np.arange(len(anchors)), len(offsets))
-        far = np.tile(distances, len(anchors))
+        count = len(anchors)
+        which = np.repeat(np.arange(count), len(offsets))
+        far = np.tile(distances, count)
         at = anchors[which]
-        centres = at + np.tile(offsets, (len(anchors), 1))
+        centres = at + np.tile(offsets, (count, 1))
         cost = self._cost(centres, half + _GAP, renderer)
-        cost += _FAR * far + self._leader_cost(centres, at, far)
+        cost += _FAR * far
+        cost += self._leader_cost(centres, at, far)
         best = int(np.argmin(cost))
-        self.xy = tuple(self.anchors[which[best]])
-        self.set_position(tuple(centres[best] - at[best]))
+        anchor = self.anchors[which[best]]
+        offset = centres[best] - at[best]
+        self.xy = tuple(anchor)
+        self.set_position(tuple(offset))
         self.leader.set_visible(far[best] > _NEAR * pixels)
 
     def _offsets(self, half: Floats, pixels: float) -> tuple[Floats, Floats]:
@@ -90,21 +94,26 @@ class Label(Annotation):
 
     def _cost(self, centres: Floats, half: Floats, renderer: Any) -> Floats:
         """Costs of a label of a half size at centres, (candidates, 2) in pixels."""
-        low, high = centres - half, centres + half
-        points = np.concatenate([np.empty((0, 2)), *_obstacles(self.parent)])
-        right_of = low[:, :1] < points[:, 0]
-        left_of = points[:, 0] < high[:, :1]
-        above = low[:, 1:] < points[:, 1]
-        below = points[:, 1] < high[:, 1:]
-        covered = np.count_nonzero(right_of & left_of & above & below, axis=1)
+        low = centres - half
+        high = centres + half
+        no_points = np.empty((0, 2))
+        points = np.concatenate([no_points, *_obstacles(self.parent)])
+        x, y = points.T
+        left, bottom = low.T[:, :, None]
+        right, top = high.T[:, :, None]
+        across = (left < x) & (x < right)
+        upwards = (bottom < y) & (y < top)
+        covered = np.count_nonzero(across & upwards, axis=1)
         frame = self.parent.bbox
         too_low = np.maximum(frame.min - low, 0.0)
         too_high = np.maximum(high - frame.max, 0.0)
         outside = (too_low + too_high).sum(axis=1)
         cost = _COVERED * covered + _OUTSIDE * outside
         for box in self._other_words(renderer):
-            overlap = np.minimum(high, box.max) - np.maximum(low, box.min)
-            cost += _WORDS * np.all(overlap > 0.0, axis=1)
+            first = np.maximum(low, box.min)
+            last = np.minimum(high, box.max)
+            overlaps = np.all(last > first, axis=1)
+            cost += _WORDS * overlaps
         return np.asarray(cost)
 
     def _leader_cost(self, centres: Floats, anchors: Floats, far: Floats) -> Floats:
@@ -156,21 +165,27 @@ def _obstacles(axes: Any) -> Iterator[Floats]:
 
 def _about(points: Floats, size: float) -> Floats:
     """Points that stand for marks."""
-    offsets = size * np.array([(i, j) for i in (-0.6, 0.0, 0.6) for j in (-0.6, 0.0, 0.6)])
-    return np.asarray(np.repeat((points[:, None] + offsets).reshape(-1, 2), 2, axis=0))
+    shares = (-0.6, 0.0, 0.6)
+    offsets = size * np.array([(across, up) for across in shares for up in shares])
+    around = points[:, None] + offsets
+    return np.asarray(np.repeat(around.reshape(-1, 2), 2, axis=0))
 
 
 def _along(points: Floats, frame: Any) -> Floats:
     """Equidistant points along a line, clipped to the surroundings of the frame."""
-    points = points[np.all(np.isfinite(points), axis=1)]
+    is_finite = np.all(np.isfinite(points), axis=1)
+    points = points[is_finite]
     if len(points) < 2:
         return points
     points = np.clip(points, frame.min - 50.0, frame.max + 50.0)
-    lengths = np.hypot(*np.diff(points, axis=0).T)
+    steps = np.diff(points, axis=0)
+    lengths = np.hypot(*steps.T)
     along = np.concatenate([[0.0], np.cumsum(lengths)])
     at = np.arange(0.0, along[-1], _SPACING)
     x, y = points.T
-    return np.column_stack([np.interp(at, along, x), np.interp(at, along, y)])
+    x_at = np.interp(at, along, x)
+    y_at = np.interp(at, along, y)
+    return np.column_stack([x_at, y_at])
 
 
 def _inside(path: Any, frame: Any) -> Floats:

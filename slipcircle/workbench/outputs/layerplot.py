@@ -23,15 +23,17 @@ def draw_bands(ax: Any, ground: Floats, layers: Layers, view: View, depth: float
     """A band of each layer, cut off by those above, with the name of its soil."""
     x, tops = boundaries(ground, layers)
     bottom = np.full_like(x, view.bottom)
+    visible_tops = [np.maximum(top, bottom) for top in tops]
+    lower_edges = [*visible_tops[1:], bottom]
     colours = soil_colours(layers)
     for k, (soil, _) in enumerate(layers):
+        top = tops[k]
         band, strong = colours[_key(soil)]
-        ax.fill_between(x, tops[k], depth, color=band, lw=0, zorder=1)
+        ax.fill_between(x, top, depth, color=band, lw=0, zorder=1)
         if k > 0:
-            ax.plot(x, tops[k], **_BOUNDARY)
-        is_last = k + 1 == len(layers)
-        below = bottom if is_last else np.maximum(tops[k + 1], bottom)
-        _name_band(ax, soil.name, strong, np.stack([x, tops[k], below]), view)
+            ax.plot(x, top, **_BOUNDARY)
+        edges = np.stack([x, top, lower_edges[k]])
+        _name_band(ax, soil.name, strong, edges, view)
 
 
 def _name_band(ax: Any, name: str, colour: str, band: Floats, view: View) -> None:
@@ -51,12 +53,14 @@ def _name_band(ax: Any, name: str, colour: str, band: Floats, view: View) -> Non
 
 def boundaries(ground: Floats, layers: Layers) -> tuple[Floats, list[Floats]]:
     """Tops of the layers over x, each cut off by those above."""
-    lines = [np.asarray(ground, dtype=np.float64)]
-    left, right = lines[0][[0, -1], 0]
+    surface = np.asarray(ground, dtype=np.float64)
+    ends = surface[[0, -1], 0]
+    left, right = ends
+    lines = [surface]
     for _, top in layers[1:]:
         points = np.asarray(top, dtype=np.float64)
         if points.ndim < 2:  # a height
-            points = np.array([[left, top], [right, top]], dtype=np.float64)
+            points = np.column_stack([ends, [points, points]])
         lines.append(points)
     vertices = np.concatenate([line[:, 0] for line in lines])
     inside = np.clip(vertices, left, right)
@@ -100,18 +104,22 @@ def _soils_under(section: LayeredSection, moved: float) -> Iterator[tuple[str, f
     """Soil and angles of both ends of each stretch under a mass that has turned down-slope, rad."""
     rows = stretches(section)
     if section.strength == "mass":
-        yield from ((_key(row.soil), row.start + moved, row.end + moved) for row in rows)
+        for row in rows:
+            yield _key(row.soil), row.start + moved, row.end + moved
         return
-    entry, exit_ = rows[0], rows[-1]
+    entry = rows[0]
+    exit_ = rows[-1]
     beyond = section.foreland or exit_.soil
-    everywhere = [(_key(entry.soil), -np.inf, entry.start)]
-    everywhere += [(_key(row.soil), row.start, row.end) for row in rows]
-    everywhere.append((_key(beyond), exit_.end, np.inf))
-    for name, start, end in everywhere:
-        first = max(start, entry.start + moved)
-        last = min(end, exit_.end + moved)
+    everywhere = [(entry.soil, -np.inf, entry.start)]
+    everywhere += [(row.soil, row.start, row.end) for row in rows]
+    everywhere.append((beyond, exit_.end, np.inf))
+    mass_start = entry.start + moved
+    mass_end = exit_.end + moved
+    for soil, start, end in everywhere:
+        first = max(start, mass_start)
+        last = min(end, mass_end)
         if first < last:
-            yield name, first, last
+            yield _key(soil), first, last
 
 
 def stress_along(motion: Motion, ax: Any = None) -> Any:
@@ -119,19 +127,22 @@ def stress_along(motion: Motion, ax: Any = None) -> Any:
     section = motion.plan.scene.arc
     if not isinstance(section, LayeredSection):
         raise ValueError("plot: the stress along the arc by strips: of a section with layers")
-    ax, rows = axis(ax, (7.0, 3.0)), stretches(section)
-    ends = np.linspace(rows[0].start, rows[-1].end, _ACROSS)
-    stress = mean_normal_stress(section, ends)
-    factor, unit = prefixed(stress, "Pa")
+    ax = axis(ax, (7.0, 3.0))
+    rows = stretches(section)
+    angles = np.linspace(rows[0].start, rows[-1].end, _ACROSS)
+    pascals = mean_normal_stress(section, angles)
+    factor, unit = prefixed(pascals, "Pa")
+    stress = factor * pascals
     length = sum(row.length for row in rows)
     force = sum(row.length * row.normal_stress for row in rows)
     mean = factor * force / length
-    middles = (ends[1:] + ends[:-1]) / 2
-    along = float(np.asarray(section.radius)) * (middles - ends[0])
-    ax.plot(along, factor * stress, **LINES["main"])
+    middles = (angles[1:] + angles[:-1]) / 2
+    radius = float(np.asarray(section.radius))
+    along = radius * (middles - angles[0])
+    ax.plot(along, stress, **LINES["main"])
     ax.axhline(mean, **LINES["total"])
-    _soils_behind(ax, section, factor * float(np.max(stress)))
-    label(ax, "by strips", points_of(along, factor * stress), LINES["main"]["color"])
+    _soils_behind(ax, section, float(np.max(stress)))
+    label(ax, "by strips", points_of(along, stress), LINES["main"]["color"])
     label(ax, "mean", points_of(along, mean))
     ax.set(xlabel="distance along the arc from its upper end (m)", ylabel=f"normal stress ({unit})")
     ax.set_xlim(0.0, length)
@@ -141,11 +152,14 @@ def stress_along(motion: Motion, ax: Any = None) -> Any:
 
 def _soils_behind(ax: Any, section: LayeredSection, height: float) -> None:
     """The soil of each stretch as a coloured area behind curves along the arc, with its name."""
-    colours, end = soil_colours(section.layers), 0.0
+    colours = soil_colours(section.layers)
+    start = 0.0
     for row in stretches(section):
         band, strong = colours[_key(row.soil)]
-        start, end = end, end + row.length
+        end = start + row.length
         ax.axvspan(start, end, color=band, lw=0)
         if row.soil.name:
-            places = [((start + end) / 2, share * height) for share in (0.08, 0.3, 0.5, 0.7, 0.9)]
+            middle = (start + end) / 2
+            places = [(middle, share * height) for share in (0.08, 0.3, 0.5, 0.7, 0.9)]
             label(ax, row.soil.name, places, strong)
+        start = end

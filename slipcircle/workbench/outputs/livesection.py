@@ -141,9 +141,11 @@ def _stretch(mass: Mass, frame: Frame, first: float, last: float) -> str:
 
 def _onwards(mass: Mass, frame: Frame, first: float, last: float) -> str:
     """The circle to a polar angle, continuing a path that ends at another one."""
-    x, y = frame.points(mass.on_circle(last)).tolist()
+    end = mass.on_circle(last)
+    x, y = frame.points(end).tolist()
     radius = mass.radius * frame.scale
-    is_large = int(abs(last - first) > math.pi)
+    opening = abs(last - first)
+    is_large = int(opening > math.pi)
     is_clockwise = int(last < first)
     return f"A{radius:.9g} {radius:.9g} 0 {is_large} {is_clockwise} {x:.3f} {y:.3f}"
 
@@ -193,8 +195,11 @@ def _area(line: Floats, bottom: float, frame: Frame) -> str:
 def _bands(soil: Any, frame: Frame) -> Iterator[str]:
     """The soils below the first as areas, each from its top down to the bottom of the view."""
     for number, top in enumerate(_tops(soil)):
-        if number:
-            yield _path(f"band band-{number % _COLOURS}", _area(_corners(top), frame.view.bottom, frame))
+        if number == 0:
+            continue
+        area = _area(_corners(top), frame.view.bottom, frame)
+        colour = number % _COLOURS
+        yield _path(f"band band-{colour}", area)
 
 
 def _corners(line: Floats) -> Floats:
@@ -233,7 +238,8 @@ def _names(soil: Any, frame: Frame) -> Iterator[str]:
     """Names of soils, water and firm layer at the upper side of the slope; the script moves them to their lines."""
     is_left = float(soil.facing) > 0.0
     x = frame.view.left if is_left else frame.view.right
-    edge, anchor = (_INSET, "start") if is_left else (WIDTH - _INSET, "end")
+    edge = _INSET if is_left else WIDTH - _INSET
+    anchor = "start" if is_left else "end"
     for height, words, kind in sorted(_named(soil, frame, x), reverse=True):
         line = frame.depth(height)
         if 0.0 <= line <= frame.height:
@@ -255,18 +261,30 @@ def _named(soil: Any, frame: Frame, x: float) -> Iterator[tuple[float, str, str]
 
 def axes(frame: Frame, names_left: bool) -> Raw:
     """Ticks in metres along the bottom and both sides, with numbers on the side that has no names."""
-    view, parts = frame.view, []
-    side, edge = ("side", WIDTH - _INSET) if names_left else ("side left", _INSET)
+    along_bottom = "".join(_bottom_axis(frame))
+    along_sides = "".join(_side_axes(frame, names_left))
+    return Raw(along_bottom + along_sides)
+
+
+def _bottom_axis(frame: Frame) -> Iterator[str]:
+    """Ticks and numbers along the bottom."""
+    view = frame.view
     above = frame.height - _INSET
     for x in _round_numbers(view.left, view.right, _TICKS[0]):
         across = (x - view.left) * frame.scale
-        parts.append(_path("tick", f"M{across:.1f} {frame.height:.1f}v-9"))
-        parts.append(f'<text class="unit" x="{across:.1f}" y="{above:.1f}">{x:g} m</text>')
+        yield _path("tick", f"M{across:.1f} {frame.height:.1f}v-9")
+        yield f'<text class="unit" x="{across:.1f}" y="{above:.1f}">{x:g} m</text>'
+
+
+def _side_axes(frame: Frame, names_left: bool) -> Iterator[str]:
+    """Ticks along both sides, and numbers on the side that has no names."""
+    view = frame.view
+    side = "side" if names_left else "side left"
+    edge = WIDTH - _INSET if names_left else _INSET
     for y in _round_numbers(view.bottom, view.top, _TICKS[1]):
         down = frame.depth(y)
-        parts.append(_path("tick", f"M{WIDTH:g} {down:.1f}h-9M0 {down:.1f}h9"))
-        parts.append(f'<text class="unit {side}" x="{edge:g}" y="{down:.1f}">{y:g} m</text>')
-    return Raw("".join(parts))
+        yield _path("tick", f"M{WIDTH:g} {down:.1f}h-9M0 {down:.1f}h9")
+        yield f'<text class="unit {side}" x="{edge:g}" y="{down:.1f}">{y:g} m</text>'
 
 
 def _round_numbers(low: float, high: float, most: int) -> list[float]:
@@ -275,6 +293,9 @@ def _round_numbers(low: float, high: float, most: int) -> list[float]:
     least = span / most
     power = 10.0 ** math.floor(math.log10(least))
     step = next(power * n for n in _STEPS if power * n >= least)
-    first = math.ceil((low + _FREE[0] * span) / step)
-    last = math.floor((high - _FREE[1] * span) / step)
+    free_below, free_above = _FREE
+    lowest = low + free_below * span
+    highest = high - free_above * span
+    first = math.ceil(lowest / step)
+    last = math.floor(highest / step)
     return [n * step + 0.0 for n in range(first, last + 1)]

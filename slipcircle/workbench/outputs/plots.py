@@ -14,6 +14,7 @@ import numpy as np
 from slipcircle.base.text import shown
 from slipcircle.core import LayeredSection, Motion, in_time
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
+from slipcircle.workbench.outputs.comparison import ladder
 from slipcircle.workbench.outputs.film import animate
 from slipcircle.workbench.outputs.kinks import Kinks, friction_kinks, motion_kinks, water_kinks
 from slipcircle.workbench.outputs.layerplot import stress_along
@@ -27,7 +28,6 @@ from slipcircle.workbench.outputs.plotstyle import (
     known,
     label,
     letter,
-    lines,
     mark,
     note,
     number,
@@ -38,7 +38,6 @@ from slipcircle.workbench.outputs.plotstyle import (
 )
 from slipcircle.workbench.outputs.sectionplot import section
 from slipcircle.workbench.outputs.trace import Floats, drawn
-from slipcircle.workbench.studies.ladder import Rung
 
 __all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]
 
@@ -179,7 +178,8 @@ def _explain_zeros(ax: Any, motion: Motion, with_required: bool) -> None:
     drops = (friction[1:] == 0.0) & (friction[:-1] > 0.0)
     if np.any(drops):
         last = int(np.argmax(drops))
-        label(ax, "no effective stress", (times[last + 1], friction[last] / 2), LINES["main"]["color"])
+        beside_drop = times[last + 1], friction[last] / 2
+        label(ax, "no effective stress", beside_drop, LINES["main"]["color"])
 
 
 def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
@@ -266,17 +266,20 @@ def _energies(motion: Motion, ax: Any, along: Floats) -> str:
     factor, unit = prefixed(np.concatenate([supplied, columns["dissipation"]]), "J")
     if not motion.moves:
         return unit
+    supplied = factor * supplied
     dissipation = factor * columns["dissipation"]
     kinetic = factor * columns["kinetic_energy"]
     total = dissipation + kinetic
     ax.fill_between(along, 0.0, dissipation, **AREAS["dissipation"])
     ax.fill_between(along, dissipation, total, **AREAS["kinetic"])
-    ax.plot(along, factor * supplied, **LINES["total"])
+    ax.plot(along, supplied, **LINES["total"])
     ax.set_ylim(0.0, 1.2 * float(np.max(total)))
     words = work(motion) + (" and first kinetic energy" if at_start else "")
     later = slice(len(along) // 4, None)
-    label(ax, words, points_of(along[later], factor * supplied[later]), LINES["total"]["color"])
-    label(ax, "dissipation", points_of(along[later], dissipation[later] / 2), "0.25", inside=True)
+    on_line = points_of(along[later], supplied[later])
+    in_middle = points_of(along[later], dissipation[later] / 2)
+    label(ax, words, on_line, LINES["total"]["color"])
+    label(ax, "dissipation", in_middle, "0.25", inside=True)
     thickest = int(np.argmax(kinetic))
     middle = dissipation[thickest] + kinetic[thickest] / 2
     label(ax, "kinetic energy", (along[thickest], middle), "0.25")
@@ -315,28 +318,6 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     label(ax, words, [(share * last, yields) for share in (0.1, 0.3, 0.5, 0.7, 0.9)])
     ax.grid(alpha=0.3)
     return ax
-
-
-def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
-    """The run-out as the effects of a scene are added one by one, beside that of the whole scene."""
-    ax, rungs = axis(ax, (9.0, 3.5)), list(rungs)
-    lines(ax, [f"+ {r.added.replace('_', ' ')}" if r.added else "no effect" for r in rungs])
-    for place, r in enumerate(rungs):
-        ax.barh(place, r.run_out, height=0.62, **AREAS["rests" if r.arrested else "moves on"])
-    ax.axvline(rungs[-1].run_out, **LINES["help"])
-    ax.set_xlabel(f"run-out along the arc (m); dotted: with all effects, {number(rungs[-1].run_out)} m")
-    side = ax.secondary_yaxis("right")
-    side.set_yticks(range(len(rungs)), [_rung_words(r) for r in rungs])
-    side.tick_params(length=0, labelsize="small")
-    return ax
-
-
-def _rung_words(rung: Rung) -> str:
-    """Run-out, peak velocity and duration of a rung in words."""
-    if not rung.peak_velocity:
-        return "does not move"
-    end = "at rest after" if rung.arrested else "still moving at"
-    return f"{number(rung.run_out)} m, peak {number(rung.peak_velocity)} m/s, {end} {number(rung.duration)} s"
 
 
 def overview(motion: Motion, figure: Any) -> Any:

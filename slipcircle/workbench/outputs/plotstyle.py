@@ -134,9 +134,11 @@ def points_of(x: Any, y: Any, count: int = 12) -> Any:
 
 def note(ax: Any, words: Iterable[str]) -> None:
     """Lines of text in the emptiest place of an axis."""
-    (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
-    across = np.linspace(left, right, 15)[1:-1]
-    up = np.linspace(bottom, top, 15)[1:-1]
+    inside = np.arange(1, 14) / 14
+    left, right = ax.get_xlim()
+    bottom, top = ax.get_ylim()
+    across = left + inside * (right - left)
+    up = bottom + inside * (top - bottom)
     places = np.stack(np.meshgrid(across, up), axis=-1)
     label(ax, "\n".join(words), places, "0.25", inside=True)
 
@@ -148,7 +150,9 @@ def quantity_words(quantity: Number) -> str:
         place = int(groups[-1])
         return f"top of layer {place}" if last == "top" else f"{last} of {groups[0]} point {place}"
     if groups[:1] == ["soils"]:
-        return f"{groups[1]}: {quantity_words(replace(quantity, name='.'.join([*groups[2:], last])))}"
+        _, soil, *rest = groups
+        of_soil = replace(quantity, name=".".join([*rest, last]))
+        return f"{soil}: {quantity_words(of_soil)}"
     if quantity.tangent:
         last = "angle" if last == "friction" else f"{last} angle"
         groups = groups or ["friction"]

@@ -136,7 +136,10 @@ def _declared(path: str, value: str, declaration: Any, given: Mapping[str, Any])
 def _shown(value: Any) -> str:
     """A value in full; for a long list its ends, for a distribution its name and parameters."""
     if isinstance(value, Mapping):
-        return f"{value['distribution']}: " + ", ".join(f"{k} {v}" for k, v in value.items() if k != "distribution")
+        parameters = dict(value)
+        name = parameters.pop("distribution")
+        words = [f"{key} {number}" for key, number in parameters.items()]
+        return f"{name}: {', '.join(words)}"
     if isinstance(value, str):
         return value
     if isinstance(value, Series):
@@ -146,4 +149,7 @@ def _shown(value: Any) -> str:
     if callable(value):  # a pulse, or the water level of a section
         return repr(value) if isinstance(value, Pulse) else "of the section's water level"
     texts = [repr(x) for x in np.ravel(value).tolist()]
-    return ", ".join(texts if len(texts) <= 12 else [*texts[:3], "...", *texts[-3:], f"({len(texts)} numbers)"])
+    count = len(texts)
+    if count > 12:
+        texts = [*texts[:3], "...", *texts[-3:], f"({count} numbers)"]
+    return ", ".join(texts)

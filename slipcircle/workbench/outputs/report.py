@@ -57,8 +57,12 @@ def page(
     title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes | None]], command: str, script: str = ""
 ) -> str:
     """A page of parts, and how to reproduce it: command, digests of scene files, versions."""
-    digests = {f"scene file of {n}": f"sha256 {hashlib.sha256(f).hexdigest()}" for n, f in files if f is not None}
-    versions = [[key, Raw(f"<code>{escaped(value)}</code>")] for key, value in (digests | facts()).items()]
+    sources = {}
+    for name, content in files:
+        if content is not None:
+            sources[f"scene file of {name}"] = f"sha256 {hashlib.sha256(content).hexdigest()}"
+    sources |= facts()
+    versions = [[key, Raw(f"<code>{escaped(value)}</code>")] for key, value in sources.items()]
     body = [tag("h1", title), *parts, tag("h2", "To repeat it")]
     if command:
         body.append(tag("p", "This command, with the versions and files below, writes this report again:"))
@@ -138,9 +142,12 @@ def input_parts(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
     yield Part(["input", "value", "unit", "what it is", "source"], given, "Inputs")
     effects = []
     for name, effect in EFFECTS.items():
-        effects.append([name, "used" if name in plan.effects else "not included", effect.help, effect.equation])
+        use = "used" if name in plan.effects else "not included"
+        effects.append([name, use, effect.help, effect.equation])
     yield Part(["effect", "", "what it does", "equation of the paper"], effects)
-    laws = [f"{name}: {LAWS[name].help}" if name in LAWS else name for name in law_names(plan.scene.friction)]
+    laws = []
+    for name in law_names(plan.scene.friction):
+        laws.append(f"{name}: {LAWS[name].help}" if name in LAWS else name)
     yield Part([], [["friction law", " times ".join(laws)]])
     yield tag("h3", "Equation of motion")
     yield tag("pre", str(plan.equation))
@@ -163,7 +170,8 @@ def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), comman
     names = [motion.plan.scene.name or f"scene {number}" for number, motion in enumerate(motions, 1)]
     several = len(motions) > 1
     parts = [_overview(motions, names)] if several else []
-    for number, (motion, name, file) in enumerate(zip(motions, names, files, strict=True), 1):
+    scenes = zip(motions, names, files, strict=True)
+    for number, (motion, name, file) in enumerate(scenes, 1):
         slide = live.fragment([motion], f"slide-{number}")
         about = [slide, *_of_motion(motion, file)]
         parts.append(Raw(f'<section id="scene-{number}">'))
@@ -316,10 +324,12 @@ def _method_words(method: str) -> str:
 def _moments(study: Study, heads: Sequence[str]) -> Part:
     """Mean and standard deviation of each outcome, with those of linear propagation."""
     rows: list[list[Any]] = []
-    for moment, (name, estimate) in enumerate((("mean", study.mean), ("std", study.std))):
+    moments = (("mean", study.mean), ("std", study.std))
+    for moment, (name, estimate) in enumerate(moments):
         rows.append([name, *map(estimate, OUTCOMES)])
         if study.linear:
-            rows.append([f"linear {name}", *(shown(study.linear[outcome][moment]) for outcome in OUTCOMES)])
+            propagated = [shown(study.linear[outcome][moment]) for outcome in OUTCOMES]
+            rows.append([f"linear {name}", *propagated])
     note = f"no linear propagation: {study.no_linear}" if study.no_linear else "linear: derivatives at the means"
     return Part(["", *heads], rows, "Mean and standard deviation", note)
 
@@ -348,10 +358,12 @@ def _quantile_notes(study: Study) -> Iterator[str]:
 
 def study_report(study: Study, file: bytes | None = None, command: str = "") -> str:
     """A report on an ensemble of samples as HTML; the seed is added to the command if missing."""
-    name, way = study.scene.name or "scene", plan(study.scene, study.design.accuracy)
+    name = study.scene.name or "scene"
+    way = plan(study.scene, study.design.accuracy)
     if command and "--seed" not in command:
         command += f" --seed {study.seed}"
-    of_study = chapter(way, study.warnings, _of_study(study, way, file), export.record(study), "", file)
+    contents = _of_study(study, way, file)
+    of_study = chapter(way, study.warnings, contents, export.record(study), "", file)
     return page(f"Uncertain slide: {name}", of_study, [(name, file)], command)
 
 
@@ -361,9 +373,11 @@ def _of_study(study: Study, way: Plan, file: bytes | None) -> Iterable[Part | Ra
     caption = "Exceedance probability of greatest displacement and peak velocity"
     caption += "; below, sensitivity indices." if study.sensitivity else "."
     yield figure(f"Exceedance of {study.scene.name}", caption, pictures.picture("study", study, "svg"))
-    medians = [(f"median {words(name, q.unit)}", study.quantile(name, 0.5)) for name, q in OUTCOMES.items()]
-    numbers = [("probability of moving", study.moving), *medians]
-    yield Raw(f'<dl class="facts">{terms((name, _estimate(estimate)) for name, estimate in numbers)}</dl>')
+    numbers = {"probability of moving": study.moving}
+    for name, quantity in OUTCOMES.items():
+        numbers[f"median {words(name, quantity.unit)}"] = study.quantile(name, 0.5)
+    key_numbers = terms((name, _estimate(estimate)) for name, estimate in numbers.items())
+    yield Raw(f'<dl class="facts">{key_numbers}</dl>')
     yield from parts(study)
     yield from input_parts(way, file)
     uncertain = []

@@ -20,13 +20,15 @@ def critical_circle(critical: Critical, figure: Any) -> Any:
     from matplotlib.patches import Polygon
     from matplotlib.patheffects import withStroke
 
-    ax, mass = figure.add_subplot(), mass_of(critical, critical.slope)
-    outline, ground = mass.outline(), mass.ground
+    ax = figure.add_subplot()
+    mass = mass_of(critical, critical.slope)
+    outline = mass.outline()
     ax.add_patch(Polygon(outline, closed=True, zorder=2, **AREAS["start"]))
-    width, height = np.ptp(outline[:, 0]), np.ptp(ground[:, 1])
-    reach = max(float(width), 1.2 * float(height))
+    width = float(np.ptp(outline[:, 0]))
+    height = float(np.ptp(mass.ground[:, 1]))
+    reach = max(width, 1.2 * height)
     view = View.around(outline, mass.centre).grown(0.8 * reach, 0.4 * reach)
-    first, last = ground[[0, -1], 0]
+    first, last = mass.ground[[0, -1], 0]
     view = view._replace(left=max(view.left, first), right=min(view.right, last))
     view = scenery(ax, mass, critical.slope, view)
     view = _map(critical, ax, view)

@@ -91,12 +91,17 @@ class Stage(NamedTuple):
 def set_stage(motion: Motion, ax: Any, with_centre: bool = False) -> Stage:
     """Draw slope and circle of a motion to scale, with room for all positions of the mass."""
     soil = motion.plan.scene.arc
-    mass, magnification, is_arc = mass_of(soil, soil), magnified(motion), isinstance(soil, Arc)
+    mass = mass_of(soil, soil)
+    is_arc = isinstance(soil, Arc)
+    magnification = magnified(motion)
+    facing = float(soil.facing)
     poses = _poses(motion)
-    turns = [magnification * pose.rotation * float(soil.facing) for pose in poses]
+    turns = [magnification * pose.rotation * facing for pose in poses]
     outlines = [mass.outline(turn) for turn in turns]
-    view = View.around(*outlines, *([mass.centre] if is_arc and with_centre else []))
-    chord = float(np.hypot(*np.diff(mass.on_circle(mass.ends), axis=0)[0]))
+    to_show = [*outlines, mass.centre] if is_arc and with_centre else outlines
+    view = View.around(*to_show)
+    first, last = mass.on_circle(mass.ends)
+    chord = math.dist(first, last)
     is_small = chord < _SMALL * view.size
     margin = _MARGIN * view.size
     view = scenery(ax, mass, soil, view.grown(margin, margin))
@@ -150,12 +155,14 @@ def _draw_poses(ax: Any, poses: Sequence[Pose], outlines: Sequence[Floats], righ
 
 def _continuation(ax: Any, motion: Motion, mass: Mass, turn: float) -> None:
     """The circle beyond the end of the arc towards which the mass turns, which the method assumes."""
-    beyond = mass.ends[int(turn > 0.0)] + np.linspace(0.0, turn, 60)
+    toe = mass.ends[int(turn > 0.0)]
+    beyond = toe + np.linspace(0.0, turn, 60)
+    points = mass.on_circle(beyond)
     height = toe_words(motion)
-    ax.plot(*mass.on_circle(beyond).T, **{**LINES["help"], "zorder": 4})
+    ax.plot(*points.T, **{**LINES["help"], "zorder": 4})
     outcome = f"\nand ends {height}" if height else ""
     words = f"toe assumed to follow the circle{outcome}"
-    label(ax, words, mass.on_circle(beyond[20:50:5]), LINES["help"]["color"])
+    label(ax, words, points[20:50:5], LINES["help"]["color"])
 
 
 def _notes(motion: Motion, magnification: float) -> Iterator[str]:
@@ -172,8 +179,11 @@ def _notes(motion: Motion, magnification: float) -> Iterator[str]:
 def magnified(motion: Motion) -> float:
     """Magnification that makes displacements visible: 1, 2 or 5 times a power of ten."""
     arc = motion.plan.scene.arc
-    moved = abs(float(motion.reach.rotation)) / (2 * math.sin(float(arc.half_angle))) if motion.moves else 0.0
-    if not isinstance(arc, Arc) or moved >= _SEEN or moved == 0.0:
+    if not isinstance(arc, Arc) or not motion.moves:
+        return 1.0
+    chord = 2 * math.sin(float(arc.half_angle))  # over the radius
+    moved = abs(float(motion.reach.rotation)) / chord
+    if moved >= _SEEN or moved == 0.0:
         return 1.0
     most = _WIDE / moved
     power = 10.0 ** math.floor(math.log10(most))
@@ -215,15 +225,19 @@ def name_circle(ax: Any, mass: Mass, soil: Any) -> None:
     """Labels of the circle, and of the chord of an arc."""
     words = f"slip circle, $R$ = {number(mass.radius)} m"
     colour = "0.25" if isinstance(soil, LayeredSection) else LINES["main"]["color"]
-    label(ax, words, mass.arc[ON_ARC // 4 : -ON_ARC // 4 : 10], colour)
-    if isinstance(soil, Arc):
-        chord = 2 * mass.radius * math.sin(float(soil.half_angle))
-        dip = math.degrees(1.5 * math.pi - mass.ends.mean())
-        depth = float(soil.depth)
-        words = f"chord {number(chord)} m, dip {number(dip)} deg, depth {number(depth)} m"
-        left, right = mass.ground
-        shares = np.linspace(0.2, 0.8, 7)[:, None]
-        label(ax, words, left + shares * (right - left))
+    quarter = ON_ARC // 4
+    middle_half = mass.arc[quarter:-quarter:10]
+    label(ax, words, middle_half, colour)
+    if not isinstance(soil, Arc):
+        return
+    chord = 2 * mass.radius * math.sin(float(soil.half_angle))
+    dip = math.degrees(1.5 * math.pi - mass.ends.mean())
+    depth = float(soil.depth)
+    words = f"chord {number(chord)} m, dip {number(dip)} deg, depth {number(depth)} m"
+    left, right = mass.ground
+    shares = np.linspace(0.2, 0.8, 7)
+    along_chord = left + shares[:, None] * (right - left)
+    label(ax, words, along_chord)
 
 
 def _firm_layer(ax: Any, soil: Any, view: View) -> View:

@@ -31,15 +31,18 @@ class Mass(NamedTuple):
     def outline(self, turn: float = 0.0) -> Floats:
         """Points along the arc, left to right, and back along the ground; turned counterclockwise."""
         arc = self.arc
+        first = arc[0]
+        last = arc[-1]
         x = self.ground[:, 0]
-        first, last = arc[0], arc[-1]
         is_between = (x >= first[0]) & (x <= last[0])
         from_centre = np.hypot(*(self.ground - self.centre).T)
         is_inside = from_centre < (1 - 1e-9) * self.radius
-        leftwards = self.ground[is_between & is_inside][::-1]
+        above = self.ground[is_between & is_inside]
+        leftwards = above[::-1]
         outline = np.concatenate([arc, self._wall(last), leftwards, self._wall(first)])
         points = outline - self.centre
-        cos, sin = math.cos(turn), math.sin(turn)
+        cos = math.cos(turn)
+        sin = math.sin(turn)
         rotation = [[cos, sin], [-sin, cos]]
         return self.centre + points @ rotation
 
@@ -102,10 +105,12 @@ def mass_of(circle: Any, soil: Any) -> Mass:
     radius = float(circle.radius)
     if isinstance(circle, Arc):
         ends = np.array([circle.theta_1, circle.theta_2])
-        chord = radius * np.stack([np.cos(ends), np.sin(ends)], axis=-1)
-        return Mass(chord, np.zeros(2), radius, ends)
+        directions = np.stack([np.cos(ends), np.sin(ends)], axis=-1)
+        return Mass(radius * directions, np.zeros(2), radius, ends)
     centre = np.asarray(circle.centre, dtype=np.float64)
-    across, up = np.transpose(np.stack([circle.entry, circle.exit]) - centre)
+    from_centre = np.stack([circle.entry, circle.exit]) - centre
+    across, up = from_centre.T
     from_below = np.arctan2(across, -up)  # counted from straight below, angles do not jump
+    ends = np.sort(1.5 * math.pi + from_below)
     ground = np.asarray(soil.ground, dtype=np.float64)
-    return Mass(ground, centre, radius, np.sort(1.5 * math.pi + from_below))
+    return Mass(ground, centre, radius, ends)

@@ -123,7 +123,8 @@ def indices(study: "Study", output: str = "reach", ax: Any = None, named: bool =
         raise ValueError("indices: this ensemble has none: give it two uncertain numbers and base points at least")
     by_kind = study.sensitivity[output]
     keys = [quantity_words(u) for u in study.design.inputs.values()]
-    order = np.argsort([-total.value for total in by_kind.total], kind="stable")
+    totals = np.array([total.value for total in by_kind.total])
+    order = np.argsort(-totals, kind="stable")
     ax = axis(ax, (7.0, 1.6 + 0.6 * len(keys)))
     name = OUTCOMES[output].label if output in OUTCOMES else "whether it moves"
     ax.set_xlabel(f"share of the variance of {name} (–)", fontsize="small")
@@ -144,8 +145,10 @@ def _draw_indices(ax: Any, first: Any, total: Any, named: bool) -> None:
         _index_bars(ax, estimates, offset, style)
         if named:
             value, _, high = estimates
-            label(ax, words, (high[-1], len(value) - 1 + offset))
-    least, greatest = np.nanmin([first, total]), np.nanmax([first, total])
+            lowest_bar = len(value) - 1 + offset
+            label(ax, words, (high[-1], lowest_bar))
+    least = np.nanmin([first, total])
+    greatest = np.nanmax([first, total])
     left = min(0.0, 1.1 * least) if least < -0.01 else 0.0
     ax.set_xlim(left, max(1.0, 1.05 * greatest))
     ax.axvline(0.0, color="0.25", lw=0.8)
@@ -166,33 +169,47 @@ def _index_bars(ax: Any, estimates: Any, offset: float, style: str) -> None:
 def response(study: "Study", output: str = "reach", ax: Any = None) -> Any:
     """An output over the first number of a grid; for a second number a curve for each value, or a map for many."""
     known("response: output", output, OUTCOMES)
-    levels, numbers = study.design.levels, [*study.design.inputs.values()]
+    levels = study.design.levels
+    numbers = [*study.design.inputs.values()]
     check_grid([len(x) for x in levels])
     ax = axis(ax)
     values = study.samples[output].reshape(len(levels[0]), -1)
-    has_two = len(levels) == 2
-    if has_two and min(values.shape) > len(SERIES):
+    first_count, second_count = values.shape
+    most = len(SERIES)
+    if first_count > most and second_count > most:
         return _map(ax, levels, numbers, values, output)
-    if has_two and values.shape[1] > len(SERIES):
-        levels, numbers, values = levels[::-1], numbers[::-1], values.T
-    across = levels[0]
-    for k, (column, (colour, dashes, marker)) in enumerate(zip(values.T, SERIES, strict=False)):
-        ax.plot(across, column, color=colour, ls=dashes, marker=marker, lw=1.8, ms=4)
-        if has_two:
-            second = numbers[1]
-            words = f"{quantity_words(second)} {number(levels[1][k])} {unit_of(second)}"
-            label(ax, words.rstrip(), points_of(across, column, 100), colour)
+    if second_count > most:
+        levels = levels[::-1]
+        numbers = numbers[::-1]
+        values = values.T
+    _curves(ax, levels, numbers, values)
     ax.set(xlabel=axis_words(numbers[0]), ylabel=_label(output))
     ax.margins(0.08, 0.15)
     ax.grid(alpha=0.3)
     return ax
 
 
+def _curves(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any) -> None:
+    """Values over the first number of a grid, a curve with its label for each value of the second."""
+    across = levels[0]
+    for k, (column, style) in enumerate(zip(values.T, SERIES, strict=False)):
+        colour, dashes, marker = style
+        ax.plot(across, column, color=colour, ls=dashes, marker=marker, lw=1.8, ms=4)
+        if len(levels) < 2:
+            continue
+        second = numbers[1]
+        level = number(levels[1][k])
+        words = f"{quantity_words(second)} {level} {unit_of(second)}"
+        label(ax, words.rstrip(), points_of(across, column, 100), colour)
+
+
 def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any, output: str) -> Any:
     """Map of an output over both numbers of a grid, darkest at its maximum, blank where there is no result."""
     first, second = map(np.asarray, levels)
-    columns, rows = np.argsort(first), np.argsort(second)
-    across, up = first[columns], second[rows]
+    columns = np.argsort(first)
+    rows = np.argsort(second)
+    across = first[columns]
+    up = second[rows]
     ordered = values[np.ix_(columns, rows)].T
     cells = ax.pcolormesh(across, up, ordered, shading="nearest", cmap="viridis_r", rasterized=True)
     ax.figure.colorbar(cells, ax=ax, label=_label(output))
@@ -222,14 +239,15 @@ def explained_size(analysis: "BackAnalysis") -> tuple[float, float]:
 
 def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> None:
     """Outcomes over one fitted number, an axis each."""
-    field = number_in(analysis.motion.plan.scene, key)
+    scene = analysis.motion.plan.scene
+    field = number_in(scene, key)
     solved = [s.values[key] for s in analysis.solutions]
     errors = analysis.solutions[0].standard_errors or {}
     error = errors.get(key, 0.0)
     if not np.isfinite(error):
         error = 0.0
     at = _around(field, solved, error)
-    lanes = motions(analysis.motion.plan.scene, {field.name: field.to_si(at)})
+    lanes = motions(scene, {field.name: field.to_si(at)})
     for ax, (name, observed) in zip(axes, analysis.observed.items(), strict=True):
         curve = lanes.outcomes[name]
         ax.plot(at, curve, **LINES["main"])
@@ -237,7 +255,8 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
         _draw_observed(ax, observed, at)
         reached = [OUTCOMES[name].read(s.motion) for s in analysis.solutions]
         for value, outcome in zip(solved, reached, strict=True):
-            mark(ax, value, outcome, "end", f"{number(value)} {unit_of(field)}")
+            words = f"{number(value)} {unit_of(field)}"
+            mark(ax, value, outcome, "end", words)
         if error > 0.0:
             ax.errorbar(solved[0], reached[0], xerr=error, fmt="none", ecolor="black")
         ax.set_xlim(at[0], at[-1])
@@ -256,10 +275,12 @@ def _draw_observed(ax: Any, observed: tuple[float, float | None], places: Any) -
 
 def _around(field: Number, solved: Sequence[float], error: float) -> Any:
     """Values of a number around its solutions, within its open bounds."""
-    margin = max(4 * error, 0.3 * max(map(abs, solved)), np.ptp(solved))
+    largest = max(map(abs, solved))
+    margin = max(4 * error, 0.3 * largest, np.ptp(solved))
     low = max(min(solved) - margin, field.low)
     high = min(max(solved) + margin, field.high)
-    return np.linspace(low, high, _POINTS // 2)[1:-1]
+    points = np.linspace(low, high, _POINTS // 2)
+    return points[1:-1]
 
 
 def check_grid(counts: Sequence[int]) -> None:

@@ -246,7 +246,8 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
 
 def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
     """Derivatives as a table, per unit of the key of each parameter."""
-    rows = [["", "", *(shown(sensitivity.at[output]) for output in sensitivity.distinct)]]
+    outcomes = [shown(sensitivity.at[output]) for output in sensitivity.distinct]
+    rows = [["", "", *outcomes]]
     keys = by_name(sensitivity.scene)
     for parameter in sensitivity.parameters:
         key = keys[parameter]
@@ -256,7 +257,8 @@ def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
             at = sensitivity.at[output]
             per_unit = float(sensitivity.derivative(output, parameter) * key.slope(value))
             relative = per_unit * value / at if at else 0.0
-            cells.append(shown(per_unit) + (f" ({relative:+.2g})" if relative else ""))
+            in_brackets = f" ({relative:+.2g})" if relative else ""
+            cells.append(shown(per_unit) + in_brackets)
         rows.append([key.key, shown(value, 6), *cells])
     head = ["by", "value", *(words(n, unit) for n, unit in sensitivity.distinct.items())]
     return Part(head, rows, name, "change per unit of the key, and in brackets in per cent per per cent of it")
@@ -288,10 +290,8 @@ def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> No
 
 def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) -> Iterator[str]:
     """Lines of a table in blocks: the first column and as many others as fit, until all are printed."""
-    columns = []
-    for column in zip(*([head] if head else []), *rows, strict=True):
-        columns.append([clean(interval(cell) if isinstance(cell, Estimate) else cell) for cell in column])
-    first, *rest = columns
+    every_row = [head, *rows] if head else rows
+    first, *rest = ([*map(_cell_text, column)] for column in zip(*every_row, strict=True))
     yield from wrap(clean(title), width)
     widest_lead = max(width * 6 // 10, _LEAST)
     (lead,) = _widths([first], widest_lead)
@@ -299,12 +299,19 @@ def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) 
     while rest:
         counts = range(len(rest), 1, -1)
         count = next((n for n in counts if _total(rest[:n], _LEAST) <= room), 1)
-        beside, rest = rest[:count], rest[count:]
+        beside = rest[:count]
+        rest = rest[count:]
         wraps = range(width, _LEAST, -1)
         most = next((most for most in wraps if _total(beside, most) <= room), _LEAST)
-        yield from _lines([first, *beside], [lead, *_widths(beside, most)], bool(head))
+        widths = [lead, *_widths(beside, most)]
+        yield from _lines([first, *beside], widths, bool(head))
         yield ""
     yield from wrap(clean(note), width, break_on_hyphens=False)
+
+
+def _cell_text(cell: Any) -> str:
+    """A cell as printable text."""
+    return clean(interval(cell) if isinstance(cell, Estimate) else cell)
 
 
 def _total(columns: Sequence[Sequence[str]], most: int) -> int:
@@ -318,16 +325,27 @@ def interval(e: Estimate) -> str:
         return "-"
     if e.low == math.inf:
         return BEYOND
-    error = e.high - e.low if e.high < math.inf else max(e.value - e.low, 0.0)
-    error = error if error < math.inf else 0.0
-    value, low, high = ("?" if math.isnan(x) else BEYOND if x == math.inf else to_error(x, error) for x in e)
+    width = e.high - e.low if e.high < math.inf else max(e.value - e.low, 0.0)
+    error = width if width < math.inf else 0.0
+
+    def text(x: float) -> str:
+        if math.isnan(x):
+            return "?"
+        return BEYOND if x == math.inf else to_error(x, error)
+
+    value, low, high = map(text, e)
     return f"{low} to {high}" if math.isnan(e.value) else f"{value} [{low}, {high}]"
 
 
 def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
     """Widths of columns wrapped at some width, without breaking words."""
-    longest = (max(len(word) for cell in column for word in (*cell.split(), "")) for column in columns)
-    return [min(max(map(len, c)), max(most, word)) for c, word in zip(columns, longest, strict=True)]
+    widths = []
+    for column in columns:
+        words = " ".join(column).split()
+        longest_word = max(map(len, words), default=0)
+        longest_cell = max(map(len, column))
+        widths.append(min(longest_cell, max(most, longest_word)))
+    return widths
 
 
 def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool) -> Iterator[str]:

@@ -67,9 +67,11 @@ def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Number
     bars = []
     for name, (key, step) in steps.items():
         value = float(key.from_si(table.at[name]))
-        per_unit = table.derivative(output, name) * key.slope(value)
-        change = per_unit * step
-        words = f"{quantity_words(key)} {number(value)} ± {step:.3g} {unit_of(key)}"
+        per_si = table.derivative(output, name)
+        change = per_si * key.slope(value) * step
+        quantity = quantity_words(key)
+        unit = unit_of(key)
+        words = f"{quantity} {number(value)} ± {step:.3g} {unit}"
         bars.append((change, words.rstrip()))
     return sorted(bars, key=lambda bar: -abs(bar[0]))
 
