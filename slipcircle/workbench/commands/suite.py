@@ -2,6 +2,7 @@
 
 import argparse
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -55,6 +56,8 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
     suite = suite_of(options, gravity)
     scales = {"scales": options.scale, "scale_to_pga": options.scale_to_pga, "thresholds": options.thresholds}
     of_records = {"records": suite, "polarities": options.polarities} | scales
+    if not options.samples:
+        scene = replace(scene, uncertain={})
     found: SuiteStudy = ensemble(scene, options.samples or 1, **sampling, **of_records)
     return found
 

@@ -22,7 +22,7 @@ from typing import Any, Literal, NamedTuple
 from slipcircle.base.checks import raise_all
 from slipcircle.base.progress import track
 from slipcircle.base.series import Series
-from slipcircle.workbench.records.headers import ACCELERATION
+from slipcircle.workbench.records.headers import ACCELERATION, unit_of
 from slipcircle.workbench.records.recordfiles import Component, components
 from slipcircle.workbench.records.records import read_samples, shaking_of
 from slipcircle.workbench.suites.intensities import Intensities, intensities
@@ -213,8 +213,12 @@ def read_suite(
     ValueError
         If there is no record, or, if strict, any file is none.
     """
+    if units is not None and unit_of(units) is None:
+        raise ValueError(f"records: units = {units!r}: must be one of {ACCELERATION.choice}")
+    if step is not None and not step > 0.0:
+        raise ValueError(f"records: step = {step!r}: must be a positive time in s")
     entries, unread = list[Entry](), list[Unread]()
-    reading = {"holds": holds, "units": units, "gravity": gravity, "gaps": gaps}
+    reading = {"holds": holds, "units": units and unit_of(units), "gravity": gravity, "gaps": gaps}
     files = _files(paths)
     left = _KEPT
     for file in track(files, "records read"):
