@@ -116,7 +116,7 @@ def test_a_fragility_curve_of_two_levels_by_hand_and_by_leaving_out_each_record(
 )
 def test_a_fragility_that_motions_do_not_identify_has_a_reason_and_no_number(share: list[float], reason: str) -> None:
     shares = np.tile(share, (4, 1))
-    rounded = [[1.0 + 1e-16], [1.0], [1.0 - 2e-16], [1.0 + 3e-16]]
+    rounded = np.array([[1.0 + 3e-16], [1.0], [1.0 - 2e-16], [1.0 + 5e-16]])
     curve = fragility_curve(shares, rounded * np.array([0.1, 0.2, 0.4]), 0.1)
     assert reason in curve.reason
     numbers = [*curve.median, *curve.dispersion, *curve.probability(0.2)]
