@@ -4,12 +4,13 @@ import math
 
 import numpy as np
 import pytest
-from scipy import stats
+from scipy import integrate, stats
 
 from slipcircle import Series
 from slipcircle.workbench.suites.fragility import fragility_curve
 from slipcircle.workbench.suites.intensities import intensities
 from slipcircle.workbench.suites.regressions import REGRESSIONS, Shaking, comparisons
+from slipcircle.workbench.suites.spectra import misfit, response_spectrum
 from slipcircle.workbench.suites.statistics import distribution, exceedance, exceedance_shares, variance_shares
 from slipcircle.workbench.suites.synthetic import synthetic_records
 
@@ -191,6 +192,36 @@ def test_regressions_say_nothing_outside_their_range_or_without_a_magnitude() ->
     residuals = np.log([1.0, 2.0]) - menu.ln_cm(shaking)[:2]
     assert (found[0].mean, found[0].std) == pytest.approx((residuals.mean(), residuals.std(ddof=1)), rel=1e-12)
     assert found[0].std_ln == pytest.approx(0.3 * math.log(10.0))
+
+
+def test_response_spectra_are_those_of_oscillators_integrated_as_differential_equations() -> None:
+    record = synthetic_records(1, 1.0, 4.0, seed=5)["synthetic 1"]
+    periods = np.array([0.1, 0.4, 2.0])
+    peaks = []
+    for omega in (2.0 * math.pi / periods).tolist():
+
+        def oscillator(time: float, state: np.ndarray, omega: float = omega) -> list[float]:
+            return [state[1], float(record(time)) - 0.1 * omega * state[1] - omega**2 * state[0]]
+
+        end = record.time[-1] + 4.0 * math.pi / omega
+        found = integrate.solve_ivp(oscillator, (0.0, end), [0.0, 0.0], max_step=0.02, rtol=1e-6, atol=1e-9)
+        peaks.append(omega**2 * np.max(np.abs(found.y[0])))
+    assert response_spectrum(record, periods) == pytest.approx(peaks, rel=5e-3)
+
+
+def test_synthetic_records_match_a_target_spectrum() -> None:
+    """A plateau and what falls with the period; between the periods of the iteration, too."""
+    target = [0.05, 0.15, 0.5, 2.0], [0.5, 0.75, 0.75, 0.19]
+    records = synthetic_records(3, duration=6.0, seed=1, spectrum=target)
+    periods = np.geomspace(0.06, 1.9, 23)
+    expected = np.exp(np.interp(np.log(periods), *np.log(target)))
+    for record in records.values():
+        assert misfit(record, target) < 0.1
+        assert np.std(np.log(response_spectrum(record, periods) / expected)) < 0.15
+    assert np.mean([intensities(record).duration for record in records.values()]) == pytest.approx(6.0, rel=0.15)
+    assert misfit(synthetic_records(1)["synthetic 1"], target) > 0.3
+    with pytest.raises(ValueError, match="arias and spectrum exclude each other"):
+        synthetic_records(1, 1.0, spectrum=target)
 
 
 def test_synthetic_records_have_the_intensity_and_duration_asked_for() -> None:

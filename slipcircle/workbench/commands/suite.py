@@ -1,6 +1,7 @@
 """`slipcircle sweep --records`: a scene under each record of a suite, its options and tables."""
 
 import argparse
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -10,7 +11,14 @@ import numpy as np
 from slipcircle.base.text import shown
 from slipcircle.core import Scene
 from slipcircle.workbench.commands import values
-from slipcircle.workbench.commands.records import FORMATS, add_reading, add_synthetic, records_part, suite_of
+from slipcircle.workbench.commands.records import (
+    FORMATS,
+    add_reading,
+    add_synthetic,
+    records_part,
+    spectrum_misfits,
+    suite_of,
+)
 from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.studies.ensemble import ensemble
 from slipcircle.workbench.studies.statistics import value_text
@@ -62,15 +70,20 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
     return found
 
 
-def parts(study: SuiteStudy, magnitude: float) -> Iterator[Part]:
+def magnitude_of(options: argparse.Namespace) -> float:
+    """The magnitude; NaN if it is not known."""
+    return math.nan if options.magnitude is None else float(options.magnitude)
+
+
+def parts(study: SuiteStudy, options: argparse.Namespace) -> Iterator[Part]:
     """The records, what they do at the scale next to their own, and statistics at all scales."""
-    yield records_part(study.suite)
+    yield records_part(study.suite, spectrum_misfits(study.suite, options))
     scale = study.own_scale
     yield _by_record_part(study, scale)
     yield _statistics_part(study)
     yield _exceedance_part(study)
     yield _fragility_part(study)
-    if compared := study.regressions(scale, magnitude):
+    if compared := study.regressions(scale, magnitude_of(options)):
         yield _regressions_part(study, compared, scale)
     shares = variance_shares(study.displacement, scale)
     if shares.records == shares.records and study.values["status"].shape[-1] > 1:

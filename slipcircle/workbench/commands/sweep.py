@@ -1,7 +1,6 @@
 """`slipcircle sweep`: an ensemble or a grid of one scene, its table and files."""
 
 import argparse
-import math
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError
@@ -128,7 +127,7 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError("sweep: --search-each: of samples, not of a grid")
     if under_records and options.grid:
         raise ValueError("sweep: --records and --grid exclude each other; give uncertain numbers and --samples")
-    of_records = ("polarities", "scale", "scale_to_pga", "thresholds", "fragility")
+    of_records = ("polarities", "scale", "scale_to_pga", "thresholds", "fragility", "spectrum")
     absent = (None, False)
     given = [name for name in of_records if not any(getattr(options, name) is value for value in absent)]
     if given and not under_records:
@@ -148,9 +147,9 @@ def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_fil
     if options.fragility:
         exceedance = study.fragility_columns()
         files.write(options.fragility, files.table(exceedance, zip(*exceedance.values(), strict=True)))
-    magnitude = math.nan if options.magnitude is None else options.magnitude
+    magnitude = suite.magnitude_of(options)
     compared = [c._asdict() for c in study.regressions(study.own_scale, magnitude)]
-    tables = list(suite.parts(study, magnitude))
+    tables = list(suite.parts(study, options))
     record = study.to_dict() | {"regressions": compared}
     if options.report:
         files.write(options.report, suite_report(study, tables, record, scene_file, options.line).encode())
