@@ -1,6 +1,7 @@
 """`slipcircle sweep --records`: a scene under each record of a suite, its options and tables."""
 
 import argparse
+import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
@@ -51,6 +52,8 @@ def options(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--strict", action="store_true", help="stop if a file is no record, instead of going on without")
     ground = "what the records hold, positive down-slope; default %(default)s, whose opposite drives the mass"
     group.add_argument("--magnitude", type=float, metavar="M", help="of the earthquakes, for regressions that need it")
+    period = "fundamental period of the sliding mass, s, for Bray and Travasarou (2007); default 0, a rigid mass"
+    group.add_argument("--period", type=float, default=0.0, metavar="S", help=period)
     group.add_argument("--holds", choices=("ground", "driving"), default="ground", help=ground)
     group.add_argument("--units", help="unit of files that do not name theirs: g, m/s2, cm/s2, gal, mm/s2")
     group.add_argument("--step", type=float, metavar="S", help="time between samples of files without times, s")
@@ -77,15 +80,15 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
     return found
 
 
-def parts(study: SuiteStudy, magnitude: float) -> Iterator[Part]:
-    """The records, what they do at the scale next to their own, and statistics at all scales."""
+def parts(study: SuiteStudy, compared: Sequence[Comparison]) -> Iterator[Part]:
+    """The records, their displacements at the scale next to their own beside regressions, and statistics."""
     yield _records_part(study.suite)
     scale = study.own_scale
     yield _by_record_part(study, scale)
     yield _statistics_part(study)
     yield _exceedance_part(study)
     yield _fragility_part(study)
-    if compared := study.regressions(scale, magnitude):
+    if compared:
         yield _regressions_part(study, compared, scale)
     shares = variance_shares(study.displacement, scale)
     if shares.records == shares.records and study.values["status"].shape[-1] > 1:
@@ -122,11 +125,15 @@ def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: 
     """Published regressions beside the displacements at a scale."""
     head = ["regression", "in its range", "mean of ln ratio", "std", "its std"]
     rows = [[c.name, str(c.records), *(f"{x:.2f}" for x in (c.mean, c.std, c.std_ln))] for c in compared]
-    k_y, factor = shown(study.yield_coefficient), shown(study.block_factor)
+    k_y = shown(study.yield_coefficient)
+    factor = shown(study.block_factor)
     title = f"displacement at {study.scale_text(scale)} over that of a rigid block with k_y = {k_y} by regressions"
-    return Part(
-        head, rows, title, f"displacements are divided by {factor}, by which the arc moves farther than a block"
-    )
+    note = f"displacements are divided by {factor}, by which the arc moves farther than a block"
+    for c in compared:
+        if not math.isnan(c.none):
+            note += f"; {c.name}: no displacement (below 1 cm) for {100 * c.none:.3g} % of the records, "
+            note += f"computed {100 * c.none_computed:.3g} %"
+    return Part(head, rows, title, note)
 
 
 def _exceedance_part(study: SuiteStudy) -> Part:

@@ -151,9 +151,9 @@ def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_fil
         exceedance = study.fragility_columns()
         files.write(options.fragility, files.table(exceedance, zip(*exceedance.values(), strict=True)))
     magnitude = math.nan if options.magnitude is None else options.magnitude
-    compared = [c._asdict() for c in study.regressions(study.own_scale, magnitude)]
-    tables = list(suite.parts(study, magnitude))
-    record = study.to_dict() | {"regressions": compared}
+    compared = study.regressions(study.own_scale, magnitude, options.period)
+    tables = list(suite.parts(study, compared))
+    record = study.to_dict() | {"regressions": [c._asdict() for c in compared]}
     if options.report:
         files.write(options.report, suite_report(study, tables, record, scene_file, options.line).encode())
     return Answer(lambda: record, tables, [f"{study.scene.name}: {line}" for line in study.warnings])
