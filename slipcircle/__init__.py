@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from slipcircle.workbench.studies.ensemble import ensemble, grid
     from slipcircle.workbench.studies.study import Study
     from slipcircle.workbench.studies.suitestudy import SuiteStudy
+    from slipcircle.workbench.suites.synthetic import synthetic_records
 
 __version__ = VERSION
 use_forms("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
@@ -83,6 +84,7 @@ _PLACES = {
     "plan": "core",
     "read_suite": "workbench.records.suite",
     "solve": "core",
+    "synthetic_records": "workbench.suites.synthetic",
 }
 __all__ = [
     "Arc",
@@ -114,6 +116,7 @@ __all__ = [
     "plan",
     "read_suite",
     "solve",
+    "synthetic_records",
 ]
 
 

@@ -308,7 +308,19 @@ def test_a_reader_that_stops_reading(words: str, reads: str, told: str) -> None:
 def test_help_says_what_there_is_and_how_it_ends(said: Any) -> None:
     """Every command has its own help and a sentence; scenes and exit status stand in the first; within 100 columns."""
     told = {}
-    for name in ("", "run", "plan", "sweep", "backanalyse", "sensitivity", "search", "schema", "cost", "info"):
+    for name in (
+        "",
+        "run",
+        "plan",
+        "sweep",
+        "records",
+        "backanalyse",
+        "sensitivity",
+        "search",
+        "schema",
+        "cost",
+        "info",
+    ):
         told[name] = said(name, "--help")
         assert max(map(len, told[name].splitlines())) <= 100
         assert re.search(r"\n\n[A-Z][^\n]*(\n[^\n]+)*\.\n", told[name]), name

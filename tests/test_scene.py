@@ -142,7 +142,8 @@ def test_every_shipped_scene_loads_solves_and_passes_its_own_check() -> None:
     kinds = ("", "-as-printed", "-frozen", "-heated", "-rate", "-shaken", "-softening")
     vaionts = tuple(f"vaiont{kind}" for kind in kinds)
     assert shipped() == (
-        "layered-slope", "newmark-pulse", "real-slope", *vaionts, "valley-side", "weak-toe", "wet-slope",
+        "layered-slope", "newmark-pulse", "real-slope", "shaken-slope", *vaionts, "valley-side", "weak-toe",
+        "wet-slope",
     )  # fmt: skip
     motions = {name: solve(load(name)) for name in shipped()}
     for name, motion in motions.items():
@@ -151,7 +152,7 @@ def test_every_shipped_scene_loads_solves_and_passes_its_own_check() -> None:
         assert (scene.name, bool(scene.note), motion.moves) == (name, True, True)
         assert motion.arrested == (scene.end_time is None)
     assert {name: round(m.run_out) for name, m in motions.items() if m.arrested} == {
-        "layered-slope": 6, "newmark-pulse": 0, "real-slope": 10, "weak-toe": 9, "valley-side": 21,
+        "layered-slope": 6, "newmark-pulse": 0, "real-slope": 10, "shaken-slope": 1, "weak-toe": 9, "valley-side": 21,
         "vaiont": 677, "vaiont-rate": 574,
         "vaiont-shaken": 675, "vaiont-softening": 676, "wet-slope": 8,
     }  # fmt: skip

@@ -125,12 +125,17 @@ def test_a_fragility_that_motions_do_not_identify_has_a_reason_and_no_number(sha
     assert one.reason.startswith(("all motions have one peak acceleration", "every motion exceeds it"))
 
 
-def test_two_records_give_a_curve_without_intervals() -> None:
-    """What has no peak acceleration does not count."""
-    shares = np.array([[0.0, 0.5, 1.0], [0.0, 1.0, 0.5], [0.0, 0.0, 0.0]])
-    curve = fragility_curve(shares, np.array([[0.1, 0.2, 0.3]] * 2 + [[0.0] * 3]), 0.1)
-    assert math.isfinite(curve.median.value)
-    assert np.isnan([curve.median.low, curve.dispersion.high, curve.probability(0.2)[1]]).all()
+def test_a_fragility_that_rests_on_one_record_has_no_number() -> None:
+    """All exceed between 0.1 and 0.2 g, but for one motion; what has no peak acceleration does not count."""
+    shares, pga = np.tile([0.0, 1.0, 1.0], (6, 1)), np.tile([0.1, 0.2, 0.4], (6, 1))
+    shares[2, 1] = 0.5
+    pga[2] *= 1.1
+    pga[5], shares[5] = 0.0, 0.0
+    curve = fragility_curve(shares, pga, 0.1)
+    assert "rests on one record, without which no motion exceeds it up to a peak of 0.1 g and every" in curve.reason
+    shares[3], pga[3] = shares[2], pga[2]
+    assert fragility_curve(shares, pga, 0.1).reason == ""
+    assert fragility_curve(shares[2:5], pga[2:5], 0.1).reason == "needs 4 records at least"
 
 
 def test_shares_of_the_variance_of_a_sum() -> None:
@@ -228,7 +233,8 @@ def test_regressions_say_nothing_outside_their_range_or_without_a_magnitude() ->
     residuals = np.log([1.0, 2.0]) - menu.ln_cm(shaking)[:2]
     assert (found[0].mean, found[0].std) == pytest.approx((residuals.mean(), residuals.std(ddof=1)), rel=1e-12)
     assert found[0].std_ln == pytest.approx(0.3 * math.log(10.0))
-    assert not comparisons(np.full(4, 0.01), Shaking(0.6, pga, pga, pga, 9.5))
+    outside = comparisons(np.full(4, 0.01), Shaking(0.6, pga, pga, pga, 9.5))
+    assert [(c.records, math.isnan(c.mean)) for c in outside] == [(0, True)] * len(REGRESSIONS)
 
 
 def test_what_moves_less_than_a_centimetre_counts_as_no_displacement() -> None:
@@ -254,7 +260,7 @@ def test_a_step_of_the_ground_shakes_an_oscillator_beyond_its_rest() -> None:
 def test_a_response_is_that_of_the_oscillator_s_equation(period: float) -> None:
     """u'' + 2 zeta omega u' + omega^2 u = -a, integrated between all samples of a random record."""
     values = np.random.default_rng(8).normal(size=40)
-    record = Series(np.arange(40) * 0.05, values)
+    record = Series(np.linspace(0.0, 1.95, 40), values)
     frequency = 2.0 * math.pi / period
     times = np.arange(0.0, record.time[-1] + 1.5 * period, period / 400)
 

@@ -297,6 +297,34 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert asked("sweep newmark-pulse --polarities")[0] != 0
 
 
+def test_synthetic_records_written_to_a_folder_give_the_same_bits(tmp_path: Path, asked: Any, said: Any) -> None:
+    """As those made within the sweep; nothing else comes into the folder."""
+    made = "--synthetic 3:1.5:4 --seed 2"
+    status, out, err = asked(f"records {made} --out {tmp_path / 'suite'} --csv {tmp_path / 'records.csv'}")
+    assert (status, err) == (0, "")
+    measures = (tmp_path / "records.csv").read_text().splitlines()[1:]
+    assert [row.split(",")[0] for row in measures] == ["synthetic 1", "synthetic 2", "synthetic 3"]
+    names = sorted(path.name for path in (tmp_path / "suite").iterdir())
+    assert names == ["synthetic-0001.csv", "synthetic-0002.csv", "synthetic-0003.csv"]
+    results = [
+        json.loads(said(f"sweep newmark-pulse {records} --polarities --json"))
+        for records in (made, f"--records {tmp_path / 'suite'}")
+    ]
+    for name in ("run_out", "peak_velocity", "duration", "pga_g", "pairs"):
+        assert results[0][name] == results[1][name]
+    table = said(f"records {tmp_path / 'suite'}").splitlines()
+    assert [row.split()[1:] for row in table[3:6]] == [row.split()[2:] for row in out.splitlines()[3:6]]
+    refusals = {
+        f"{made} --out {tmp_path / 'suite'}": "exists, and is not an empty folder",
+        f"{made} --out {tmp_path / 'no' / 'suite'}": "there is no folder",
+        f"{tmp_path / 'suite'} --out {tmp_path / 'other'}": "writes synthetic records",
+        f"{tmp_path / 'suite'} {made}": "give either files and folders of records, or --synthetic",
+    }
+    for words, message in refusals.items():
+        status, _, err = asked(f"records {words}")
+        assert (status, message in err) == (1, True), err
+
+
 def test_a_report_of_a_suite_is_written_again_to_the_byte(tmp_path: Path, said: Any) -> None:
     line = "sweep newmark-pulse --synthetic 3:1.5:12 --seed 2 --polarities --scale 1,2 --report"
     pages = [tmp_path / name for name in ("one.html", "two.html")]

@@ -10,34 +10,31 @@ import numpy as np
 from slipcircle.base.text import shown
 from slipcircle.core import Scene
 from slipcircle.workbench.commands import values
+from slipcircle.workbench.commands.records import FORMATS, add_reading, add_synthetic, records_part, suite_of
 from slipcircle.workbench.outputs.tables import Part
-from slipcircle.workbench.records.suite import Suite, read_suite
 from slipcircle.workbench.studies.ensemble import ensemble
 from slipcircle.workbench.studies.statistics import value_text
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 from slipcircle.workbench.suites.regressions import Comparison
 from slipcircle.workbench.suites.statistics import distribution, exceedance, variance_shares
-from slipcircle.workbench.suites.synthetic import synthetic_records
 
 _HEADS = {
     "record": "record",
     "pga_g": "PGA (g)",
-    "displacement_m": "as recorded (m)",
+    "displacement_m": "recorded (m)",
     "reversed_m": "reversed (m)",
     "mean_m": "mean (m)",
-    "peak_velocity_m_s": "velocity (m/s)",
+    "peak_velocity_m_s": "v (m/s)",
     "slips": "slips",
-    "rotation_rad": "rotation (deg)",
+    "rotation_rad": "phi (deg)",
 }
 
 
 def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     group = parser.add_argument_group("earthquake records", "shake the scene in place of its own shaking")
-    formats = "AT2, ESM, K-NET, COSMOS, and tables of numbers, mixed"
-    group.add_argument("--records", nargs="+", metavar="PATH", help=f"files and folders of records: {formats}")
-    made = "synthetic ones in their place, of an Arias intensity in m/s and a duration (5 to 95 %%) in s: 20:1.5:12"
-    group.add_argument("--synthetic", type=_synthetic, metavar="COUNT:ARIAS:DURATION", help=made)
+    group.add_argument("--records", nargs="+", metavar="PATH", help=FORMATS)
+    add_synthetic(group)
     group.add_argument("--polarities", action="store_true", help="each record also reversed")
     scale = group.add_mutually_exclusive_group()
     scale.add_argument(
@@ -49,31 +46,16 @@ def options(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--thresholds", type=values.levels, metavar="A,B,C", help=thresholds)
     points = "write exceedance and fragility curves at every threshold and scale as a table, CSV"
     group.add_argument("--fragility", metavar="FILE", help=points)
-    group.add_argument("--strict", action="store_true", help="stop if a file is no record, instead of going on without")
-    ground = "what the records hold, positive down-slope; default %(default)s, whose opposite drives the mass"
     group.add_argument("--magnitude", type=float, metavar="M", help="of the earthquakes, for regressions that need it")
     period = "fundamental period of the sliding mass, s, for Bray and Travasarou (2007); default 0, a rigid mass"
     group.add_argument("--period", type=float, default=0.0, metavar="S", help=period)
-    group.add_argument("--holds", choices=("ground", "driving"), default="ground", help=ground)
-    group.add_argument("--units", help="unit of files that do not name theirs: g, m/s2, cm/s2, gal, mm/s2")
-    group.add_argument("--step", type=float, metavar="S", help="time between samples of files without times, s")
-
-
-def _synthetic(text: str) -> tuple[int, float, float]:
-    """COUNT:ARIAS:DURATION."""
-    count, arias, duration = text.split(":")
-    return int(count), float(arias), float(duration)
+    add_reading(group)
 
 
 def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteStudy:
     """Compute what the options ask for."""
     gravity = float(np.ravel(scene.arc.gravity)[0])
-    reading = {name: getattr(options, name) for name in ("strict", "holds", "units", "step")}
-    if options.synthetic:
-        count, arias, duration = options.synthetic
-        suite = Suite.of(synthetic_records(count, arias, duration, sampling["rng"] or 0, gravity))
-    else:
-        suite = read_suite(options.records, gravity=gravity, **reading)
+    suite = suite_of(options, gravity)
     scales = {"scales": options.scale, "scale_to_pga": options.scale_to_pga, "thresholds": options.thresholds}
     of_records = {"records": suite, "polarities": options.polarities} | scales
     found: SuiteStudy = ensemble(scene, options.samples or 1, **sampling, **of_records)
@@ -82,7 +64,7 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
 
 def parts(study: SuiteStudy, compared: Sequence[Comparison]) -> Iterator[Part]:
     """The records, their displacements at the scale next to their own beside regressions, and statistics."""
-    yield _records_part(study.suite)
+    yield records_part(study.suite)
     scale = study.own_scale
     yield _by_record_part(study, scale)
     yield _statistics_part(study)
@@ -106,25 +88,34 @@ def _by_record_part(study: SuiteStudy, scale: int) -> Part:
     of_samples = f"; medians of {samples} samples" if samples > 1 else ""
     others = f", one of {study.scales.size} (--csv has all)" if study.scales.size > 1 else ""
     title = f"{study.scene.name}: displacement along the arc at {study.scale_text(scale)}{others}{of_samples}"
-    note = "velocity, slips and rotation: the greater of both polarities" if len(study.polarities) > 1 else ""
+    note = "v: peak velocity; slips: how often it begins to slide; phi: rotation at the end"
+    note += "; the greater of both polarities" if len(study.polarities) > 1 else ""
     return Part([_HEADS[name] for name in columns], rows, title, note)
 
 
 def _statistics_part(study: SuiteStudy) -> Part:
     """The distribution of displacements at each scale."""
-    head = ["", "moving", "mean (m)", "16 % (m)", "median (m)", "84 % (m)", "geometric mean (m)", "std of ln D"]
+    head = ["", "moving", "mean (m)", "16 % (m)", "median (m)", "84 % (m)", "geometric (m)", "std of ln D"]
     rows = []
     for k in range(study.scales.size):
         moving, mean, median, p16, p84, geometric, std_ln = distribution(study.displacement, k)
         lengths = (mean, p16, median, p84, geometric, std_ln)
         rows.append([study.scale_text(k), f"{100 * moving:.3g} %", *map(value_text, lengths)])
-    return Part(head, rows, "distribution of the displacement D", "geometric mean and std of ln D: of those that move")
+    return Part(
+        head,
+        rows,
+        "distribution of the displacement D",
+        "geometric mean, and standard deviation of ln D, of those that move",
+    )
 
 
 def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: int) -> Part:
     """Published regressions beside the displacements at a scale."""
-    head = ["regression", "in its range", "mean of ln ratio", "std", "its std"]
-    rows = [[c.name, str(c.records), *(f"{x:.2f}" for x in (c.mean, c.std, c.std_ln))] for c in compared]
+    head = ["regression", "in range", "mean ln ratio", "std", "its std"]
+    rows = []
+    for c in compared:
+        numbers = ["-" if math.isnan(x) else f"{x:.2f}" for x in (c.mean, c.std, c.std_ln)]
+        rows.append([c.name, f"{c.records} of {c.of}", *numbers])
     k_y = shown(study.yield_coefficient)
     factor = shown(study.block_factor)
     title = f"displacement at {study.scale_text(scale)} over that of a rigid block with k_y = {k_y} by regressions"
@@ -140,13 +131,14 @@ def _exceedance_part(study: SuiteStudy) -> Part:
     """Exceedance probabilities at each scale."""
     thresholds = study.design.thresholds
     levels = exceedance(study.displacement, thresholds)
-    head = ["", "median PGA (g)", *(f"D > {shown(d)} m" for d in thresholds.tolist())]
-    pga = np.median(study.pga, axis=0).tolist()
-    rows = [
-        [study.scale_text(k), shown(pga[k]), *(f"{e.value:.2f} ({e.low:.2f} to {e.high:.2f})" for e in estimates)]
-        for k, estimates in enumerate(levels)
-    ]
-    note = "95 % intervals, of as many draws as there are records"
+    pga = [] if study.design.to_pga else [[shown(x)] for x in np.median(study.pga, axis=0).tolist()]
+    head = ["", *["PGA (g)"] * bool(pga), *(f"D > {shown(d)} m" for d in thresholds.tolist())]
+    rows = []
+    for k, estimates in enumerate(levels):
+        cells = [f"{e.value:.2f} [{e.low:.2f}, {e.high:.2f}]" for e in estimates]
+        rows.append([study.scale_text(k), *(pga[k] if pga else []), *cells])
+    median = "" if study.design.to_pga else "PGA: median of the records; "
+    note = f"{median}95 % intervals, of as many draws as there are records"
     return Part(head, rows, "probability that D exceeds a threshold", note)
 
 
@@ -158,16 +150,3 @@ def _fragility_part(study: SuiteStudy) -> Part:
         head, rows = head[:-1], [row[:-1] for row in rows]
     title = "lognormal fragility: probability Phi(ln(PGA/median)/dispersion) that D exceeds a threshold"
     return Part(head, rows, title, "greatest likelihood, with 95 % intervals of records as independent draws")
-
-
-def _records_part(suite: Suite) -> Part:
-    """What was read."""
-    head = ["record", "component", "samples", "step (s)", "unit", "PGA (g)", "PGV (m/s)", "I_A (m/s)"]
-    head += ["D5-95 (s)", "T_m (s)"]
-    rows = []
-    for entry in suite:
-        measures = [f"{value:.4g}" for value in entry.intensities]
-        samples = [str(entry.samples), shown(entry.step), entry.unit]
-        rows.append([entry.name, entry.component or "-", *samples, *measures])
-    note = "I_A: Arias intensity; D5-95: significant duration; T_m: mean period"
-    return Part(head, rows, f"{len(suite)} records, {len(suite.pairs)} pairs of components", note)

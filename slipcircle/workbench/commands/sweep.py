@@ -122,8 +122,6 @@ def _check_options(options: argparse.Namespace) -> None:
     under_records = options.records or options.synthetic
     if not (options.samples or options.grid or under_records):
         raise ValueError("sweep: give --samples N, --grid KEY=FROM:TO:COUNT, or --records FOLDER")
-    if options.records and options.synthetic:
-        raise ValueError("sweep: --records and --synthetic exclude each other; give one of them")
     if options.report and options.grid:
         raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
     if options.search_each and options.grid:

@@ -159,6 +159,17 @@ class Suite:
                 by_station.setdefault((str(Path(entry.file).parent), entry.station), []).append(entry)
         return [(same[0], same[1]) for same in by_station.values() if len(same) == 2]
 
+    def to_dict(self) -> dict[str, Any]:
+        """The records with their intensity measures, and what is not used, for JSON."""
+        known = ("name", "file", "station", "component", "samples", "step", "unit")
+        plain = [{name: getattr(entry, name) for name in known} for entry in self.entries]
+        return {
+            "records": [of | entry.intensities._asdict() for of, entry in zip(plain, self.entries, strict=True)],
+            "verticals": [entry.name for entry in self.verticals],
+            "pairs": [[entry.name for entry in pair] for pair in self.pairs],
+            "not_read": [unread._asdict() for unread in self.unread],
+        }
+
     @classmethod
     def of(cls, records: Any, **reading: Any) -> "Suite":
         """A suite as it is, of paths as `read_suite` takes them, or of `Series` (a sequence, or a mapping by name)."""

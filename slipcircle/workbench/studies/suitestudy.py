@@ -253,16 +253,10 @@ class SuiteStudy(Pictured):
 
     def to_dict(self) -> dict[str, Any]:
         """The study for JSON: its records, axes and results, (record, polarity, scale, sample), in SI units."""
-        known = ("name", "file", "station", "component", "samples", "step", "unit")
         sampling = self.design.sampling
         described = {
             "scene": self.scene.name,
-            "records": [
-                {name: getattr(entry, name) for name in known} | entry.intensities._asdict() for entry in self.suite
-            ],
-            "verticals": [entry.name for entry in self.suite.verticals],
-            "pairs": [[entry.name for entry in pair] for pair in self.suite.pairs],
-            "not_read": [unread._asdict() for unread in self.suite.unread],
+            **self.suite.to_dict(),
             "polarities": self.design.polarities,
             "scale_is": "pga_g" if self.design.to_pga else "factor",
             "yield_coefficient": self.yield_coefficient,

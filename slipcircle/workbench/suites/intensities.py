@@ -112,17 +112,28 @@ def spectral_acceleration(record: Series, period: float, damping: float = 0.05) 
         raise ValueError(f"period = {period!r}: must be at least 0 s and finite")
     if period == 0.0:
         return record.greatest
-    from scipy.linalg import expm
-    from scipy.signal import lfilter
-
-    first, last = float(record.time[0]), float(record.time[-1])
-    mean_step = (last - first) / (record.time.size - 1)
+    first = float(record.time[0])
+    last = float(record.time[-1])
+    intervals = record.time.size - 1
+    mean_step = (last - first) / intervals
     refinement = math.ceil(mean_step * _STEPS_OF_PERIOD / period)
-    count = (record.time.size - 1) * refinement + 1
-    times, step = np.linspace(first, last, count, retstep=True)
+    times, step = np.linspace(first, last, intervals * refinement + 1, retstep=True)
     at_rest = np.zeros(math.ceil(1.5 * period / step))  # the oscillation may be greatest after the end
     acceleration = np.concatenate([record(times), at_rest])
     frequency = 2.0 * math.pi / period
+    displacement = _oscillation(acceleration, float(step), frequency, damping)
+    return float(frequency**2 * np.max(np.abs(displacement)))
+
+
+def _oscillation(acceleration: Floats, step: float, frequency: float, damping: float) -> Floats:
+    """Displacement u of an oscillator from rest at even times, u'' + 2 zeta omega u' + omega^2 u = -a.
+
+    By Cayley and Hamilton u_(n+1) - tr(E) u_n + det(E) u_(n-1), E the free oscillation over a step, is a sum of three
+    accelerations alone.
+    """
+    from scipy.linalg import expm
+    from scipy.signal import lfilter
+
     oscillator = np.zeros((4, 4))  # displacement, velocity, acceleration of the ground and its slope
     oscillator[0, 1] = oscillator[2, 3] = 1.0
     oscillator[1, :3] = -(frequency**2), -2.0 * damping * frequency, -1.0
@@ -130,11 +141,9 @@ def spectral_acceleration(record: Series, period: float, damping: float = 0.05) 
     free = over_step[:2, :2]
     by_next = over_step[:2, 3] / step
     by_last = over_step[:2, 2] - by_next
-    # By Cayley and Hamilton u_(n+1) - tr(E) u_n + det(E) u_(n-1) is a sum of three accelerations alone.
     across = np.array([-free[1, 1], free[0, 1]])
     weights = [by_next[0], by_last[0] + across @ by_next, across @ by_last]
-    at_start = (
-        np.array([-weights[0], by_last[0] - weights[1]]) * acceleration[0]
-    )  # it starts at rest, where it may jump
-    displacement, _ = lfilter(weights, [1.0, -np.trace(free), np.linalg.det(free)], acceleration, zi=at_start)
-    return float(frequency**2 * np.max(np.abs(displacement)))
+    recurrence = [1.0, -np.trace(free), np.linalg.det(free)]
+    from_rest = np.array([-weights[0], by_last[0] - weights[1]]) * acceleration[0]  # the ground may jump at the start
+    displacement, _ = lfilter(weights, recurrence, acceleration, zi=from_rest)
+    return np.asarray(displacement)

@@ -270,10 +270,12 @@ class Comparison(NamedTuple):
     Attributes
     ----------
     name, source : str
+    of : int
+        Records.
     records : int
-        Records within its range that move.
+        Those within its range that move.
     mean, std : float
-        Of ln of the computed over the predicted displacement; NaN if too few records are within the range.
+        Of ln of the computed over the predicted displacement; NaN if fewer than two records are within the range.
     std_ln : float
         The regression's standard deviation of ln D, in the mean of these records.
     none, none_computed : float
@@ -282,6 +284,7 @@ class Comparison(NamedTuple):
 
     name: str
     source: str
+    of: int
     records: int
     mean: float
     std: float
@@ -291,21 +294,25 @@ class Comparison(NamedTuple):
 
 
 def comparisons(displacement: Floats, shaking: Shaking) -> list[Comparison]:
-    """Displacements of a block, m, one a record, beside every regression that has what it needs."""
+    """Displacements of a block, m, one a record, beside every regression whose measures are known."""
     rows = []
     displacement_cm = 100.0 * displacement
     for regression in REGRESSIONS:
         inside = regression.in_range(shaking) & np.isfinite(displacement)
         moves = inside & (displacement_cm > regression.least_cm)
-        count = int(moves.sum())
-        if count < 2:
+        predicted = regression.ln_cm(shaking)
+        if np.all(np.isnan(predicted)):  # it needs a measure that is not known
             continue
-        residuals = np.log(displacement_cm[moves]) - regression.ln_cm(shaking)[moves]
-        std_ln = regression.std_ln(shaking)[moves]
-        none = none_computed = math.nan
-        if regression.none is not None:
+        count = int(moves.sum())
+        mean = std = std_ln = none = none_computed = math.nan
+        if count > 1:
+            residuals = np.log(displacement_cm[moves]) - predicted[moves]
+            mean = float(residuals.mean())
+            std = float(residuals.std(ddof=1))
+            std_ln = float(regression.std_ln(shaking)[moves].mean())
+        if regression.none is not None and np.any(inside):
             none = float(regression.none(shaking)[inside].mean())
             none_computed = 1.0 - count / int(inside.sum())
-        spread = float(residuals.mean()), float(residuals.std(ddof=1)), float(std_ln.mean())
-        rows.append(Comparison(regression.name, regression.source, count, *spread, none, none_computed))
+        numbers = (count, mean, std, std_ln, none, none_computed)
+        rows.append(Comparison(regression.name, regression.source, displacement.size, *numbers))
     return rows

@@ -1,10 +1,14 @@
 """Synthetic records: filtered noise that swells and fades, with a given Arias intensity and significant duration."""
 
 import math
+import os
+from collections.abc import Mapping
+from pathlib import Path
 
 import numpy as np
 
 from slipcircle.base.series import Series
+from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.suites.intensities import intensities
 
@@ -17,24 +21,40 @@ _SLOWEST = 0.15  # Hz, below which there is little
 def synthetic_records(
     count: int, arias: float = 1.0, duration: float = 12.0, seed: int = 0, gravity: float = 9.81
 ) -> dict[str, Series]:
-    """Synthetic records by name, accelerations over gravity; they stand for no site and no earthquake.
+    """Synthetic records: filtered noise under an envelope, which stands for no site and no earthquake.
+
+    White noise passes the filter of a damped soil layer (Kanai 1957, Tajimi 1960; 2.5 Hz, damping 0.6), loses what is
+    slower than 0.15 Hz, and grows and decays with time as a gamma distribution does (Saragoni and Hart 1974).
 
     Parameters
     ----------
     count : int
+        Number of records.
     arias : float, optional
-        Arias intensity of each, m/s, exactly.
+        Arias intensity of each record, m/s; it is met exactly.
     duration : float, optional
-        Significant duration from 5 to 95 % of it, s, in the mean of many records.
+        Significant duration from 5 to 95 % of the Arias intensity, s; it is met in the mean of many records.
     seed : int, optional
-        The same seed gives the same records, of which more begin with the same ones.
+        The same seed gives the same records, and a larger count begins with the same ones.
     gravity : float, optional
         m/s^2.
+
+    Returns
+    -------
+    dict of str to Series
+        Driving accelerations over gravity by name, ``"synthetic 1"``, ..., every 0.01 s.
 
     Raises
     ------
     ValueError
         Names the argument that is not positive.
+
+    Examples
+    --------
+    >>> from slipcircle import ensemble, load, synthetic_records
+    >>> study = ensemble(load("newmark-pulse"), records=synthetic_records(3, 1.5), polarities=True)
+    >>> study.displacement.shape
+    (3, 2, 1, 1)
     """
     given = {"count": count, "arias": arias, "duration": duration, "gravity": gravity}
     for name, value in given.items():
@@ -63,3 +83,16 @@ def _record(rng: np.random.Generator, arias: float, duration: float, gravity: fl
     shaking = envelope * np.fft.irfft(noise * amplitude * slow, count)
     record = Series(time, shaking, held=False)
     return record.scaled(math.sqrt(arias / intensities(record, gravity).arias))
+
+
+def write_records(records: Mapping[str, Series], folder: str | os.PathLike[str]) -> None:
+    """Write driving accelerations into a folder as tables of time and acceleration of the ground, their opposite.
+
+    The folder may be new. `read_suite` reads the same records from it, in the same order and with the same bits.
+    """
+    place = Path(folder)
+    place.mkdir(exist_ok=True)
+    digits = max(4, len(str(len(records))))  # three would read as an azimuth
+    for number, record in enumerate(records.values(), 1):
+        rows = zip(record.time.tolist(), (0.0 - record.values).tolist(), strict=True)
+        files.write(place / f"synthetic-{number:0{digits}d}.csv", files.table(["time (s)", "acceleration (g)"], rows))

@@ -1,0 +1,101 @@
+"""`slipcircle records`: records of files and folders with their intensity measures, or synthetic ones to be written."""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from slipcircle.base.text import shown
+from slipcircle.workbench.common import files
+from slipcircle.workbench.outputs.tables import Answer, Part
+from slipcircle.workbench.records.suite import Suite, read_suite
+from slipcircle.workbench.suites.synthetic import synthetic_records, write_records
+
+HELP = "earthquake records of files and folders with their intensity measures, or synthetic ones for a folder"
+FORMATS = "files and folders of records: AT2, ESM, K-NET, COSMOS, and tables of numbers, mixed"
+
+
+def options(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument("records", nargs="*", metavar="PATH", help=FORMATS)
+    add_reading(parser)
+    add_synthetic(parser)
+    parser.add_argument("--seed", type=int, default=0, help="of synthetic records; default %(default)s")
+    out = "write synthetic records into a new folder, which sweep --records reads, as accelerations of the ground"
+    parser.add_argument("--out", metavar="FOLDER", help=out)
+    parser.add_argument("--csv", metavar="FILE", help="write a table of the records")
+
+
+def add_reading(parser: Any) -> None:
+    """Options of what files do not say."""
+    ground = "what the records hold, positive down-slope; default %(default)s, whose opposite drives the mass"
+    parser.add_argument("--strict", action="store_true", help="stop if a file is no record, and do not go on without")
+    parser.add_argument("--holds", choices=("ground", "driving"), default="ground", help=ground)
+    parser.add_argument("--units", help="unit of files that do not name theirs: g, m/s2, cm/s2, gal, mm/s2")
+    parser.add_argument("--step", type=float, metavar="S", help="time between samples of files without times, s")
+
+
+def add_synthetic(parser: Any) -> None:
+    """The option of synthetic records."""
+    made = "synthetic ones in their place, of an Arias intensity in m/s and a duration (5 to 95 %%) in s: 20:1.5:12"
+    parser.add_argument("--synthetic", type=_synthetic, metavar="COUNT:ARIAS:DURATION", help=made)
+
+
+def _synthetic(text: str) -> tuple[int, float, float]:
+    """COUNT:ARIAS:DURATION."""
+    try:
+        count, arias, duration = text.split(":")
+        return int(count), float(arias), float(duration)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text}: must be COUNT:ARIAS:DURATION, such as 20:1.5:12") from None
+
+
+def suite_of(options: argparse.Namespace, gravity: float) -> Suite:
+    """The suite that the options ask for."""
+    if bool(options.records) == bool(options.synthetic):
+        raise ValueError(f"{options.command}: give either files and folders of records, or --synthetic")
+    if options.synthetic:
+        count, arias, duration = options.synthetic
+        return Suite.of(synthetic_records(count, arias, duration, options.seed or 0, gravity))
+    reading = {name: getattr(options, name) for name in ("strict", "holds", "units", "step")}
+    return read_suite(options.records, gravity=gravity, **reading)
+
+
+def run(options: argparse.Namespace) -> Answer:
+    """Read or make the records, and write what is to be written."""
+    if options.out:
+        _check_folder(options)
+    suite = suite_of(options, 9.81)
+    if options.out:
+        write_records({entry.name: entry.record() for entry in suite}, options.out)
+    if options.csv:
+        rows = suite.to_dict()["records"]
+        files.write(options.csv, files.table(rows[0], [row.values() for row in rows]))
+    unread = [f"{line}; not used" for line in suite.unread]
+    vertical = [f"{entry.name}: is a vertical component by its name; not used" for entry in suite.verticals]
+    return Answer(suite.to_dict, [records_part(suite)], unread + vertical)
+
+
+def _check_folder(options: argparse.Namespace) -> None:
+    """Reject a folder that cannot be written, or whose other files would become part of the suite."""
+    folder = Path(options.out)
+    if not options.synthetic:
+        raise ValueError("records: --out: writes synthetic records; give --synthetic COUNT:ARIAS:DURATION as well")
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        raise ValueError(f"records: --out {folder}: exists, and is not an empty folder; give a new one")
+    if not folder.absolute().parent.is_dir():
+        raise ValueError(f"records: --out {folder}: there is no folder {folder.parent}")
+
+
+def records_part(suite: Suite) -> Part:
+    """The records with their intensity measures."""
+    with_components = any(entry.component for entry in suite)
+    head = ["record", *["component"] * with_components, "samples", "step (s)", "unit", "PGA (g)", "PGV (m/s)"]
+    head += ["I_A (m/s)", "D5-95 (s)", "T_m (s)"]
+    rows = []
+    for entry in suite:
+        component = [entry.component or "-"] if with_components else []
+        samples = [str(entry.samples), shown(entry.step), entry.unit]
+        measures = [f"{value:.4g}" for value in entry.intensities]
+        rows.append([entry.name, *component, *samples, *measures])
+    note = "I_A: Arias intensity; D5-95: significant duration; T_m: mean period"
+    return Part(head, rows, f"{len(suite)} records, {len(suite.pairs)} pairs of components", note)
