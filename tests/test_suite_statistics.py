@@ -117,7 +117,8 @@ def test_a_fragility_curve_of_two_levels_by_hand_and_by_leaving_out_each_record(
 )
 def test_a_fragility_that_motions_do_not_identify_has_a_reason_and_no_number(share: list[float], reason: str) -> None:
     shares = np.tile(share, (4, 1))
-    curve = fragility_curve(shares, np.broadcast_to([0.1, 0.2, 0.4], shares.shape), 0.1)
+    rounded = np.array([[1.0 + 3e-16], [1.0], [1.0 - 2e-16], [1.0 + 5e-16]])
+    curve = fragility_curve(shares, rounded * np.array([0.1, 0.2, 0.4]), 0.1)
     assert reason in curve.reason
     numbers = [*curve.median, *curve.dispersion, *curve.probability(0.2)]
     assert np.all(np.isnan(numbers))
@@ -282,5 +283,7 @@ def test_synthetic_records_have_the_intensity_and_duration_asked_for() -> None:
     fewer = synthetic_records(2, 2.0, 8.0, seed=3)
     assert all(np.array_equal(record.values, records[name].values) for name, record in fewer.items())
     assert not np.array_equal(synthetic_records(1, 2.0, 8.0)["synthetic 1"].values, records["synthetic 1"].values)
-    with pytest.raises(ValueError, match=r"arias = -1.0: must be a positive number"):
-        synthetic_records(2, -1.0)
+    with pytest.raises(
+        ValueError, match="arias = -1: must be a positive number in m/s; duration = 2000: must be a time in s"
+    ):
+        synthetic_records(2, -1.0, 2000.0)

@@ -153,6 +153,10 @@ def test_what_is_no_record_is_listed_and_the_rest_goes_on(folder: Path) -> None:
     assert len(suite) == 6
     with pytest.raises(ValueError, match=r"(?s)corrupt.AT2.*nan.csv.*unit.csv"):
         read_suite([folder], strict=True)
+    with pytest.raises(ValueError, match="units = 'furlong': must be one of g, m/s2"):
+        read_suite([folder], units="furlong")
+    with pytest.raises(ValueError, match=r"step = 0.0: must be a positive time in s"):
+        read_suite([folder], step=0.0)
     empty = folder / "empty"
     empty.mkdir()
     (empty / "a.csv").write_text("nothing")
@@ -266,6 +270,17 @@ def test_a_record_of_zeros_has_no_peak_and_counts() -> None:
         ensemble(FROZEN, records=[zeros], scale_to_pga=0.3)
 
 
+def test_a_suite_that_moves_nothing_has_pictures_and_counts() -> None:
+    """Records that do not reach k_y, and one of zeros."""
+    records = {"zeros": Series(np.arange(3.0), np.zeros(3), held=False), "weak": quake(1).scaled(0.01)}
+    study = ensemble(FROZEN, records=records, polarities=True, scales=[1.0, 2.0])
+    assert np.all(study.displacement == 0.0)
+    figure = study.plot().figure
+    words = [text.get_text() for ax in figure.axes for text in ax.texts]
+    assert words.count("does not move") == 3
+    pyplot.close(figure)
+
+
 def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     """The same numbers in its table, CSV and JSON; a warning for each file that is no record, unless strict."""
     (folder / "corrupt.AT2").write_text(BAD["corrupt.AT2"][0], "utf-8")
@@ -358,7 +373,7 @@ def test_a_picture_has_every_record_in_order() -> None:
     scale = study.own_scale
     (middle,) = (k for k, entry in enumerate(study.suite) if entry.name == names[1])
     for panel, name in ((velocity, "peak_velocity"), (displacement, "run_out")):
-        assert panel.get_title() == f"{names[1]}, median at a peak of 0.4 g"
+        assert panel.get_title(loc="right") == f"median: {names[1]}"
         ends = [np.max(np.abs(line.get_ydata())) for line in panel.lines[:2]]
         assert ends == pytest.approx(np.abs(study.values[name][middle, :, scale, 0]), rel=1e-6)
     pyplot.close(figure)

@@ -95,7 +95,12 @@ def records_part(suite: Suite) -> Part:
     for entry in suite:
         component = [entry.component or "-"] if with_components else []
         samples = [str(entry.samples), shown(entry.step), entry.unit]
-        measures = [f"{value:.4g}" for value in entry.intensities]
+        measures = map(shown, entry.intensities)
         rows.append([entry.name, *component, *samples, *measures])
     note = "I_A: Arias intensity; D5-95: significant duration; T_m: mean period"
-    return Part(head, rows, f"{len(suite)} records, {len(suite.pairs)} pairs of components", note)
+    pairs = f", {_counted(len(suite.pairs), 'pair')} of components" if suite.pairs else ""
+    return Part(head, rows, f"{_counted(len(suite), 'record')}{pairs}", note)
+
+
+def _counted(count: int, noun: str) -> str:
+    return f"{count} {noun}{'s' * (count > 1)}"

@@ -3,6 +3,7 @@
 import argparse
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -58,6 +59,8 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
     suite = suite_of(options, gravity)
     scales = {"scales": options.scale, "scale_to_pga": options.scale_to_pga, "thresholds": options.thresholds}
     of_records = {"records": suite, "polarities": options.polarities} | scales
+    if not options.samples:
+        scene = replace(scene, uncertain={})
     found: SuiteStudy = ensemble(scene, options.samples or 1, **sampling, **of_records)
     return found
 

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from slipcircle.workbench.common.quantities import HISTORY
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 _NAMED = 60  # records up to which each has its name
 _LEAST = 1e-3  # of the greatest displacement, which a logarithmic axis begins with
 _POLARITIES = ("as recorded", "reversed")
+_LONGEST = 44  # letters above a panel
+_SKEW = 10.0  # of the greatest displacement over the median, from which small ones are spread out
 _PANEL = 3.4  # inches, how high a row of curves is
 
 
@@ -38,12 +41,16 @@ def displacements(study: "SuiteStudy", ax: Any = None) -> Any:
     in_order = values[order]
     ax.hlines(ranks, in_order.min(axis=1), in_order.max(axis=1), color="0.7", lw=1.0, zorder=1)
     for name, column, (colour, _, marker) in zip(_POLARITIES, in_order.T, SERIES, strict=False):
-        ax.plot(column, ranks, marker, color=colour, ms=4, label=name)
+        ax.plot(column, ranks, marker, color=colour, ms=4, label=name, clip_on=False)
     ax.set(xlabel=f"displacement at {study.scale_text(scale)} (m)", ylim=(-0.6, order.size - 0.4))
     if order.size <= _NAMED:
         ax.set_yticks(ranks, [study.suite.entries[k].name for k in order], fontsize=8, parse_math=False)
     else:
         ax.set_ylabel("record, in order")
+    known = in_order[np.isfinite(in_order)]
+    if known.size and known.max() > _SKEW * np.median(known):
+        ax.set_xscale("symlog", linthresh=known.max() / _SKEW**2)
+    ax.set_xlim(left=0.0)
     ax.grid(axis="x", alpha=0.3)
     if values.shape[1] > 1:
         legend(ax)
@@ -56,13 +63,16 @@ def incremental(study: "SuiteStudy", ax: Any = None) -> Any:
     values = np.median(study.displacement, axis=-1).mean(axis=1)
     levels = [distribution(study.displacement, k) for k in range(study.scales.size)]
     low, middle, high = np.array([(level.p16, level.median, level.p84) for level in levels]).T
-    greatest = float(np.max(values, initial=_LEAST, where=np.isfinite(values)))
+    greatest = float(np.max(values, initial=0.0, where=np.isfinite(values)))
+    if greatest == 0.0:
+        return empty("does not move", ax, "x", "y")
     least = _LEAST * greatest
     ax.plot(study.scales, values.T, color="0.75", lw=0.6, zorder=1)
     ax.fill_between(study.scales, low, high, **AREAS["band"], alpha=0.6)
     ax.plot(study.scales, middle, **LINES["main"])
-    in_view = middle > least
-    label(ax, "median", points_of(study.scales[in_view], middle[in_view]), LINES["main"]["color"])
+    in_view = (middle > least) & (middle < np.inf)
+    if np.any(in_view):
+        label(ax, "median", points_of(study.scales[in_view], middle[in_view]), LINES["main"]["color"])
     words = "peak acceleration of each record (g)" if study.design.to_pga else "factor on the records (–)"
     ax.set(xlabel=words, ylabel="displacement (m)", yscale="log", ylim=(least, 1.5 * greatest))
     note(ax, ["grey: records; band: 16 to 84 %"])
@@ -77,7 +87,8 @@ def fragility(study: "SuiteStudy", ax: Any = None) -> Any:
     """
     ax = axis(ax)
     levels = np.median(study.pga, axis=0)
-    pga = np.linspace(0.0, 1.05 * levels.max(), 201)[1:]
+    greatest = levels.max() if levels.size > 1 else study.pga.max()
+    pga = np.linspace(0.0, 1.05 * greatest, 201)[1:]
     estimates = np.array(exceedance(study.displacement, study.design.thresholds))
     for k, curve in enumerate(study.fragility()):
         colour, dashes, marker = SERIES[k % len(SERIES)]
@@ -99,9 +110,8 @@ def _history(study: "SuiteStudy", what: str, ax: Any = None) -> Any:
     """A quantity over time under the record of median displacement, at the scale next to the records' own."""
     ax, scale = axis(ax), study.own_scale
     record = study.median_record(scale)
-    name, unit = {"velocity": ("velocity", "m/s"), "displacement": ("displacement", "m")}[what]
-    ax.set_title(f"{study.suite.entries[record].name}, median at {study.scale_text(scale)}", fontsize="medium")
-    ax.set(xlabel="time (s)", ylabel=f"{name} ({unit})")
+    ax.set_title(_shortened(f"median: {study.suite.entries[record].name}"), loc="right", fontsize="small")
+    ax.set(xlabel="time (s)", ylabel=f"{what} ({HISTORY[what].unit})")
     motions = study.motions_of(record, scale)
     end = max(float(motion.duration) for motion in motions)
     if not any(motion.moves for motion in motions):
@@ -114,6 +124,11 @@ def _history(study: "SuiteStudy", what: str, ax: Any = None) -> Any:
         label(ax, words, points_of(times[high], values[high]), colour)
     ax.grid(alpha=0.3)
     return ax
+
+
+def _shortened(text: str) -> str:
+    """A text that fits above half a picture."""
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
 
 
 def velocity(study: "SuiteStudy", ax: Any = None) -> Any:
@@ -143,6 +158,8 @@ def overview(study: "SuiteStudy", figure: Any) -> Any:
     if study.scales.size > 1:
         incremental(study, figure.add_subplot(grid[1, 0]))
         fragility(study, figure.add_subplot(grid[1, 1]))
+    elif _has_cloud(study):
+        fragility(study, figure.add_subplot(grid[1, :]))
     velocity(study, figure.add_subplot(grid[-1, 0]))
     displacement(study, figure.add_subplot(grid[-1, 1]))
     letter(figure.axes)
@@ -158,5 +175,10 @@ def size(study: "SuiteStudy") -> tuple[float, float]:
 
 def _heights(study: "SuiteStudy") -> list[float]:
     records = 1.2 + 0.15 * min(len(study.suite), _NAMED)
-    curves = [_PANEL] if study.scales.size > 1 else []
+    curves = [_PANEL] if study.scales.size > 1 or _has_cloud(study) else []
     return [records, *curves, 0.8 * _PANEL]
+
+
+def _has_cloud(study: "SuiteStudy") -> bool:
+    """Whether the records have peak accelerations of their own at the one scale, over which there is a curve."""
+    return any(not curve.reason for curve in study.fragility())

@@ -22,7 +22,7 @@ from typing import Any, Literal, NamedTuple
 from slipcircle.base.checks import raise_all
 from slipcircle.base.progress import track
 from slipcircle.base.series import Series
-from slipcircle.workbench.records.headers import ACCELERATION
+from slipcircle.workbench.records.headers import ACCELERATION, unit_of
 from slipcircle.workbench.records.recordfiles import Component, components
 from slipcircle.workbench.records.records import read_samples, shaking_of
 from slipcircle.workbench.suites.intensities import Intensities, intensities
@@ -214,8 +214,9 @@ def read_suite(
     ValueError
         If there is no record, or, if strict, any file is none.
     """
+    _check_reading(units, step)
     entries, unread = list[Entry](), list[Unread]()
-    reading = {"holds": holds, "units": units, "gravity": gravity, "gaps": gaps}
+    reading = {"holds": holds, "units": units and unit_of(units), "gravity": gravity, "gaps": gaps}
     files = _files(paths)
     left = _KEPT
     for file in track(files, "records read"):
@@ -229,14 +230,25 @@ def read_suite(
         raise_all("records", [*map(str, unread)])
     horizontal = tuple(entry for entry in entries if not entry.place.is_vertical)
     if not horizontal:
-        reasons = [
-            f"; {line}"
-            for line in [*map(str, unread), *(f"{e.name}: is a vertical component by its name" for e in entries)]
-        ]
-        more = f"; and {len(reasons) - _SHOWN} more" if len(reasons) > _SHOWN else ""
-        where = ", ".join(map(str, paths))
-        raise ValueError(f"records: {where}: holds no horizontal record{''.join(reasons[:_SHOWN])}{more}")
+        raise ValueError(_nothing_read(paths, unread, entries))
     return Suite(horizontal, tuple(entry for entry in entries if entry.place.is_vertical), tuple(unread))
+
+
+def _check_reading(units: str | None, step: float | None) -> None:
+    """Reject a unit or a step that is wrong for every file."""
+    if units is not None and unit_of(units) is None:
+        raise ValueError(f"records: units = {units!r}: must be one of {ACCELERATION.choice}")
+    if step is not None and not step > 0.0:
+        raise ValueError(f"records: step = {step!r}: must be a positive time in s")
+
+
+def _nothing_read(paths: Iterable[Any], unread: Sequence[Unread], verticals: Sequence[Entry]) -> str:
+    """Why there is no horizontal record."""
+    reasons = [*map(str, unread), *(f"{entry.name}: is a vertical component by its name" for entry in verticals)]
+    shown = "".join(f"; {reason}" for reason in reasons[:_SHOWN])
+    more = f"; and {len(reasons) - _SHOWN} more" if len(reasons) > _SHOWN else ""
+    where = ", ".join(map(str, paths))
+    return f"records: {where}: holds no horizontal record{shown}{more}"
 
 
 def _files(paths: Iterable[str | PathLike[str]]) -> Sequence[Path]:

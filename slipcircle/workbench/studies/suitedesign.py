@@ -164,7 +164,7 @@ def _record_mistakes(design: SuiteDesign) -> Iterator[str]:
     """Records that cannot be scaled as they are to be."""
     for entry in design.suite:
         if design.to_pga and entry.peak == 0.0:
-            yield f"{entry.name}: is zero at all times, so that it has no peak to scale"
+            yield f"{entry.name}: is zero at all times, so that it has no peak to scale; leave it out"
         elif (peak := float(np.max(design.factors(entry))) * entry.peak) > STRONGEST:
             yield (
                 f"{entry.name}: would reach {peak:.4g} g, and no ground has shaken with more than {STRONGEST:g} g; "

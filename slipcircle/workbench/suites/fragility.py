@@ -15,6 +15,7 @@ from slipcircle.workbench.studies.statistics import NOT_GIVEN, Estimate
 
 Floats = NDArray[np.float64]
 _FEWEST = 4  # records of a curve
+_SAME = 1e-9  # relative difference of equal peak accelerations, which scaling rounds
 _UNKNOWN = np.full((2, 2), np.nan)
 
 
@@ -148,14 +149,14 @@ def _without_maximum(share: Floats, pga: Floats) -> str:
         return "no motion exceeds it; give larger scales"
     if np.all(share == 1.0):
         return "every motion exceeds it; give smaller scales"
-    if np.ptp(pga) == 0.0:
+    if np.ptp(pga) <= _SAME * pga.max():
         return "all motions have one peak acceleration; give several scales"
     log_pga = np.log(pga)
     growth = (share - share.mean()) @ (log_pga - log_pga.mean())
     if growth <= 0.0:
         return "it is not exceeded more often at larger peak accelerations"
     lowest, highest = float(pga[share > 0.0].min()), float(pga[share < 1.0].max())
-    if lowest == highest:
+    if abs(lowest - highest) <= _SAME * highest:
         return f"no motion exceeds it below a peak of {shown(lowest)} g and every one above; give scales next to it"
     if lowest > highest:
         both = f"no motion exceeds it up to a peak of {shown(highest)} g and every one does from {shown(lowest)} g"

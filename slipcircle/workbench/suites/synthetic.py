@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
 from slipcircle.base.series import Series
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import statistics
@@ -16,6 +17,12 @@ _SHAPE = 3.0  # of the gamma distribution by which the intensity grows with time
 _STEP = 0.01  # s
 _GROUND, _DAMPING = 2.5, 0.6  # Hz; of the soil that filters the noise (Kanai 1957, Tajimi 1960)
 _SLOWEST = 0.15  # Hz, below which there is little
+_BOUNDS: dict[str, Bounds] = {
+    "count": (0.0, 1e4, "a number of records"),
+    "arias": (0.0, INFINITY, "a positive number in m/s"),
+    "duration": (0.1, 1e3, "a time in s"),
+    "gravity": (0.0, INFINITY, "a positive number in m/s^2"),
+}
 
 
 def synthetic_records(
@@ -47,7 +54,7 @@ def synthetic_records(
     Raises
     ------
     ValueError
-        Names the argument that is not positive.
+        Names each argument out of bounds.
 
     Examples
     --------
@@ -57,9 +64,7 @@ def synthetic_records(
     (3, 2, 1, 1)
     """
     given = {"count": count, "arias": arias, "duration": duration, "gravity": gravity}
-    for name, value in given.items():
-        if not 0.0 < value < math.inf:
-            raise ValueError(f"synthetic records: {name} = {value!r}: must be a positive number")
+    raise_all("synthetic records", mistakes(given, _BOUNDS, one=given))
     streams = np.random.SeedSequence(seed).spawn(count)
     return {
         f"synthetic {k}": _record(np.random.default_rng(stream), arias, duration, gravity)
