@@ -11,14 +11,7 @@ import numpy as np
 from slipcircle.base.text import shown
 from slipcircle.core import Scene
 from slipcircle.workbench.commands import values
-from slipcircle.workbench.commands.records import (
-    FORMATS,
-    add_reading,
-    add_synthetic,
-    records_part,
-    spectrum_misfits,
-    suite_of,
-)
+from slipcircle.workbench.commands.records import FORMATS, add_reading, add_synthetic, records_part, suite_of
 from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.studies.ensemble import ensemble
 from slipcircle.workbench.studies.statistics import value_text
@@ -55,6 +48,8 @@ def options(parser: argparse.ArgumentParser) -> None:
     points = "write exceedance and fragility curves at every threshold and scale as a table, CSV"
     group.add_argument("--fragility", metavar="FILE", help=points)
     group.add_argument("--magnitude", type=float, metavar="M", help="of the earthquakes, for regressions that need it")
+    period = "fundamental period of the sliding mass, s, for Bray and Travasarou (2007); default 0, a rigid mass"
+    group.add_argument("--period", type=float, default=0.0, metavar="S", help=period)
     add_reading(group)
 
 
@@ -70,20 +65,15 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
     return found
 
 
-def magnitude_of(options: argparse.Namespace) -> float:
-    """The magnitude; NaN if it is not known."""
-    return math.nan if options.magnitude is None else float(options.magnitude)
-
-
-def parts(study: SuiteStudy, options: argparse.Namespace) -> Iterator[Part]:
-    """The records, what they do at the scale next to their own, and statistics at all scales."""
-    yield records_part(study.suite, spectrum_misfits(study.suite, options))
+def parts(study: SuiteStudy, compared: Sequence[Comparison], misfits: Sequence[float]) -> Iterator[Part]:
+    """The records, their displacements at the scale next to their own beside regressions, and statistics."""
+    yield records_part(study.suite, misfits)
     scale = study.own_scale
     yield _by_record_part(study, scale)
     yield _statistics_part(study)
     yield _exceedance_part(study)
     yield _fragility_part(study)
-    if compared := study.regressions(scale, magnitude_of(options)):
+    if compared:
         yield _regressions_part(study, compared, scale)
     shares = variance_shares(study.displacement, scale)
     if shares.records == shares.records and study.values["status"].shape[-1] > 1:
@@ -125,12 +115,19 @@ def _statistics_part(study: SuiteStudy) -> Part:
 def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: int) -> Part:
     """Published regressions beside the displacements at a scale."""
     head = ["regression", "in range", "mean ln ratio", "std", "its std"]
-    rows = [[c.name, str(c.records), *(f"{x:.2f}" for x in (c.mean, c.std, c.std_ln))] for c in compared]
-    k_y, factor = shown(study.yield_coefficient), shown(study.block_factor)
+    rows = []
+    for c in compared:
+        numbers = ["-" if math.isnan(x) else f"{x:.2f}" for x in (c.mean, c.std, c.std_ln)]
+        rows.append([c.name, f"{c.records} of {c.of}", *numbers])
+    k_y = shown(study.yield_coefficient)
+    factor = shown(study.block_factor)
     title = f"displacement at {study.scale_text(scale)} over that of a rigid block with k_y = {k_y} by regressions"
-    return Part(
-        head, rows, title, f"displacements are divided by {factor}, by which the arc moves farther than a block"
-    )
+    note = f"displacements are divided by {factor}, by which the arc moves farther than a block"
+    for c in compared:
+        if not math.isnan(c.none):
+            note += f"; {c.name}: no displacement (below 1 cm) for {100 * c.none:.3g} % of the records, "
+            note += f"computed {100 * c.none_computed:.3g} %"
+    return Part(head, rows, title, note)
 
 
 def _exceedance_part(study: SuiteStudy) -> Part:

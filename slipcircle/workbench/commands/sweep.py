@@ -1,6 +1,7 @@
 """`slipcircle sweep`: an ensemble or a grid of one scene, its table and files."""
 
 import argparse
+import math
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError
@@ -14,6 +15,7 @@ from slipcircle.core import Scene, Status
 from slipcircle.workbench.commands import suite
 from slipcircle.workbench.commands import values as read
 from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
+from slipcircle.workbench.commands.records import spectrum_misfits
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.common.quantities import OUTCOMES
@@ -147,10 +149,10 @@ def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_fil
     if options.fragility:
         exceedance = study.fragility_columns()
         files.write(options.fragility, files.table(exceedance, zip(*exceedance.values(), strict=True)))
-    magnitude = suite.magnitude_of(options)
-    compared = [c._asdict() for c in study.regressions(study.own_scale, magnitude)]
-    tables = list(suite.parts(study, options))
-    record = study.to_dict() | {"regressions": compared}
+    magnitude = math.nan if options.magnitude is None else options.magnitude
+    compared = study.regressions(study.own_scale, magnitude, options.period)
+    tables = list(suite.parts(study, compared, spectrum_misfits(study.suite, options)))
+    record = study.to_dict() | {"regressions": [c._asdict() for c in compared]}
     if options.report:
         files.write(options.report, suite_report(study, tables, record, scene_file, options.line).encode())
     return Answer(lambda: record, tables, [f"{study.scene.name}: {line}" for line in study.warnings])

@@ -61,8 +61,9 @@ def place_of(name: str, component: str = "") -> Place:
     if named is None:
         return Place(plain, "")
     parts = named.groupdict(default="")
-    said = parts["azimuth"] or parts["axis"] or parts["letter"] or parts["channel"]
-    return Place(parts["station"].rstrip("-_. ") + parts["level"] + parts["rest"], said.upper())
+    component = parts["azimuth"] or parts["axis"] or parts["letter"] or parts["channel"]
+    station = parts["station"].rstrip("-_. ") + parts["level"] + parts["rest"]
+    return Place(station, component.upper())
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from slipcircle.workbench.studies.design import NO_RESULT, Result
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.suitedesign import LANE_RESULTS, SuiteDesign
 from slipcircle.workbench.suites.fragility import FragilityCurve, fragility_curve
+from slipcircle.workbench.suites.intensities import spectral_acceleration
 from slipcircle.workbench.suites.regressions import Comparison, Shaking, comparisons
 from slipcircle.workbench.suites.statistics import distribution, exceedance, exceedance_shares
 
@@ -96,17 +97,31 @@ class SuiteStudy(Pictured):
         gravity = float(np.ravel(self.scene.arc.gravity)[0])
         return float(solve(shaken).outcomes["peak_velocity"]) / (0.1 * gravity * 1e-3)
 
-    def regressions(self, scale: int, magnitude: float = math.nan) -> list[Comparison]:
-        """Displacements at a scale beside published regressions of rigid blocks.
+    def regressions(self, scale: int, magnitude: float = math.nan, period: float = 0.0) -> list[Comparison]:
+        """Displacements at a scale beside published regressions of sliding blocks.
 
         Of each record the mean of polarities and the median of samples, over `block_factor`.
+
+        Parameters
+        ----------
+        scale : int
+        magnitude : float
+            Moment magnitude of the earthquakes; without it the regressions that need it are left out.
+        period : float
+            Fundamental period of the sliding mass, s, for Bray and Travasarou (2007); 0 of a rigid mass.
         """
+        if not 0.0 <= period < math.inf:
+            raise ValueError(f"period = {period!r}: must be at least 0 s and finite")
         if math.isnan(self.block_factor):
             return []
         by_record = self._by_record(scale)
         factors = self.factors[:, scale]
         pgv, arias = np.array([(e.intensities.pgv, e.intensities.arias) for e in self.suite]).T
-        shaking = Shaking(self.yield_coefficient, self.pga[:, scale], factors * pgv, factors**2 * arias, magnitude)
+        spectral = None
+        if period > 0.0:
+            spectral = factors * [spectral_acceleration(entry.record(), 1.5 * period) for entry in self.suite]
+        measures = self.pga[:, scale], factors * pgv, factors**2 * arias
+        shaking = Shaking(self.yield_coefficient, *measures, magnitude, period, spectral)
         return comparisons(by_record / self.block_factor, shaking)
 
     def _by_record(self, scale: int) -> Floats:

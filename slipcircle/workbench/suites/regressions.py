@@ -1,11 +1,15 @@
-"""Published regressions of the displacement of rigid sliding blocks, with their standard deviations and ranges.
+"""Published regressions of the displacement of sliding blocks, with their standard deviations and ranges.
 
-All give the natural logarithm of a displacement in cm; r is the yield coefficient over the peak acceleration.
+All give the natural logarithm of a displacement in cm; r is the yield coefficient over the peak acceleration. The
+coefficients agree with SLAMMER of the U.S. Geological Survey or with pyGEEMs, their results with worked examples in
+Kramer and Stewart (Geotechnical Earthquake Engineering, 2nd ed.), Rathje and others (2014), Bray (2007) and Table 1 of
+Bray and Travasarou (2007). Two doubts are left: SLAMMER has -3.320 for the -3.230 of Jibson's equation 9, and the range
+of Bray and Travasarou is that in use, not confirmed in the paper.
 """
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -13,6 +17,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 _LN_10 = math.log(10.0)
+RIGID = 0.05  # s, fundamental period below which Bray and Travasarou (2007) take a mass for rigid
 
 
 @dataclass(frozen=True)
@@ -27,6 +32,10 @@ class Shaking:
         Over gravity, m/s and m/s.
     magnitude : float
         NaN if it is not known; regressions that need it then give NaN.
+    period : float
+        Fundamental period T_s of the sliding mass, s; 0 of a rigid one.
+    spectral : ndarray, optional
+        Pseudo-acceleration of 5 % damping at the period 1.5 T_s over gravity; by default the peak acceleration.
     """
 
     k_y: float
@@ -34,10 +43,17 @@ class Shaking:
     pgv: Floats
     arias: Floats
     magnitude: float = math.nan
+    period: float = 0.0
+    spectral: Floats | None = None
 
     @property
     def ratio(self) -> Floats:
         return self.k_y / self.pga
+
+    @property
+    def response(self) -> Floats:
+        """The pseudo-acceleration at 1.5 T_s over gravity, which of a rigid mass is the peak acceleration."""
+        return self.pga if self.spectral is None else self.spectral
 
 
 @dataclass(frozen=True)
@@ -53,21 +69,30 @@ class Regression:
         ln D of `Shaking`; NaN or negative infinity where nothing moves.
     std_ln : callable
         Standard deviation of ln D.
-    least, greatest : float
-        Range of r: that of its authors, or where they give none, 0.05 to 0.95; outside it says nothing.
+    limits : mapping
+        Least and greatest values of its authors' data, by the attributes of `Shaking`.
+    least_cm : float
+        Displacement that counts as none.
+    none : callable, optional
+        Probability that there is none.
     """
 
     name: str
     source: str
     ln_cm: Callable[[Shaking], Floats]
     std_ln: Callable[[Shaking], Floats]
-    least: float = 0.05
-    greatest: float = 0.95
+    limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    least_cm: float = 0.0
+    none: Callable[[Shaking], Floats] | None = None
 
     def in_range(self, shaking: Shaking) -> NDArray[np.bool_]:
-        """Which records lie within its range."""
-        inside = (shaking.ratio >= self.least) & (shaking.ratio <= self.greatest)
-        return np.asarray(inside & np.isfinite(self.ln_cm(shaking)))
+        """Which records lie within its range; measures that are not known do not exclude a record."""
+        inside = np.isfinite(self.ln_cm(shaking)) & (shaking.ratio < 1.0)
+        for measure, (least, greatest) in self.limits.items():
+            value = getattr(shaking, measure)
+            outside = (value < least) | (value > greatest)
+            inside &= ~np.asarray(outside)
+        return np.asarray(inside)
 
 
 def _of_ratio(constant: float, one: float, other: float) -> Callable[[Shaking], Floats]:
@@ -82,7 +107,8 @@ def _of_ratio(constant: float, one: float, other: float) -> Callable[[Shaking], 
 
 
 def _jibson_arias(shaking: Shaking) -> Floats:
-    log_arias, log_ratio = np.log10(shaking.arias), np.log10(shaking.ratio)
+    log_arias = np.log10(shaking.arias)
+    log_ratio = np.log10(shaking.ratio)
     return np.asarray(_LN_10 * (0.561 * log_arias - 3.833 * log_ratio - 1.474))
 
 
@@ -92,95 +118,148 @@ def _jibson_magnitude(shaking: Shaking) -> Floats:
 
 
 def _jibson_arias_only(shaking: Shaking) -> Floats:
-    log_arias, log_yield = np.log10(shaking.arias), math.log10(shaking.k_y)
+    log_arias = np.log10(shaking.arias)
+    log_yield = math.log10(shaking.k_y)
     return np.asarray(_LN_10 * (2.401 * log_arias - 3.481 * log_yield - 3.230))
 
 
+def _polynomial(shaking: Shaking, *coefficients: float) -> Floats:
+    """A polynomial of r."""
+    return np.asarray(np.polynomial.Polynomial(coefficients)(shaking.ratio))
+
+
+def _saygili_rathje_peak(shaking: Shaking) -> Floats:
+    of_ratio = _polynomial(shaking, 5.52, -4.43, -20.39, 42.61, -28.74)
+    return of_ratio + 0.72 * np.log(shaking.pga)
+
+
 def _saygili_rathje(shaking: Shaking) -> Floats:
-    shape = np.polynomial.Polynomial((-1.56, -4.58, -20.84, 44.75, -30.50))
+    of_ratio = _polynomial(shaking, -1.56, -4.58, -20.84, 44.75, -30.50)
     velocity_cm = 100.0 * shaking.pgv
-    return np.asarray(shape(shaking.ratio) - 0.64 * np.log(shaking.pga) + 1.55 * np.log(velocity_cm))
+    return np.asarray(of_ratio - 0.64 * np.log(shaking.pga) + 1.55 * np.log(velocity_cm))
 
 
-def _saygili_rathje_arias(shaking: Shaking) -> Floats:
-    shape = np.polynomial.Polynomial((-0.74, -4.93, -19.91, 43.75, -30.12))
-    of_peaks = -1.30 * np.log(shaking.pga) + 1.04 * np.log(100.0 * shaking.pgv)
-    return np.asarray(shape(shaking.ratio) + of_peaks + 0.67 * np.log(shaking.arias))
+def _saygili_rathje_two(shaking: Shaking) -> Floats:
+    of_ratio = _polynomial(shaking, 2.39, -5.24, -18.78, 42.01, -29.15)
+    return np.asarray(of_ratio - 1.56 * np.log(shaking.pga) + 1.38 * np.log(shaking.arias))
+
+
+def _saygili_rathje_three(shaking: Shaking) -> Floats:
+    of_ratio = _polynomial(shaking, -0.74, -4.93, -19.91, 43.75, -30.12)
+    velocity_cm = 100.0 * shaking.pgv
+    of_peaks = -1.30 * np.log(shaking.pga) + 1.04 * np.log(velocity_cm)
+    return np.asarray(of_ratio + of_peaks + 0.67 * np.log(shaking.arias))
 
 
 def _rathje_saygili(shaking: Shaking) -> Floats:
-    shape = np.polynomial.Polynomial((4.89, -4.85, -19.64, 42.49, -29.06))
-    return np.asarray(shape(shaking.ratio) + 0.72 * np.log(shaking.pga) + 0.89 * (shaking.magnitude - 6.0))
+    of_ratio = _polynomial(shaking, 4.89, -4.85, -19.64, 42.49, -29.06)
+    return np.asarray(of_ratio + 0.72 * np.log(shaking.pga) + 0.89 * (shaking.magnitude - 6.0))
 
 
 def _bray_travasarou(shaking: Shaking) -> Floats:
-    """Of a rigid mass, whose spectral acceleration is the peak acceleration."""
-    y, s = math.log(shaking.k_y), np.log(shaking.pga)
-    of_slope = -0.22 - 2.83 * y - 0.333 * y * y
+    """Equation 5, and 6 of a rigid mass."""
+    y = math.log(shaking.k_y)
+    s = np.log(shaking.response)
+    of_period = -0.22 if shaking.period < RIGID else -1.10 + 1.50 * shaking.period
+    of_slope = -2.83 * y - 0.333 * y * y
     of_shaking = 0.566 * y * s + 3.04 * s - 0.244 * s * s
-    return np.asarray(of_slope + of_shaking + 0.278 * (shaking.magnitude - 7.0))
+    return np.asarray(of_period + of_slope + of_shaking + 0.278 * (shaking.magnitude - 7.0))
+
+
+def _no_displacement(shaking: Shaking) -> Floats:
+    """Probability of less than 1 cm by Bray and Travasarou (2007), equation 3."""
+    y = math.log(shaking.k_y)
+    s = np.log(shaking.response)
+    z = -1.76 - 3.22 * y - 0.484 * shaking.period * y + 3.52 * s
+    return np.array([0.5 * math.erfc(x / math.sqrt(2.0)) for x in z.tolist()])
 
 
 def _constant(std: float) -> Callable[[Shaking], Floats]:
     return lambda shaking: np.full_like(shaking.pga, std)
 
 
+_JIBSON = {"k_y": (0.05, 0.40), "magnitude": (5.3, 7.6)}
+_SAYGILI_RATHJE = {"k_y": (0.05, 0.30)}
+_ASCE = "Journal of Geotechnical and Geoenvironmental Engineering"
 REGRESSIONS = (
     Regression(
         "Ambraseys and Menu (1988)",
         "Earthquake Engineering and Structural Dynamics 16, 985-1006",
         _of_ratio(0.90, 2.53, -1.09),
         _constant(0.30 * _LN_10),
-        0.1,
-        0.9,
+        {"ratio": (0.1, 1.0), "magnitude": (6.6, 7.3)},
     ),
     Regression(
         "Jibson (2007), r",
         "Engineering Geology 91, 209-218, eq. 6",
         _of_ratio(0.215, 2.341, -1.438),
         _constant(0.510 * _LN_10),
+        _JIBSON,
     ),
     Regression(
         "Jibson (2007), Arias intensity and r",
         "Engineering Geology 91, 209-218, eq. 10",
         _jibson_arias,
         _constant(0.616 * _LN_10),
+        _JIBSON,
     ),
     Regression(
         "Jibson (2007), r and magnitude",
         "Engineering Geology 91, 209-218, eq. 7",
         _jibson_magnitude,
         _constant(0.454 * _LN_10),
+        _JIBSON,
     ),
     Regression(
         "Jibson (2007), Arias intensity and k_y",
         "Engineering Geology 91, 209-218, eq. 9",
         _jibson_arias_only,
         _constant(0.656 * _LN_10),
+        _JIBSON,
+    ),
+    Regression(
+        "Saygili and Rathje (2008), PGA",
+        f"{_ASCE} 134, 790-803",
+        _saygili_rathje_peak,
+        _constant(1.13),
+        _SAYGILI_RATHJE,
     ),
     Regression(
         "Saygili and Rathje (2008), PGA and PGV",
-        "Journal of Geotechnical and Geoenvironmental Engineering 134, 790-803",
+        f"{_ASCE} 134, 790-803, eq. 6",
         _saygili_rathje,
         lambda shaking: 0.41 + 0.52 * shaking.ratio,
+        _SAYGILI_RATHJE,
+    ),
+    Regression(
+        "Saygili and Rathje (2008), PGA and Arias intensity",
+        f"{_ASCE} 134, 790-803",
+        _saygili_rathje_two,
+        lambda shaking: 0.46 + 0.56 * shaking.ratio,
+        _SAYGILI_RATHJE,
     ),
     Regression(
         "Saygili and Rathje (2008), PGA, PGV and Arias intensity",
-        "Journal of Geotechnical and Geoenvironmental Engineering 134, 790-803",
-        _saygili_rathje_arias,
+        f"{_ASCE} 134, 790-803",
+        _saygili_rathje_three,
         lambda shaking: 0.20 + 0.79 * shaking.ratio,
+        _SAYGILI_RATHJE,
     ),
     Regression(
         "Rathje and Saygili (2009), PGA and magnitude",
         "Bulletin of the New Zealand Society for Earthquake Engineering 42, 18-27",
         _rathje_saygili,
         lambda shaking: 0.732 + 0.789 * shaking.ratio - 0.539 * shaking.ratio**2,
+        _SAYGILI_RATHJE,
     ),
     Regression(
-        "Bray and Travasarou (2007), rigid",
-        "Journal of Geotechnical and Geoenvironmental Engineering 133, 381-392",
+        "Bray and Travasarou (2007)",
+        f"{_ASCE} 133, 381-392, eqs. 3, 5 and 6",
         _bray_travasarou,
         _constant(0.66),
+        {"k_y": (0.01, 0.5), "period": (0.0, 2.0), "response": (0.002, 2.7), "magnitude": (4.5, 9.0)},
+        least_cm=1.0,
+        none=_no_displacement,
     ),
 )
 
@@ -191,31 +270,49 @@ class Comparison(NamedTuple):
     Attributes
     ----------
     name, source : str
+    of : int
+        Records.
     records : int
-        Records within its range that move.
+        Those within its range that move.
     mean, std : float
-        Of ln of the computed over the predicted displacement; NaN if too few records are within the range.
+        Of ln of the computed over the predicted displacement; NaN if fewer than two records are within the range.
     std_ln : float
         The regression's standard deviation of ln D, in the mean of these records.
+    none, none_computed : float
+        Predicted and computed shares of records within its range without a displacement, where it predicts one; NaN.
     """
 
     name: str
     source: str
+    of: int
     records: int
     mean: float
     std: float
     std_ln: float
+    none: float
+    none_computed: float
 
 
 def comparisons(displacement: Floats, shaking: Shaking) -> list[Comparison]:
-    """Displacements of a rigid block, m, one a record, beside every regression that has what it needs."""
-    found = []
+    """Displacements of a block, m, one a record, beside every regression whose measures are known."""
+    rows = []
+    displacement_cm = 100.0 * displacement
     for regression in REGRESSIONS:
-        inside = regression.in_range(shaking) & (displacement > 0.0) & np.isfinite(displacement)
-        count = int(inside.sum())
+        inside = regression.in_range(shaking) & np.isfinite(displacement)
+        moves = inside & (displacement_cm > regression.least_cm)
+        predicted = regression.ln_cm(shaking)
+        if np.all(np.isnan(predicted)):  # it needs a measure that is not known
+            continue
+        count = int(moves.sum())
+        mean = std = std_ln = none = none_computed = math.nan
         if count > 1:
-            logs = np.log(100.0 * displacement[inside]) - regression.ln_cm(shaking)[inside]
-            mean, std = float(logs.mean()), float(logs.std(ddof=1))
-            std_ln = float(regression.std_ln(shaking)[inside].mean())
-            found.append(Comparison(regression.name, regression.source, count, mean, std, std_ln))
-    return found
+            residuals = np.log(displacement_cm[moves]) - predicted[moves]
+            mean = float(residuals.mean())
+            std = float(residuals.std(ddof=1))
+            std_ln = float(regression.std_ln(shaking)[moves].mean())
+        if regression.none is not None and np.any(inside):
+            none = float(regression.none(shaking)[inside].mean())
+            none_computed = 1.0 - count / int(inside.sum())
+        numbers = (count, mean, std, std_ln, none, none_computed)
+        rows.append(Comparison(regression.name, regression.source, displacement.size, *numbers))
+    return rows

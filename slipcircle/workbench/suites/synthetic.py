@@ -13,7 +13,7 @@ from slipcircle.base.series import Series
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.suites.intensities import intensities
-from slipcircle.workbench.suites.spectra import Spectrum, resampled, response_spectrum
+from slipcircle.workbench.suites.spectra import Spectrum, log_ratios, resampled
 
 Floats = NDArray[np.float64]
 _SHAPE = 3.0  # of the gamma distribution by which the intensity grows with time (Saragoni and Hart 1974)
@@ -125,11 +125,11 @@ class _Noise:
         log_frequencies = np.log(np.maximum(self.frequencies, self.frequencies[1]))
         for _ in range(_ROUNDS):
             record = self.record(amplitude)
-            log_ratio = np.log(accelerations / response_spectrum(record, periods))
-            squares = float(np.sum(log_ratio**2))
+            excess = log_ratios(record, periods, accelerations)
+            squares = float(np.sum(excess**2))
             if squares < least:
                 best, least = record, squares
-            amplitude = amplitude * np.exp(np.interp(-log_frequencies, np.log(periods), log_ratio))
+            amplitude = amplitude * np.exp(-np.interp(-log_frequencies, np.log(periods), excess))
         return best
 
 
