@@ -12,6 +12,7 @@ from slipcircle import Series
 from slipcircle.workbench.suites.fragility import fragility_curve
 from slipcircle.workbench.suites.intensities import intensities, spectral_acceleration
 from slipcircle.workbench.suites.regressions import REGRESSIONS, Shaking, comparisons
+from slipcircle.workbench.suites.spectra import misfit
 from slipcircle.workbench.suites.statistics import distribution, exceedance, exceedance_shares, variance_shares
 from slipcircle.workbench.suites.synthetic import synthetic_records
 
@@ -284,6 +285,22 @@ def test_a_response_is_that_of_the_oscillator_s_equation(period: float) -> None:
 
     path = solve_ivp(rates, (0.0, times[-1]), [0.0, 0.0], t_eval=times, rtol=1e-9, atol=1e-12, max_step=0.02)
     assert spectral_acceleration(record, period) == pytest.approx(frequency**2 * np.abs(path.y[0]).max(), rel=2e-3)
+
+
+def test_synthetic_records_match_a_target_spectrum() -> None:
+    """A plateau and what falls with the period; between the periods of the iteration, too."""
+    target = [0.05, 0.15, 0.5, 2.0], [0.5, 0.75, 0.75, 0.19]
+    records = synthetic_records(3, duration=6.0, seed=1, spectrum=target)
+    periods = np.geomspace(0.06, 1.9, 23)
+    expected = np.exp(np.interp(np.log(periods), *np.log(target)))
+    for record in records.values():
+        assert misfit(record, target) < 0.1
+        spectrum = [spectral_acceleration(record, period) for period in periods.tolist()]
+        assert np.std(np.log(spectrum / expected)) < 0.15
+    assert np.mean([intensities(record).duration for record in records.values()]) == pytest.approx(6.0, rel=0.15)
+    assert misfit(synthetic_records(1)["synthetic 1"], target) > 0.3
+    with pytest.raises(ValueError, match="arias and spectrum exclude each other"):
+        synthetic_records(1, 1.0, spectrum=target)
 
 
 def test_synthetic_records_have_the_intensity_and_duration_asked_for() -> None:

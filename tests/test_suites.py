@@ -359,6 +359,24 @@ def test_synthetic_records_written_to_a_folder_give_the_same_bits(tmp_path: Path
         assert (status, message in err) == (1, True), err
 
 
+def test_the_command_matches_a_spectrum_and_says_what_remains(tmp_path: Path, asked: Any) -> None:
+    target = tmp_path / "target.csv"
+    target.write_text("period (s),Sa (g)\n0.05,0.5\n0.15,0.75\n0.5,0.75\n2,0.19\n")
+    status, out, err = asked(f"records --synthetic 2:4 --spectrum {target}")
+    assert (status, err) == (0, "")
+    *_, first, second = (line for line in out.splitlines() if line.startswith("synthetic"))
+    assert all(0.0 < float(row.split()[-2]) < 10.0 for row in (first, second))
+    target.write_text("period (s),Sa (g)\n0,0.5\n0.15,0.75\n")
+    refusals = {
+        f"--synthetic 2:4 --spectrum {target}": "periods and accelerations of a spectrum must be above 0",
+        f"--synthetic 2:1:4 --spectrum {target}": "COUNT:DURATION with --spectrum FILE",
+        "--synthetic 2:4": "give COUNT:ARIAS:DURATION, or",
+    }
+    for words, message in refusals.items():
+        status, _, err = asked(f"records {words}")
+        assert (status, message in err) == (1, True), err
+
+
 def test_a_report_of_a_suite_is_written_again_to_the_byte(tmp_path: Path, said: Any) -> None:
     line = "sweep newmark-pulse --synthetic 3:1.5:12 --seed 2 --polarities --scale 1,2 --report"
     pages = [tmp_path / name for name in ("one.html", "two.html")]
