@@ -116,7 +116,9 @@ def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: 
     """Published regressions beside the displacements at a scale, and why a regression says nothing."""
     head = ["regression", "in range", "predicted (m)", "ln ratio", "std", "published std"]
     factor = shown(study.block_factor)
-    notes = [f"displacements are divided by {factor}, by which the arc moves farther than a block; means of logarithms"]
+    notes = [
+        f"displacements are divided by {factor}, by which the arc moves farther than a block; ln ratio: mean over the records"
+    ]
     rows = []
     for c in compared:
         predicted = "-" if math.isnan(c.predicted) else f"{c.predicted:.3g}"
@@ -125,7 +127,7 @@ def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: 
         if not c.records:
             notes.append(f"{c.name} holds for {c.valid}")
         if not math.isnan(c.negligible):
-            shares = f"{100 * c.negligible:.3g} % of the records, computed {100 * c.negligible_computed:.3g} %"
+            shares = f"{100 * c.negligible:.1f} % of the records, computed {100 * c.negligible_computed:.1f} %"
             notes.append(f"{c.name}: no displacement (at most 1 cm) for {shares}")
     k_y = shown(study.yield_coefficient)
     title = f"displacement at {study.scale_text(scale)} over that of a rigid block with k_y = {k_y} by regressions"

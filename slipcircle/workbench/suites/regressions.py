@@ -3,10 +3,10 @@
 All give the natural logarithm of a displacement in cm; r is the yield coefficient over the peak acceleration.
 
 Every coefficient and standard deviation agrees with at least two independent public sources: SLAMMER and groundfailure
-of the U.S. Geological Survey, OpenQuake, OpenSRA, pyGEEMs, pyNewmarkDisp, newmark (CRAN), Kramer and Stewart (Geotechnical
-Earthquake Engineering, 2nd ed.), and the spreadsheet of Bray and Travasarou, which has their range. Results agree with
-worked examples in Kramer and Stewart, Rathje and others (2014), Bray (2007), Bray and Travasarou (2007) and the
-spreadsheet. Where sources differ:
+of the U.S. Geological Survey, OpenQuake, OpenSRA, pyGEEMs, pyNewmarkDisp, newmark (CRAN), Kramer and Stewart
+(Geotechnical Earthquake Engineering, 2nd ed.), and the spreadsheet of Bray and Travasarou, which has their range.
+Results agree with worked examples in Kramer and Stewart, Rathje and others (2014), Bray (2007), Bray and Travasarou
+(2007) and the spreadsheet. Where sources differ:
 
 * Rathje and Saygili (2009, eq. 11) print 0.405 + 0.524 r for the standard deviation of the regression on PGA and PGV,
   which Saygili and Rathje (2008) round to 0.41 + 0.52 r;
