@@ -117,7 +117,8 @@ def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: 
     head = ["regression", "in range", "predicted (m)", "ln ratio", "std", "published std"]
     factor = shown(study.block_factor)
     notes = [
-        f"displacements are divided by {factor}, by which the arc moves farther than a block; ln ratio: mean over the records"
+        f"displacements are divided by {factor}, by which the arc moves farther than a block; "
+        "ln ratio: mean over the records"
     ]
     rows = []
     for c in compared:
