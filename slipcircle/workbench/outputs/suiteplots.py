@@ -94,15 +94,19 @@ def fragility(study: "SuiteStudy", ax: Any = None) -> Any:
     for k, curve in enumerate(study.fragility()):
         colour, dashes, marker = SERIES[k % len(SERIES)]
         value, low, high = estimates[:, k].T
-        errors = np.where((value > 0.0) & (value < 1.0), [value - low, high - value], 0.0)
+        some = (value > 0.0) & (value < 1.0)
+        errors = np.where(some, [value - low, high - value], 0.0)
         ax.errorbar(levels, value, errors, color=colour, ls="", marker=marker, ms=4, elinewidth=0.7, alpha=0.8)
-        probability, lower, upper = curve.probability(pga)
-        ax.fill_between(pga, lower, upper, color=colour, alpha=0.15, lw=0)
-        ax.plot(pga, probability, color=colour, ls=dashes)
         if curve.reason:
             ax.plot(levels, value, color=colour, ls=dashes, lw=0.6)
-        steep = (probability > 0.3) & (probability < 0.9)
-        anchors = points_of(levels, value) if curve.reason else points_of(pga[steep], probability[steep])
+            anchors = points_of(levels, value)
+        else:
+            probability, lower, upper = curve.probability(pga)
+            ax.fill_between(pga, lower, upper, color=colour, alpha=0.15, lw=0)
+            ax.plot(pga, probability, color=colour, ls=dashes)
+            off = np.abs(probability - 0.6)
+            steep = off <= max(0.3, off.min())
+            anchors = points_of(pga[steep], probability[steep])
         label(ax, f"D > {curve.threshold:g} m", anchors, colour)
     ax.set(xlabel="peak acceleration (g)", ylabel="exceedance probability (–)", xlim=(0.0, pga[-1]), ylim=(-0.02, 1.02))
     ax.grid(alpha=0.3)
@@ -121,9 +125,12 @@ def _history(study: "SuiteStudy", what: str, ax: Any = None) -> Any:
         return empty("does not move", ax, "x", "y")
     for words, motion, (colour, dashes, _) in zip(_POLARITIES, motions, SERIES, strict=False):
         columns = drawn(motion)
-        times, values = np.append(columns["time"], end), np.append(columns[what], columns[what][-1])
+        values = columns[what]
+        times = np.append(columns["time"], end)
+        values = np.append(values, values[-1])
         ax.plot(times, values, color=colour, ls=dashes, lw=1.2)
-        high = np.abs(values) > 0.6 * np.max(np.abs(values), initial=0.0)
+        size = np.abs(values)
+        high = size >= 0.6 * size.max()
         if len(motions) > 1:
             label(ax, words, points_of(times[high], values[high]), colour)
     ax.grid(alpha=0.3)
