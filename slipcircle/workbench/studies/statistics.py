@@ -196,14 +196,16 @@ def indices(sums: Floats, confidence: float) -> Indices:
 def _indices(sums: Floats) -> Floats:
     """First-order and total indices, (..., 2, inputs)."""
     n, both, squares = (sums[..., k, None] for k in range(3))
-    by_input = sums[..., 3:].reshape(*sums.shape[:-1], -1, 3)
-    jansen, saltelli, shift = (by_input[..., k] for k in range(3))
-    mean = both / (2 * n)
-    variance = squares / (2 * n) - mean**2
+    of_inputs = sums[..., 3:]
+    by_input = of_inputs.reshape(*sums.shape[:-1], -1, 3)
+    jansen, saltelli, shift = np.moveaxis(by_input, -1, 0)
+    samples = 2 * n
+    mean = both / samples
+    variance = squares / samples - mean**2
     varies = variance > 1e-13 * mean**2
     variance = np.where(varies, variance, np.nan)
     first = (saltelli - mean * shift) / (n * variance)
-    total = jansen / (2 * n * variance)
+    total = jansen / (samples * variance)
     return np.stack([first, total], axis=-2)
 
 
