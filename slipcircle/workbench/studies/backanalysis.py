@@ -269,11 +269,10 @@ def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
     nearest = ", ".join(f"{n} = {float(outcomes[n]):.6g} {OUTCOMES[n].unit}" for n in problem.observed)
     at = ", ".join(f"{n} = {v:.6g}" for n, v in first.values.items())
     how = f"that is {math.sqrt(best):.3g} standard errors off" if is_far else "with standard errors that is fitted"
-    raise Unattainable(
-        f"no values of {', '.join(first.values)} give {' and '.join(problem.observed)} as observed; the nearest is "
-        f"{nearest} at {at}; {how}",
-        {},
-    )
+    keys = ", ".join(first.values)
+    observed = " and ".join(problem.observed)
+    sentence = f"no values of {keys} give {observed} as observed; the nearest is {nearest} at {at}; {how}"
+    raise Unattainable(sentence, {})
 
 
 def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
@@ -310,7 +309,8 @@ def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -
     """Derivatives of the scaled residuals by the fields in their units, from those of all outcomes in SI units."""
     order = [*OUTCOMES]
     rows = [order.index(name) for name in problem.observed]
-    per_key = np.array([f.slope(v) for f, v in zip(problem.fields, values, strict=True)])
+    with_values = zip(problem.fields, values, strict=True)
+    per_key = np.array([field.slope(value) for field, value in with_values])
     scaled = slopes[rows] / problem.scales[:, None]
     return np.asarray(scaled * per_key)
 

@@ -32,7 +32,8 @@ T = TypeVar("T")
 _KEEP = 2**20  # samples up to which they are kept by default
 _BASE = 2**14
 _MOST_GRID = 2**26
-_MOST, _MOST_BASE = 10**12, 2**22
+_MOST = 10**12
+_MOST_BASE = 2**22
 _OF_ARRAYS = "a scene of arrays is solved as it is: use solve"
 _OUTSIDE = 1e-4  # of a distribution, that may lie out of a number's bounds; such samples are counted apart
 

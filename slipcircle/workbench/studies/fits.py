@@ -6,7 +6,8 @@ import numpy as np
 
 from slipcircle.workbench.studies.problem import Floats, SearchProblem
 
-_STARTS, _APART = 12, 0.1  # of fits, and shares of the ranges between them
+_STARTS = 12  # of fits
+_APART = 0.1  # shares of the ranges between starts
 _EVALUATIONS = 60  # of a fit
 _FLAT = 1e-3  # cosine of residuals and what changes with a field, below which no step makes them smaller
 _MET = 1e-7  # norm of residuals that are met exactly

@@ -11,7 +11,8 @@ from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import lengths
 
 Floats = NDArray[np.float64]
-_STEPS, _FINE = (1e-5, 1e-7), 1e-14  # of derivatives, relative, until one is small enough; their motions
+_STEPS = 1e-5, 1e-7  # of derivatives, relative, until one is small enough
+_FINE = 1e-14  # accuracy of their motions
 
 
 def motions(scene: Scene, values: Mapping[str, Any], accuracy: float | None = None) -> Motion:

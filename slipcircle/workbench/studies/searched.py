@@ -47,7 +47,7 @@ def effect_of_searching(study: Any, method: str) -> str:
     """How much it changes factors of safety that the circle is searched for every sample."""
     method = method if method in METHOD_NAMES else "paper"
     both = (method, f"{SEARCHED}{method}")
-    below = [f"{study.failure[name].value:.3g}" for name in both]
-    medians = [f"{study.factor_quantile(name, 0.5).value:.4g}" for name in both]
-    of_means = f"on the circle of the means P(F < 1) by {method} is {below[0]} and the median factor {medians[0]}"
-    return f"{of_means}; with the circle searched for every sample {below[1]} and {medians[1]}"
+    below, below_searched = (f"{study.failure[name].value:.3g}" for name in both)
+    median, median_searched = (f"{study.factor_quantile(name, 0.5).value:.4g}" for name in both)
+    of_means = f"on the circle of the means P(F < 1) by {method} is {below} and the median factor {median}"
+    return f"{of_means}; with the circle searched for every sample {below_searched} and {median_searched}"

@@ -94,6 +94,24 @@ def student(values: Floats, confidence: float) -> Any:
     return width(confidence, len(values)) * standard_error(values)
 
 
+def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Floats, Floats]:
+    """Probabilities and their intervals from counts (replicates, ...) among valid samples (replicates,)."""
+    samples = int(valid.sum())
+    total = hits.sum(axis=0)
+    if not samples:
+        return tuple(np.full((3, *total.shape), np.nan))
+    value = total / samples
+    low, high = proportion(total, samples, confidence)
+    if len(valid) > 1:
+        filled = valid > 0
+        shares = hits[filled] / valid[filled, None]
+        half = student(shares, confidence)
+        is_unanimous = (total == 0) | (total == samples)  # the replicates agree, and cannot tell how surely
+        low = np.where(is_unanimous, low, np.maximum(value - half, 0))
+        high = np.where(is_unanimous, high, np.minimum(value + half, 1))
+    return value, low, high
+
+
 def width(confidence: float, replicates: int = 1) -> float:
     """Standard errors of half an interval: of many samples, or of a few replicates."""
     tail = (1.0 + confidence) / 2

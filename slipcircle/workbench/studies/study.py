@@ -29,7 +29,7 @@ from slipcircle.workbench.studies.statistics import (
     Indices,
     Spread,
     indices,
-    proportion,
+    probability,
     ranks,
     student,
     value_text,
@@ -269,24 +269,7 @@ class Study(Pictured):
         return Estimate(value, low, high)
 
     def _single_probability(self, hits: NDArray[np.int64]) -> Estimate:
-        return Estimate(*(float(x[0]) for x in self._probability(hits[:, None])))
-
-    def _probability(self, hits: NDArray[np.int64]) -> tuple[Floats, Floats, Floats]:
-        """Probabilities and their intervals from how often, (replicates, ...)."""
-        n = self.n
-        total = hits.sum(axis=0)
-        if not n:
-            return tuple(np.full((3, *total.shape), np.nan))
-        value = total / n
-        low, high = proportion(total, n, self.confidence)
-        if self.design.replicates > 1:
-            filled = self._valid > 0
-            shares = hits[filled] / self._valid[filled, None]
-            half = student(shares, self.confidence)
-            unanimous = (total == 0) | (total == n)  # the replicates agree, and cannot tell how surely
-            low = np.where(unanimous, low, np.maximum(value - half, 0))
-            high = np.where(unanimous, high, np.minimum(value + half, 1))
-        return value, low, high
+        return Estimate(*(float(x[0]) for x in probability(hits[:, None], self._valid, self.confidence)))
 
     # -- statistics of outputs ----------------------------------------------------------------------------------------
 
@@ -364,7 +347,7 @@ class Study(Pictured):
         if not self.n:
             return Exceedance(*np.empty((4, 0)))
         at, counts = self._tallies[output].exceeding(points)
-        return Exceedance(at, *self._probability(counts))
+        return Exceedance(at, *probability(counts, self._valid, self.confidence))
 
     def bins(self, output: str) -> Floats:
         """Histogram of an output: rows of from, to and count, for bins that are not empty; the last may be infinite."""
