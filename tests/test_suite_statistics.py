@@ -1,6 +1,7 @@
 """Intensity measures of records, and statistics of displacements, against closed forms and SciPy."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from slipcircle import Series
 from slipcircle.workbench.suites.fragility import fragility_curve
 from slipcircle.workbench.suites.intensities import intensities, spectral_acceleration
 from slipcircle.workbench.suites.regressions import REGRESSIONS, Shaking, comparisons
+from slipcircle.workbench.suites.spectra import misfit
 from slipcircle.workbench.suites.statistics import distribution, exceedance, exceedance_shares, variance_shares
 from slipcircle.workbench.suites.synthetic import synthetic_records
 
@@ -69,7 +71,7 @@ def test_a_fragility_curve_has_the_greatest_likelihood_of_a_grid() -> None:
     common, each = rng.normal(size=(60, 1)), rng.normal(size=(60, 2))
     capacity = 0.3 * np.exp(0.4 * (math.sqrt(0.6) * common + math.sqrt(0.4) * each))
     pga = 0.3 * np.exp(0.2 * rng.normal(size=(60, 1))) * np.linspace(0.5, 2.0, 5)
-    displacement = np.where(pga[:, None] > capacity[:, :, None], 0.2, 0.0)[..., None]
+    displacement = np.where(pga[:, None] > capacity[:, :, None], 0.2, 0.1)[..., None]
     share = exceedance_shares(displacement, 0.1)
     curve = fragility_curve(share, pga, 0.1)
     medians, dispersions = np.linspace(0.25, 0.35, 51), np.linspace(0.3, 0.5, 51)
@@ -156,10 +158,10 @@ def test_regressions_by_hand() -> None:
     expected = {
         "Ambraseys and Menu (1988)": 2.928,
         "Jibson (2007), r": 0.877,
-        "Jibson (2007), Arias intensity and r": 10 ** (-1.474 + 3.833 * 0.30103),
+        "Jibson (2007), I_A and r": 10 ** (-1.474 + 3.833 * 0.30103),
         "Saygili and Rathje (2008), PGA": 2.3885,
         "Saygili and Rathje (2008), PGA and PGV": 1.954,
-        "Saygili and Rathje (2008), PGA and Arias intensity": 1.4660,
+        "Saygili and Rathje (2008), PGA and I_A": 1.4660,
     }
     for name, displacement in expected.items():
         assert math.exp(by_name[name].ln_cm(shaking)[0]) == pytest.approx(displacement, rel=1e-3)
@@ -170,10 +172,10 @@ def test_regressions_on_magnitude_and_arias_intensity_by_hand() -> None:
     pga, pgv, arias = np.array([[0.3], [0.3], [2.0]])
     shaking = Shaking(0.15, pga, pgv, arias, 7.0)
     expected = {
-        "Jibson (2007), r and magnitude": (1.0000, 1.0454),
-        "Jibson (2007), Arias intensity and k_y": (2.2951, 1.5105),
-        "Saygili and Rathje (2008), PGA, PGV and Arias intensity": (2.6394, 0.595),
-        "Rathje and Saygili (2009), PGA and magnitude": (2.9246, 0.99175),
+        "Jibson (2007), r and M": (1.0000, 1.0454),
+        "Jibson (2007), I_A and k_y": (2.2951, 1.5105),
+        "Saygili and Rathje (2008), PGA, PGV and I_A": (2.6394, 0.595),
+        "Rathje and Saygili (2009), PGA and M": (2.9246, 0.99175),
     }
     found = {r.name: (math.exp(r.ln_cm(shaking)[0]), r.std_ln(shaking)[0]) for r in REGRESSIONS}
     for name, values in expected.items():
@@ -183,12 +185,18 @@ def test_regressions_on_magnitude_and_arias_intensity_by_hand() -> None:
 @pytest.mark.parametrize(
     ("name", "k_y", "pga", "pgv", "magnitude", "low", "high"),
     [
-        # Kramer and Stewart (2nd ed.), example 10.4: 0.18 cm
-        ("Jibson (2007), r and magnitude", 0.067, 0.1, math.nan, 6.7, 0.175, 0.190),
+        # Kramer and Stewart (2nd ed.), example 10.4: 0.18 cm, and ln D = -1.287
+        ("Jibson (2007), r and M", 0.067, 0.1, math.nan, 6.7, 0.175, 0.190),
+        ("Rathje and Saygili (2009), PGA and M", 0.067, 0.1, math.nan, 6.7, 0.2759, 0.2763),
+        # Rathje and Saygili (2009), figure 7: 2.25 and 2.5 cm
+        ("Rathje and Saygili (2009), PGA and M", 0.2, 0.33, math.nan, 7.5, 2.24, 2.26),
+        ("Saygili and Rathje (2008), PGA and PGV", 0.15, 0.33, 0.30, math.nan, 2.45, 2.55),
+        # Jibson (2007), figure 2: 10 cm
+        ("Jibson (2007), r", 0.2, 1.0, math.nan, math.nan, 9.77, 10.23),
         # Rathje and others (2014): 43, 29, 113 and 81 cm, of rounded intensities: within 2 cm
-        ("Rathje and Saygili (2009), PGA and magnitude", 0.1, 0.54, math.nan, 6.75, 41.0, 45.0),
+        ("Rathje and Saygili (2009), PGA and M", 0.1, 0.54, math.nan, 6.75, 41.0, 45.0),
         ("Saygili and Rathje (2008), PGA and PGV", 0.1, 0.54, 0.42, math.nan, 27.0, 31.0),
-        ("Rathje and Saygili (2009), PGA and magnitude", 0.1, 0.88, math.nan, 6.75, 111.0, 115.0),
+        ("Rathje and Saygili (2009), PGA and M", 0.1, 0.88, math.nan, 6.75, 111.0, 115.0),
         ("Saygili and Rathje (2008), PGA and PGV", 0.1, 0.88, 0.71, math.nan, 79.0, 83.0),
     ],
 )
@@ -208,6 +216,8 @@ def test_regressions_of_rigid_blocks_reproduce_published_examples(
         # rigid one with P(D = 0) = 0.1, and from 20 to 70 cm of a flexible one with P(D = 0) = 0
         (0.08, 0.0, 0.24, 6.9, 0.1, 0.85 * math.sqrt(60.0), 1.15 * math.sqrt(60.0)),
         (0.14, 0.33, 0.94, 6.9, 0.0, 0.85 * math.sqrt(1400.0), 1.15 * math.sqrt(1400.0)),
+        (0.14, 0.33, 1.07, 6.9, 0.0, math.exp(3.765), math.exp(3.775)),  # their example of a dam: ln D = 3.77
+        (0.14, 0.33, 0.483, 7.5, 0.01, 9.75, 9.79),  # their spreadsheet: 9.77 cm
     ],
 )
 def test_bray_and_travasarou_reproduce_their_examples(
@@ -216,8 +226,8 @@ def test_bray_and_travasarou_reproduce_their_examples(
     nothing = np.array([math.nan])
     shaking = Shaking(k_y, np.array([spectral]), nothing, nothing, magnitude, period, np.array([spectral]))
     regression = REGRESSIONS[-1]
-    assert regression.none is not None
-    assert regression.none(shaking)[0] == pytest.approx(none, abs=0.02)
+    assert regression.negligible is not None
+    assert regression.negligible(shaking)[0] == pytest.approx(none, abs=0.02)
     assert low < math.exp(regression.ln_cm(shaking)[0]) < high
 
 
@@ -243,8 +253,12 @@ def test_what_moves_less_than_a_centimetre_counts_as_no_displacement() -> None:
     pga = np.full(4, 0.3)
     shaking = Shaking(0.1, pga, pga, pga, 7.0)
     *_, compared = comparisons(np.array([0.009, 0.0, 0.08, 0.09]), shaking)
-    assert (compared.records, compared.none_computed) == (2, 0.5)
-    assert compared.none == pytest.approx(0.0783, abs=1e-4)  # 1 - Phi(-1.76 + 7.4143 - 4.2380)
+    assert (compared.records, compared.negligible_computed) == (2, 0.5)
+    assert (
+        comparisons(np.array([0.009, 0.0, 0.08, 0.09]), replace(shaking, period=0.049, spectral=9.0 * pga))[-1]
+        == compared
+    )
+    assert compared.negligible == pytest.approx(0.0783, abs=1e-4)  # 1 - Phi(-1.76 + 7.4143 - 4.2380)
 
 
 def test_a_step_of_the_ground_shakes_an_oscillator_beyond_its_rest() -> None:
@@ -271,6 +285,22 @@ def test_a_response_is_that_of_the_oscillator_s_equation(period: float) -> None:
 
     path = solve_ivp(rates, (0.0, times[-1]), [0.0, 0.0], t_eval=times, rtol=1e-9, atol=1e-12, max_step=0.02)
     assert spectral_acceleration(record, period) == pytest.approx(frequency**2 * np.abs(path.y[0]).max(), rel=2e-3)
+
+
+def test_synthetic_records_match_a_target_spectrum() -> None:
+    """A plateau and what falls with the period; between the periods of the iteration, too."""
+    target = [0.05, 0.15, 0.5, 2.0], [0.5, 0.75, 0.75, 0.19]
+    records = synthetic_records(3, duration=6.0, seed=1, spectrum=target)
+    periods = np.geomspace(0.06, 1.9, 23)
+    expected = np.exp(np.interp(np.log(periods), *np.log(target)))
+    for record in records.values():
+        assert misfit(record, target) < 0.1
+        spectrum = [spectral_acceleration(record, period) for period in periods.tolist()]
+        assert np.std(np.log(spectrum / expected)) < 0.15
+    assert np.mean([intensities(record).duration for record in records.values()]) == pytest.approx(6.0, rel=0.15)
+    assert misfit(synthetic_records(1)["synthetic 1"], target) > 0.3
+    with pytest.raises(ValueError, match="arias and spectrum exclude each other"):
+        synthetic_records(1, 1.0, spectrum=target)
 
 
 def test_synthetic_records_have_the_intensity_and_duration_asked_for() -> None:

@@ -18,6 +18,7 @@ from slipcircle.core import Status
 from slipcircle.workbench.records.suite import Suite, place_of, read_suite
 from slipcircle.workbench.studies.suitedesign import LANE_RESULTS
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
+from slipcircle.workbench.suites.intensities import spectral_acceleration
 from tests.support.blocks import exactly, quake
 
 GRAVITY = 9.81
@@ -195,6 +196,22 @@ def test_frozen_slopes_slide_as_the_exact_block() -> None:
                 assert study.values["slips"][lane] == len(single.phases)
 
 
+def test_a_flexible_mass_has_the_published_displacement_of_its_spectral_acceleration() -> None:
+    """Dam of Bray and Travasarou (2007): k_y = 0.14, T_s = 0.33 s, S_a(1.5 T_s) = 1.07 g, M 6.9: ln D (cm) = 3.77."""
+    weight, radial = (float(x) for x in ARC.amplitudes_per_inertia)
+    psi = abs(float(ARC.dip))
+    mu = weight * (math.sin(psi) + 0.14 * math.cos(psi)) / (radial * (math.cos(psi) - 0.14 * math.sin(psi)))
+    records = [quake(1), quake(2)]
+    half = [record.scaled(0.535 / spectral_acceleration(record, 0.495)) for record in records]
+    study = ensemble(Scene(ARC, mu), records=half, scales=[1.0, 2.0])
+    row = study.regressions(1, 6.9, 0.33)[-1]
+    assert (row.name, row.records, row.of) == ("Bray and Travasarou (2007)", 2, 2)
+    assert math.log(100.0 * row.predicted) == pytest.approx(3.77, abs=0.005)
+    blocks = study.displacement[:, 0, 1, 0] / study.block_factor
+    assert row.mean == pytest.approx(np.log(blocks / row.predicted).mean(), rel=1e-9)
+    assert study.regressions(1, 9.5)[-1].records == 0
+
+
 def same(one: SuiteStudy, other: SuiteStudy) -> bool:
     return all(
         np.array_equal(one.values[name], other.values[name], equal_nan=True) for name in (*LANE_RESULTS, "status")
@@ -285,7 +302,7 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     """The same numbers in its table, CSV and JSON; a warning for each file that is no record, unless strict."""
     (folder / "corrupt.AT2").write_text(BAD["corrupt.AT2"][0], "utf-8")
     line = f"sweep newmark-pulse --records {folder} --polarities --scale-to-pga 0.2,0.4 --units g --step 0.01"
-    line += f" --thresholds 0.02,0.5 --fragility {folder / 'fragility.csv'}"
+    line += f" --magnitude 7 --period 0.2 --thresholds 0.02,0.5 --fragility {folder / 'fragility.csv'}"
     status, out, err = asked(f"{line} --csv {folder / 'all.csv'}")
     assert status == 0
     assert err.count("corrupt.AT2: holds ") == 1
@@ -308,6 +325,8 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert {*high["median_pga_g"].values(), *high["dispersion"].values()} == {None}
     assert "D > 0.5 m" in out
     assert "no motion exceeds it; give larger scales" in out
+    assert held["regressions"][-1]["valid"] == "k_y 0.01 to 0.5, T_s 0 to 2, S_a(1.5 T_s) 0.002 to 2.7, M 4.5 to 9"
+    assert "no displacement (at most 1 cm) for" in " ".join(out.split())
     assert "corrupt.AT2: holds" in asked(f"{line} --strict")[2]
     assert asked("sweep newmark-pulse --polarities")[0] != 0
 
@@ -340,8 +359,26 @@ def test_synthetic_records_written_to_a_folder_give_the_same_bits(tmp_path: Path
         assert (status, message in err) == (1, True), err
 
 
+def test_the_command_matches_a_spectrum_and_says_what_remains(tmp_path: Path, asked: Any) -> None:
+    target = tmp_path / "target.csv"
+    target.write_text("period (s),Sa (g)\n0.05,0.5\n0.15,0.75\n0.5,0.75\n2,0.19\n")
+    status, out, err = asked(f"records --synthetic 2:4 --spectrum {target}")
+    assert (status, err) == (0, "")
+    *_, first, second = (line for line in out.splitlines() if line.startswith("synthetic"))
+    assert all(0.0 < float(row.split()[-2]) < 10.0 for row in (first, second))
+    target.write_text("period (s),Sa (g)\n0,0.5\n0.15,0.75\n")
+    refusals = {
+        f"--synthetic 2:4 --spectrum {target}": "periods and accelerations of a spectrum must be above 0",
+        f"--synthetic 2:1:4 --spectrum {target}": "COUNT:DURATION with --spectrum FILE",
+        "--synthetic 2:4": "give COUNT:ARIAS:DURATION, or",
+    }
+    for words, message in refusals.items():
+        status, _, err = asked(f"records {words}")
+        assert (status, message in err) == (1, True), err
+
+
 def test_a_report_of_a_suite_is_written_again_to_the_byte(tmp_path: Path, said: Any) -> None:
-    line = "sweep newmark-pulse --synthetic 3:1.5:12 --seed 2 --polarities --scale 1,2 --report"
+    line = "sweep newmark-pulse --synthetic 3:1.5:12 --seed 2 --polarities --report"
     pages = [tmp_path / name for name in ("one.html", "two.html")]
     for page in pages:
         said(f"{line} {page}")

@@ -65,9 +65,9 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
     return found
 
 
-def parts(study: SuiteStudy, compared: Sequence[Comparison]) -> Iterator[Part]:
+def parts(study: SuiteStudy, compared: Sequence[Comparison], misfits: Sequence[float]) -> Iterator[Part]:
     """The records, their displacements at the scale next to their own beside regressions, and statistics."""
-    yield records_part(study.suite)
+    yield records_part(study.suite, misfits)
     scale = study.own_scale
     yield _by_record_part(study, scale)
     yield _statistics_part(study)
@@ -113,21 +113,26 @@ def _statistics_part(study: SuiteStudy) -> Part:
 
 
 def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: int) -> Part:
-    """Published regressions beside the displacements at a scale."""
-    head = ["regression", "in range", "mean ln ratio", "std", "its std"]
+    """Published regressions beside the displacements at a scale, and why a regression says nothing."""
+    head = ["regression", "in range", "predicted (m)", "ln ratio", "std", "published std"]
+    factor = shown(study.block_factor)
+    notes = [
+        f"displacements are divided by {factor}, by which the arc moves farther than a block; "
+        "ln ratio: mean over the records"
+    ]
     rows = []
     for c in compared:
+        predicted = "-" if math.isnan(c.predicted) else f"{c.predicted:.3g}"
         numbers = ["-" if math.isnan(x) else f"{x:.2f}" for x in (c.mean, c.std, c.std_ln)]
-        rows.append([c.name, f"{c.records} of {c.of}", *numbers])
+        rows.append([c.name, f"{c.records} of {c.of}", predicted, *numbers])
+        if not c.records:
+            notes.append(f"{c.name} holds for {c.valid}")
+        if not math.isnan(c.negligible):
+            shares = f"{100 * c.negligible:.1f} % of the records, computed {100 * c.negligible_computed:.1f} %"
+            notes.append(f"{c.name}: no displacement (at most 1 cm) for {shares}")
     k_y = shown(study.yield_coefficient)
-    factor = shown(study.block_factor)
     title = f"displacement at {study.scale_text(scale)} over that of a rigid block with k_y = {k_y} by regressions"
-    note = f"displacements are divided by {factor}, by which the arc moves farther than a block"
-    for c in compared:
-        if not math.isnan(c.none):
-            note += f"; {c.name}: no displacement (below 1 cm) for {100 * c.none:.3g} % of the records, "
-            note += f"computed {100 * c.none_computed:.3g} %"
-    return Part(head, rows, title, note)
+    return Part(head, rows, title, "; ".join(notes))
 
 
 def _exceedance_part(study: SuiteStudy) -> Part:

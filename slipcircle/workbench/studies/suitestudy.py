@@ -19,7 +19,7 @@ from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.suitedesign import LANE_RESULTS, SuiteDesign
 from slipcircle.workbench.suites.fragility import FragilityCurve, fragility_curve
 from slipcircle.workbench.suites.intensities import spectral_acceleration
-from slipcircle.workbench.suites.regressions import Comparison, Shaking, comparisons
+from slipcircle.workbench.suites.regressions import RIGID, Comparison, Shaking, comparisons
 from slipcircle.workbench.suites.statistics import distribution, exceedance, exceedance_shares
 
 Floats = NDArray[np.float64]
@@ -108,7 +108,7 @@ class SuiteStudy(Pictured):
         magnitude : float
             Moment magnitude of the earthquakes; without it the regressions that need it are left out.
         period : float
-            Fundamental period of the sliding mass, s, for Bray and Travasarou (2007); 0 of a rigid mass.
+            Initial fundamental period of the sliding mass, s, for Bray and Travasarou (2007); below 0.05 s it is rigid.
         """
         if not 0.0 <= period < math.inf:
             raise ValueError(f"period = {period!r}: must be at least 0 s and finite")
@@ -118,7 +118,7 @@ class SuiteStudy(Pictured):
         factors = self.factors[:, scale]
         pgv, arias = np.array([(e.intensities.pgv, e.intensities.arias) for e in self.suite]).T
         spectral = None
-        if period > 0.0:
+        if period >= RIGID:
             spectral = factors * [spectral_acceleration(entry.record(), 1.5 * period) for entry in self.suite]
         measures = self.pga[:, scale], factors * pgv, factors**2 * arias
         shaking = Shaking(self.yield_coefficient, *measures, magnitude, period, spectral)

@@ -1,6 +1,7 @@
 """Intensity measures of an acceleration record, from the integrals of its straight lines."""
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -88,7 +89,9 @@ def _mean_period(record: Series) -> float:
     return float(np.average(periods, weights=weights))
 
 
-def spectral_acceleration(record: Series, period: float, damping: float = 0.05) -> float:
+def spectral_acceleration(
+    record: Series, period: float, damping: float = 0.05, resolution: int = _STEPS_OF_PERIOD
+) -> float:
     """Pseudo-acceleration of a record at a period, over gravity.
 
     The greatest displacement of an oscillator times the square of its angular frequency. Between samples the
@@ -102,6 +105,8 @@ def spectral_acceleration(record: Series, period: float, damping: float = 0.05) 
         Natural period, s; at 0 the result is the peak acceleration.
     damping : float
         Damping ratio, below 1.
+    resolution : int
+        Steps of a period, at least; the result is too small by 5/resolution^2 at most.
 
     Raises
     ------
@@ -116,7 +121,7 @@ def spectral_acceleration(record: Series, period: float, damping: float = 0.05) 
     last = float(record.time[-1])
     intervals = record.time.size - 1
     mean_step = (last - first) / intervals
-    refinement = math.ceil(mean_step * _STEPS_OF_PERIOD / period)
+    refinement = math.ceil(mean_step * resolution / period)
     times, step = np.linspace(first, last, intervals * refinement + 1, retstep=True)
     at_rest = np.zeros(math.ceil(1.5 * period / step))  # the oscillation may be greatest after the end
     acceleration = np.concatenate([record(times), at_rest])
@@ -126,13 +131,22 @@ def spectral_acceleration(record: Series, period: float, damping: float = 0.05) 
 
 
 def _oscillation(acceleration: Floats, step: float, frequency: float, damping: float) -> Floats:
-    """Displacement u of an oscillator from rest at even times, u'' + 2 zeta omega u' + omega^2 u = -a.
+    """Displacement u of an oscillator from rest at even times, u'' + 2 zeta omega u' + omega^2 u = -a."""
+    from scipy.signal import lfilter
+
+    weights, recurrence, at_start = _recurrence(step, frequency, damping)
+    displacement, _ = lfilter(weights, recurrence, acceleration, zi=at_start * acceleration[0])
+    return np.asarray(displacement)
+
+
+@lru_cache(maxsize=1024)
+def _recurrence(step: float, frequency: float, damping: float) -> tuple[Floats, Floats, Floats]:
+    """Weights of three accelerations and three displacements, and of the first acceleration, before which is rest.
 
     By Cayley and Hamilton u_(n+1) - tr(E) u_n + det(E) u_(n-1), E the free oscillation over a step, is a sum of three
     accelerations alone.
     """
     from scipy.linalg import expm
-    from scipy.signal import lfilter
 
     oscillator = np.zeros((4, 4))  # displacement, velocity, acceleration of the ground and its slope
     oscillator[0, 1] = oscillator[2, 3] = 1.0
@@ -142,8 +156,7 @@ def _oscillation(acceleration: Floats, step: float, frequency: float, damping: f
     by_next = over_step[:2, 3] / step
     by_last = over_step[:2, 2] - by_next
     across = np.array([-free[1, 1], free[0, 1]])
-    weights = [by_next[0], by_last[0] + across @ by_next, across @ by_last]
-    recurrence = [1.0, -np.trace(free), np.linalg.det(free)]
-    from_rest = np.array([-weights[0], by_last[0] - weights[1]]) * acceleration[0]  # the ground may jump at the start
-    displacement, _ = lfilter(weights, recurrence, acceleration, zi=from_rest)
-    return np.asarray(displacement)
+    weights = np.array([by_next[0], by_last[0] + across @ by_next, across @ by_last])
+    recurrence = np.array([1.0, -np.trace(free), np.linalg.det(free)])
+    at_start = np.array([-weights[0], by_last[0] - weights[1]])  # the ground may jump
+    return weights, recurrence, at_start
