@@ -1,5 +1,6 @@
 """Pictures of a suite of records: displacements by record and scale, fragility, histories of the median record."""
 
+from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -91,26 +92,32 @@ def fragility(study: "SuiteStudy", ax: Any = None) -> Any:
     greatest = levels.max() if levels.size > 1 else study.pga.max()
     pga = np.linspace(0.0, 1.05 * greatest, 201)[1:]
     estimates = np.array(exceedance(study.displacement, study.design.thresholds))
-    for k, curve in enumerate(study.fragility()):
-        colour, dashes, marker = SERIES[k % len(SERIES)]
-        value, low, high = estimates[:, k].T
-        some = (value > 0.0) & (value < 1.0)
-        errors = np.where(some, [value - low, high - value], 0.0)
-        ax.errorbar(levels, value, errors, color=colour, ls="", marker=marker, ms=4, elinewidth=0.7, alpha=0.8)
+    for curve, shares, style in zip(study.fragility(), np.swapaxes(estimates, 0, 1), cycle(SERIES), strict=False):
+        _shares(ax, levels, shares, style)
+        anchors = (levels, shares[:, 0])
+        colour, dashes, _ = style
         if curve.reason:
-            ax.plot(levels, value, color=colour, ls=dashes, lw=0.6)
-            anchors = points_of(levels, value)
+            ax.plot(*anchors, color=colour, ls=dashes, lw=0.6)
         else:
             probability, lower, upper = curve.probability(pga)
             ax.fill_between(pga, lower, upper, color=colour, alpha=0.15, lw=0)
             ax.plot(pga, probability, color=colour, ls=dashes)
             off = np.abs(probability - 0.6)
             steep = off <= max(0.3, off.min())
-            anchors = points_of(pga[steep], probability[steep])
-        label(ax, f"D > {curve.threshold:g} m", anchors, colour)
+            anchors = (pga[steep], probability[steep])
+        label(ax, f"D > {curve.threshold:g} m", points_of(*anchors), colour)
     ax.set(xlabel="peak acceleration (g)", ylabel="exceedance probability (–)", xlim=(0.0, pga[-1]), ylim=(-0.02, 1.02))
     ax.grid(alpha=0.3)
     return ax
+
+
+def _shares(ax: Any, levels: Any, estimates: Any, style: tuple[str, Any, str]) -> None:
+    """Shares of the motions with their intervals, (levels, 3)."""
+    colour, _, marker = style
+    value, low, high = estimates.T
+    some = (value > 0.0) & (value < 1.0)
+    errors = np.where(some, [value - low, high - value], 0.0)
+    ax.errorbar(levels, value, errors, color=colour, ls="", marker=marker, ms=4, elinewidth=0.7, alpha=0.8)
 
 
 def _history(study: "SuiteStudy", what: str, ax: Any = None) -> Any:
