@@ -71,7 +71,7 @@ def test_a_fragility_curve_has_the_greatest_likelihood_of_a_grid() -> None:
     common, each = rng.normal(size=(60, 1)), rng.normal(size=(60, 2))
     capacity = 0.3 * np.exp(0.4 * (math.sqrt(0.6) * common + math.sqrt(0.4) * each))
     pga = 0.3 * np.exp(0.2 * rng.normal(size=(60, 1))) * np.linspace(0.5, 2.0, 5)
-    displacement = np.where(pga[:, None] > capacity[:, :, None], 0.2, 0.0)[..., None]
+    displacement = np.where(pga[:, None] > capacity[:, :, None], 0.2, 0.1)[..., None]
     share = exceedance_shares(displacement, 0.1)
     curve = fragility_curve(share, pga, 0.1)
     medians, dispersions = np.linspace(0.25, 0.35, 51), np.linspace(0.3, 0.5, 51)

@@ -378,7 +378,7 @@ def test_the_command_matches_a_spectrum_and_says_what_remains(tmp_path: Path, as
 
 
 def test_a_report_of_a_suite_is_written_again_to_the_byte(tmp_path: Path, said: Any) -> None:
-    line = "sweep newmark-pulse --synthetic 3:1.5:12 --seed 2 --polarities --scale 1,2 --report"
+    line = "sweep newmark-pulse --synthetic 3:1.5:12 --seed 2 --polarities --report"
     pages = [tmp_path / name for name in ("one.html", "two.html")]
     for page in pages:
         said(f"{line} {page}")

@@ -67,9 +67,10 @@ def incremental(study: "SuiteStudy", ax: Any = None) -> Any:
     if greatest == 0.0:
         return empty("does not move", ax, "x", "y")
     least = _LEAST * greatest
-    ax.plot(study.scales, values.T, color="0.75", lw=0.6, zorder=1)
-    ax.fill_between(study.scales, low, high, **AREAS["band"], alpha=0.6)
-    ax.plot(study.scales, middle, **LINES["main"])
+    below = 0.1 * least  # of the view, in place of zeros
+    ax.plot(study.scales, np.maximum(values, below).T, color="0.75", lw=0.6, zorder=1)
+    ax.fill_between(study.scales, np.maximum(low, below), high, **AREAS["band"], alpha=0.6)
+    ax.plot(study.scales, np.maximum(middle, below), **LINES["main"])
     in_view = (middle > least) & (middle < np.inf)
     if np.any(in_view):
         label(ax, "median", points_of(study.scales[in_view], middle[in_view]), LINES["main"]["color"])
@@ -82,8 +83,8 @@ def incremental(study: "SuiteStudy", ax: Any = None) -> Any:
 def fragility(study: "SuiteStudy", ax: Any = None) -> Any:
     """Probabilities that the displacement exceeds thresholds, with lognormal curves and their intervals of 95 %.
 
-    Points are the shares at each scale, at the median peak acceleration of the records; they have intervals where some
-    motions exceed the threshold and some do not.
+    Points are the shares at each scale, at the median peak acceleration of the records, joined where there is no curve;
+    they have intervals where some motions exceed the threshold and some do not.
     """
     ax = axis(ax)
     levels = np.median(study.pga, axis=0)
@@ -98,6 +99,8 @@ def fragility(study: "SuiteStudy", ax: Any = None) -> Any:
         probability, lower, upper = curve.probability(pga)
         ax.fill_between(pga, lower, upper, color=colour, alpha=0.15, lw=0)
         ax.plot(pga, probability, color=colour, ls=dashes)
+        if curve.reason:
+            ax.plot(levels, value, color=colour, ls=dashes, lw=0.6)
         steep = (probability > 0.3) & (probability < 0.9)
         anchors = points_of(levels, value) if curve.reason else points_of(pga[steep], probability[steep])
         label(ax, f"D > {curve.threshold:g} m", anchors, colour)
@@ -121,7 +124,8 @@ def _history(study: "SuiteStudy", what: str, ax: Any = None) -> Any:
         times, values = np.append(columns["time"], end), np.append(columns[what], columns[what][-1])
         ax.plot(times, values, color=colour, ls=dashes, lw=1.2)
         high = np.abs(values) > 0.6 * np.max(np.abs(values), initial=0.0)
-        label(ax, words, points_of(times[high], values[high]), colour)
+        if len(motions) > 1:
+            label(ax, words, points_of(times[high], values[high]), colour)
     ax.grid(alpha=0.3)
     return ax
 
@@ -174,7 +178,7 @@ def size(study: "SuiteStudy") -> tuple[float, float]:
 
 
 def _heights(study: "SuiteStudy") -> list[float]:
-    records = 1.2 + 0.15 * min(len(study.suite), _NAMED)
+    records = 1.2 + 0.15 * len(study.suite) if len(study.suite) <= _NAMED else 1.2 * _PANEL
     curves = [_PANEL] if study.scales.size > 1 or _has_cloud(study) else []
     return [records, *curves, 0.8 * _PANEL]
 
