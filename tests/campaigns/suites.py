@@ -30,11 +30,7 @@ from tests.support.blocks import exactly, quake
 
 SCALES = np.linspace(0.5, 2.0, 7)
 SETTINGS: dict[str, Any] = {"polarities": True, "scales": SCALES}
-SLOPE = load("real-slope")
-# Stable at rest: its peak strength is higher than that of the scene that ships.
-SOFTENING = replace(
-    SLOPE, friction={"law": "exponential", "peak": 0.55, "residual": 0.4, "length": 0.5}, name="turning, softening"
-)
+SOFTENING = replace(load("shaken-slope"), name="turning, softening")
 FROZEN = replace(load("newmark-pulse"), effects={}, name="frozen")
 EVERY, EXACT = 5, 3  # record that the other program solves; of these, records of the exact block
 
