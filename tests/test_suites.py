@@ -296,6 +296,10 @@ def test_a_suite_that_moves_nothing_has_pictures_and_counts() -> None:
     words = [text.get_text() for ax in figure.axes for text in ax.texts]
     assert words.count("does not move") == 3
     pyplot.close(figure)
+    one_way = Series(np.arange(4.0), np.array([0.0, 0.5, 0.5, 0.0]), held=False)
+    ax = ensemble(FROZEN, records=[one_way], polarities=True).plot("velocity")
+    assert [np.any(line.get_ydata()) for line in ax.lines] == [True, False]
+    pyplot.close(ax.figure)
 
 
 def test_the_command(folder: Path, asked: Any, said: Any) -> None:
@@ -317,8 +321,9 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert any(row.split()[:4] == ["RSN6_ELC180.AT2", "0.4", one, other] for row in out.splitlines())
     points = (folder / "fragility.csv").read_text().splitlines()
     assert len(points) == 1 + 2 * 2
-    point = dict(zip(points[0].split(","), map(float, points[2].split(",")), strict=True))
-    assert point["share"] == np.mean(np.abs(np.array(held["run_out"])[:, :, 1]) > 0.02)
+    point = dict(zip(points[0].split(","), points[2].split(","), strict=True))
+    assert points[4].endswith(",,,,no motion exceeds it; give larger scales")
+    assert float(point["share"]) == np.mean(np.abs(np.array(held["run_out"])[:, :, 1]) > 0.02)
     low, high = held["fragility"]
     assert low["reason"].endswith("give scales next to it") or low["median_pga_g"]["value"] > 0.0
     assert (high["threshold_m"], high["reason"]) == (0.5, "no motion exceeds it; give larger scales")

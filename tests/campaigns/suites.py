@@ -30,11 +30,7 @@ from tests.support.blocks import exactly, quake
 
 SCALES = np.linspace(0.5, 2.0, 7)
 SETTINGS: dict[str, Any] = {"polarities": True, "scales": SCALES}
-SLOPE = load("real-slope")
-# Stable at rest: its peak strength is higher than that of the scene that ships.
-SOFTENING = replace(
-    SLOPE, friction={"law": "exponential", "peak": 0.55, "residual": 0.4, "length": 0.5}, name="turning, softening"
-)
+SOFTENING = replace(load("shaken-slope"), name="turning, softening")
 FROZEN = replace(load("newmark-pulse"), effects={}, name="frozen")
 # Peak velocities of records that pySLAMMER ships, cm/s, by the PEER Strong Motion Database.
 PUBLISHED = {"PET-090": 89.7, "TAK-090": 120.7, "BCR-230": 45.9, "HSP-000": 62.4, "CYC-285": 80.8, "TCU068-090": 176.6}
