@@ -12,6 +12,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 from matplotlib import pyplot
+from scipy.optimize import brentq
 
 from slipcircle import Arc, Scene, Series, ensemble, solve
 from slipcircle.core import Status
@@ -19,6 +20,7 @@ from slipcircle.workbench.records.suite import Suite, place_of, read_suite
 from slipcircle.workbench.studies.suitedesign import LANE_RESULTS
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 from slipcircle.workbench.suites.intensities import spectral_acceleration
+from tests.campaigns.intensities import Published, of_slammer, of_tables
 from tests.support.blocks import exactly, quake
 
 GRAVITY = 9.81
@@ -163,6 +165,43 @@ def test_what_is_no_record_is_listed_and_the_rest_goes_on(folder: Path) -> None:
     (empty / "a.csv").write_text("nothing")
     with pytest.raises(ValueError, match=r"empty: holds no horizontal record; .*a.csv: has no line of numbers"):
         read_suite([empty])
+
+
+def test_a_record_in_a_file_has_the_intensity_measures_of_its_closed_form(tmp_path: Path) -> None:
+    """A exp(-b t) sin(w t) as the campaign reads records, its table's values from antiderivatives and the spectrum."""
+    name, b, w = "Cape_Mendocino_1992_PET-090", 0.8, 11.0
+    square = b * b + w * w
+    crest = math.atan2(w, b) / w
+
+    def arias_left(t: float) -> float:
+        growing = (b / w) * math.sin(2.0 * w * t) + 2.0 * (b / w * math.sin(w * t)) ** 2
+        return math.exp(-2.0 * b * t) * (1.0 + growing)
+
+    first, last = (brentq(lambda t, left=left: arias_left(t) - left, 0.0, 9.0) for left in (0.95, 0.05))
+
+    frequencies = 0.05 * np.arange(5, 401)  # 0.25 to 20 Hz, by the definition at steps of 0.05 Hz
+    angular = 2.0 * np.pi * frequencies
+    power = 1.0 / ((square - angular**2) ** 2 + (2.0 * b * angular) ** 2)
+    closed = Published(
+        arias=math.pi / 2.0 * GRAVITY * 0.09 * w * w / (4.0 * b * square),
+        duration=last - first,
+        pga=0.3 * math.exp(-b * crest) * math.sin(w * crest),
+        pgv=100.0 * GRAVITY * 0.3 * w * (1.0 + math.exp(-b * math.pi / w)) / square,
+        mean_period=np.average(1.0 / frequencies, weights=power),
+    )
+    time = np.asarray(0.002 * np.arange(6000), dtype=np.float64)
+    decaying = Series(time, 0.3 * np.exp(-b * time) * np.sin(w * time), held=False)
+    (tmp_path / f"{name}.csv").write_text(two_columns(decaying), "utf-8")
+    (row,), absent = of_tables(tmp_path, {name: closed, "Kobe_1995_TAK-090": closed})
+    assert absent == ["Kobe_1995_TAK-090"]
+    assert [*row.computed] == pytest.approx([*row.published], rel=3e-4)
+    (tmp_path / "Somewhere 1900").mkdir()
+    (tmp_path / "Somewhere 1900" / "ABC-000").write_text(one_column(decaying), "utf-8")
+    measures = "\t".join(map(str, closed))
+    (tmp_path / "eq.sql").write_text(f"Somewhere 1900\tABC-000\t0.002\t7.0\t{measures}\t10.4\n", "utf-8")
+    (row,), absent = of_slammer(tmp_path)
+    assert (row.name, absent) == ("Somewhere 1900 ABC-000", [])
+    assert [*row.computed] == pytest.approx([*row.published], rel=3e-4)
 
 
 # --- what is solved --------------------------------------------------------------------------------------------------

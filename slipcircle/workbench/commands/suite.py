@@ -116,10 +116,8 @@ def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: 
     """Published regressions beside the displacements at a scale, and why a regression says nothing."""
     head = ["regression", "in range", "predicted (m)", "ln ratio", "std", "published std"]
     factor = shown(study.block_factor)
-    notes = [
-        f"displacements are divided by {factor}, by which the arc moves farther than a block; "
-        "ln ratio: mean over the records"
-    ]
+    divided = f"displacements are divided by {factor}, by which the arc moves farther than a block"
+    notes = [divided, "ln ratio: mean over the records"]
     rows = []
     for c in compared:
         predicted = "-" if math.isnan(c.predicted) else f"{c.predicted:.3g}"
