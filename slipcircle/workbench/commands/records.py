@@ -108,9 +108,7 @@ def run(options: argparse.Namespace) -> Answer:
     if options.csv:
         rows = record["records"]
         files.write(options.csv, files.table(rows[0], [row.values() for row in rows]))
-    unread = [f"{line}; not used" for line in suite.unread]
-    vertical = [f"{entry.name}: is a vertical component by its name; not used" for entry in suite.verticals]
-    return Answer(lambda: record, [records_part(suite, misfits)], unread + vertical)
+    return Answer(lambda: record, [records_part(suite, misfits)], suite.not_used)
 
 
 def _check_folder(options: argparse.Namespace) -> None:

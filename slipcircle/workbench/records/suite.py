@@ -159,6 +159,12 @@ class Suite:
                 by_station.setdefault((str(Path(entry.file).parent), entry.station), []).append(entry)
         return [(same[0], same[1]) for same in by_station.values() if len(same) == 2]
 
+    @property
+    def not_used(self) -> list[str]:
+        """A line for each file without a record and each vertical component."""
+        verticals = [f"{entry.name}: is a vertical component by its name" for entry in self.verticals]
+        return [f"{line}; not used" for line in (*self.unread, *verticals)]
+
     def to_dict(self) -> dict[str, Any]:
         """The records with their intensity measures, and what is not used, for JSON."""
         known = ("name", "file", "station", "component", "samples", "step", "unit")

@@ -193,8 +193,7 @@ class SuiteStudy(Pictured):
     def warnings(self) -> list[str]:
         """Warnings about files and results."""
         found = [f"the records replace the scene's own {name} shaking" for name in self.design.replaces]
-        found += [f"{unread}; not used" for unread in self.suite.unread]
-        found += [f"{entry.name}: is a vertical component by its name; not used" for entry in self.suite.verticals]
+        found += self.suite.not_used
         if bool(np.any(motions(self.scene, {}, self.design.sampling.accuracy).moves)):
             found.append("the mass moves without shaking too: displacements are not those of the records alone")
         counts, total = np.bincount(self.values["status"].ravel(), minlength=len(Status)), self.values["status"].size

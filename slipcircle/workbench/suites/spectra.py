@@ -1,13 +1,15 @@
 """Target spectra: at how many periods they are compared, and how far the spectra of records are from them."""
 
+from typing import Any
+
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from slipcircle.base.series import Series
 from slipcircle.workbench.suites.intensities import spectral_acceleration
 
 Floats = NDArray[np.float64]
-Spectrum = tuple[ArrayLike, ArrayLike]  # periods, s, and accelerations over gravity at a damping of 5 %
+Spectrum = tuple[Any, Any]  # periods, s, and accelerations over gravity at a damping of 5 %
 _RESOLUTION = 20  # steps of a period, from which peaks are too small by 1 % at most
 
 
