@@ -195,11 +195,10 @@ def read_pore_pressure(
     bad = np.flatnonzero((samples.values < 0.0) | (is_ratio & (samples.values >= 1.0)))
     if bad.size:
         k = int(bad[0])
+        value = float(samples.values[k])
         allowed = "a ratio of at least 0 and below 1" if is_ratio else "a pressure of at least 0"
-        raise ValueError(
-            f"{path}, line {samples.lines[k]}: value = {float(samples.values[k])!r}: must be {allowed}; mend the value, or "
-            "check the units and the column"
-        )
+        rule = f"must be {allowed}; mend the value, or check the units and the column"
+        raise ValueError(f"{path}, line {samples.lines[k]}: value = {value!r}: {rule}")
     return {
         "ratio" if is_ratio else "pressure": Series(samples.time, samples.values * PORE_PRESSURE.units[samples.units])
     }
