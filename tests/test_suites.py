@@ -171,7 +171,7 @@ BAD: dict[str, tuple[str, str]] = {
     "unit.csv": ("t (s),a\n0,0.1\n0.1,0.2\n", "units are missing"),
     "notes.txt": ("nothing here\n", "has no line of numbers"),
     "counts.V2c": (cosmos(quake(1)).replace("cm/s^2", "counts"), "units=counts: must be one of g"),
-    "short.V2": (csmip(quake(1))[:8000], "values, but its header says 500"),
+    "short.V2": (csmip(quake(1))[:6000], "values, but its header says 500"),
     "raw.smc": (smc(quake(1)).replace("2 C", "1 UNC"), "must be 2 CORRECTED ACCELEROGRAM"),
     "rate.smc": (smc(quake(1)).replace("1.0000000E+02", "0.0000000E+00"), "line 18: sampling rate = 0.0"),
     "step.V2c": (cosmos(quake(1)).replace("10.000000", "99.000000"), "the real header has no such step"),
