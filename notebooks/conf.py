@@ -11,9 +11,11 @@ import os
 import re
 import runpy
 import shlex
+import shutil
 import sys
 import tempfile
 from html import escape
+from itertools import pairwise
 from pathlib import Path
 
 from docutils import nodes
@@ -68,7 +70,10 @@ class Command(SphinxDirective):
 
 
 def run(line, folder, files):
-    """What a command prints; it runs in a folder of its own with these files in it, and its files are kept."""
+    """What a command prints; it runs in a folder of its own with these files in it, and its files are kept.
+
+    A folder that a command writes with ``--out`` is there for the commands after it.
+    """
     from slipcircle.__main__ import main
 
     words = shlex.split(line)
@@ -79,13 +84,20 @@ def run(line, folder, files):
         try:
             for name, text in files.items():
                 Path(name).write_text(text, encoding="utf-8")
+            for option, word in pairwise(words):
+                if option != "--out" and (folder / word).is_dir():
+                    shutil.copytree(folder / word, word)
+            before = set(Path().iterdir())
             with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
                 try:
                     status = main(words[1:]) if words[0] == "slipcircle" else run_module(words[2:])
                 except SystemExit as leaving:  # after --help
                     status = leaving.code
-            for path in set(Path().iterdir()) - {Path(name) for name in files}:
-                (folder / path.name).write_bytes(path.read_bytes())
+            for path in set(Path().iterdir()) - before:
+                if path.is_dir():
+                    shutil.copytree(path, folder / path.name, dirs_exist_ok=True)
+                else:
+                    shutil.copy(path, folder)
         finally:
             os.chdir(here)
     if status:

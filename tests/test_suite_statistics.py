@@ -1,15 +1,18 @@
 """Intensity measures of records, and statistics of displacements, against closed forms and SciPy."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from scipy import stats
+from scipy.integrate import solve_ivp
 
 from slipcircle import Series
 from slipcircle.workbench.suites.fragility import fragility_curve
-from slipcircle.workbench.suites.intensities import intensities
+from slipcircle.workbench.suites.intensities import intensities, spectral_acceleration
 from slipcircle.workbench.suites.regressions import REGRESSIONS, Shaking, comparisons
+from slipcircle.workbench.suites.spectra import misfit
 from slipcircle.workbench.suites.statistics import distribution, exceedance, exceedance_shares, variance_shares
 from slipcircle.workbench.suites.synthetic import synthetic_records
 
@@ -68,7 +71,7 @@ def test_a_fragility_curve_has_the_greatest_likelihood_of_a_grid() -> None:
     common, each = rng.normal(size=(60, 1)), rng.normal(size=(60, 2))
     capacity = 0.3 * np.exp(0.4 * (math.sqrt(0.6) * common + math.sqrt(0.4) * each))
     pga = 0.3 * np.exp(0.2 * rng.normal(size=(60, 1))) * np.linspace(0.5, 2.0, 5)
-    displacement = np.where(pga[:, None] > capacity[:, :, None], 0.2, 0.0)[..., None]
+    displacement = np.where(pga[:, None] > capacity[:, :, None], 0.2, 0.1)[..., None]
     share = exceedance_shares(displacement, 0.1)
     curve = fragility_curve(share, pga, 0.1)
     medians, dispersions = np.linspace(0.25, 0.35, 51), np.linspace(0.3, 0.5, 51)
@@ -151,13 +154,17 @@ def test_shares_of_the_variance_of_a_sum() -> None:
 def test_regressions_by_hand() -> None:
     """D in cm at r = 0.5, PGA 0.3 g, PGV 0.3 m/s, Arias intensity 1 m/s, magnitude 7, with a pocket calculator."""
     shaking = Shaking(0.15, np.array([0.3]), np.array([0.3]), np.array([1.0]), 7.0)
-    found = {regression.name.split()[0]: math.exp(regression.ln_cm(shaking)[0]) for regression in REGRESSIONS[::-1]}
-    assert found["Ambraseys"] == pytest.approx(2.928, rel=1e-3)
-    assert found["Jibson"] == pytest.approx(0.877, rel=1e-3)
-    assert found["Saygili"] == pytest.approx(1.954, rel=1e-3)
-    softer = Shaking(0.1, shaking.pga, shaking.pgv, shaking.arias, 7.0)
-    assert math.exp(REGRESSIONS[-1].ln_cm(softer)[0]) == pytest.approx(8.05, rel=1e-3)
-    assert math.exp(REGRESSIONS[2].ln_cm(shaking)[0]) == pytest.approx(10 ** (-1.474 + 3.833 * 0.30103), rel=1e-5)
+    by_name = {regression.name: regression for regression in REGRESSIONS}
+    expected = {
+        "Ambraseys and Menu (1988)": 2.928,
+        "Jibson (2007), r": 0.877,
+        "Jibson (2007), I_A and r": 10 ** (-1.474 + 3.833 * 0.30103),
+        "Saygili and Rathje (2008), PGA": 2.3885,
+        "Saygili and Rathje (2008), PGA and PGV": 1.954,
+        "Saygili and Rathje (2008), PGA and I_A": 1.4660,
+    }
+    for name, displacement in expected.items():
+        assert math.exp(by_name[name].ln_cm(shaking)[0]) == pytest.approx(displacement, rel=1e-3)
 
 
 def test_regressions_on_magnitude_and_arias_intensity_by_hand() -> None:
@@ -165,32 +172,135 @@ def test_regressions_on_magnitude_and_arias_intensity_by_hand() -> None:
     pga, pgv, arias = np.array([[0.3], [0.3], [2.0]])
     shaking = Shaking(0.15, pga, pgv, arias, 7.0)
     expected = {
-        "Jibson (2007), r and magnitude": (1.0000, 1.0454),
-        "Jibson (2007), Arias intensity and k_y": (2.2951, 1.5105),
-        "Saygili and Rathje (2008), PGA, PGV and Arias intensity": (2.6394, 0.595),
-        "Rathje and Saygili (2009), PGA and magnitude": (2.9246, 0.99175),
+        "Jibson (2007), r and M": (1.0000, 1.0454),
+        "Jibson (2007), I_A and k_y": (2.2951, 1.5105),
+        "Saygili and Rathje (2008), PGA, PGV and I_A": (2.6394, 0.595),
+        "Rathje and Saygili (2009), PGA and M": (2.9246, 0.99175),
     }
     found = {r.name: (math.exp(r.ln_cm(shaking)[0]), r.std_ln(shaking)[0]) for r in REGRESSIONS}
     for name, values in expected.items():
         assert found[name] == pytest.approx(values, rel=1e-4)
 
 
+@pytest.mark.parametrize(
+    ("name", "k_y", "pga", "pgv", "magnitude", "low", "high"),
+    [
+        # Kramer and Stewart (2nd ed.), example 10.4: 0.18 cm, and ln D = -1.287
+        ("Jibson (2007), r and M", 0.067, 0.1, math.nan, 6.7, 0.175, 0.190),
+        ("Rathje and Saygili (2009), PGA and M", 0.067, 0.1, math.nan, 6.7, 0.2759, 0.2763),
+        # Rathje and Saygili (2009), figure 7: 2.25 and 2.5 cm
+        ("Rathje and Saygili (2009), PGA and M", 0.2, 0.33, math.nan, 7.5, 2.24, 2.26),
+        ("Saygili and Rathje (2008), PGA and PGV", 0.15, 0.33, 0.30, math.nan, 2.45, 2.55),
+        # Jibson (2007), figure 2: 10 cm
+        ("Jibson (2007), r", 0.2, 1.0, math.nan, math.nan, 9.77, 10.23),
+        # Rathje and others (2014): 43, 29, 113 and 81 cm, of rounded intensities: within 2 cm
+        ("Rathje and Saygili (2009), PGA and M", 0.1, 0.54, math.nan, 6.75, 41.0, 45.0),
+        ("Saygili and Rathje (2008), PGA and PGV", 0.1, 0.54, 0.42, math.nan, 27.0, 31.0),
+        ("Rathje and Saygili (2009), PGA and M", 0.1, 0.88, math.nan, 6.75, 111.0, 115.0),
+        ("Saygili and Rathje (2008), PGA and PGV", 0.1, 0.88, 0.71, math.nan, 79.0, 83.0),
+    ],
+)
+def test_regressions_of_rigid_blocks_reproduce_published_examples(
+    name: str, k_y: float, pga: float, pgv: float, magnitude: float, low: float, high: float
+) -> None:
+    (regression,) = (r for r in REGRESSIONS if r.name == name)
+    shaking = Shaking(k_y, np.array([pga]), np.array([pgv]), np.array([math.nan]), magnitude)
+    assert low < math.exp(regression.ln_cm(shaking)[0]) < high
+
+
+@pytest.mark.parametrize(
+    ("k_y", "period", "spectral", "magnitude", "none", "low", "high"),
+    [
+        (0.14, 0.4, 0.48, 7.2, 0.01, 9.8, 10.0),  # Bray (2007), worked example: ln D = 2.29, P(D = 0) = 0.01
+        # Bray and Travasarou (2007), table 1, dams in the earthquake of Loma Prieta: 16 to 84 % from 4 to 15 cm of a
+        # rigid one with P(D = 0) = 0.1, and from 20 to 70 cm of a flexible one with P(D = 0) = 0
+        (0.08, 0.0, 0.24, 6.9, 0.1, 0.85 * math.sqrt(60.0), 1.15 * math.sqrt(60.0)),
+        (0.14, 0.33, 0.94, 6.9, 0.0, 0.85 * math.sqrt(1400.0), 1.15 * math.sqrt(1400.0)),
+        (0.14, 0.33, 1.07, 6.9, 0.0, math.exp(3.765), math.exp(3.775)),  # their example of a dam: ln D = 3.77
+        (0.14, 0.33, 0.483, 7.5, 0.01, 9.75, 9.79),  # their spreadsheet: 9.77 cm
+    ],
+)
+def test_bray_and_travasarou_reproduce_their_examples(
+    k_y: float, period: float, spectral: float, magnitude: float, none: float, low: float, high: float
+) -> None:
+    nothing = np.array([math.nan])
+    shaking = Shaking(k_y, np.array([spectral]), nothing, nothing, magnitude, period, np.array([spectral]))
+    regression = REGRESSIONS[-1]
+    assert regression.negligible is not None
+    assert regression.negligible(shaking)[0] == pytest.approx(none, abs=0.02)
+    assert low < math.exp(regression.ln_cm(shaking)[0]) < high
+
+
 def test_regressions_say_nothing_outside_their_range_or_without_a_magnitude() -> None:
-    pga = np.array([0.2, 0.3, 0.101, 5.0])
+    pga = np.array([0.2, 0.3, 0.099, 5.0])
     shaking = Shaking(0.1, pga, pga, pga)
     found = comparisons(np.array([0.01, 0.02, 0.03, 0.04]), shaking)
     assert [(c.name.split()[0], c.records) for c in found] == [
         ("Ambraseys", 2),
-        ("Jibson", 2),
-        ("Jibson", 2),
-        ("Jibson", 2),
-        ("Saygili", 2),
-        ("Saygili", 2),
+        *[("Jibson", 3)] * 3,
+        *[("Saygili", 3)] * 4,
     ]
     menu = REGRESSIONS[0]
     residuals = np.log([1.0, 2.0]) - menu.ln_cm(shaking)[:2]
     assert (found[0].mean, found[0].std) == pytest.approx((residuals.mean(), residuals.std(ddof=1)), rel=1e-12)
     assert found[0].std_ln == pytest.approx(0.3 * math.log(10.0))
+    outside = comparisons(np.full(4, 0.01), Shaking(0.6, pga, pga, pga, 9.5))
+    assert [(c.records, math.isnan(c.mean)) for c in outside] == [(0, True)] * len(REGRESSIONS)
+
+
+def test_what_moves_less_than_a_centimetre_counts_as_no_displacement() -> None:
+    """Bray and Travasarou (2007) predict the share of records without a displacement, and others' displacement."""
+    pga = np.full(4, 0.3)
+    shaking = Shaking(0.1, pga, pga, pga, 7.0)
+    *_, compared = comparisons(np.array([0.009, 0.0, 0.08, 0.09]), shaking)
+    assert (compared.records, compared.negligible_computed) == (2, 0.5)
+    assert (
+        comparisons(np.array([0.009, 0.0, 0.08, 0.09]), replace(shaking, period=0.049, spectral=9.0 * pga))[-1]
+        == compared
+    )
+    assert compared.negligible == pytest.approx(0.0783, abs=1e-4)  # 1 - Phi(-1.76 + 7.4143 - 4.2380)
+
+
+def test_a_step_of_the_ground_shakes_an_oscillator_beyond_its_rest() -> None:
+    """From rest a constant acceleration a gives 1 + exp(-pi zeta/sqrt(1 - zeta^2)) times a."""
+    step = Series(np.linspace(0.0, 2.0, 101), np.full(101, 0.3))
+    beyond = math.exp(-math.pi * 0.05 / math.sqrt(1.0 - 0.05**2))
+    assert spectral_acceleration(step, 0.7) == pytest.approx(0.3 * (1.0 + beyond), rel=6e-4)
+    assert spectral_acceleration(step, 0.0) == 0.3
+    with pytest.raises(ValueError, match=r"period = -1.0: must be at least 0 s"):
+        spectral_acceleration(step, -1.0)
+
+
+@pytest.mark.parametrize("period", [0.08, 0.5, 3.0])
+def test_a_response_is_that_of_the_oscillator_s_equation(period: float) -> None:
+    """u'' + 2 zeta omega u' + omega^2 u = -a, integrated between all samples of a random record."""
+    values = np.random.default_rng(8).normal(size=40)
+    record = Series(np.linspace(0.0, 1.95, 40), values)
+    frequency = 2.0 * math.pi / period
+    times = np.arange(0.0, record.time[-1] + 1.5 * period, period / 400)
+
+    def rates(time: float, state: np.ndarray) -> list[float]:
+        ground = float(np.interp(time, record.time, values, right=0.0))
+        return [state[1], -2 * 0.05 * frequency * state[1] - frequency**2 * state[0] - ground]
+
+    path = solve_ivp(rates, (0.0, times[-1]), [0.0, 0.0], t_eval=times, rtol=1e-9, atol=1e-12, max_step=0.02)
+    assert spectral_acceleration(record, period) == pytest.approx(frequency**2 * np.abs(path.y[0]).max(), rel=2e-3)
+
+
+def test_synthetic_records_match_a_target_spectrum() -> None:
+    """A plateau and what falls with the period; between the periods of the iteration, too."""
+    target = [0.05, 0.15, 0.5, 2.0], [0.5, 0.75, 0.75, 0.19]
+    records = synthetic_records(3, duration=6.0, seed=1, spectrum=target)
+    periods = np.geomspace(0.06, 1.9, 23)
+    expected = np.exp(np.interp(np.log(periods), *np.log(target)))
+    for record in records.values():
+        assert misfit(record, target) < 0.1
+        spectrum = [spectral_acceleration(record, period) for period in periods.tolist()]
+        assert np.std(np.log(spectrum / expected)) < 0.15
+    assert np.mean([intensities(record).duration for record in records.values()]) == pytest.approx(6.0, rel=0.15)
+    assert misfit(synthetic_records(1)["synthetic 1"], target) > 0.3
+    with pytest.raises(ValueError, match="arias and spectrum exclude each other"):
+        synthetic_records(1, 1.0, spectrum=target)
 
 
 def test_synthetic_records_have_the_intensity_and_duration_asked_for() -> None:

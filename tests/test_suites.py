@@ -12,12 +12,15 @@ import mpmath as mp
 import numpy as np
 import pytest
 from matplotlib import pyplot
+from scipy.optimize import brentq
 
 from slipcircle import Arc, Scene, Series, ensemble, solve
 from slipcircle.core import Status
 from slipcircle.workbench.records.suite import Suite, place_of, read_suite
 from slipcircle.workbench.studies.suitedesign import LANE_RESULTS
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
+from slipcircle.workbench.suites.intensities import spectral_acceleration
+from tests.campaigns.intensities import Published, of_slammer, of_tables
 from tests.support.blocks import exactly, quake
 
 GRAVITY = 9.81
@@ -164,6 +167,43 @@ def test_what_is_no_record_is_listed_and_the_rest_goes_on(folder: Path) -> None:
         read_suite([empty])
 
 
+def test_a_record_in_a_file_has_the_intensity_measures_of_its_closed_form(tmp_path: Path) -> None:
+    """A exp(-b t) sin(w t) as the campaign reads records, its table's values from antiderivatives and the spectrum."""
+    name, b, w = "Cape_Mendocino_1992_PET-090", 0.8, 11.0
+    square = b * b + w * w
+    crest = math.atan2(w, b) / w
+
+    def arias_left(t: float) -> float:
+        growing = (b / w) * math.sin(2.0 * w * t) + 2.0 * (b / w * math.sin(w * t)) ** 2
+        return math.exp(-2.0 * b * t) * (1.0 + growing)
+
+    first, last = (brentq(lambda t, left=left: arias_left(t) - left, 0.0, 9.0) for left in (0.95, 0.05))
+
+    frequencies = 0.05 * np.arange(5, 401)  # 0.25 to 20 Hz, by the definition at steps of 0.05 Hz
+    angular = 2.0 * np.pi * frequencies
+    power = 1.0 / ((square - angular**2) ** 2 + (2.0 * b * angular) ** 2)
+    closed = Published(
+        arias=math.pi / 2.0 * GRAVITY * 0.09 * w * w / (4.0 * b * square),
+        duration=last - first,
+        pga=0.3 * math.exp(-b * crest) * math.sin(w * crest),
+        pgv=100.0 * GRAVITY * 0.3 * w * (1.0 + math.exp(-b * math.pi / w)) / square,
+        mean_period=np.average(1.0 / frequencies, weights=power),
+    )
+    time = np.asarray(0.002 * np.arange(6000), dtype=np.float64)
+    decaying = Series(time, 0.3 * np.exp(-b * time) * np.sin(w * time), held=False)
+    (tmp_path / f"{name}.csv").write_text(two_columns(decaying), "utf-8")
+    (row,), absent = of_tables(tmp_path, {name: closed, "Kobe_1995_TAK-090": closed})
+    assert absent == ["Kobe_1995_TAK-090"]
+    assert [*row.computed] == pytest.approx([*row.published], rel=3e-4)
+    (tmp_path / "Somewhere 1900").mkdir()
+    (tmp_path / "Somewhere 1900" / "ABC-000").write_text(one_column(decaying), "utf-8")
+    measures = "\t".join(map(str, closed))
+    (tmp_path / "eq.sql").write_text(f"Somewhere 1900\tABC-000\t0.002\t7.0\t{measures}\t10.4\n", "utf-8")
+    (row,), absent = of_slammer(tmp_path)
+    assert (row.name, absent) == ("Somewhere 1900 ABC-000", [])
+    assert [*row.computed] == pytest.approx([*row.published], rel=3e-4)
+
+
 # --- what is solved --------------------------------------------------------------------------------------------------
 
 
@@ -193,6 +233,22 @@ def test_frozen_slopes_slide_as_the_exact_block() -> None:
                 assert displacement[lane] == pytest.approx(float(xs[-1]), rel=1e-11)
                 single = solve(replace(FROZEN, effects={"shaking": {"horizontal": scaled}}))
                 assert study.values["slips"][lane] == len(single.phases)
+
+
+def test_a_flexible_mass_has_the_published_displacement_of_its_spectral_acceleration() -> None:
+    """Dam of Bray and Travasarou (2007): k_y = 0.14, T_s = 0.33 s, S_a(1.5 T_s) = 1.07 g, M 6.9: ln D (cm) = 3.77."""
+    weight, radial = (float(x) for x in ARC.amplitudes_per_inertia)
+    psi = abs(float(ARC.dip))
+    mu = weight * (math.sin(psi) + 0.14 * math.cos(psi)) / (radial * (math.cos(psi) - 0.14 * math.sin(psi)))
+    records = [quake(1), quake(2)]
+    half = [record.scaled(0.535 / spectral_acceleration(record, 0.495)) for record in records]
+    study = ensemble(Scene(ARC, mu), records=half, scales=[1.0, 2.0])
+    row = study.regressions(1, 6.9, 0.33)[-1]
+    assert (row.name, row.records, row.of) == ("Bray and Travasarou (2007)", 2, 2)
+    assert math.log(100.0 * row.predicted) == pytest.approx(3.77, abs=0.005)
+    blocks = study.displacement[:, 0, 1, 0] / study.block_factor
+    assert row.mean == pytest.approx(np.log(blocks / row.predicted).mean(), rel=1e-9)
+    assert study.regressions(1, 9.5)[-1].records == 0
 
 
 def same(one: SuiteStudy, other: SuiteStudy) -> bool:
@@ -279,13 +335,17 @@ def test_a_suite_that_moves_nothing_has_pictures_and_counts() -> None:
     words = [text.get_text() for ax in figure.axes for text in ax.texts]
     assert words.count("does not move") == 3
     pyplot.close(figure)
+    one_way = Series(np.arange(4.0), np.array([0.0, 0.5, 0.5, 0.0]), held=False)
+    ax = ensemble(FROZEN, records=[one_way], polarities=True).plot("velocity")
+    assert [np.any(line.get_ydata()) for line in ax.lines] == [True, False]
+    pyplot.close(ax.figure)
 
 
 def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     """The same numbers in its table, CSV and JSON; a warning for each file that is no record, unless strict."""
     (folder / "corrupt.AT2").write_text(BAD["corrupt.AT2"][0], "utf-8")
     line = f"sweep newmark-pulse --records {folder} --polarities --scale-to-pga 0.2,0.4 --units g --step 0.01"
-    line += f" --thresholds 0.02,0.5 --fragility {folder / 'fragility.csv'}"
+    line += f" --magnitude 7 --period 0.2 --thresholds 0.02,0.5 --fragility {folder / 'fragility.csv'}"
     status, out, err = asked(f"{line} --csv {folder / 'all.csv'}")
     assert status == 0
     assert err.count("corrupt.AT2: holds ") == 1
@@ -300,14 +360,17 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert any(row.split()[:4] == ["RSN6_ELC180.AT2", "0.4", one, other] for row in out.splitlines())
     points = (folder / "fragility.csv").read_text().splitlines()
     assert len(points) == 1 + 2 * 2
-    point = dict(zip(points[0].split(","), map(float, points[2].split(",")), strict=True))
-    assert point["share"] == np.mean(np.abs(np.array(held["run_out"])[:, :, 1]) > 0.02)
+    point = dict(zip(points[0].split(","), points[2].split(","), strict=True))
+    assert points[4].endswith(",,,,no motion exceeds it; give larger scales")
+    assert float(point["share"]) == np.mean(np.abs(np.array(held["run_out"])[:, :, 1]) > 0.02)
     low, high = held["fragility"]
     assert low["reason"].endswith("give scales next to it") or low["median_pga_g"]["value"] > 0.0
     assert (high["threshold_m"], high["reason"]) == (0.5, "no motion exceeds it; give larger scales")
     assert {*high["median_pga_g"].values(), *high["dispersion"].values()} == {None}
     assert "D > 0.5 m" in out
     assert "no motion exceeds it; give larger scales" in out
+    assert held["regressions"][-1]["valid"] == "k_y 0.01 to 0.5, T_s 0 to 2, S_a(1.5 T_s) 0.002 to 2.7, M 4.5 to 9"
+    assert "no displacement (at most 1 cm) for" in " ".join(out.split())
     assert "corrupt.AT2: holds" in asked(f"{line} --strict")[2]
     assert asked("sweep newmark-pulse --polarities")[0] != 0
 
@@ -340,8 +403,26 @@ def test_synthetic_records_written_to_a_folder_give_the_same_bits(tmp_path: Path
         assert (status, message in err) == (1, True), err
 
 
+def test_the_command_matches_a_spectrum_and_says_what_remains(tmp_path: Path, asked: Any) -> None:
+    target = tmp_path / "target.csv"
+    target.write_text("period (s),Sa (g)\n0.05,0.5\n0.15,0.75\n0.5,0.75\n2,0.19\n")
+    status, out, err = asked(f"records --synthetic 2:4 --spectrum {target}")
+    assert (status, err) == (0, "")
+    *_, first, second = (line for line in out.splitlines() if line.startswith("synthetic"))
+    assert all(0.0 < float(row.split()[-2]) < 10.0 for row in (first, second))
+    target.write_text("period (s),Sa (g)\n0,0.5\n0.15,0.75\n")
+    refusals = {
+        f"--synthetic 2:4 --spectrum {target}": "periods and accelerations of a spectrum must be above 0",
+        f"--synthetic 2:1:4 --spectrum {target}": "COUNT:DURATION with --spectrum FILE",
+        "--synthetic 2:4": "give COUNT:ARIAS:DURATION, or",
+    }
+    for words, message in refusals.items():
+        status, _, err = asked(f"records {words}")
+        assert (status, message in err) == (1, True), err
+
+
 def test_a_report_of_a_suite_is_written_again_to_the_byte(tmp_path: Path, said: Any) -> None:
-    line = "sweep newmark-pulse --synthetic 3:1.5:12 --seed 2 --polarities --scale 1,2 --report"
+    line = "sweep newmark-pulse --synthetic 3:1.5:12 --seed 2 --polarities --report"
     pages = [tmp_path / name for name in ("one.html", "two.html")]
     for page in pages:
         said(f"{line} {page}")

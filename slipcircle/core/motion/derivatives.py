@@ -45,7 +45,8 @@ class Sensitivity:
         outputs = np.array([self.at[name] for name in self.outputs])
         parameters = np.array([self.at[name] for name in self.parameters])
         nonzero = np.where(outputs == 0.0, np.nan, outputs)
-        return np.asarray(self.values * parameters / nonzero[:, None])
+        per_cent = self.values * parameters
+        return np.asarray(per_cent / nonzero[:, None])
 
     @property
     def distinct(self) -> dict[str, str]:

@@ -1,6 +1,7 @@
 """`slipcircle sweep --records`: a scene under each record of a suite, its options and tables."""
 
 import argparse
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -47,6 +48,8 @@ def options(parser: argparse.ArgumentParser) -> None:
     points = "write exceedance and fragility curves at every threshold and scale as a table, CSV"
     group.add_argument("--fragility", metavar="FILE", help=points)
     group.add_argument("--magnitude", type=float, metavar="M", help="of the earthquakes, for regressions that need it")
+    period = "fundamental period of the sliding mass, s, for Bray and Travasarou (2007); default 0, a rigid mass"
+    group.add_argument("--period", type=float, default=0.0, metavar="S", help=period)
     add_reading(group)
 
 
@@ -62,15 +65,15 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
     return found
 
 
-def parts(study: SuiteStudy, magnitude: float) -> Iterator[Part]:
-    """The records, what they do at the scale next to their own, and statistics at all scales."""
-    yield records_part(study.suite)
+def parts(study: SuiteStudy, compared: Sequence[Comparison], misfits: Sequence[float]) -> Iterator[Part]:
+    """The records, their displacements at the scale next to their own beside regressions, and statistics."""
+    yield records_part(study.suite, misfits)
     scale = study.own_scale
     yield _by_record_part(study, scale)
     yield _statistics_part(study)
     yield _exceedance_part(study)
     yield _fragility_part(study)
-    if compared := study.regressions(scale, magnitude):
+    if compared:
         yield _regressions_part(study, compared, scale)
     shares = variance_shares(study.displacement, scale)
     if shares.records == shares.records and study.values["status"].shape[-1] > 1:
@@ -110,14 +113,24 @@ def _statistics_part(study: SuiteStudy) -> Part:
 
 
 def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: int) -> Part:
-    """Published regressions beside the displacements at a scale."""
-    head = ["regression", "in range", "mean ln ratio", "std", "its std"]
-    rows = [[c.name, str(c.records), *(f"{x:.2f}" for x in (c.mean, c.std, c.std_ln))] for c in compared]
-    k_y, factor = shown(study.yield_coefficient), shown(study.block_factor)
+    """Published regressions beside the displacements at a scale, and why a regression says nothing."""
+    head = ["regression", "in range", "predicted (m)", "ln ratio", "std", "published std"]
+    factor = shown(study.block_factor)
+    divided = f"displacements are divided by {factor}, by which the arc moves farther than a block"
+    notes = [divided, "ln ratio: mean over the records"]
+    rows = []
+    for c in compared:
+        predicted = "-" if math.isnan(c.predicted) else f"{c.predicted:.3g}"
+        numbers = ["-" if math.isnan(x) else f"{x:.2f}" for x in (c.mean, c.std, c.std_ln)]
+        rows.append([c.name, f"{c.records} of {c.of}", predicted, *numbers])
+        if not c.records:
+            notes.append(f"{c.name} holds for {c.valid}")
+        if not math.isnan(c.negligible):
+            shares = f"{100 * c.negligible:.1f} % of the records, computed {100 * c.negligible_computed:.1f} %"
+            notes.append(f"{c.name}: no displacement (at most 1 cm) for {shares}")
+    k_y = shown(study.yield_coefficient)
     title = f"displacement at {study.scale_text(scale)} over that of a rigid block with k_y = {k_y} by regressions"
-    return Part(
-        head, rows, title, f"displacements are divided by {factor}, by which the arc moves farther than a block"
-    )
+    return Part(head, rows, title, "; ".join(notes))
 
 
 def _exceedance_part(study: SuiteStudy) -> Part:

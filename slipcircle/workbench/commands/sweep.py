@@ -15,6 +15,7 @@ from slipcircle.core import Scene, Status
 from slipcircle.workbench.commands import suite
 from slipcircle.workbench.commands import values as read
 from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
+from slipcircle.workbench.commands.records import spectrum_misfits
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.common.quantities import OUTCOMES
@@ -128,7 +129,7 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError("sweep: --search-each: of samples, not of a grid")
     if under_records and options.grid:
         raise ValueError("sweep: --records and --grid exclude each other; give uncertain numbers and --samples")
-    of_records = ("polarities", "scale", "scale_to_pga", "thresholds", "fragility")
+    of_records = ("polarities", "scale", "scale_to_pga", "thresholds", "fragility", "spectrum")
     absent = (None, False)
     given = [name for name in of_records if not any(getattr(options, name) is value for value in absent)]
     if given and not under_records:
@@ -149,9 +150,9 @@ def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_fil
         exceedance = study.fragility_columns()
         files.write(options.fragility, files.table(exceedance, zip(*exceedance.values(), strict=True)))
     magnitude = math.nan if options.magnitude is None else options.magnitude
-    compared = [c._asdict() for c in study.regressions(study.own_scale, magnitude)]
-    tables = list(suite.parts(study, magnitude))
-    record = study.to_dict() | {"regressions": compared}
+    compared = study.regressions(study.own_scale, magnitude, options.period)
+    tables = list(suite.parts(study, compared, spectrum_misfits(study.suite, options)))
+    record = study.to_dict() | {"regressions": [c._asdict() for c in compared]}
     if options.report:
         files.write(options.report, suite_report(study, tables, record, scene_file, options.line).encode())
     return Answer(lambda: record, tables, [f"{study.scene.name}: {line}" for line in study.warnings])

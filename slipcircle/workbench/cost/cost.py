@@ -26,9 +26,12 @@ SIZES = (1, 10_000, 1_000_000)  # a call, an array that stays in cache, one that
 TIMES = ("ns_1", "ns_1e4", "ns_1e6")  # of a `Row`, of these sizes
 BEATEN = 1.2  # a way is beaten by one at least as accurate and more than this many times faster
 REPEATS = 9
-_TICK, _PATIENCE = 5e-4, 0.08  # seconds: shortest thing timed, all repeats of one
-_PASS, _LONG = 0.1, 1.0  # seconds that a pass may take, as a rule; above which one is enough
-FRONTIER, LOST = "frontier", "beaten: "
+_TICK = 5e-4  # s, the shortest work that is timed
+_PATIENCE = 0.08  # s, all repeats of one
+_PASS = 0.1  # s that a pass may take, as a rule
+_LONG = 1.0  # s above which one pass is enough
+FRONTIER = "frontier"
+LOST = "beaten: "
 SUBJECTS: dict[str, Sequence[Callable[[], Subject]]] = {
     **{name: [made] for name, made in FUNCTIONS.items()},
     "sections": [sections.subject],

@@ -9,8 +9,10 @@ from slipcircle.workbench.cost.cost import FRONTIER, Profile, Row
 from slipcircle.workbench.cost.reference import HALF_PI, Floats
 from slipcircle.workbench.outputs.plotstyle import LINES, MEASURED, REST, SERIES, WIDTH, axis, label
 
-_BEST, _NONE = 1e-19, 10.0  # the axis of errors ends here; what lies beyond is drawn at its ends
-_DECADES, _BINS = 16.5, 90  # of alpha, towards each end
+_BEST = 1e-19  # ends of the axis of errors; errors beyond are drawn there
+_NONE = 10.0
+_DECADES = 16.5  # of alpha, towards each end
+_BINS = 90
 _OURS = {"marker": "o", "color": LINES["main"]["color"]}
 _OTHERS = {"marker": "s", "color": LINES["other"]["color"], "mfc": "white"}
 
@@ -65,7 +67,9 @@ def _mark(axes: Any, row: Row, number: int) -> None:
     name = row.way if row.verdict == FRONTIER else str(number)
     label(axes, name, (row.price, height), gid=MEASURED)
     if row.bound is not None:
-        axes.plot([row.price] * 2, [height, row.bound], "-_", color=_OURS["color"], lw=1)
+        prices = [row.price, row.price]
+        errors = [height, row.bound]
+        axes.plot(prices, errors, "-_", color=_OURS["color"], lw=1)
 
 
 def _height(row: Row) -> float:
@@ -88,9 +92,11 @@ def _worst_in_bins(profile: Profile) -> tuple[Floats, Floats]:
     edges = np.linspace(-_DECADES, _DECADES, _BINS + 1)
     places = both_ends(profile.points)
     bins = np.digitize(places, edges) - 1
-    inside = (bins >= 0) & (bins < _BINS)
+    is_inside = (bins >= 0) & (bins < _BINS)
+    filled = bins[is_inside]
+    errors_inside = profile.relative[is_inside]
     worst = np.zeros(_BINS)
-    np.maximum.at(worst, bins[inside], profile.relative[inside])
+    np.maximum.at(worst, filled, errors_inside)
     has_points = worst > 0.0
     middles = (edges[1:] + edges[:-1]) / 2
     errors = np.clip(worst, _BEST, _NONE)

@@ -95,7 +95,8 @@ def _faster(ours: Sequence[Row], others: Sequence[Row]) -> Iterator[str]:
         fastest = min(others, key=lambda row: _time(row, size))
         gain = our_best / _time(fastest, size)
         if gain > BEATEN:
-            gains.setdefault(fastest, []).append(f"{shown(gain, 2)} times at {label}")
+            words = f"{shown(gain, 2)} times at {label}"
+            gains.setdefault(fastest, []).append(words)
     for row, sizes in gains.items():
         where = ", ".join(sizes)
         yield f"Faster than anything of ours: {row.way}, {where}, with an error of {row.error:.1e}."
@@ -121,7 +122,8 @@ def table(rows: Sequence[Row]) -> tuple[list[str], list[list[str]]]:
 
 def _cells(row: Row, numbers: Mapping[str, str]) -> list[str]:
     """A cell for each of `COLUMNS`."""
-    winner = numbers.get(row.verdict.removeprefix(LOST))
+    other = row.verdict.removeprefix(LOST)
+    winner = numbers.get(other)
     verdict = f"beaten {winner}" if winner else row.verdict
     seen = "" if math.isnan(row.error) else f"{row.error:.1e}"
     place = ", ".join(map(_place, row.worst_input_ulp))

@@ -24,7 +24,8 @@ class Equation:
     """The numbers of a scene's equation of motion, and its rates over the arithmetic of a module."""
 
     def __init__(self, scene: Any, law: Mapping[str, Any]) -> None:
-        arc, effects = scene.arc, scene.called
+        arc = scene.arc
+        effects = scene.called
         alpha = float(arc.half_angle)
         self.scale = float(arc.time_scale)
         self.radius = float(arc.radius)
@@ -39,8 +40,10 @@ class Equation:
         self.record = effects.get("shaking", {}).get("horizontal")
         self.law = law.get("law", "constant")
         self.residual = law.get("residual", 0.0)
-        self.decay = self.radius / law.get("length", 1.0)
-        self.pace = self.radius / self.scale / law.get("velocity", 1.0)
+        length = law.get("length", 1.0)
+        velocity = law.get("velocity", 1.0)
+        self.decay = self.radius / length
+        self.pace = self.radius / self.scale / velocity
         layer_heat = LAYER["heat_capacity"] * LAYER["thickness"]
         self.heating = self.radius * LAYER["pressurisation"] / layer_heat
         self.viscous = 0.0

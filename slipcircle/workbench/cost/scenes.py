@@ -25,13 +25,15 @@ ACCURACIES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-15)
 TOLERANCES = (*ACCURACIES[:-1], 1e-13)  # of SciPy, which grants no less
 ANGLES = (10.0, 14.0, 19.5)  # of friction, deg: the first and last of an ensemble, and between them that of one scene
 RESIDUAL = float(np.tan(np.radians(8.0)))
-RECORD_SAMPLES, RECORD_END = 4000, 20.0  # s
+RECORD_SAMPLES = 4000
+RECORD_END = 20.0  # s
 BATCH = 32  # lanes of heyoka at once: as many as still gain
 # Run-out, peak velocity and duration by friction, of one scene and then of an ensemble's lanes, to 24 digits;
 # ``python -m tests.campaigns.exact_scenes`` writes them.
 ANSWERS = Path(__file__).with_name("answers.json")
 PATIENCE = 5.0  # of a pass over scenes, as of `Subject`
-FROZEN, CLOSED_FORM = "frozen geometry", "closed form in time"
+FROZEN = "frozen geometry"
+CLOSED_FORM = "closed form in time"
 
 
 def _record() -> Series:
@@ -108,9 +110,8 @@ def subject(name: str, many: bool) -> Subject:
     exact = reference(points, answers)
     title = f"{name}, 10000 scenes" if many else name
     sizes = (1,) if many else (0,)
-    return Subject(
-        title, [*_ways(name, many)], lambda kind: exact, lambda count: frictions(count)[None], sizes, PATIENCE
-    )
+    ways = [*_ways(name, many)]
+    return Subject(title, ways, lambda kind: exact, lambda count: frictions(count)[None], sizes, PATIENCE)
 
 
 def _ways(name: str, many: bool) -> Iterator[Way]:

@@ -18,7 +18,9 @@ from slipcircle.workbench.cost.ways import Subject, Way
 
 # Area, integrals of r and r^2, of the unit vector (x, y)/r and of (x, y) over the mass, from the centre and over powers
 # of the radius, of the sections of `drawn(COUNT)`, to 24 digits; ``tests.campaigns.exact_scenes`` writes them.
-ANSWERS, COUNT, MEASURES = Path(__file__).with_name("sections.json"), 12, 7
+ANSWERS = Path(__file__).with_name("sections.json")
+COUNT = 12
+MEASURES = 7
 PATIENCE = 80.0  # of a pass, as of `Subject`: a million sections of ours take less
 _X = np.linspace(-60.0, 60.0, 11)
 GROUND = np.stack([_X, 10.0 - _X / 5 + 1.5 * np.sin(_X / 9)], axis=1)
@@ -78,7 +80,8 @@ def gauss(points: int, x: Floats, y: Floats, radius: Floats, left: Floats, right
     nodes, weights = np.polynomial.legendre.leggauss(points)
     shares = (1 + nodes) / 2
     rule = list(zip(shares, weights / 2, strict=True))
-    x, y, radius, left, right = np.array([x, y, radius, left, right])[:, :, None]
+    columns = np.array([x, y, radius, left, right])
+    x, y, radius, left, right = columns[:, :, None]
     corners = np.clip(GROUND[:, 0], left, right)
     starts = corners[:, :-1]
     edges = np.diff(corners, axis=1)
@@ -94,13 +97,17 @@ def gauss(points: int, x: Floats, y: Floats, radius: Floats, left: Floats, right
         strip = width * height
         for inner, inner_weight in rule:
             vertical = bottom + inner * height
-            r = np.hypot(horizontal, vertical)
-            unit_vector = [horizontal / r, vertical / r]
-            measures = np.stack([np.ones_like(r), r, r * r, *unit_vector, horizontal, vertical])
             share_of_area = inner_weight * strip
-            integrals = share_of_area * measures
+            integrals = share_of_area * _measures(horizontal, vertical)
             total += integrals.sum(axis=2)
     return total
+
+
+def _measures(across: Floats, up: Floats) -> Floats:
+    """The integrands at places from the centre, over the radius: 1, r, r^2, the unit vector, and the place."""
+    r = np.hypot(across, up)
+    one = np.ones_like(r)
+    return np.stack([one, r, r * r, across / r, up / r, across, up])
 
 
 def polygons(segments: int, x: Floats, y: Floats, radius: Floats, *_: Floats) -> Floats:
@@ -134,7 +141,8 @@ def subject() -> Subject:
         ways.append(Way(f"shapely, {4 * segments} chords", cut, needs="shapely"))
     digits = json.loads(ANSWERS.read_text("utf-8"))
     known = [[*map(Decimal, row)] for row in digits]
-    size = np.abs(np.array(known, dtype=np.float64))
+    values = np.array(known, dtype=np.float64)
+    size = np.abs(values)
     for pair in ([3, 4], [5, 6]):  # components of a vector: relative to its length
         size[pair] = np.hypot(*size[pair])
     exact = reference(drawn(COUNT), known, size=size)

@@ -31,7 +31,9 @@ from slipcircle.workbench.outputs.trace import drawn
 from slipcircle.workbench.studies.ladder import Rung
 
 _MOST_BARS = 24  # further ones are summarised in text
-_SECTION, _CURVES, _BAR = 3.6, 2.8, 0.3  # inches
+_SECTION = 3.6  # heights in inches
+_CURVES = 2.8
+_BAR = 0.3
 
 
 def overview(motions: Sequence[Motion], figure: Any) -> Any:

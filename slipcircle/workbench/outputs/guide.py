@@ -10,7 +10,8 @@ from slipcircle.workbench.files.slopekeys import LOADS, SLOPING, SOIL_LAWS, laye
 from slipcircle.workbench.stability.stability import COMPARED, METHODS
 
 _PLACES = ("arc", "arc.given", *SLOPING)
-WIDTH, INDENT = 100, 28
+WIDTH = 100
+INDENT = 28
 HEAD = """\
 A scene is a TOML file. A key ends in the unit of its number: _deg, _m, _kPa, _kN_m3, ... [arc] and
 [friction] are needed. Adding a table, even an empty one, enables its effect; an effect without a

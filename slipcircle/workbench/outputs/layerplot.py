@@ -14,7 +14,8 @@ from slipcircle.workbench.outputs.trace import Floats
 _ACROSS = 400  # points of a boundary
 _PLACES = 40  # for the label of a band
 _BOUNDARY = {"color": "0.55", "lw": 0.8, "zorder": 1}
-_START, _TURNED = 6.0, 2.5  # widths of the arc, in points
+_START = 6.0  # width of the arc at the start, in points
+_TURNED = 2.5  # of the turned arc
 Layers = Sequence[tuple[Any, Any]]  # soils and their tops
 _THIN = 0.02  # of the height of a view: the label of a thinner band stands beside it
 

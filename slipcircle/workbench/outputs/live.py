@@ -24,9 +24,11 @@ from slipcircle.workbench.studies import motions as study_motions
 from slipcircle.workbench.studies.ensemble import varied_number
 
 MOST_CASES = 61
-_SIZE, _OF_CASE = 270_000, 800  # bytes of a page besides its program and style; of a case besides its points
+_SIZE = 270_000  # bytes of a page besides its program and style
+_OF_CASE = 800  # bytes of a case besides its points
 _LEAST_POINTS = 100  # of a motion
-_SHORTEST, _LONGEST = 4.0, 10.0  # seconds in which a slide is played, as in `live.js`
+_SHORTEST = 4.0  # seconds in which a slide is played, as in `live.js`
+_LONGEST = 10.0
 _PAGE = Path(__file__).with_name("page")
 _SHELL = """
 body { margin: 0 auto; max-width: 68rem; padding: 1rem; background: var(--paper); color-scheme: light dark; }

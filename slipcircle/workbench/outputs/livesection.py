@@ -17,7 +17,8 @@ from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of, wat
 from slipcircle.workbench.outputs.trace import Floats
 
 WIDTH = 1000.0  # of the drawing, in its own unit
-_LOWEST, _TALLEST = 0.42, 0.5  # least and greatest height over width
+_LOWEST = 0.42  # least height over width
+_TALLEST = 0.5  # greatest height over width
 _MARGIN = 0.08  # of the view
 _TICKS = 6, 4  # of the axes, at most
 _INSET = 12.0  # of names and numbers from the edges

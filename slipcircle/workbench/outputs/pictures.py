@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 _KINDS = ("png", "svg", "pdf", "jpg")
 _FRAMES = 12  # of an animation in a second
-_HOLD, _COLOURS = 2000, 64  # milliseconds that its last frame is held; colours of each frame
+_HOLD = 2000  # milliseconds that its last frame is held
+_COLOURS = 64  # of each frame
 
 
 def check(command: str, path: str = "", scenes: int = 1) -> None:

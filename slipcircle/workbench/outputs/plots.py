@@ -67,7 +67,8 @@ HISTORIES: Mapping[str, tuple[str, tuple[Curve, ...]]] = {
 _MOST_KINKS = 4  # that are labelled one by one
 _TOUCHES = 0.02  # of the required friction at the start, below which it is zero
 _TALL = 3.0  # greatest required friction in view, over the greatest mobilised friction
-_SECTION, _PANEL = 4.3, 2.3  # inches, how high the section and a row of panels are
+_SECTION = 4.3  # height of the section, inches
+_PANEL = 2.3  # height of a row of panels, inches
 OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 
 

@@ -12,7 +12,8 @@ from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
 _CELLS = 30  # of the map of factors, across
-_VALLEY, _TALL = 0.05, 1.4  # factors in the frame of a map, relative to the least one; greatest height over width
+_VALLEY = 0.05  # factors in the frame of a map, relative to the least one
+_TALL = 1.4  # greatest height over width
 
 
 def critical_circle(critical: Critical, figure: Any) -> Any:

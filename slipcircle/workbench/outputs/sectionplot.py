@@ -28,7 +28,8 @@ from slipcircle.workbench.outputs.trace import Floats, toe_words
 from slipcircle.workbench.stability.search import Critical
 
 _SMALL = 0.12  # chord over view, below which the mass is drawn as a mark, without forces
-_SEEN, _WIDE = 0.02, 0.1  # displacement over chord: least one drawn to scale, and size of a smaller one
+_SEEN = 0.02  # least displacement over chord that is drawn to scale
+_WIDE = 0.1  # magnified displacement over chord
 _MARGIN = 0.1  # of the view
 
 

@@ -34,9 +34,12 @@ from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 if TYPE_CHECKING:
     from slipcircle.core import Sensitivity
 
-WIDTH, WIDEST = 100, 120  # of a table in files and pipes, in a terminal
-_LEAST, _GAP = 22, 2  # of a column of long cells, between columns
-BOLD, PLAIN = "\x1b[1;36m", "\x1b[0m"  # of the head of a table in a terminal
+WIDTH = 100  # of a table in files and pipes
+WIDEST = 120  # of a table in a terminal
+_LEAST = 22  # width of a column of long cells
+_GAP = 2  # between columns
+BOLD = "\x1b[1;36m"  # head of a table in a terminal
+PLAIN = "\x1b[0m"
 Rows = Iterable[Sequence[Any]]
 
 

@@ -43,11 +43,14 @@ def with_records(
 
 def _pore_pressure(given: Mapping[str, Any]) -> dict[str, Any]:
     """A ratio or a pressure from a record."""
-    series = read_pore_pressure(given["record"], **{k: given[k] for k in _OF_WATER if k in given})
+    reading = {k: given[k] for k in _OF_WATER if k in given}
+    series = read_pore_pressure(given["record"], **reading)
     other = next((k for k in ("time", *series) if k in given), None)
     if other is not None:
         raise InputError("", [f"{{{other}}} and {{record}} exclude each other; remove one"])
-    return {k: v for k, v in given.items() if k not in ("record", *_OF_WATER)} | series
+    of_record = {"record", *_OF_WATER}
+    others = {k: v for k, v in given.items() if k not in of_record}
+    return others | series
 
 
 def _shaking(given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
@@ -62,8 +65,10 @@ def _shaking(given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
         missing = '{holds}: is missing: a record must say whether it holds "ground" or "driving" acceleration'
         raise InputError("", [missing])
     scaled = "scale" in given or "peak" in given
-    common = {k: given[k] for k in _OF_RECORDS if k in given} | {"gravity": gravity, "scaled": scaled}
-    series: dict[str, Any] = {"horizontal": read_record(given["record"], column=given.get("column"), **common)}
+    common = {k: given[k] for k in _OF_RECORDS if k in given}
+    common |= {"gravity": gravity, "scaled": scaled}
+    horizontal = read_record(given["record"], column=given.get("column"), **common)
+    series: dict[str, Any] = {"horizontal": horizontal}
     if "vertical_record" in given or "vertical_column" in given:
         path = given.get("vertical_record", given["record"])
         series["vertical"] = read_record(path, column=given.get("vertical_column"), **common)

@@ -117,13 +117,16 @@ def _wrapped(name: str, text: str, header: Header) -> Found:
 def _fixed(name: str, text: str, header: Header) -> tuple[Floats, NDArray[np.int64]]:
     """Values as of `_values` from columns of fixed width, up to the line that ends the samples."""
     below = text.split("\n")[header.lines :]
-    end = next((k for k, line in enumerate(below) if line.lstrip().lower().startswith("end")), len(below))
+    ends = (k for k, line in enumerate(below) if line.lstrip().lower().startswith("end"))
+    end = next(ends, len(below))
     if any(" acceleration pts" in line.lower() for line in below[end:]):
         raise ValueError(f"{name}: holds several channels; save each in a file")
-    rows = [fixed_columns([row], header.width) for row in below[:end]]
-    numbers = [header.lines + 1 + k for k, row in enumerate(rows) for _ in row]
-    fields = [field for row in rows for field in row]
-    values = list(map(_number, repeat(name), numbers, fields))
+    values = []
+    numbers = []
+    for number, row in enumerate(below[:end], header.lines + 1):
+        for text_of_value in fixed_columns([row], header.width):
+            values.append(_number(name, number, text_of_value))
+            numbers.append(number)
     return np.array(values), np.array(numbers)
 
 
@@ -241,9 +244,11 @@ def _row(k: int, line: str) -> tuple[int, str | None, int] | None:
 
 def _along_lines(lines: NDArray[np.int64]) -> bool:
     """Whether values run along lines: more than three on each, a single line, or a shorter last one."""
-    count = np.unique(lines, return_counts=True)[1]
-    whole = np.all(count[:-1] == count[0]) and count[-1] <= count[0]
-    return bool(whole and (count[0] > 3 or len(count) == 1 or count[-1] < count[0]))
+    _, counts = np.unique(lines, return_counts=True)
+    first = counts[0]
+    last = counts[-1]
+    is_even = np.all(counts[:-1] == first) and last <= first
+    return bool(is_even and (first > 3 or len(counts) == 1 or last < first))
 
 
 def _is_number(field: str) -> bool:
@@ -278,12 +283,13 @@ def _column(quantity: Quantity, name: str, column: int | str | None, names: list
         if len(choice) == 1:
             return choice[0]
         raise ValueError(f"{name}: has several columns of {quantity.name}; give column, one of {shown}")
-    found = [k for k in choice if names and names[k].lower() == str(column).strip().lower()]
-    if not found and str(column).strip().isdecimal():
-        found = [k for k in choice if k == int(column) - 1]
-    if len(found) != 1:
+    wanted = str(column).strip().lower()
+    matches = [k for k in choice if names and names[k].lower() == wanted]
+    if not matches and wanted.isdecimal():
+        matches = [k for k in choice if k == int(wanted) - 1]
+    if len(matches) != 1:
         raise ValueError(f"{name}: column = {column!r}: must be one of {shown}")
-    return found[0]
+    return matches[0]
 
 
 def _values(name: str, text: str, head: int, separator: str | None, width: int = 0) -> tuple[Floats, NDArray[np.int64]]:

@@ -61,8 +61,9 @@ def place_of(name: str, component: str = "") -> Place:
     if named is None:
         return Place(plain, "")
     parts = named.groupdict(default="")
-    said = parts["azimuth"] or parts["axis"] or parts["letter"] or parts["channel"]
-    return Place(parts["station"].rstrip("-_. ") + parts["level"] + parts["rest"], said.upper())
+    component = parts["azimuth"] or parts["axis"] or parts["letter"] or parts["channel"]
+    station = parts["station"].rstrip("-_. ") + parts["level"] + parts["rest"]
+    return Place(station, component.upper())
 
 
 @dataclass(frozen=True)
@@ -157,6 +158,12 @@ class Suite:
             if entry.component:
                 by_station.setdefault((str(Path(entry.file).parent), entry.station), []).append(entry)
         return [(same[0], same[1]) for same in by_station.values() if len(same) == 2]
+
+    @property
+    def not_used(self) -> list[str]:
+        """A line for each file without a record and each vertical component."""
+        verticals = [f"{entry.name}: is a vertical component by its name" for entry in self.verticals]
+        return [f"{line}; not used" for line in (*self.unread, *verticals)]
 
     def to_dict(self) -> dict[str, Any]:
         """The records with their intensity measures, and what is not used, for JSON."""

@@ -212,18 +212,20 @@ def _exact(problem: SearchProblem) -> list[Solution]:
 
 def _unattainable(problem: SearchProblem) -> Unattainable:
     """The error of an observation that no value of the one field gives: what is attainable, and where."""
-    (field,), (name,) = problem.fields, problem.observed
-    places = [extreme(problem, sign) for sign in (-1.0, 1.0)]
-    if math.isnan(places[0]):
+    (field,) = problem.fields
+    (name,) = problem.observed
+    low, high = (extreme(problem, sign) for sign in (-1.0, 1.0))
+    if math.isnan(low):
         return Unattainable(f"{field.key}: for no value within the bounds does this scene move and come to rest", {})
     outcomes = []
-    for place in places:
+    for place in (low, high):
         motion = solve(with_parameters(problem.scene, {field.name: field.to_si(place)}))
         outcomes.append(float(motion.outcomes[name]))
-    (least, greatest), (low, high), unit = outcomes, places, OUTCOMES[name].unit
-    attainable = (
-        f"{least:.6g} {unit} (at {field.key} = {low:.6g}) to {greatest:.6g} {unit} (at {field.key} = {high:.6g})"
-    )
+    least, greatest = outcomes
+    unit = OUTCOMES[name].unit
+    from_least = f"{least:.6g} {unit} (at {field.key} = {low:.6g})"
+    to_greatest = f"{greatest:.6g} {unit} (at {field.key} = {high:.6g})"
+    attainable = f"{from_least} to {to_greatest}"
     if greatest - least <= 1e-9 * abs(greatest):
         attainable = f"only {least:.6g} {unit}, whatever it is"
     target = float(problem.targets[0])
@@ -258,7 +260,8 @@ def _fitted(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
 
 def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
     """Refuse a best fit that misses observations that could all be met, or that is without a covariance."""
-    best, is_exact = first.chi_square, problem.degrees_of_freedom == 0
+    best = first.chi_square
+    is_exact = problem.degrees_of_freedom == 0
     is_far = problem.is_weighted and is_exact and best > _FAR**2
     if not is_far and (first.covariance is not None or best <= _MET):
         return
@@ -266,16 +269,16 @@ def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
     nearest = ", ".join(f"{n} = {float(outcomes[n]):.6g} {OUTCOMES[n].unit}" for n in problem.observed)
     at = ", ".join(f"{n} = {v:.6g}" for n, v in first.values.items())
     how = f"that is {math.sqrt(best):.3g} standard errors off" if is_far else "with standard errors that is fitted"
-    raise Unattainable(
-        f"no values of {', '.join(first.values)} give {' and '.join(problem.observed)} as observed; the nearest is "
-        f"{nearest} at {at}; {how}",
-        {},
-    )
+    keys = ", ".join(first.values)
+    observed = " and ".join(problem.observed)
+    sentence = f"no values of {keys} give {observed} as observed; the nearest is {nearest} at {at}; {how}"
+    raise Unattainable(sentence, {})
 
 
 def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
     """A solution with these values: the observations have to tell the fields apart."""
-    by_key, si = dict[str, float](), dict[str, float]()
+    by_key = dict[str, float]()
+    si = dict[str, float]()
     for field, value in zip(problem.fields, values, strict=True):
         by_key[field.key] = float(value)
         si[field.name] = float(field.to_si(value))
@@ -284,8 +287,10 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
     _, slopes = derivatives(scene, si)
     outcomes = np.array([float(motion.outcomes[n]) for n in problem.observed])
     residuals = outcomes - problem.targets
-    chi_square = float(np.sum((residuals / problem.scales) ** 2))
-    covariance, error = None, math.inf
+    scaled = residuals / problem.scales
+    chi_square = float(np.sum(scaled**2))
+    covariance = None
+    error = math.inf
     sizes = np.array([abs(v) or 1.0 for v in values])
     jacobian = _jacobian(problem, slopes, values) * sizes  # by relative changes
     if np.all(np.isfinite(jacobian)):
@@ -294,7 +299,8 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
         numerical = motion.error_estimate * np.abs(outcomes) / problem.scales
         relative = np.abs(inverse) @ numerical
         error = max(float(np.max(relative)), EPS)
-        covariance = _covariance(problem, inverse * sizes[:, None], chi_square)
+        by_units = inverse * sizes[:, None]
+        covariance = _covariance(problem, by_units, chi_square)
     missed = dict(zip(problem.observed, residuals.tolist(), strict=True))
     return Solution(by_key, motion, missed, covariance, error, chi_square)
 
@@ -303,7 +309,8 @@ def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -
     """Derivatives of the scaled residuals by the fields in their units, from those of all outcomes in SI units."""
     order = [*OUTCOMES]
     rows = [order.index(name) for name in problem.observed]
-    per_key = np.array([f.slope(v) for f, v in zip(problem.fields, values, strict=True)])
+    with_values = zip(problem.fields, values, strict=True)
+    per_key = np.array([field.slope(value) for field, value in with_values])
     scaled = slopes[rows] / problem.scales[:, None]
     return np.asarray(scaled * per_key)
 
@@ -319,16 +326,20 @@ def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> F
 
 def _refuse_indistinct(problem: SearchProblem, jacobian: Floats) -> None:
     """Refuse residuals that do not change with one of the fields, or with several of them together."""
-    sizes, names = np.linalg.norm(jacobian, axis=0), ", ".join(problem.observed)
-    keys, least = [f.key for f in problem.fields], _NOISE * np.max(sizes)
+    names = ", ".join(problem.observed)
+    keys = [f.key for f in problem.fields]
+    sizes = np.linalg.norm(jacobian, axis=0)
+    least = _NOISE * np.max(sizes)
     if idle := [key for key, size in zip(keys, sizes, strict=True) if not size > least]:
         raise ValueError(f"backanalyse: {', '.join(idle)}: does not affect {names}, and cannot be determined from it")
     _, singular, directions = np.linalg.svd(jacobian / sizes)
     if singular[-1] > _NOISE * singular[0]:
         return
     change = directions[-1] / sizes
-    per_cent = 100 * change / np.max(np.abs(change))
-    changes = " and ".join(f"{key} by {c:+.3g} %" for key, c in zip(keys, per_cent, strict=True))
+    greatest = np.max(np.abs(change))
+    per_cent = 100 * change / greatest
+    by_field = [f"{key} by {c:+.3g} %" for key, c in zip(keys, per_cent, strict=True)]
+    changes = " and ".join(by_field)
     raise ValueError(f"backanalyse: changing {changes} changes nothing of {names}: they cannot be distinguished by it")
 
 

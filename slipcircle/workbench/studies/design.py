@@ -74,7 +74,8 @@ class Design:
         batches = min(BATCHES, self.base)
         batch = index - self.sample_blocks
         if batch >= 0:
-            return (2, batch), 0, self.base // batches + (batch < self.base % batches)
+            whole, rest = divmod(self.base, batches)
+            return (2, batch), 0, whole + (batch < rest)
         turn, replicate = divmod(index, self.replicates)
         start = turn * self.size
         left = max(0, self.share(replicate) - start)
@@ -146,14 +147,18 @@ def _drawn(design: Design, points: Any) -> list[Floats]:
         mixing = np.linalg.cholesky(design.correlation)
         scores = np.tensordot(mixing, normal.ppf(points), 1)
         points = np.clip(normal.cdf(scores), 2.0**-54, 1.0 - 2.0**-53)
-    rows = zip(design.drawn.values(), points, strict=True)
-    return [np.asarray(uncertain.drawn(p.reshape(-1))) for uncertain, p in rows]
+    values = []
+    for uncertain, of_input in zip(design.drawn.values(), points, strict=True):
+        flat = of_input.reshape(-1)
+        values.append(np.asarray(uncertain.drawn(flat)))
+    return values
 
 
 def _on_grid(design: Design, index: int) -> list[Floats]:
     """The same of a block of a grid."""
     _, start, length = design.piece(index)
-    places = np.unravel_index(np.arange(start, start + length), [len(level) for level in design.levels])
+    shape = [len(level) for level in design.levels]
+    places = np.unravel_index(np.arange(start, start + length), shape)
     return [level[place] for level, place in zip(design.levels, places, strict=True)]
 
 
@@ -169,13 +174,16 @@ class _Solved(NamedTuple):
 def _solve(design: Design, values: list[Floats]) -> _Solved:
     si = {}
     with np.errstate(all="ignore"):
-        for (name, number), x in zip(design.inputs.items(), values, strict=True):
-            si[name] = number.to_si(x)
+        for name, x in zip(design.inputs, values, strict=True):
+            si[name] = design.inputs[name].to_si(x)
     motion = motions(design.scene, si, design.accuracy)
     no_result = np.isin(motion.status, NO_RESULT)
-    moves = np.where(motion.status == Status.INVALID, np.nan, motion.moves | no_result)
-    sizes = {name: np.abs(motion.outcomes[name]) for name in OUTCOMES}
-    outcomes = {name: np.where(no_result, np.inf, size) for name, size in sizes.items()}
+    is_invalid = motion.status == Status.INVALID
+    moves = np.where(is_invalid, np.nan, motion.moves | no_result)
+    outcomes = {}
+    for name in OUTCOMES:
+        magnitude = np.abs(motion.outcomes[name])
+        outcomes[name] = np.where(no_result, np.inf, magnitude)
     return _Solved(motion, moves, si, outcomes)
 
 

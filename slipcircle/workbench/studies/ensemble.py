@@ -32,7 +32,8 @@ T = TypeVar("T")
 _KEEP = 2**20  # samples up to which they are kept by default
 _BASE = 2**14
 _MOST_GRID = 2**26
-_MOST, _MOST_BASE = 10**12, 2**22
+_MOST = 10**12
+_MOST_BASE = 2**22
 _OF_ARRAYS = "a scene of arrays is solved as it is: use solve"
 _OUTSIDE = 1e-4  # of a distribution, that may lie out of a number's bounds; such samples are counted apart
 
@@ -240,29 +241,33 @@ def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
 def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> NDArray[np.float64]:
     """Of all inputs, from pairs of their keys or names."""
     known = [*(u.key for u in drawn.values()), *drawn]
-    matrix, mistakes = np.eye(len(drawn)), list[str]()
+    matrix = np.eye(len(drawn))
+    mistakes = list[str]()
     for pair, value in given.items():
         places = {known.index(k) % len(drawn) for k in pair if k in known}
         if unknown := [k for k in pair if k not in known]:
             mistakes.append(f"correlation: {', '.join(unknown)} is not uncertain; known are {', '.join(known)}")
         elif len(pair) != 2 or len(places) != 2 or not -1.0 < value < 1.0:
-            mistakes.append(
-                f"correlation of {' and '.join(pair)} = {value!r}: must be between -1 and 1, of two numbers"
-            )
+            words = " and ".join(pair)
+            mistakes.append(f"correlation of {words} = {value!r}: must be between -1 and 1, of two numbers")
         else:
             one, other = places
             matrix[one, other] = matrix[other, one] = value
     raise_all("ensemble", mistakes)
-    if np.linalg.eigvalsh(matrix).min(initial=1.0) <= 1e-12:
+    least_eigenvalue = np.linalg.eigvalsh(matrix).min(initial=1.0)
+    if least_eigenvalue <= 1e-12:
         raise ValueError("ensemble: correlation: these are inconsistent: no numbers can have all of them")
     return matrix
 
 
 def _size(n: int, method: str) -> int:
     """Samples of a block."""
-    each = max(n // (REPLICATES if method == "sobol" else 1), 1)  # of a sequence
+    sequences = REPLICATES if method == "sobol" else 1
+    each = max(n // sequences, 1)
     most = 2**14 if each <= 2**22 else 2**16 if each <= 2**28 else 2**18
-    return min(max(2 ** max(each // 8, 1).bit_length() // 2, 256), most)
+    eighth = max(each // 8, 1)
+    power_of_two = 2 ** eighth.bit_length() // 2
+    return min(max(power_of_two, 256), most)
 
 
 def grid(

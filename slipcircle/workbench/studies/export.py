@@ -57,9 +57,9 @@ def _of_output(study: Any, name: str) -> Iterator[Row]:
     yield Row("mean", name, "", math.nan, study.mean(name))
     yield Row("std", name, "", math.nan, study.std(name))
     if name in study.linear:
-        mean, std = study.linear[name]
-        yield Row("linear mean", name, "", math.nan, Estimate(mean, math.nan, math.nan))
-        yield Row("linear std", name, "", math.nan, Estimate(std, math.nan, math.nan))
+        mean, std = (Estimate(moment, math.nan, math.nan) for moment in study.linear[name])
+        yield Row("linear mean", name, "", math.nan, mean)
+        yield Row("linear std", name, "", math.nan, std)
     for p in QUANTILES:
         yield Row("quantile", name, "", p, study.quantile(name, p))
     curve = np.stack(study.exceedance(name), axis=1)
@@ -132,8 +132,10 @@ def arrays(study: Any) -> dict[str, NDArray[Any]]:
     """Everything as arrays by name: of each table and output rows of (at, value, low, high); bins, counts, samples."""
     named: dict[str, NDArray[Any]] = {"status_counts": study.counts}
     for (table, output), rows in _grouped(study).items():
-        name = f"{output}_{table}".replace(" ", "_").replace("-", "_")
-        named[name] = np.array([(row.at, *row.estimate) for row in rows])
+        words = f"{output}_{table}"
+        name = words.replace(" ", "_").replace("-", "_")
+        numbers = [(row.at, *row.estimate) for row in rows]
+        named[name] = np.array(numbers)
     for name in OUTCOMES:
         named[f"{name}_bins"] = study.bins(name)
     for name, values in study.samples.items():

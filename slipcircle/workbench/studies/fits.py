@@ -6,7 +6,8 @@ import numpy as np
 
 from slipcircle.workbench.studies.problem import Floats, SearchProblem
 
-_STARTS, _APART = 12, 0.1  # of fits, and shares of the ranges between them
+_STARTS = 12  # of fits
+_APART = 0.1  # shares of the ranges between starts
 _EVALUATIONS = 60  # of a fit
 _FLAT = 1e-3  # cosine of residuals and what changes with a field, below which no step makes them smaller
 _MET = 1e-7  # norm of residuals that are met exactly
@@ -24,15 +25,19 @@ def fits(problem: SearchProblem, shares: Floats) -> list[Fit]:
     """All different minima that are reached from the best of these shares, (fields, count), the best first."""
     results = [_minimum(problem, start) for start in _starts(problem, shares)]
     same_below = 1.0 if problem.is_weighted else 1e-3  # change of the residuals, in standard errors or shares
-    found: list[Fit] = []
+    different: list[Fit] = []
     for result in sorted(results, key=lambda result: result.cost):
-        fit = Fit(result.x, 2.0 * float(result.cost), _is_settled(result))
-        steps = [fit.shares - other.shares for other in found]
-        lengths = [np.max(np.abs(step)) for step in steps]
-        changes = [np.max(np.abs(result.jac @ step)) for step in steps]
-        if all(length >= 1e-5 for length in lengths) and all(change >= same_below for change in changes):
-            found.append(fit)
-    return [fit for fit in found if fit.is_settled] or found
+        chi_square = 2.0 * float(result.cost)
+        fit = Fit(result.x, chi_square, _is_settled(result))
+        is_new = True
+        for other in different:
+            step = fit.shares - other.shares
+            length = np.max(np.abs(step))
+            change = np.max(np.abs(result.jac @ step))
+            is_new &= bool(length >= 1e-5 and change >= same_below)
+        if is_new:
+            different.append(fit)
+    return [fit for fit in different if fit.is_settled] or different
 
 
 def _starts(problem: SearchProblem, shares: Floats) -> list[Floats]:
@@ -75,6 +80,8 @@ def _minimum(problem: SearchProblem, start: Floats) -> Any:
 
 def _is_settled(result: Any) -> bool:
     """Whether no residuals are left, or they are normal to what changes with each field that is not at an end."""
-    lengths = np.linalg.norm(result.jac, axis=0) * np.linalg.norm(result.fun)
+    left = np.linalg.norm(result.fun)
+    lengths = np.linalg.norm(result.jac, axis=0) * left
     is_flat = np.abs(result.grad) <= _FLAT * lengths
-    return bool(np.all(is_flat | (result.active_mask != 0)) or np.linalg.norm(result.fun) < _MET)
+    is_at_end = result.active_mask != 0
+    return bool(np.all(is_flat | is_at_end) or left < _MET)

@@ -62,8 +62,15 @@ def _solved(scene: Scene, effects: tuple[str, ...], full: Motion) -> Motion:
 
 
 def _distance(motion: Motion, full: Motion) -> float:
-    pairs = [(float(m.peak.velocity), m.run_out, m.duration) for m in (motion, full)]
-    return max(abs(a - b) / abs(b) if b else (math.inf if a else 0.0) for a, b in zip(*pairs, strict=True))
+    """The greatest relative difference of peak velocity, run-out and duration from those of the whole scene."""
+    of_motion, of_full = ((float(m.peak.velocity), m.run_out, m.duration) for m in (motion, full))
+    distances = []
+    for value, whole in zip(of_motion, of_full, strict=True):
+        if whole:
+            distances.append(abs(value - whole) / abs(whole))
+        else:
+            distances.append(math.inf if value else 0.0)
+    return max(distances)
 
 
 def _rung(added: str, effects: tuple[str, ...], motion: Motion, full: Motion) -> Rung:

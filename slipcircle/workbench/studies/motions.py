@@ -11,14 +11,16 @@ from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import lengths
 
 Floats = NDArray[np.float64]
-_STEPS, _FINE = (1e-5, 1e-7), 1e-14  # of derivatives, relative, until one is small enough; their motions
+_STEPS = 1e-5, 1e-7  # of derivatives, relative, until one is small enough
+_FINE = 1e-14  # accuracy of their motions
 
 
 def motions(scene: Scene, values: Mapping[str, Any], accuracy: float | None = None) -> Motion:
     """The motions of a scene with arrays of values, SI, by name; what is no scene is `Status.INVALID`."""
+    arrays = {name: np.asarray(value, dtype=np.float64) for name, value in values.items()}
     with np.errstate(all="ignore"):  # what is no scene has a status, and nothing to complain about
-        many, invalid = with_parameter_arrays(scene, {n: np.asarray(v, dtype=np.float64) for n, v in values.items()})
-        return solve(many, accuracy, invalid=invalid)
+        lanes, invalid = with_parameter_arrays(scene, arrays)
+        return solve(lanes, accuracy, invalid=invalid)
 
 
 def derivatives(scene: Scene, at: Mapping[str, float], accuracy: float | None = None) -> tuple[Floats, Floats]:
@@ -29,8 +31,9 @@ def derivatives(scene: Scene, at: Mapping[str, float], accuracy: float | None = 
     """
     sizes = scales(scene, at)
     slopes = np.full((len(OUTCOMES), len(at)), np.nan)
+    finest = min(accuracy or _FINE, _FINE)
     for share in _STEPS:
-        outcomes, changes = _changes(scene, at, share * sizes, min(accuracy or _FINE, _FINE))
+        outcomes, changes = _changes(scene, at, share * sizes, finest)
         ahead, ahead_2, behind, behind_2 = np.moveaxis(changes, 2, 0)
         central = (8 * (ahead - behind) - (ahead_2 - behind_2)) / 12
         forward = (4 * ahead - ahead_2) / 2
@@ -60,7 +63,8 @@ def _changes(scene: Scene, at: Mapping[str, float], steps: Floats, accuracy: flo
     """
     offsets = np.array([1.0, 2.0, -1.0, -2.0])
     centre = np.array([*at.values()])
-    values = np.tile(centre[:, None], (1, 1 + centre.size * offsets.size))
+    count = 1 + centre.size * offsets.size
+    values = np.tile(centre[:, None], (1, count))
     for k, step in enumerate(steps):
         first = 1 + k * offsets.size
         last = first + offsets.size
@@ -70,6 +74,7 @@ def _changes(scene: Scene, at: Mapping[str, float], steps: Floats, accuracy: flo
     same_status = motion.status == motion.status[0]
     same_kind = same_status & (motion.turnings == motion.turnings[0])
     outcomes = np.stack([motion.outcomes[n] for n in OUTCOMES])
-    changes = np.where(same_kind, outcomes - outcomes[:, :1], np.nan)
+    at_centre = outcomes[:, 0]
+    changes = np.where(same_kind, outcomes - at_centre[:, None], np.nan)
     shape = len(OUTCOMES), centre.size, offsets.size
-    return outcomes[:, 0], changes[:, 1:].reshape(shape)
+    return at_centre, changes[:, 1:].reshape(shape)

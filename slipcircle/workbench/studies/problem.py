@@ -34,7 +34,10 @@ class SearchProblem:
     def __init__(
         self, scene: Scene, fields: Sequence[Number], ranges: Sequence[Floats], observed: Observations
     ) -> None:
-        self.scene, self.fields, self.ranges, self.observed = scene, fields, ranges, observed
+        self.scene = scene
+        self.fields = fields
+        self.ranges = ranges
+        self.observed = observed
         self.is_weighted = all(sigma is not None for _, sigma in observed.values())  # all standard errors, or none
         self.targets = np.array([value for value, _ in observed.values()])
         self.scales = np.array([sigma or abs(value) for value, sigma in observed.values()])
@@ -78,21 +81,25 @@ class SearchProblem:
     def linearised(self, shares: Floats) -> tuple[Floats, Floats]:
         """Residuals, and their derivatives by the shares, (observations, fields, count): to the side that is known."""
         fields, count = shares.shape
-        steps = _STEP * np.eye(fields)[:, :, None]  # of each field in turn
+        each_field = np.eye(fields)[:, :, None]
+        steps = _STEP * each_field
         here = shares[:, None]
         moved_up = np.minimum(here + steps, 1.0)
         moved_down = np.maximum(here - steps, 0.0)
         places = np.concatenate([here, moved_up, moved_down], axis=1)
-        residuals = self.residuals(places.reshape(fields, -1))
-        residuals = residuals.reshape(-1, 1 + 2 * fields, count)
+        computed = self.residuals(places.reshape(fields, -1))
+        residuals = computed.reshape(-1, 1 + 2 * fields, count)
+        at_here = residuals[:, 0]
         is_known = ~np.isnan(residuals).any(axis=0)
         residuals = np.where(is_known, residuals, residuals[:, :1])
         places = np.where(is_known, places, here)
-        up, down = slice(1, 1 + fields), slice(1 + fields, None)
+        up = slice(1, 1 + fields)
+        down = slice(1 + fields, None)
         distances = places[:, up] - places[:, down]
         widths = np.einsum("ffn->fn", distances)
         differences = residuals[:, up] - residuals[:, down]
-        return residuals[:, 0], differences / np.maximum(widths, 1e-300)
+        slopes = differences / np.maximum(widths, 1e-300)
+        return at_here, slopes
 
 
 # --- observations and fields -----------------------------------------------------------------------------------------
@@ -250,9 +257,11 @@ def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     at_once = replace(scene, end_time=1e-9 * float(scene.arc.time_scale), uncertain={})
     without = motions(at_once, {field.name: np.zeros(1)})
     limit = float(without.limit_friction[0])
-    limit = limit if 1e-6 < limit < math.inf else 1.0
+    if not 1e-6 < limit < math.inf:
+        limit = 1.0
     least = 0.5 / MOST_SWINGS
-    next_to_one = 1.0 - 10.0 ** -np.arange(3.0, 13.0)
+    decades = np.arange(3.0, 13.0)
+    next_to_one = 1.0 - 10.0**-decades
     shares = [np.geomspace(least, 1.0, 129), np.linspace(least, 1.0, 129), next_to_one]
     is_constant = field.name == "friction"
     turns = any(EFFECTS[effect].turns for effect in scene.called)

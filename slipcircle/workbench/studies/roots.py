@@ -30,10 +30,12 @@ def solve_exact(problem: SearchProblem) -> list[float]:
         magnitude = np.maximum(np.abs(left), np.abs(right))
         is_fine = right - left <= 4 * EPS * magnitude
         fine += [left[is_fine], right[is_fine]]
-        left, right = left[~is_fine], right[~is_fine]
+        left = left[~is_fine]
+        right = right[~is_fine]
         if not left.size:
             break
-        rows = left[:, None] + (right - left)[:, None] * parts
+        widths = right - left
+        rows = left[:, None] + widths[:, None] * parts
         rows[:, -1] = right
     return _distinct_roots(problem, np.unique(np.concatenate(fine)))
 
@@ -44,11 +46,16 @@ def _distinct_roots(problem: SearchProblem, ends: Floats) -> list[float]:
     outcomes, _ = problem.outcomes(ends[None])
     misfit = np.abs(outcomes[0] - target)
     is_root = misfit <= _TOLERANCE * abs(target)
-    ends, misfit = ends[is_root], misfit[is_root]
+    ends = ends[is_root]
+    misfit = misfit[is_root]
     is_gap = np.diff(ends) > _TOLERANCE * np.abs(ends[1:])
     gaps = np.flatnonzero(is_gap) + 1
-    groups = zip(np.split(ends, gaps), np.split(misfit, gaps), strict=True)
-    return [float(group[np.argmin(off)]) for group, off in groups if group.size]
+    roots = []
+    for group, misfits in zip(np.split(ends, gaps), np.split(misfit, gaps), strict=True):
+        if group.size:
+            best = np.argmin(misfits)
+            roots.append(float(group[best]))
+    return roots
 
 
 def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) -> tuple[Floats, Floats]:
@@ -57,7 +64,8 @@ def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) ->
     That is where the outcome passes the observed value, where the motion changes its kind near it, and where the
     outcome turns back next to it.
     """
-    left, right = x[:, :-1], x[:, 1:]
+    left = x[:, :-1]
+    right = x[:, 1:]
     size = np.abs(misfit)
     with np.errstate(invalid="ignore"):
         product = misfit[:, :-1] * misfit[:, 1:]  # NaN where one is
@@ -66,17 +74,23 @@ def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) ->
         relative_width = (right - left) / np.maximum(magnitude, 1e-300)
         reachable = _STEEP * np.minimum(relative_width, 1.0) * target
         changes_kind = kind[:, :-1] != kind[:, 1:]
-        passes = (product <= 0.0) | (changes_kind & (nearest <= reachable))
+        may_jump_over = changes_kind & (nearest <= reachable)
+        passes = (product <= 0.0) | may_jump_over
         same_side = product > 0.0
-        turns_back = _is_dip(size) & same_side[:, :-1] & same_side[:, 1:]
-    starts = np.concatenate([left[passes], x[:, :-2][turns_back]])
-    ends = np.concatenate([right[passes], x[:, 2:][turns_back]])
+        stays_on_side = same_side[:, :-1] & same_side[:, 1:]
+        turns_back = _is_dip(size) & stays_on_side
+    before_dip = x[:, :-2][turns_back]
+    after_dip = x[:, 2:][turns_back]
+    starts = np.concatenate([left[passes], before_dip])
+    ends = np.concatenate([right[passes], after_dip])
     return starts, ends
 
 
 def _is_dip(size: Floats) -> NDArray[np.bool_]:
     """Whether values within rows are less than both their neighbours, and than half of one."""
-    before, here, after = size[:, :-2], size[:, 1:-1], size[:, 2:]
+    before = size[:, :-2]
+    here = size[:, 1:-1]
+    after = size[:, 2:]
     less_than_both = here <= np.fmin(before, after)
     less_than_half = 2 * here <= np.fmax(before, after)
     return less_than_both & less_than_half
@@ -84,14 +98,17 @@ def _is_dip(size: Floats) -> NDArray[np.bool_]:
 
 def extreme(problem: SearchProblem, sign: float) -> float:
     """Where the greatest (sign 1) or least (sign -1) outcome lies; NaN where no motion counts."""
-    greatest, place = -math.inf, math.nan
+    greatest = -math.inf
+    place = math.nan
     values = problem.ranges[0]
     for _ in range(_ROUNDS):
         outcomes, _ = problem.outcomes(values[None])
         outcome = np.nan_to_num(sign * outcomes[0], nan=-math.inf)
-        k = int(np.argmax(outcome))
-        if outcome[k] > greatest:
-            greatest, place = float(outcome[k]), float(values[k])
-        low, high = values[max(k - 1, 0)], values[min(k + 1, len(values) - 1)]
-        values = np.linspace(low, high, 2 * _PARTS + 1)
+        best = int(np.argmax(outcome))
+        if outcome[best] > greatest:
+            greatest = float(outcome[best])
+            place = float(values[best])
+        before = max(best - 1, 0)
+        after = min(best + 1, len(values) - 1)
+        values = np.linspace(values[before], values[after], 2 * _PARTS + 1)
     return place

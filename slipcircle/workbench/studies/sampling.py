@@ -15,7 +15,8 @@ from slipcircle.workbench.common.distributions import statistics
 
 Floats = NDArray[np.float64]
 MOST_LATIN = 2**24
-_LOWEST, _HIGHEST = 2.0**-54, 1.0 - 2.0**-53  # 0 and 1 have no quantile
+_LOWEST = 2.0**-54  # 0 and 1 have no quantile
+_HIGHEST = 1.0 - 2.0**-53
 
 
 def _seeded(seed: int, stream: tuple[int, ...]) -> np.random.SeedSequence:

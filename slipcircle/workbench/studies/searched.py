@@ -23,11 +23,13 @@ def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: NDArray[np.b
     search = SampleSearch(stability.slope, stability.method, stability.limits)
     values = np.stack([*si.values()], axis=1)
     spread = values.std(axis=0)
-    places = values / np.where(spread > 0.0, spread, 1.0)
+    scale = np.where(spread > 0.0, spread, 1.0)
+    places = values / scale
     factors = {method: np.full(len(values), np.nan) for method in METHODS}
     for k in np.flatnonzero(valid):
         numbers = dict(zip(si, values[k].tolist(), strict=True))
-        slope = slope_of(with_parameters(scene, numbers), stability.slope)
+        sample = with_parameters(scene, numbers)
+        slope = slope_of(sample, stability.slope)
         for method, factor in search.factors(slope, places[k]).items():
             factors[method][k] = factor
     return {f"{SEARCHED}{method}": values for method, values in factors.items()}
@@ -45,7 +47,7 @@ def effect_of_searching(study: Any, method: str) -> str:
     """How much it changes factors of safety that the circle is searched for every sample."""
     method = method if method in METHODS else "paper"
     both = (method, f"{SEARCHED}{method}")
-    below = [f"{study.failure[name].value:.3g}" for name in both]
-    medians = [f"{study.factor_quantile(name, 0.5).value:.4g}" for name in both]
-    of_means = f"on the circle of the means P(F < 1) by {method} is {below[0]} and the median factor {medians[0]}"
-    return f"{of_means}; with the circle searched for every sample {below[1]} and {medians[1]}"
+    below, below_searched = (f"{study.failure[name].value:.3g}" for name in both)
+    median, median_searched = (f"{study.factor_quantile(name, 0.5).value:.4g}" for name in both)
+    of_means = f"on the circle of the means P(F < 1) by {method} is {below} and the median factor {median}"
+    return f"{of_means}; with the circle searched for every sample {below_searched} and {median_searched}"

@@ -94,6 +94,24 @@ def student(values: Floats, confidence: float) -> Any:
     return width(confidence, len(values)) * standard_error(values)
 
 
+def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Floats, Floats]:
+    """Probabilities and their intervals from counts (replicates, ...) among valid samples (replicates,)."""
+    samples = int(valid.sum())
+    total = hits.sum(axis=0)
+    if not samples:
+        return tuple(np.full((3, *total.shape), np.nan))
+    value = total / samples
+    low, high = proportion(total, samples, confidence)
+    if len(valid) > 1:
+        filled = valid > 0
+        shares = hits[filled] / valid[filled, None]
+        half = student(shares, confidence)
+        is_unanimous = (total == 0) | (total == samples)  # the replicates agree, and cannot tell how surely
+        low = np.where(is_unanimous, low, np.maximum(value - half, 0))
+        high = np.where(is_unanimous, high, np.minimum(value + half, 1))
+    return value, low, high
+
+
 def width(confidence: float, replicates: int = 1) -> float:
     """Standard errors of half an interval: of many samples, or of a few replicates."""
     tail = (1.0 + confidence) / 2
@@ -196,14 +214,16 @@ def indices(sums: Floats, confidence: float) -> Indices:
 def _indices(sums: Floats) -> Floats:
     """First-order and total indices, (..., 2, inputs)."""
     n, both, squares = (sums[..., k, None] for k in range(3))
-    by_input = sums[..., 3:].reshape(*sums.shape[:-1], -1, 3)
-    jansen, saltelli, shift = (by_input[..., k] for k in range(3))
-    mean = both / (2 * n)
-    variance = squares / (2 * n) - mean**2
+    of_inputs = sums[..., 3:]
+    by_input = of_inputs.reshape(*sums.shape[:-1], -1, 3)
+    jansen, saltelli, shift = np.moveaxis(by_input, -1, 0)
+    samples = 2 * n
+    mean = both / samples
+    variance = squares / samples - mean**2
     varies = variance > 1e-13 * mean**2
     variance = np.where(varies, variance, np.nan)
     first = (saltelli - mean * shift) / (n * variance)
-    total = jansen / (2 * n * variance)
+    total = jansen / (samples * variance)
     return np.stack([first, total], axis=-2)
 
 

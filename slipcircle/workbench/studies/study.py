@@ -29,7 +29,7 @@ from slipcircle.workbench.studies.statistics import (
     Indices,
     Spread,
     indices,
-    proportion,
+    probability,
     ranks,
     student,
     value_text,
@@ -76,7 +76,10 @@ class Study(Pictured):
     """
 
     def __init__(self, design: Design, confidence: float, results: Iterable[Result]) -> None:
-        self.design, self.seed, self.size, self.confidence = design, design.seed, design.size, confidence
+        self.design = design
+        self.seed = design.seed
+        self.size = design.size
+        self.confidence = confidence
         self.sensitivity: Mapping[str, Indices] = {}
         self.convergence: list[Convergence] = []
         self.samples: Mapping[str, NDArray[Any]] = {}
@@ -89,7 +92,8 @@ class Study(Pictured):
 
     def _add_all(self, results: Iterable[Result]) -> None:
         """Add all blocks up, those of samples first."""
-        samples, sums = dict[str, list[NDArray[Any]]](), list[Floats]()
+        samples = dict[str, list[NDArray[Any]]]()
+        sums = list[Floats]()
         for index, result in enumerate(results):
             if index >= self.design.sample_blocks:
                 sums.append(result["sums"])
@@ -99,7 +103,8 @@ class Study(Pictured):
                 if name.startswith("sample."):
                     samples.setdefault(name.removeprefix("sample."), []).append(values)
             if self._is_checkpoint(index + 1):
-                median, upper = (self.quantile("reach", p) for p in (0.5, 0.95))
+                median = self.quantile("reach", 0.5)
+                upper = self.quantile("reach", 0.95)
                 self.convergence.append(Convergence(self.n, self.moving, median, upper))
         self.samples = {name: np.concatenate(values) for name, values in samples.items()}
         self._indices_from(np.stack(sums) if sums else None)
@@ -109,12 +114,13 @@ class Study(Pictured):
         self._counts[replicate] += result["status"]
         for name, tally in self._tallies.items():
             tally.add(replicate, {part: result[f"{name}.{part}"] for part in COUNTED})
+        replicates = self.design.replicates
         for name in result:
             if name.startswith("factor."):
                 method = name.removeprefix("factor.")
-                counts = self._failing.setdefault(method, np.zeros((self.design.replicates, 2), np.int64))
+                counts = self._failing.setdefault(method, np.zeros((replicates, 2), np.int64))
                 counts[replicate] += result[name]
-                tally = self._factors.setdefault(method, Tally(self.design.replicates))
+                tally = self._factors.setdefault(method, Tally(replicates))
                 tally.add(replicate, {part: result[f"factor bins.{method}.{part}"] for part in COUNTED})
 
     def _is_checkpoint(self, blocks: int) -> bool:
@@ -141,7 +147,9 @@ class Study(Pictured):
     def __repr__(self) -> str:
         size = f"{self.design.n} scenes, {self.design.method}"
         counted = ", ".join(f"{end}: {count}" for end, count in self._counted())
-        return f"<Study {self.scene.name}: {'; '.join([size, counted, *map(' '.join, self._summary())])}>"
+        summary = [" ".join(words) for words in self._summary()]
+        parts = "; ".join([size, counted, *summary])
+        return f"<Study {self.scene.name}: {parts}>"
 
     def _repr_html_(self) -> str:
         return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + table([*self._counted(), *self._summary()]))
@@ -261,23 +269,7 @@ class Study(Pictured):
         return Estimate(value, low, high)
 
     def _single_probability(self, hits: NDArray[np.int64]) -> Estimate:
-        return Estimate(*(float(x[0]) for x in self._probability(hits[:, None])))
-
-    def _probability(self, hits: NDArray[np.int64]) -> tuple[Floats, Floats, Floats]:
-        """Probabilities and their intervals from how often, (replicates, ...)."""
-        n, total = self.n, hits.sum(axis=0)
-        if not n:
-            return tuple(np.full((3, *total.shape), np.nan))
-        value = total / n
-        low, high = proportion(total, n, self.confidence)
-        if self.design.replicates > 1:
-            filled = self._valid > 0
-            shares = hits[filled] / self._valid[filled, None]
-            half = student(shares, self.confidence)
-            unanimous = (total == 0) | (total == n)  # the replicates agree, and cannot tell how surely
-            low = np.where(unanimous, low, np.maximum(value - half, 0))
-            high = np.where(unanimous, high, np.minimum(value + half, 1))
-        return value, low, high
+        return Estimate(*(float(x[0]) for x in probability(hits[:, None], self._valid, self.confidence)))
 
     # -- statistics of outputs ----------------------------------------------------------------------------------------
 
@@ -355,7 +347,7 @@ class Study(Pictured):
         if not self.n:
             return Exceedance(*np.empty((4, 0)))
         at, counts = self._tallies[output].exceeding(points)
-        return Exceedance(at, *self._probability(counts))
+        return Exceedance(at, *probability(counts, self._valid, self.confidence))
 
     def bins(self, output: str) -> Floats:
         """Histogram of an output: rows of from, to and count, for bins that are not empty; the last may be infinite."""

@@ -26,7 +26,9 @@ def counted(values: Floats) -> dict[str, Any]:
     """What a block has of an output: bins that are not empty and their counts; of finite values moments, extremes."""
     finite = values[values < np.inf]
     filled, counts = np.unique(bins(values), return_counts=True)
-    ends = np.array([finite.min(initial=np.inf), finite.max(initial=-np.inf)])
+    least = finite.min(initial=np.inf)
+    greatest = finite.max(initial=-np.inf)
+    ends = np.array([least, greatest])
     return {"bins": filled, "counts": counts, "moments": moments(finite), "ends": ends}
 
 
@@ -43,8 +45,9 @@ class Tally:
         self.histograms[replicate, block["bins"]] += block["counts"]
         both = np.stack([self._moments[replicate], block["moments"]])
         self._moments[replicate] = pooled(both)
+        low, high = self.ends
         least, greatest = block["ends"].tolist()
-        self.ends = min(self.ends[0], least), max(self.ends[1], greatest)
+        self.ends = min(low, least), max(high, greatest)
 
     def quantile(self, p: float) -> float:
         """Of all replicates together."""

@@ -1,6 +1,7 @@
 """Intensity measures of an acceleration record, from the integrals of its straight lines."""
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +12,7 @@ from slipcircle.base.series import Series
 Floats = NDArray[np.float64]
 _BAND = 0.25, 20.0  # Hz, of the mean period
 _RESOLUTION = 0.05  # Hz, at most, of its spectrum
+_STEPS_OF_PERIOD = 100  # of an oscillator: a peak between them is too small by 5e-4 at most
 
 
 class Intensities(NamedTuple):
@@ -85,3 +87,76 @@ def _mean_period(record: Series) -> float:
         return math.nan
     periods = 1.0 / frequencies[inside]
     return float(np.average(periods, weights=weights))
+
+
+def spectral_acceleration(
+    record: Series, period: float, damping: float = 0.05, resolution: int = _STEPS_OF_PERIOD
+) -> float:
+    """Pseudo-acceleration of a record at a period, over gravity.
+
+    The greatest displacement of an oscillator times the square of its angular frequency. Between samples the
+    acceleration is linear, of which the recurrence of Nigam and Jennings (1969) is exact.
+
+    Parameters
+    ----------
+    record : Series
+        Acceleration over gravity, zero before and after; samples at uneven times are interpolated at even ones.
+    period : float
+        Natural period, s; at 0 the result is the peak acceleration.
+    damping : float
+        Damping ratio, below 1.
+    resolution : int
+        Steps of a period, at least; the result is too small by 5/resolution^2 at most.
+
+    Raises
+    ------
+    ValueError
+        If the period is negative or infinite.
+    """
+    if not 0.0 <= period < math.inf:
+        raise ValueError(f"period = {period!r}: must be at least 0 s and finite")
+    if period == 0.0:
+        return record.greatest
+    first = float(record.time[0])
+    last = float(record.time[-1])
+    intervals = record.time.size - 1
+    mean_step = (last - first) / intervals
+    refinement = math.ceil(mean_step * resolution / period)
+    times, step = np.linspace(first, last, intervals * refinement + 1, retstep=True)
+    at_rest = np.zeros(math.ceil(1.5 * period / step))  # the oscillation may be greatest after the end
+    acceleration = np.concatenate([record(times), at_rest])
+    frequency = 2.0 * math.pi / period
+    displacement = _oscillation(acceleration, float(step), frequency, damping)
+    return float(frequency**2 * np.max(np.abs(displacement)))
+
+
+def _oscillation(acceleration: Floats, step: float, frequency: float, damping: float) -> Floats:
+    """Displacement u of an oscillator from rest at even times, u'' + 2 zeta omega u' + omega^2 u = -a."""
+    from scipy.signal import lfilter
+
+    weights, recurrence, at_start = _recurrence(step, frequency, damping)
+    displacement, _ = lfilter(weights, recurrence, acceleration, zi=at_start * acceleration[0])
+    return np.asarray(displacement)
+
+
+@lru_cache(maxsize=1024)
+def _recurrence(step: float, frequency: float, damping: float) -> tuple[Floats, Floats, Floats]:
+    """Weights of three accelerations and three displacements, and of the first acceleration, before which is rest.
+
+    By Cayley and Hamilton u_(n+1) - tr(E) u_n + det(E) u_(n-1), E the free oscillation over a step, is a sum of three
+    accelerations alone.
+    """
+    from scipy.linalg import expm
+
+    oscillator = np.zeros((4, 4))  # displacement, velocity, acceleration of the ground and its slope
+    oscillator[0, 1] = oscillator[2, 3] = 1.0
+    oscillator[1, :3] = -(frequency**2), -2.0 * damping * frequency, -1.0
+    over_step = expm(step * oscillator)
+    free = over_step[:2, :2]
+    by_next = over_step[:2, 3] / step
+    by_last = over_step[:2, 2] - by_next
+    across = np.array([-free[1, 1], free[0, 1]])
+    weights = np.array([by_next[0], by_last[0] + across @ by_next, across @ by_last])
+    recurrence = np.array([1.0, -np.trace(free), np.linalg.det(free)])
+    at_start = np.array([-weights[0], by_last[0] - weights[1]])  # the ground may jump
+    return weights, recurrence, at_start
