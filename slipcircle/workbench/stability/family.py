@@ -280,8 +280,8 @@ def _distance_from_origin(line: Floats) -> Floats:
 def valleys_of(q: Floats, values: Floats, steps: Floats, most: int, most_on_edge: int) -> list[int]:
     """The best circles that are no neighbours of a better one, of those that touch no boundary and those of each."""
     valleys: list[int] = []
-    count = np.count_nonzero(np.isfinite(values))
-    order = np.argsort(values, kind="stable")[:count]
+    order = np.argsort(values, kind="stable")
+    order = order[np.isfinite(values[order])]
     for edge in np.unique(q[:, 3]):
         rest = order[q[order, 3] == edge]
         count = most if edge == _NONE else most_on_edge
