@@ -90,10 +90,10 @@ def _at2(name: str, first: list[str]) -> Header | None:
             f"{name}, line {head}: {first[head - 1].strip()!r}: must give NPTS and DT, as in 'NPTS= 4000, DT= .0050 "
             "SEC'"
         )
-    said = re.search(r"UNITS OF\s+(\S+)", above)
-    unit = unit_of(said.group(1).rstrip(".,")) if said else "g"
+    units = re.search(r"UNITS OF\s+(\S+)", above)
+    unit = unit_of(units.group(1).rstrip(".,")) if units else "g"
     if unit is None:
-        raise ValueError(f"{name}: its header says {said and said.group(0)!r}: must be one of {ACCELERATION.choice}")
+        raise ValueError(f"{name}: its header says {units and units.group(0)!r}: must be one of {ACCELERATION.choice}")
     return Header(head, int(count), dt, unit)
 
 
@@ -101,23 +101,23 @@ def _esm(name: str, first: list[str]) -> Header | None:
     """ESM and ITACA: 64 lines ``KEY: value``, then a value a line."""
     head = next((k for k, line in enumerate(first) if not re.match(r"#?\s*[A-Z][A-Z0-9_/()^-]*\s*:", line)), len(first))
     pairs = (line.lstrip("# ").partition(":") for line in first[:head])
-    said = {key.strip(): value.strip() for key, _, value in pairs}
-    if "SAMPLING_INTERVAL_S" not in said:
+    fields = {key.strip(): value.strip() for key, _, value in pairs}
+    if "SAMPLING_INTERVAL_S" not in fields:
         return None
-    kind = said.get("DATA_TYPE", "ACCELERATION")
+    kind = fields.get("DATA_TYPE", "ACCELERATION")
     if kind.upper() != "ACCELERATION":
         raise ValueError(f"{name}: DATA_TYPE = {kind!r}: must be ACCELERATION; take the record's file of accelerations")
     try:
-        dt, count = float(said["SAMPLING_INTERVAL_S"]), int(said["NDATA"])
+        dt, count = float(fields["SAMPLING_INTERVAL_S"]), int(fields["NDATA"])
     except (KeyError, ValueError) as error:
         raise ValueError(
             f"{name}: SAMPLING_INTERVAL_S and NDATA in its header must be a step in s and a count"
         ) from error
     if not 0.0 < dt < INFINITY:
         raise ValueError(f"{name}: SAMPLING_INTERVAL_S = {dt!r}: must be a positive time in s")
-    unit = unit_of(said["UNITS"]) if said.get("UNITS") else ""
+    unit = unit_of(fields["UNITS"]) if fields.get("UNITS") else ""
     if unit is None:
-        raise ValueError(f"{name}: UNITS = {said['UNITS']!r}: must be one of {ACCELERATION.choice}")
+        raise ValueError(f"{name}: UNITS = {fields['UNITS']!r}: must be one of {ACCELERATION.choice}")
     return Header(head, count, dt, unit)
 
 
