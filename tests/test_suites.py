@@ -373,6 +373,7 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert "no displacement (at most 1 cm) for" in " ".join(out.split())
     assert "corrupt.AT2: holds" in asked(f"{line} --strict")[2]
     assert asked("sweep newmark-pulse --polarities")[0] != 0
+    assert "--samples: no number is uncertain" in asked(f"{line} --samples 3")[2]
 
 
 def test_synthetic_records_written_to_a_folder_give_the_same_bits(tmp_path: Path, asked: Any, said: Any) -> None:
