@@ -45,7 +45,8 @@ class Sensitivity:
         outputs = np.array([self.at[name] for name in self.outputs])
         parameters = np.array([self.at[name] for name in self.parameters])
         nonzero = np.where(outputs == 0.0, np.nan, outputs)
-        return np.asarray(self.values * parameters / nonzero[:, None])
+        scaled = self.values * parameters
+        return np.asarray(scaled / nonzero[:, None])
 
     @property
     def distinct(self) -> dict[str, str]:
@@ -64,20 +65,25 @@ class Sensitivity:
     def __str__(self) -> str:
         titles = [f"d {name} [{unit}] (elasticity)" for name, unit in self.distinct.items()]
         rows = [["by", "value", *titles]]
-        rows += [self._row(k, name, unit) for k, (name, unit) in enumerate(self.parameters.items())]
-        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+        for column, name in enumerate(self.parameters):
+            rows.append(self._row(column, name))
+        columns = zip(*rows, strict=True)
+        widths = [max(map(len, column)) for column in columns]
         lines = []
         for row in rows:
             padded = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
-            lines.append("  ".join(padded).rstrip())
+            line = "  ".join(padded)
+            lines.append(line.rstrip())
         return "\n".join(lines)
 
-    def _row(self, column: int, name: str, unit: str) -> list[str]:
+    def _row(self, column: int, name: str) -> list[str]:
         """A parameter with its value, and the derivatives of the distinct outputs by it."""
+        unit = self.parameters[name]
+        title = f"{name} [{unit}]" if unit else name
+        cells = [title, f"{self.at[name]:.6g}"]
+        values = self.values[:, column]
         elasticities = self.elasticities[:, column]
-        cells = []
         for row, output in enumerate(self.outputs):
             if output in self.distinct:
-                cells.append(f"{self.values[row, column]:.6g} ({elasticities[row]:+.3g})")
-        title = f"{name} [{unit}]" if unit else name
-        return [title, f"{self.at[name]:.6g}", *cells]
+                cells.append(f"{values[row]:.6g} ({elasticities[row]:+.3g})")
+        return cells
