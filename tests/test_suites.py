@@ -12,13 +12,16 @@ import mpmath as mp
 import numpy as np
 import pytest
 from matplotlib import pyplot
+from scipy.optimize import brentq
 
 from slipcircle import Arc, Scene, Series, ensemble, solve
 from slipcircle.core import Status
+from slipcircle.workbench.records.records import read_record
 from slipcircle.workbench.records.suite import Suite, place_of, read_suite
 from slipcircle.workbench.studies.suitedesign import LANE_RESULTS
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 from slipcircle.workbench.suites.intensities import spectral_acceleration
+from tests.campaigns.intensities import Published, of_slammer, of_tables
 from tests.support.blocks import exactly, quake
 
 GRAVITY = 9.81
@@ -53,6 +56,34 @@ def cosmos(record: Series) -> str:
     fields = [f"{981.0 * value:12.6f}" for value in record.values.tolist()]
     lines += ["".join(fields[k : k + 8]) for k in range(0, len(fields), 8)]
     return "\n".join([*lines, "End-of-data for Chan  1 acceleration", ""])
+
+
+def csmip(record: Series) -> str:
+    """Volume 2: for each channel 25 lines of text, 100 integers, 100 reals, acceleration, velocity, displacement."""
+    text = ""
+    for channel, orientation in enumerate(("360 Deg", " Up", " 90 Deg"), 1):
+        lines = [f"Corrected accelerogram   89146-L2500       Chan  {channel}: {orientation}     from"]
+        lines += ["Uncorrected Accelerogram Data             Processed: 02/13/12, CGS  146be002"]
+        lines += ["text"] * 23 + ["    1" * 16] * 6 + ["    1" * 4] + [" 2.5000000" * 8] * 12 + [" 2.5000000" * 4]
+        for kind, unit in (("accel", "cm/sec2"), ("veloc", "cm/sec"), ("displ", "cm")):
+            step = f"{record.time[1]:.3f}".lstrip("0")
+            lines += [f"{record.time.size:6d} points of {kind} data equally spaced at  {step} sec, in {unit}. (8f12.6)"]
+            fields = [f"{981.0 * channel * value:12.6f}" for value in record.values.tolist()]
+            lines += ["".join(fields[k : k + 8]) for k in range(0, len(fields), 8)]
+        text += "\n".join([*lines, f"/&  ---------- End of data for channel  {channel} ----------", ""])
+    return text
+
+
+def smc(record: Series) -> str:
+    """11 lines of text, 48 integers, 50 reals, comments, samples in cm/s^2 in ten columns without blanks."""
+    integers = [-32768] * 15 + [2, record.time.size] + [-32768] * 31
+    reals = [1.7e38, 1.0 / float(record.time[1])] + [1.7e38] * 48
+    lines = ["2 CORRECTED ACCELEROGRAM", *10 * ["*"]]
+    lines += ["".join(f"{value:10d}" for value in integers[k : k + 8]) for k in range(0, 48, 8)]
+    lines += ["".join(f"{value:15.7E}" for value in reals[k : k + 5]) for k in range(0, 50, 5)]
+    fields = [f"{981.0 * value:11.4E}".replace("E-0", "E-").replace("E+0", "E+") for value in record.values.tolist()]
+    samples = ["".join(fields[k : k + 8]) for k in range(0, len(fields), 8)]
+    return "\n".join([*lines, "| 1 2 3", "|", *samples, ""])
 
 
 def two_columns(record: Series) -> str:
@@ -140,6 +171,9 @@ BAD: dict[str, tuple[str, str]] = {
     "unit.csv": ("t (s),a\n0,0.1\n0.1,0.2\n", "units are missing"),
     "notes.txt": ("nothing here\n", "has no line of numbers"),
     "counts.V2c": (cosmos(quake(1)).replace("cm/s^2", "counts"), "units=counts: must be one of g"),
+    "short.V2": (csmip(quake(1))[:6000], "values, but its header says 500"),
+    "raw.smc": (smc(quake(1)).replace("2 C", "1 UNC"), "must be 2 CORRECTED ACCELEROGRAM"),
+    "rate.smc": (smc(quake(1)).replace("1.0000000E+02", "0.0000000E+00"), "line 18: sampling rate = 0.0"),
     "step.V2c": (cosmos(quake(1)).replace("10.000000", "99.000000"), "the real header has no such step"),
 }
 
@@ -163,6 +197,62 @@ def test_what_is_no_record_is_listed_and_the_rest_goes_on(folder: Path) -> None:
     (empty / "a.csv").write_text("nothing")
     with pytest.raises(ValueError, match=r"empty: holds no horizontal record; .*a.csv: has no line of numbers"):
         read_suite([empty])
+
+
+def test_a_record_in_a_file_has_the_intensity_measures_of_its_closed_form(tmp_path: Path) -> None:
+    """A exp(-b t) sin(w t) as the campaign reads records, its table's values from antiderivatives and the spectrum."""
+    name, b, w = "Cape_Mendocino_1992_PET-090", 0.8, 11.0
+    square = b * b + w * w
+    crest = math.atan2(w, b) / w
+
+    def arias_left(t: float) -> float:
+        growing = (b / w) * math.sin(2.0 * w * t) + 2.0 * (b / w * math.sin(w * t)) ** 2
+        return math.exp(-2.0 * b * t) * (1.0 + growing)
+
+    first, last = (brentq(lambda t, left=left: arias_left(t) - left, 0.0, 9.0) for left in (0.95, 0.05))
+
+    frequencies = 0.05 * np.arange(5, 401)  # 0.25 to 20 Hz, by the definition at steps of 0.05 Hz
+    angular = 2.0 * np.pi * frequencies
+    power = 1.0 / ((square - angular**2) ** 2 + (2.0 * b * angular) ** 2)
+    closed = Published(
+        arias=math.pi / 2.0 * GRAVITY * 0.09 * w * w / (4.0 * b * square),
+        duration=last - first,
+        pga=0.3 * math.exp(-b * crest) * math.sin(w * crest),
+        pgv=100.0 * GRAVITY * 0.3 * w * (1.0 + math.exp(-b * math.pi / w)) / square,
+        mean_period=np.average(1.0 / frequencies, weights=power),
+    )
+    time = np.asarray(0.002 * np.arange(6000), dtype=np.float64)
+    decaying = Series(time, 0.3 * np.exp(-b * time) * np.sin(w * time), held=False)
+    (tmp_path / f"{name}.csv").write_text(two_columns(decaying), "utf-8")
+    (row,), absent = of_tables(tmp_path, {name: closed, "Kobe_1995_TAK-090": closed})
+    assert absent == ["Kobe_1995_TAK-090"]
+    assert [*row.computed] == pytest.approx([*row.published], rel=3e-4)
+    (tmp_path / "Somewhere 1900").mkdir()
+    (tmp_path / "Somewhere 1900" / "ABC-000").write_text(one_column(decaying), "utf-8")
+    measures = "\t".join(map(str, closed))
+    (tmp_path / "eq.sql").write_text(f"Somewhere 1900\tABC-000\t0.002\t7.0\t{measures}\t10.4\n", "utf-8")
+    (row,), absent = of_slammer(tmp_path)
+    assert (row.name, absent) == ("Somewhere 1900 ABC-000", [])
+    assert [*row.computed] == pytest.approx([*row.published], rel=3e-4)
+
+
+def test_each_channel_of_a_file_is_a_record(tmp_path: Path) -> None:
+    """CSMIP's volume 2 with two horizontal channels and a vertical one, and SMC."""
+    expected = quake(1)
+    (tmp_path / "CE89146.V2").write_text(csmip(expected), "utf-8")
+    (tmp_path / "0111a.smc").write_text(smc(expected), "utf-8")
+    suite = read_suite([tmp_path], holds="driving")
+    factors = {"0111a.smc": 1.0, "CE89146.V2 360": 1.0, "CE89146.V2 90": 3.0}
+    assert [entry.name for entry in suite] == [*factors]
+    assert [[entry.component for entry in pair] for pair in suite.pairs] == [["360", "90"]]
+    assert [entry.name for entry in suite.verticals] == ["CE89146.V2 UP"]
+    for entry in suite:
+        assert entry.record().values == pytest.approx(factors[entry.name] * expected.values, abs=2e-5)
+        assert entry.record().time == pytest.approx(expected.time, abs=1e-12)
+    vertical = read_record(tmp_path / "CE89146.V2", column="up", holds="driving")
+    assert vertical.greatest == pytest.approx(2.0 * 0.35, abs=2e-5)
+    with pytest.raises(ValueError, match=r"several columns of acceleration; give column, one of 1 \(360\), 2 \(UP\)"):
+        read_record(tmp_path / "CE89146.V2", holds="driving")
 
 
 # --- what is solved --------------------------------------------------------------------------------------------------
@@ -296,6 +386,10 @@ def test_a_suite_that_moves_nothing_has_pictures_and_counts() -> None:
     words = [text.get_text() for ax in figure.axes for text in ax.texts]
     assert words.count("does not move") == 3
     pyplot.close(figure)
+    one_way = Series(np.arange(4.0), np.array([0.0, 0.5, 0.5, 0.0]), held=False)
+    ax = ensemble(FROZEN, records=[one_way], polarities=True).plot("velocity")
+    assert [np.any(line.get_ydata()) for line in ax.lines] == [True, False]
+    pyplot.close(ax.figure)
 
 
 def test_the_command(folder: Path, asked: Any, said: Any) -> None:
@@ -317,8 +411,9 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert any(row.split()[:4] == ["RSN6_ELC180.AT2", "0.4", one, other] for row in out.splitlines())
     points = (folder / "fragility.csv").read_text().splitlines()
     assert len(points) == 1 + 2 * 2
-    point = dict(zip(points[0].split(","), map(float, points[2].split(",")), strict=True))
-    assert point["share"] == np.mean(np.abs(np.array(held["run_out"])[:, :, 1]) > 0.02)
+    point = dict(zip(points[0].split(","), points[2].split(","), strict=True))
+    assert points[4].endswith(",,,,no motion exceeds it; give larger scales")
+    assert float(point["share"]) == np.mean(np.abs(np.array(held["run_out"])[:, :, 1]) > 0.02)
     low, high = held["fragility"]
     assert low["reason"].endswith("give scales next to it") or low["median_pga_g"]["value"] > 0.0
     assert (high["threshold_m"], high["reason"]) == (0.5, "no motion exceeds it; give larger scales")
@@ -329,6 +424,7 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert "no displacement (at most 1 cm) for" in " ".join(out.split())
     assert "corrupt.AT2: holds" in asked(f"{line} --strict")[2]
     assert asked("sweep newmark-pulse --polarities")[0] != 0
+    assert "--samples: no number is uncertain" in asked(f"{line} --samples 3")[2]
 
 
 def test_synthetic_records_written_to_a_folder_give_the_same_bits(tmp_path: Path, asked: Any, said: Any) -> None:

@@ -30,14 +30,8 @@ from tests.support.blocks import exactly, quake
 
 SCALES = np.linspace(0.5, 2.0, 7)
 SETTINGS: dict[str, Any] = {"polarities": True, "scales": SCALES}
-SLOPE = load("real-slope")
-# Stable at rest: its peak strength is higher than that of the scene that ships.
-SOFTENING = replace(
-    SLOPE, friction={"law": "exponential", "peak": 0.55, "residual": 0.4, "length": 0.5}, name="turning, softening"
-)
+SOFTENING = replace(load("shaken-slope"), name="turning, softening")
 FROZEN = replace(load("newmark-pulse"), effects={}, name="frozen")
-# Peak velocities of records that pySLAMMER ships, cm/s, by the PEER Strong Motion Database.
-PUBLISHED = {"PET-090": 89.7, "TAK-090": 120.7, "BCR-230": 45.9, "HSP-000": 62.4, "CYC-285": 80.8, "TCU068-090": 176.6}
 EVERY, EXACT = 5, 3  # record that the other program solves; of these, records of the exact block
 
 
@@ -110,7 +104,6 @@ def against_the_block(suite: Suite) -> None:
         print("pySLAMMER is not installed: pip install pyslammer")
         return
     slammer = import_module("pyslammer")
-    published(Path(str(slammer.__file__)).parent / "sample_ground_motions")
     motions = [slammer.GroundMotion(entry.record().values, entry.step) for entry in entries]
 
     def peer() -> list[float]:
@@ -126,15 +119,6 @@ def against_the_block(suite: Suite) -> None:
         f"{len(entries)} records: pySLAMMER {seconds:.2f} s, slipcircle {ours:.3f} s: {seconds / ours:.0f} times; "
         f"theirs differ by {100 * np.median(apart):.2g} % in the median, {100 * apart.max():.2g} % at most"
     )
-
-
-def published(folder: Path) -> None:
-    """Intensity measures of real records, with the peak velocities that are published."""
-    for entry in read_suite([folder]):
-        for name, velocity in PUBLISHED.items():
-            if entry.name.endswith(f"{name}.csv"):
-                measures = ", ".join(f"{key} {value:.4g}" for key, value in entry.intensities._asdict().items())
-                print(f"{name}: {measures}; published peak velocity {velocity / 100:.4g}")
 
 
 def block(record: Series, unit: float, k_y: float) -> float:

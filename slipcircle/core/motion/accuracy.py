@@ -22,11 +22,13 @@ _FIRST = (1, 1, 1, -1, 1, -1, -1)
 SIGNS = np.array([np.roll(_FIRST, k) for k in range(7)], dtype=float)
 # Steps over the radius of convergence, of the motion itself and the other runs, which go one order further. Longer ones
 # cost less than shorter ones would, and with that order still truncate less than the motion does.
-ONE_ORDER_MORE = np.array([0.0] + [1.0] * 7)
+ONE_ORDER_MORE = np.ones(RUNS)
+ONE_ORDER_MORE[0] = 0.0
 FACTORS = np.array([STEP, 0.136, 0.138, 0.140, 0.142, 0.145, 0.148, 0.151])
 # What the spread counts for: where the ends of the series are the error, as of an ensemble's lanes, and where rounding
 # is, as of single scenes, of which in 2,000 random ones the error was up to 5.1 times the spread.
-CUT, ROUNDED = 4.5, 6.0
+CUT = 4.5
+ROUNDED = 6.0
 LEAST_SIZE = 1e-300  # by which what is 0 is divided
 LEAST = 8 * EPS / 2  # that an estimate is
 UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
@@ -37,12 +39,17 @@ SHARES = np.repeat((np.arange(8) + 0.5) / 8, RUNS).reshape(-1, RUNS)
 @lru_cache(maxsize=256)
 def _signs(program: Program) -> Floats:
     """The sign with which each run moves each input of the program, (cells, 8); 0 for the motion itself."""
-    inputs = [k for k, name in enumerate(program.cells) if k >= len(ix.CELLS) and not _is_of_table(name)]
-    factors = [table.cells + ix.SCALED_BY for table in program.tables]
+    first_input = len(ix.CELLS)
+    moved = [ix.LIMIT, ix.OMEGA]
+    for cell, name in enumerate(program.cells):
+        if cell >= first_input and not _is_of_table(name):
+            moved.append(cell)
+    moved += [table.cells + ix.SCALED_BY for table in program.tables]
     signs = np.zeros((len(program.cells), RUNS))
-    for number, cell in enumerate((ix.LIMIT, ix.OMEGA, *inputs, *factors)):
+    for number, cell in enumerate(moved):
         if cell < program.given:  # the others follow from these
-            signs[cell, 1:] = SIGNS[:, number % 7]
+            factor = number % len(_FIRST)
+            signs[cell, 1:] = SIGNS[:, factor]
     return signs
 
 
@@ -90,40 +97,50 @@ def _of_ensemble(lanes: Lanes, final: Mapping[int, Floats], summary: Floats, siz
     spread = np.zeros(lanes.count)
     unlike = np.zeros(lanes.count, dtype=bool)
     for run in range(1, RUNS):
-        problem = perturbed_runs(lanes.problem, slice(run, run + 1), lanes.arc.rounding)
+        alone = slice(run, run + 1)
+        problem = perturbed_runs(lanes.problem, alone, lanes.arc.rounding)
         cells = integrate_all(problem)
-        difference = np.abs(summary_vector(cells) - summary) / size
-        spread = np.fmax(spread, np.fmax.reduce(difference))
+        change = np.abs(summary_vector(cells) - summary)
+        greatest = np.fmax.reduce(change / size)
+        spread = np.fmax(spread, greatest)
         unlike |= _ends_otherwise(cells, final)
     return spread, unlike
 
 
 def _of_single(lanes: Lanes, final: Mapping[int, Any], summary: Floats, size: Floats) -> tuple[float, bool]:
     """The same of one lane: all runs at once, beside the motion itself, with their states along the way."""
-    problem = perturbed_runs(lanes.problem, slice(None), lanes.arc.rounding)
-    states = np.zeros((2 + len(problem.program.states), *SHARES.shape))
+    all_runs = slice(None)
+    problem = perturbed_runs(lanes.problem, all_runs, lanes.arc.rounding)
+    outputs = 2 + len(problem.program.states)
+    states = np.zeros((outputs, *SHARES.shape))
     duration = summary[0]
     samples = Samples(duration * SHARES, states)
     cells = integrate_all(problem, samples)
-    difference = np.abs(summary_vector(cells) - summary) / size
-    spread = float(np.fmax.reduce(difference, axis=None))
+    change = np.abs(summary_vector(cells) - summary)
+    spread = np.fmax.reduce(change / size, axis=None)
     if final[ix.PHASES] > 0.0:
         rotation_and_velocity = states[:2]
-        change = np.abs(rotation_and_velocity - states[:2, :, :1])
+        of_motion = rotation_and_velocity[:, :, :1]
+        change = np.abs(rotation_and_velocity - of_motion)
         along = change / size[1:, :, None]
-        spread = float(np.fmax(spread, np.fmax.reduce(along, axis=None)))
-    return spread, bool(_ends_otherwise(cells, final).any())
+        greatest = np.fmax.reduce(along, axis=None)
+        spread = np.fmax(spread, greatest)
+    unlike = _ends_otherwise(cells, final)
+    return float(spread), bool(unlike.any())
 
 
 def _ends_otherwise(cells: Floats, final: Mapping[int, Floats]) -> Any:
     """Whether runs end with another status than the motion, or move where it does not."""
     other_status = cells[ix.STATUS] != final[ix.STATUS]
-    other_phases = (cells[ix.PHASES] > 0.0) != np.greater(final[ix.PHASES], 0.0)
-    return other_status | other_phases
+    moves = cells[ix.PHASES] > 0.0
+    motion_moves = np.greater(final[ix.PHASES], 0.0)
+    return other_status | (moves != motion_moves)
 
 
 def summary_vector(final: Any) -> Floats:
     """Duration, run-out and peak velocity, dimensionless, (3, lanes), of final cells."""
-    duration = choose(final[ix.STATUS] == ix.ENDED, final[ix.END_TIME], final[ix.REST_SINCE])
-    summary = np.array([duration, final[ix.END_ROTATION], np.abs(final[ix.PEAK_OMEGA])])
+    ended = final[ix.STATUS] == ix.ENDED
+    duration = choose(ended, final[ix.END_TIME], final[ix.REST_SINCE])
+    peak_velocity = np.abs(final[ix.PEAK_OMEGA])
+    summary = np.array([duration, final[ix.END_ROTATION], peak_velocity])
     return summary.reshape(3, -1)

@@ -45,8 +45,8 @@ class Sensitivity:
         outputs = np.array([self.at[name] for name in self.outputs])
         parameters = np.array([self.at[name] for name in self.parameters])
         nonzero = np.where(outputs == 0.0, np.nan, outputs)
-        scaled = self.values * parameters
-        return np.asarray(scaled / nonzero[:, None])
+        per_cent = self.values * parameters
+        return np.asarray(per_cent / nonzero[:, None])
 
     @property
     def distinct(self) -> dict[str, str]:
@@ -65,25 +65,20 @@ class Sensitivity:
     def __str__(self) -> str:
         titles = [f"d {name} [{unit}] (elasticity)" for name, unit in self.distinct.items()]
         rows = [["by", "value", *titles]]
-        for column, name in enumerate(self.parameters):
-            rows.append(self._row(column, name))
-        columns = zip(*rows, strict=True)
-        widths = [max(map(len, column)) for column in columns]
+        rows += [self._row(k, name, unit) for k, (name, unit) in enumerate(self.parameters.items())]
+        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
         lines = []
         for row in rows:
             padded = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
-            line = "  ".join(padded)
-            lines.append(line.rstrip())
+            lines.append("  ".join(padded).rstrip())
         return "\n".join(lines)
 
-    def _row(self, column: int, name: str) -> list[str]:
+    def _row(self, column: int, name: str, unit: str) -> list[str]:
         """A parameter with its value, and the derivatives of the distinct outputs by it."""
-        unit = self.parameters[name]
-        title = f"{name} [{unit}]" if unit else name
-        cells = [title, f"{self.at[name]:.6g}"]
-        values = self.values[:, column]
         elasticities = self.elasticities[:, column]
+        cells = []
         for row, output in enumerate(self.outputs):
             if output in self.distinct:
-                cells.append(f"{values[row]:.6g} ({elasticities[row]:+.3g})")
-        return cells
+                cells.append(f"{self.values[row, column]:.6g} ({elasticities[row]:+.3g})")
+        title = f"{name} [{unit}]" if unit else name
+        return [title, f"{self.at[name]:.6g}", *cells]

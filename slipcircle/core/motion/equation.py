@@ -77,10 +77,13 @@ class Equation:
         return self.sums + self.numbers
 
     def __str__(self) -> str:
-        lines = [f"{self.balance.symbol} = {self.balance.formula}", *self._lines(), "with", *self._values()]
-        used = {word for term in self.sums for word in _symbols(term.formula)} | {"omega", "s"}
-        lines.append("  " + "; ".join(f"{name}: {words}" for name, words in VARIABLES.items() if name in used))
-        return "\n".join(lines)
+        balance = f"{self.balance.symbol} = {self.balance.formula}"
+        used = {"omega", "s"}
+        for term in self.sums:
+            used.update(_symbols(term.formula))
+        variables = [f"{name}: {words}" for name, words in VARIABLES.items() if name in used]
+        last = "  " + "; ".join(variables)
+        return "\n".join([balance, *self._lines(), "with", *self._values(), last])
 
     def _lines(self) -> Iterator[str]:
         """A line for each term; a quantity to which nothing adds is 0."""
@@ -105,8 +108,11 @@ class Equation:
         sums: dict[str, list[str]] = {}
         for term in self.sums:
             sums.setdefault(term.symbol, []).append(term.latex)
-        rows += [f"{_latex(symbol)} &= {' + '.join(addends).replace('+ - ', '- ')}" for symbol, addends in sums.items()]
-        return "\\begin{aligned}\n" + " \\\\\n".join(rows) + "\n\\end{aligned}"
+        for symbol, addends in sums.items():
+            right = " + ".join(addends).replace("+ - ", "- ")
+            rows.append(f"{_latex(symbol)} &= {right}")
+        body = " \\\\\n".join(rows)
+        return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 
     def _repr_latex_(self) -> str:
         return f"$\\displaystyle {self.latex}$"
@@ -128,10 +134,13 @@ def equation_of(scene: Scene, accuracy: float) -> Equation:
     terms = _terms_of_effects(effects, absent) + _terms_of_friction(laws)
     terms = _used(terms)
     terms.sort(key=_place)
-    numbers = _numbers(scene, lanes, moving)
-    words = {word for term in terms for word in _symbols(term.formula)} | {*_symbols(BALANCE[0] + BALANCE[1])}
-    balance = EquationTerm(BALANCE[0], BALANCE[1], "balance", latex=BALANCE[2])
-    return Equation(balance, tuple(terms), tuple(n for n in numbers if n.symbol in words))
+    left, right, latex, _ = BALANCE
+    balance = EquationTerm(left, right, "balance", latex=latex)
+    words = {*_symbols(left), *_symbols(right)}
+    for term in terms:
+        words.update(_symbols(term.formula))
+    numbers = [number for number in _numbers(scene, lanes, moving) if number.symbol in words]
+    return Equation(balance, tuple(terms), tuple(numbers))
 
 
 def _terms_of_effects(effects: tuple[str, ...], absent: tuple[str, ...]) -> list[EquationTerm]:
@@ -142,15 +151,14 @@ def _terms_of_effects(effects: tuple[str, ...], absent: tuple[str, ...]) -> list
         number = soil_number(name)
         missing = {*absent} - {f"soil_turning{number}"}
         for quantity, formula, latex, symbols in TERMS[without_soil(name)]:
-            if not missing & {*symbols, *(symbol + number for symbol in symbols)}:
-                terms.append(_numbered(EquationTerm(quantity, formula, name, latex=latex), number))
+            of_soil = {symbol + number for symbol in symbols}
+            if not missing & of_soil.union(symbols):
+                term = EquationTerm(quantity, formula, name, latex=latex)
+                terms.append(_numbered(term, number))
         if number and position != "frozen":
-            terms.append(
-                _numbered(
-                    EquationTerm("soil_turning", "-soil_slope sin(phi)", name, latex=r"- soil_{slope} \sin\varphi"),
-                    number,
-                )
-            )
+            latex = r"- soil_{slope} \sin\varphi"
+            turning = EquationTerm("soil_turning", "-soil_slope sin(phi)", name, latex=latex)
+            terms.append(_numbered(turning, number))
     return terms
 
 
@@ -160,11 +168,13 @@ def _numbered(term: EquationTerm, number: str) -> EquationTerm:
         return term
     index = number.replace(OF_SOIL, "_")
     law = LAWS.get(without_soil(term.effect))
-    own = [r"soil_\w+", *(p.name for p in (law.parameters if law else ()) if p.kind == "number")]
-    symbol = re.sub(rf"^({'|'.join(own)})$", rf"\1{index}", term.symbol)
+    parameters = law.parameters if law else ()
+    names = [r"soil_\w+", *(p.name for p in parameters if p.kind == "number")]
+    of_soil = "|".join(names)
+    symbol = re.sub(rf"^({of_soil})$", rf"\1{index}", term.symbol)
     if term.value is not None:  # of a number the formula is what it is, in words
         return term._replace(symbol=symbol)
-    formula = re.sub(rf"\b({'|'.join(own)})\b", rf"\1{index}", term.formula)
+    formula = re.sub(rf"\b({of_soil})\b", rf"\1{index}", term.formula)
     number = index[1:]
     latex = re.sub(r"soil_\{(.+?)\}", rf"soil_{{\1,{number}}}", term.latex)
     latex = re.sub(r"\\mu_([pr0])", rf"\\mu_{{\1,{number}}}", latex)
@@ -174,14 +184,13 @@ def _numbered(term: EquationTerm, number: str) -> EquationTerm:
 
 def _terms_of_friction(laws: tuple[str, ...]) -> list[EquationTerm]:
     """The friction coefficient of a law, or the product of a law of slip and one of speed."""
-    terms = [
-        _numbered(
-            EquationTerm("soil_mu", TERMS[without_soil(law)][0][1], law, latex=TERMS[without_soil(law)][0][2]),
-            soil_number(law),
-        )
-        for law in laws
-        if soil_number(law)
-    ]
+    terms = list[EquationTerm]()
+    for law in laws:
+        number = soil_number(law)
+        if number:
+            _, formula, latex, _ = TERMS[without_soil(law)][0]
+            term = EquationTerm("soil_mu", formula, law, latex=latex)
+            terms.append(_numbered(term, number))
     laws = laws[len(terms) :]
     if terms and not laws:
         return terms
@@ -204,7 +213,10 @@ def _symbols(formula: str) -> list[str]:
 
 def _used(terms: list[EquationTerm]) -> list[EquationTerm]:
     """Without components of the weight that no other term takes."""
-    taken = {word for term in terms if not term.symbol.startswith("J_") for word in _symbols(term.formula)}
+    taken = set[str]()
+    for term in terms:
+        if not term.symbol.startswith("J_"):
+            taken.update(_symbols(term.formula))
     return [term for term in terms if not term.symbol.startswith("J_") or term.symbol in taken]
 
 
@@ -218,24 +230,37 @@ def _numbers(scene: Scene, lanes: Lanes, moving: tuple[str, ...]) -> Iterator[Eq
     """Every number that a formula may name, with its value."""
     for symbol, value in _of_the_arc(lanes).items():
         yield EquationTerm(symbol, COEFFICIENTS[symbol], "gravity", _per_lane(value, scene))
-    problem = lanes.problem
-    for effect in problem.recipe[0]:
-        for p in ALL_EFFECTS[without_soil(effect)].parameters:
-            number = soil_number(effect)
-            symbol = p.symbol and p.symbol + number
-            if symbol in moving:
-                of = "the rotation" if p.kind == "rotation" else "time"
-                term = EquationTerm(p.symbol, f"{p.help.partition(',')[0]}, a function of {of}", effect)
-                yield _numbered(term, number)
-            elif symbol in problem.program.places:
-                value = problem.cells[problem.program.places[symbol]]
-                yield _numbered(EquationTerm(p.symbol, _definition(effect, p), effect, _per_lane(value, scene)), number)
-    for path, (name, given) in zip(law_paths(scene.friction), law_parts(scene.friction), strict=True):
-        law, number = LAWS.get(without_soil(name)), soil_number(name)
+    for effect in lanes.problem.recipe.effects:
+        number = soil_number(effect)
+        for term in _numbers_of_effect(effect, scene, lanes, moving):
+            yield _numbered(term, number)
+    laws = zip(law_paths(scene.friction), law_parts(scene.friction), strict=True)
+    for path, (name, given) in laws:
+        law = LAWS.get(without_soil(name))
+        if law is None:
+            continue
+        number = soil_number(name)
         prefix = "rate_" if path == "friction.rate" else ""
-        for p in law.parameters if law else ():
+        for p in law.parameters:
             if p.kind == "number":
-                yield _numbered(EquationTerm(prefix + p.name, p.help, name, given[p.name], p.unit), number)
+                term = EquationTerm(prefix + p.name, p.help, name, given[p.name], p.unit)
+                yield _numbered(term, number)
+
+
+def _numbers_of_effect(effect: str, scene: Scene, lanes: Lanes, moving: tuple[str, ...]) -> Iterator[EquationTerm]:
+    """The numbers of an effect, and what it gives as functions of time or the rotation."""
+    problem = lanes.problem
+    places = problem.program.places
+    number = soil_number(effect)
+    for p in ALL_EFFECTS[without_soil(effect)].parameters:
+        symbol = p.symbol and p.symbol + number
+        if symbol in moving:
+            argument = "the rotation" if p.kind == "rotation" else "time"
+            meaning = p.help.partition(",")[0]
+            yield EquationTerm(p.symbol, f"{meaning}, a function of {argument}", effect)
+        elif symbol in places:
+            value = problem.cells[places[symbol]]
+            yield EquationTerm(p.symbol, _definition(effect, p), effect, _per_lane(value, scene))
 
 
 def _definition(effect: str, p: Any) -> str:
@@ -247,7 +272,8 @@ def _definition(effect: str, p: Any) -> str:
 
 def _of_the_arc(lanes: Lanes) -> Mapping[str, Any]:
     """The numbers in `COEFFICIENTS`, from what the integrator is given, which is over Theta."""
-    given, theta = lanes.arc.moment_coefficients, lanes.arc.dimensionless.moment_of_inertia
+    given = lanes.arc.moment_coefficients
+    theta = lanes.arc.dimensionless.moment_of_inertia
     return {
         "Theta": theta,
         "lambda": given.resistance_factor * theta,
@@ -261,9 +287,11 @@ def _of_the_arc(lanes: Lanes) -> Mapping[str, Any]:
 
 def _per_lane(value: Any, scene: Scene) -> Any:
     """A number of a single scene; an array of the scene's shape where it has one."""
+    flat = np.ravel(value)
     if scene.shape:
-        return np.broadcast_to(np.ravel(value), (int(np.prod(scene.shape)),)).reshape(scene.shape)
-    return float(np.ravel(value)[0])
+        count = int(np.prod(scene.shape))
+        return np.broadcast_to(flat, (count,)).reshape(scene.shape)
+    return float(flat[0])
 
 
 def _shown(value: Any) -> str:

@@ -65,17 +65,29 @@ class InputDerivatives:
         if isinstance(arc, LayeredSection):
             self.with_derivatives = with_derivatives(arc, names)
         self.inputs, alpha, inertia, cover = self._geometry()
-        self.growths = self._growths_of_scales(radius, gravity, alpha) | {"Theta": inertia, "cover": cover}
-        scales = {name: float(value) for name, value in scales_of(arc).items()}
-        for effect, given in lanes.called.items():
-            if effect in EFFECTS:
-                self._add_effect(effect, given, scales)
-        for path, (law, given) in zip(law_paths(lanes.friction), law_parts(lanes.friction), strict=True):
-            self._add_law(path, law, given)
-        end_dot = self.one("end_time") / float(lanes.time_scale)
+        self.growths = self._growths_of_scales(radius, gravity, alpha)
+        self.growths |= {"Theta": inertia, "cover": cover}
+        self._add_effects()
+        self._add_laws()
+        unit_of_time = float(lanes.time_scale)
+        end_dot = self.one("end_time") / unit_of_time
         self.growth = InputGrowth(self.time_growth, end_dot, self.tables)
         velocity_growth = self.relative("initial_velocity", lanes.velocity) - self.speed_growth
-        self.omega = lanes.problem.cells[ix.OMEGA, 0] * velocity_growth
+        omega = lanes.problem.cells[ix.OMEGA, 0]
+        self.omega = omega * velocity_growth
+
+    def _add_effects(self) -> None:
+        """Derivatives of the numbers of all effects."""
+        scales = {name: float(value) for name, value in scales_of(self.lanes.arc).items()}
+        for effect, given in self.lanes.called.items():
+            if effect in EFFECTS:
+                self._add_effect(effect, given, scales)
+
+    def _add_laws(self) -> None:
+        """Derivatives of the numbers and tables of all laws of friction."""
+        friction = self.lanes.friction
+        for path, (law, given) in zip(law_paths(friction), law_parts(friction), strict=True):
+            self._add_law(path, law, given)
 
     def _growths_of_scales(self, radius: Floats, gravity: Floats, alpha: Floats) -> dict[str, Floats]:
         """Relative derivatives of what parameters are made dimensionless by; alpha's own is absolute."""
@@ -109,48 +121,77 @@ class InputDerivatives:
     def _layered(self, section: LayeredSection) -> "_Geometry":
         """Of a layered section all that its soils give: numbers, tables, and the numbers of their mean friction."""
         other = self.with_derivatives
-        inputs = {n: derivative(value) for n, value in other.moment_coefficients._asdict().items()}
-        friction = dict(other.friction)
+        coefficients = other.moment_coefficients._asdict()
+        inputs = {name: derivative(value) for name, value in coefficients.items()}
+        self._add_mean_friction(other.friction)
+        functions = dict[str, OfRotation]()
+        for symbol, term in self._terms_of_soils().items():
+            if isinstance(term, OfRotation):
+                functions[symbol] = term
+            else:
+                inputs[symbol] = derivative(term)
+        self._add_rotations(functions)
+        inertia = float(section.moments["moment_of_inertia"])
+        inertia_dot = derivative(other.moments["moment_of_inertia"])
+        return inputs, derivative(other.half_angle), inertia_dot / inertia, self.none
+
+    def _add_mean_friction(self, mean_friction: Mapping[str, Any]) -> None:
+        """Derivatives of the numbers of the mean friction of the soils."""
+        friction = dict(mean_friction)
         rate = friction.pop("rate", {})
         friction.pop("soils", None)  # whose laws are by their own numbers
-        numbers = {f"friction.{n}": x for n, x in friction.items()} | {f"friction.rate.{n}": x for n, x in rate.items()}
-        self.of_friction = {n: derivative(x) + self.none for n, x in numbers.items() if not isinstance(x, str)}
+        numbers = {f"friction.{name}": value for name, value in friction.items()}
+        numbers |= {f"friction.rate.{name}": value for name, value in rate.items()}
+        for name, value in numbers.items():
+            if not isinstance(value, str):
+                self.of_friction[name] = derivative(value) + self.none
         if "friction.coefficient" in self.of_friction:
             self.of_friction["friction"] = self.of_friction["friction.coefficient"]
-        effects = {name: given for name, given in self.lanes.called.items() if name in EFFECTS}
-        terms = {
-            symbols_of(effect)[name]: term
-            for effect, added in other.section_effects(effects, complete=True).items()
-            if effect not in EFFECTS
-            for name, term in added.items()
-        }
-        inputs |= {symbol: derivative(term) for symbol, term in terms.items() if not isinstance(term, OfRotation)}
-        self._add_rotations({symbol: term for symbol, term in terms.items() if isinstance(term, OfRotation)})
-        inertia = derivative(other.moments["moment_of_inertia"]) / float(section.moments["moment_of_inertia"])
-        return inputs, derivative(other.half_angle), inertia, self.none
+
+    def _terms_of_soils(self) -> dict[str, Any]:
+        """What the soils add to the balance, with derivatives, by symbols of the program."""
+        called = {name: given for name, given in self.lanes.called.items() if name in EFFECTS}
+        terms = {}
+        for effect, added in self.with_derivatives.section_effects(called, complete=True).items():
+            if effect in EFFECTS:
+                continue
+            symbols = symbols_of(effect)
+            for name, term in added.items():
+                terms[symbols[name]] = term
+        return terms
 
     def _add_rotations(self, functions: Mapping[str, OfRotation]) -> None:
         """Derivatives of functions of the rotation, in the pieces of their tables."""
+        if not functions:
+            return
         count = len(self.names)
         names = {name for function in functions.values() for name in function.coefficients}
 
         def values(rotation: Floats) -> Floats:
-            parts = self.with_derivatives.arc_strength.parts(np.broadcast_to(rotation, (len(rotation), count)), names)
-            return np.concatenate([derivative(f.combined(parts)).T[..., None] for f in functions.values()])
+            every_lane = np.broadcast_to(rotation, (len(rotation), count))
+            parts = self.with_derivatives.arc_strength.parts(every_lane, names)
+            rows = []
+            for function in functions.values():
+                slopes = derivative(function.combined(parts))
+                rows.append(slopes.T[..., None])
+            return np.concatenate(rows)
 
-        if functions:
-            every = self._in_pieces_of(next(iter(functions)), values)
-            for k, name in enumerate(functions):
-                self.tables[name] = TableGrowth(self.none, self.none, every[k * count : (k + 1) * count])
+        first_table = next(iter(functions))
+        every = self._in_pieces_of(first_table, values)
+        for k, name in enumerate(functions):
+            first = k * count
+            by_parameter = every[first : first + count]
+            self.tables[name] = TableGrowth(self.none, self.none, by_parameter)
 
     def _in_pieces_of(self, name: str, functions: Any) -> list[Data]:
         """Functions of the rotation, (functions, M, 1) of (M, 1), as tables in the pieces of one that there is."""
         problem = self.lanes.problem
-        (place,) = (k for k, table in enumerate(problem.program.tables) if table.name == name)
-        breaks = problem.tables[place].breaks
+        table_names = [table.name for table in problem.program.tables]
+        breaks = problem.tables[table_names.index(name)].breaks
         coefficients = in_pieces(functions, breaks)
+        by_function = np.moveaxis(coefficients, -1, 0)
         jumps = np.zeros(len(breaks))
-        return [Data(breaks, np.ascontiguousarray(column), jumps) for column in np.moveaxis(coefficients, -1, 0)]
+        return [Data(breaks, np.ascontiguousarray(column), jumps) for column in by_function]
 
     def _arc(self, arc: Arc, coefficients: Mapping[str, float]) -> "_Geometry":
         """A change of the half angle scales the coefficients; one of the dip turns them into their slopes."""
@@ -160,16 +201,21 @@ class InputDerivatives:
         dip_dot = -arc.facing * (theta_1 + theta_2) / 2
         alpha = float(arc.half_angle)
         weight, radial, polar, resistance, inertia = (float(growth) for growth in arc_growth(alpha))
+        polar_moment = coefficients["polar_moment"]
+        resistance_factor = coefficients["resistance_factor"]
         inputs = {
-            "polar_moment": coefficients["polar_moment"] * polar * alpha_dot,
-            "resistance_factor": coefficients["resistance_factor"] * resistance * alpha_dot,
+            "polar_moment": polar_moment * polar * alpha_dot,
+            "resistance_factor": resistance_factor * resistance * alpha_dot,
         }
         for name, growth in (("driving_moment", weight), ("normal_load", radial)):
+            name_of_slope = f"{name}_slope"
             size = coefficients[name]
-            slope = coefficients[f"{name}_slope"]
+            slope = coefficients[name_of_slope]
             inputs[name] = size * growth * alpha_dot + slope * dip_dot
-            inputs[f"{name}_slope"] = slope * growth * alpha_dot - size * dip_dot
-        return inputs, alpha_dot, inertia / alpha * alpha_dot, 0.0 * alpha_dot
+            inputs[name_of_slope] = slope * growth * alpha_dot - size * dip_dot
+        inertia_growth = inertia / alpha * alpha_dot
+        cover_growth = 0.0 * alpha_dot
+        return inputs, alpha_dot, inertia_growth, cover_growth
 
     def _section(self, section: Section, coefficients: Mapping[str, float]) -> "_Geometry":
         """By the derivatives of the section's integrals, and of its ends."""
@@ -219,11 +265,12 @@ class InputDerivatives:
             if p.kind == "number" and not callable(amount):
                 numbers[p.name] = float(amount)
                 growths[p.name] = self.relative(f"{effect}.{p.name}", amount)
+        of_scene = {**scales, **numbers}
         for p in declared:
             if p.symbol:
                 powers = [power * growths[name] for name, power in p.powers if name != "value"]
                 growth = sum(powers, start=self.none)
-                self._add_parameter(effect, p, given, {**scales, **numbers}, growth)
+                self._add_parameter(effect, p, given, of_scene, growth)
 
     def _add_parameter(
         self, effect: str, p: Parameter, given: Mapping[str, Any], scales: Mapping[str, float], growth: Floats
@@ -233,9 +280,9 @@ class InputDerivatives:
         if callable(amount) and p.kind == "rotation":
 
             def pressures(rotation: Floats) -> Floats:
-                return np.asarray(self.pressure(np.broadcast_to(rotation, (len(rotation), len(self.names))))).T[
-                    ..., None
-                ]
+                every_parameter = np.broadcast_to(rotation, (len(rotation), len(self.names)))
+                slopes = np.asarray(self.pressure(every_parameter))
+                return slopes.T[..., None]
 
             by_parameter = self._in_pieces_of(p.symbol, pressures)
             self.tables[p.symbol] = TableGrowth(self.none, growth, by_parameter)
@@ -272,7 +319,8 @@ class InputDerivatives:
             self._add_pieces(path, table, given)
         elif LAWS[name].parameters[0].kind == "list":
             growths = {"slip": self.radius_growth, "speed": self.speed_growth, "time": self.time_growth}
-            self.tables[table] = TableGrowth(growths[LAWS[name].depends_on[0]], self.none, None)
+            argument = LAWS[name].depends_on[0]
+            self.tables[table] = TableGrowth(growths[argument], self.none, None)
         else:
             self._add_law_numbers(path, table, given)
 
@@ -282,14 +330,16 @@ class InputDerivatives:
         length, _, _ = PIECES[name]
         coefficients = {key: float(value) for key, value in given.items()}
         names = [n for n in coefficients if n != length]
-        pieces = [_by_coefficient(name, coefficients, n) for n in names]
-        dots = [self.one(f"{path}.{n}") for n in names]
+        by_coefficient = [_by_coefficient(name, coefficients, n) for n in names]
+        dots = np.array([self.one(f"{path}.{n}") for n in names])
+        slopes = np.array([data.coefficients for data in by_coefficient])
         by_parameter = list[Data]()
-        for k in range(len(self.names)):
-            changes = sum(dot[k] * data.coefficients for dot, data in zip(dots, pieces, strict=True))
-            by_parameter.append(pieces[0]._replace(coefficients=changes))
+        for of_parameter in dots.T:
+            changes = sum(dot * slope for dot, slope in zip(of_parameter, slopes, strict=True))
+            by_parameter.append(by_coefficient[0]._replace(coefficients=changes))
         length_growth = self.relative(f"{path}.{length}", given[length])
-        self.tables[table] = TableGrowth(self.radius_growth - length_growth, self.none, by_parameter)
+        argument_growth = self.radius_growth - length_growth
+        self.tables[table] = TableGrowth(argument_growth, self.none, by_parameter)
 
     def _add_law_numbers(self, path: str, law: str, given: Mapping[str, Any]) -> None:
         growths = {"m": self.radius_growth, "m/s": self.speed_growth, "": self.none}
@@ -302,7 +352,9 @@ class InputDerivatives:
             value = float(given[p.name])
             by_value = scaled / value if value else 1.0
             parameter = path if name == "constant" else f"{path}.{p.name}"
-            self.inputs[cell] = by_value * self.one(parameter) - scaled * growths[p.unit]
+            by_itself = by_value * self.one(parameter)
+            by_unit = scaled * growths[p.unit]
+            self.inputs[cell] = by_itself - by_unit
 
 
 def _by_coefficient(name: str, coefficients: Mapping[str, float], changed: str) -> Data:

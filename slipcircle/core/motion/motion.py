@@ -184,12 +184,15 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @cached_property
     def peak(self) -> State:
-        final, peak_time = self._final, self._final[ix.PEAK_TIME]
-        at_end = (peak_time == final[ix.END_TIME]) & (final[ix.STATUS] == ix.ENDED)
+        final = self._final
+        peak_time = final[ix.PEAK_TIME]
+        ended = final[ix.STATUS] == ix.ENDED
+        at_end = (peak_time == final[ix.END_TIME]) & ended
         at_end |= final[ix.PHASES] == 0.0
         time = choose(at_end, self._duration, peak_time * self._lanes.time_scale)
         tables = () if self.shape else self._lanes.problem.program.tables
-        if any(table.kind == "time" for table in tables) and 0.0 < time < self._duration:
+        varies_in_time = any(table.kind == "time" for table in tables)
+        if varies_in_time and 0.0 < time < self._duration:
             return self.at(time)  # of the rounded time: where a force jumps, as it is from then on
         return self._final_state(time, ix.PEAK_ROTATION, ix.PEAK_OMEGA, ix.PEAK_RATE)
 
@@ -239,7 +242,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
         """Phases of a single motion between its standstills."""
-        scale, duration = float(np.squeeze(self._lanes.time_scale)), float(np.squeeze(self._duration))
+        scale = float(np.squeeze(self._lanes.time_scale))
+        duration = float(np.squeeze(self._duration))
         phases: list[Phase] = []
         for event, time, rotation, direction in self._log:
             if event == ix.NOTE_BEGINS:
@@ -324,16 +328,21 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         if not self.shape:
             raise TypeError("a single motion cannot be indexed: its scene has no arrays")
         scene = self.plan.scene
-        arrays = {name: value for name, value in scene.numbers.items() if np.ndim(value)}
-        chosen = {name: np.broadcast_to(value, self.shape)[index] for name, value in arrays.items()}
+        chosen = {}
+        for name, value in scene.numbers.items():
+            if np.ndim(value):
+                chosen[name] = np.broadcast_to(value, self.shape)[index]
         plan = replace(self.plan, scene=with_parameters(scene, chosen))
-        numbers = np.arange(prod(self.shape)).reshape(self.shape)[index]
-        lanes = self._lanes.taken(np.ravel(numbers))
+        every_lane = np.arange(prod(self.shape)).reshape(self.shape)
+        numbers = every_lane[index]
+        flat = np.ravel(numbers)
+        lanes = self._lanes.taken(flat)
         if np.ndim(numbers):
-            final = {entry: values[np.ravel(numbers)] for entry, values in self._final.items()}
+            final = {entry: values[flat] for entry, values in self._final.items()}
             return type(self)(plan, lanes, final, [])
         log: list[Any] = []  # of which an ensemble keeps none, so that the lane is solved again
-        return type(self)(plan, lanes, final_entries(lanes.solve(log), single=True), log)
+        cells = lanes.solve(log)
+        return type(self)(plan, lanes, final_entries(cells, single=True), log)
 
     def __repr__(self) -> str:
         name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""

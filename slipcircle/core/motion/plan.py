@@ -90,10 +90,19 @@ def _choice(recipe: Recipe, depends: tuple[str, ...], accuracy: float) -> dict[s
     program = build_program(*recipe)
     effects = tuple(dict.fromkeys(map(without_soil, recipe.effects)))
     symbols = {*map(without_soil, recipe.moving)}
-    functions = [(e, p) for e in effects for p in ALL_EFFECTS[e].parameters if p.symbol in symbols]
-    of_rotation = [e for e, p in functions if p.kind == "rotation"]
-    of_time = dict.fromkeys(e for e, p in functions if p.kind == "series")
-    reasons = [reason for e in effects for reason in _reasons(e, e in of_time)]
+    of_rotation = list[str]()
+    of_time = dict[str, None]()
+    for effect in effects:
+        for p in ALL_EFFECTS[effect].parameters:
+            if p.symbol not in symbols:
+                continue
+            if p.kind == "rotation":
+                of_rotation.append(effect)
+            elif p.kind == "series":
+                of_time[effect] = None
+    reasons = list[str]()
+    for effect in effects:
+        reasons += _reasons(effect, effect in of_time)
     reasons += [f"{e} depends on time" for e in of_time if "time" not in ALL_EFFECTS[e].depends_on]
     reasons += [f"{e} depends on the rotation" for e in of_rotation]
     reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends]

@@ -71,8 +71,10 @@ def _parameters(scene: Scene) -> list[str]:
     else:
         of_arc = ARC if scene.arc.given is None else ARC[2:]
     fixed = {*arc_numbers(scene.arc)} - {*of_arc}
-    for name in ("initial_velocity", *(n for n in scene.numbers if n.startswith("shaking."))):
-        if not float(np.asarray(scene.numbers.get(name, 0.0))):
+    of_shaking = [name for name in scene.numbers if name.startswith("shaking.")]
+    for name in ("initial_velocity", *of_shaking):
+        value = scene.numbers.get(name, 0.0)
+        if not float(np.asarray(value)):
             fixed.add(name)
     names = dict.fromkeys(("friction", *of_arc, *scene.numbers))
     return [name for name in names if name in scene.numbers and name not in fixed]
@@ -171,5 +173,7 @@ def _in_si(lanes: Lanes, inputs: InputDerivatives, run: _Run) -> Floats:
     if state.status[0] == ix.ENDED:
         duration_dot = inputs.one("end_time")
     else:
-        duration_dot = unit_of_time * (tangents.rest_dot + state.rest_since[0] * growth.time)
-    return np.array([radius / unit_of_time * peak_dot, radius * run_out_dot, duration_dot, radius * reach_dot])
+        rest_dot = tangents.rest_dot + state.rest_since[0] * growth.time
+        duration_dot = unit_of_time * rest_dot
+    unit_of_velocity = radius / unit_of_time
+    return np.array([unit_of_velocity * peak_dot, radius * run_out_dot, duration_dot, radius * reach_dot])

@@ -215,10 +215,12 @@ class Trajectory:
     def energy_at(self, times: ArrayLike) -> Energy:
         """The energy balance from the start to any times, as for `at`; integrated beside the motion when asked for."""
         time = self._checked(times)
-        flat_times, unit = np.ravel(time), self._lanes.energy_unit
+        flat_times = np.ravel(time)
+        unit = self._lanes.energy_unit
         balance, kinetic_start = self._lanes.energies(flat_times)
         ended = flat_times[:, None] >= self._duration
-        kinetic = np.where(self._rests_at_end & ended, 0.0, balance["kinetic"])
+        rests = self._rests_at_end & ended
+        kinetic = np.where(rests, 0.0, balance["kinetic"])
         terms = (kinetic, balance["work"], balance["dissipation"])
         start = np.broadcast_to(unit * kinetic_start, self._lanes.count)
         in_joule = (self._over_time(time, unit * term) for term in terms)

@@ -20,7 +20,7 @@ from slipcircle.workbench.suites.synthetic import synthetic_records, write_recor
 
 Floats = NDArray[np.float64]
 HELP = "earthquake records of files and folders with their intensity measures, or synthetic ones for a folder"
-FORMATS = "files and folders of records: AT2, ESM, K-NET, COSMOS, and tables of numbers, mixed"
+FORMATS = "files and folders of records: AT2, ESM, K-NET, COSMOS, CSMIP, SMC, and tables of numbers, mixed"
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -108,9 +108,7 @@ def run(options: argparse.Namespace) -> Answer:
     if options.csv:
         rows = record["records"]
         files.write(options.csv, files.table(rows[0], [row.values() for row in rows]))
-    unread = [f"{line}; not used" for line in suite.unread]
-    vertical = [f"{entry.name}: is a vertical component by its name; not used" for entry in suite.verticals]
-    return Answer(lambda: record, [records_part(suite, misfits)], unread + vertical)
+    return Answer(lambda: record, [records_part(suite, misfits)], suite.not_used)
 
 
 def _check_folder(options: argparse.Namespace) -> None:

@@ -61,6 +61,8 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
     of_records = {"records": suite, "polarities": options.polarities} | scales
     if not options.samples:
         scene = replace(scene, uncertain={})
+    elif not scene.uncertain:
+        raise ValueError("sweep: --samples: no number is uncertain; give --uncertain, or leave it out")
     found: SuiteStudy = ensemble(scene, options.samples or 1, **sampling, **of_records)
     return found
 
@@ -116,10 +118,8 @@ def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: 
     """Published regressions beside the displacements at a scale, and why a regression says nothing."""
     head = ["regression", "in range", "predicted (m)", "ln ratio", "std", "published std"]
     factor = shown(study.block_factor)
-    notes = [
-        f"displacements are divided by {factor}, by which the arc moves farther than a block; "
-        "ln ratio: mean over the records"
-    ]
+    divided = f"displacements are divided by {factor}, by which the arc moves farther than a block"
+    notes = [divided, "ln ratio: mean over the records"]
     rows = []
     for c in compared:
         predicted = "-" if math.isnan(c.predicted) else f"{c.predicted:.3g}"

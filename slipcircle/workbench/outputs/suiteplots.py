@@ -1,5 +1,6 @@
 """Pictures of a suite of records: displacements by record and scale, fragility, histories of the median record."""
 
+from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -91,22 +92,32 @@ def fragility(study: "SuiteStudy", ax: Any = None) -> Any:
     greatest = levels.max() if levels.size > 1 else study.pga.max()
     pga = np.linspace(0.0, 1.05 * greatest, 201)[1:]
     estimates = np.array(exceedance(study.displacement, study.design.thresholds))
-    for k, curve in enumerate(study.fragility()):
-        colour, dashes, marker = SERIES[k % len(SERIES)]
-        value, low, high = estimates[:, k].T
-        errors = np.where((value > 0.0) & (value < 1.0), [value - low, high - value], 0.0)
-        ax.errorbar(levels, value, errors, color=colour, ls="", marker=marker, ms=4, elinewidth=0.7, alpha=0.8)
-        probability, lower, upper = curve.probability(pga)
-        ax.fill_between(pga, lower, upper, color=colour, alpha=0.15, lw=0)
-        ax.plot(pga, probability, color=colour, ls=dashes)
+    for curve, shares, style in zip(study.fragility(), np.swapaxes(estimates, 0, 1), cycle(SERIES), strict=False):
+        _shares(ax, levels, shares, style)
+        anchors = (levels, shares[:, 0])
+        colour, dashes, _ = style
         if curve.reason:
-            ax.plot(levels, value, color=colour, ls=dashes, lw=0.6)
-        steep = (probability > 0.3) & (probability < 0.9)
-        anchors = points_of(levels, value) if curve.reason else points_of(pga[steep], probability[steep])
-        label(ax, f"D > {curve.threshold:g} m", anchors, colour)
+            ax.plot(*anchors, color=colour, ls=dashes, lw=0.6)
+        else:
+            probability, lower, upper = curve.probability(pga)
+            ax.fill_between(pga, lower, upper, color=colour, alpha=0.15, lw=0)
+            ax.plot(pga, probability, color=colour, ls=dashes)
+            off = np.abs(probability - 0.6)
+            steep = off <= max(0.3, off.min())
+            anchors = (pga[steep], probability[steep])
+        label(ax, f"D > {curve.threshold:g} m", points_of(*anchors), colour)
     ax.set(xlabel="peak acceleration (g)", ylabel="exceedance probability (–)", xlim=(0.0, pga[-1]), ylim=(-0.02, 1.02))
     ax.grid(alpha=0.3)
     return ax
+
+
+def _shares(ax: Any, levels: Any, estimates: Any, style: tuple[str, Any, str]) -> None:
+    """Shares of the motions with their intervals, (levels, 3)."""
+    colour, _, marker = style
+    value, low, high = estimates.T
+    some = (value > 0.0) & (value < 1.0)
+    errors = np.where(some, [value - low, high - value], 0.0)
+    ax.errorbar(levels, value, errors, color=colour, ls="", marker=marker, ms=4, elinewidth=0.7, alpha=0.8)
 
 
 def _history(study: "SuiteStudy", what: str, ax: Any = None) -> Any:
@@ -121,9 +132,12 @@ def _history(study: "SuiteStudy", what: str, ax: Any = None) -> Any:
         return empty("does not move", ax, "x", "y")
     for words, motion, (colour, dashes, _) in zip(_POLARITIES, motions, SERIES, strict=False):
         columns = drawn(motion)
-        times, values = np.append(columns["time"], end), np.append(columns[what], columns[what][-1])
+        values = columns[what]
+        times = np.append(columns["time"], end)
+        values = np.append(values, values[-1])
         ax.plot(times, values, color=colour, ls=dashes, lw=1.2)
-        high = np.abs(values) > 0.6 * np.max(np.abs(values), initial=0.0)
+        size = np.abs(values)
+        high = size >= 0.6 * size.max()
         if len(motions) > 1:
             label(ax, words, points_of(times[high], values[high]), colour)
     ax.grid(alpha=0.3)

@@ -23,7 +23,7 @@ def with_records(
     ValueError
         If a file cannot be read as it is described; names the effect.
     """
-    readers = {"shaking": lambda given: _shaking(given, gravity), "pore_pressure": _pore_pressure}
+    readers = {"shaking": lambda settings: _shaking(settings, gravity), "pore_pressure": _pore_pressure}
     read = dict(effects)
     for name in readers:
         if "record" in effects.get(name, {}):
@@ -41,36 +41,36 @@ def with_records(
     return read
 
 
-def _pore_pressure(given: Mapping[str, Any]) -> dict[str, Any]:
+def _pore_pressure(settings: Mapping[str, Any]) -> dict[str, Any]:
     """A ratio or a pressure from a record."""
-    reading = {k: given[k] for k in _OF_WATER if k in given}
-    series = read_pore_pressure(given["record"], **reading)
-    other = next((k for k in ("time", *series) if k in given), None)
+    reading = {k: settings[k] for k in _OF_WATER if k in settings}
+    series = read_pore_pressure(settings["record"], **reading)
+    other = next((k for k in ("time", *series) if k in settings), None)
     if other is not None:
         raise InputError("", [f"{{{other}}} and {{record}} exclude each other; remove one"])
     of_record = {"record", *_OF_WATER}
-    others = {k: v for k, v in given.items() if k not in of_record}
+    others = {k: v for k, v in settings.items() if k not in of_record}
     return others | series
 
 
-def _shaking(given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
+def _shaking(settings: Mapping[str, Any], gravity: float) -> dict[str, Any]:
     """k_h(t) and k_v(t) from a record, over gravity."""
     for way in ("horizontal", "pulse"):
-        if way in given:
+        if way in settings:
             raise InputError("", [f"{{{way}}} and {{record}} exclude each other; remove one"])
     known = {"record", "column", "vertical_record", "vertical_column", *_OF_RECORDS, *_BESIDE_RECORDS}
-    if strange := [k for k in given if k not in known]:
+    if strange := [k for k in settings if k not in known]:
         raise InputError("", [f"{{{strange[0]}}}: does not belong to a record; leave it out"])
-    if "holds" not in given:
+    if "holds" not in settings:
         missing = '{holds}: is missing: a record must say whether it holds "ground" or "driving" acceleration'
         raise InputError("", [missing])
-    scaled = "scale" in given or "peak" in given
-    common = {k: given[k] for k in _OF_RECORDS if k in given}
+    scaled = "scale" in settings or "peak" in settings
+    common = {k: settings[k] for k in _OF_RECORDS if k in settings}
     common |= {"gravity": gravity, "scaled": scaled}
-    horizontal = read_record(given["record"], column=given.get("column"), **common)
+    horizontal = read_record(settings["record"], column=settings.get("column"), **common)
     series: dict[str, Any] = {"horizontal": horizontal}
-    if "vertical_record" in given or "vertical_column" in given:
-        path = given.get("vertical_record", given["record"])
-        series["vertical"] = read_record(path, column=given.get("vertical_column"), **common)
-    factor = {} if "peak" in given else {"scale": 1.0}
-    return series | factor | {k: given[k] for k in _BESIDE_RECORDS if k in given}
+    if "vertical_record" in settings or "vertical_column" in settings:
+        path = settings.get("vertical_record", settings["record"])
+        series["vertical"] = read_record(path, column=settings.get("vertical_column"), **common)
+    factor = {} if "peak" in settings else {"scale": 1.0}
+    return series | factor | {k: settings[k] for k in _BESIDE_RECORDS if k in settings}

@@ -12,12 +12,20 @@ from numpy.typing import NDArray
 
 from slipcircle.base.checks import InputError
 from slipcircle.base.series import Floats
-from slipcircle.workbench.records.headers import ACCELERATION, Header, Quantity, fixed_columns, header_of, unit_of
+from slipcircle.workbench.records.headers import (
+    ACCELERATION,
+    Header,
+    Quantity,
+    channels,
+    fixed_columns,
+    header_of,
+    unit_of,
+)
 
 MOST_BYTES = 2**30
 
 
-class Found(NamedTuple):
+class Samples(NamedTuple):
     """Content of a file, and the line of each sample, from 1."""
 
     time: Floats
@@ -45,22 +53,28 @@ def _text(quantity: Quantity, path: Path, name: str) -> str:
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
-def parse(quantity: Quantity, name: str, path: Path, column: int | str | None, step: float | None) -> Found:
+def parse(quantity: Quantity, name: str, path: Path, column: int | str | None, step: float | None) -> Samples:
     """Read a file of the kind that its first lines indicate."""
-    text = _text(quantity, path, name)
+    parts = channels(_text(quantity, path, name))
+    chosen = 0
+    if len(parts) > 1:
+        chosen = _column(quantity, name, column, [component for component, _ in parts], [*range(len(parts))])
+        name, column = f"{name}, channel {chosen + 1}", None
+    text = parts[chosen][1]
     headed = header_of(name, _first_lines(text)) if quantity is ACCELERATION else None
     if headed is None:
-        found = _table(quantity, name, text, column, step)
+        samples = _table(quantity, name, text, column, step)
     else:
         kind, header = headed
-        for what, given in (("column", column), ("step", step)):
-            if given is not None:
-                own = f"{kind} has one column and its own step; leave it out"
-                raise InputError("", [f"{name}: {{{what}}} = {given!r}: {own}"])
-        found = _wrapped(name, text, header)
-    if (count := found.time.size) < 2:
+        for argument, value in (("column", column), ("step", step)):
+            if value is not None:
+                rule = f"{kind} has one column and its own step; leave it out"
+                raise InputError("", [f"{name}: {{{argument}}} = {value!r}: {rule}"])
+        samples = _wrapped(name, text, header)
+    count = samples.time.size
+    if count < 2:
         raise ValueError(f"{name}: holds {count} sample{'s' * (count != 1)}: a record has two at least")
-    return found
+    return samples
 
 
 def _first_lines(text: str) -> list[str]:
@@ -77,7 +91,10 @@ class Component(NamedTuple):
 
 def components(name: str, path: Path, step: float | None) -> list[Component]:
     """The records of acceleration in a file; the step is for files without times."""
-    text = _text(ACCELERATION, path, name)
+    parts = channels(_text(ACCELERATION, path, name))
+    if len(parts) > 1:
+        return [Component(component, place) for place, (component, _) in enumerate(parts, 1)]
+    text = parts[0][1]
     if header_of(name, _first_lines(text)):
         return [Component()]
     head = _table_head(ACCELERATION, name, text)
@@ -101,7 +118,7 @@ def _is_other(head: "_TableHead", column: int) -> bool:
     return is_other_unit or re.match("vel|dis", head.names[column], re.IGNORECASE) is not None
 
 
-def _wrapped(name: str, text: str, header: Header) -> Found:
+def _wrapped(name: str, text: str, header: Header) -> Samples:
     """Values without times, however many are on a line."""
     values, lines = _fixed(name, text, header) if header.width else _values(name, text, header.lines, None)
     if values.size != header.samples:
@@ -111,13 +128,13 @@ def _wrapped(name: str, text: str, header: Header) -> Found:
         )
     if header.about_mean:
         values = values - np.mean(values)
-    return Found(header.step * np.arange(float(header.samples)), values * header.scale, header.units, lines)
+    return Samples(header.step * np.arange(float(header.samples)), values * header.scale, header.units, lines)
 
 
 def _fixed(name: str, text: str, header: Header) -> tuple[Floats, NDArray[np.int64]]:
     """Values as of `_values` from columns of fixed width, up to the line that ends the samples."""
     below = text.split("\n")[header.lines :]
-    ends = (k for k, line in enumerate(below) if line.lstrip().lower().startswith("end"))
+    ends = (k for k, line in enumerate(below) if re.match(r"\s*(?:end|\d+ points of )", line, re.IGNORECASE))
     end = next(ends, len(below))
     if any(" acceleration pts" in line.lower() for line in below[end:]):
         raise ValueError(f"{name}: holds several channels; save each in a file")
@@ -149,13 +166,13 @@ def _table_head(quantity: Quantity, name: str, text: str) -> _TableHead:
     return _TableHead(lines, separator, width, fields, names, suffix)
 
 
-def _table(quantity: Quantity, name: str, text: str, column: int | str | None, step: float | None) -> Found:
+def _table(quantity: Quantity, name: str, text: str, column: int | str | None, step: float | None) -> Samples:
     """Numbers in columns after any header lines."""
     head, separator, width, fields, names, suffix = _table_head(quantity, name, text)
     if step is not None and column is None and not fields and width > 1:
-        found = _row_by_row(name, text, head, separator, step)
-        if found is not None:
-            return found
+        samples = _row_by_row(name, text, head, separator, step)
+        if samples is not None:
+            return samples
     values, lines = _values(name, text, head, separator, width)
     if any(map(_is_number, fields)) and width > 1:  # not a header but a damaged sample
         _values(name, text, head - 1, separator, width)
@@ -168,15 +185,15 @@ def _table(quantity: Quantity, name: str, text: str, column: int | str | None, s
         time = float(step or 0.0) * np.arange(float(len(numbers)))
     else:
         time = numbers[:, clock].copy()
-    return Found(time, numbers[:, chosen].copy(), units or "", lines)
+    return Samples(time, numbers[:, chosen].copy(), units or "", lines)
 
 
-def _row_by_row(name: str, text: str, head: int, separator: str | None, step: float) -> Found | None:
+def _row_by_row(name: str, text: str, head: int, separator: str | None, step: float) -> Samples | None:
     """Values along lines that are not rows of columns."""
     values, lines = _values(name, text, head, separator)
     if not _along_lines(lines):
         return None
-    return Found(step * np.arange(float(values.size)), values, "", lines)
+    return Samples(step * np.arange(float(values.size)), values, "", lines)
 
 
 def _clock(name: str, fields: list[str], names: list[str], width: int, step: float | None) -> int | None:
@@ -196,7 +213,7 @@ def _clock(name: str, fields: list[str], names: list[str], width: int, step: flo
     return clock
 
 
-def _said(line: str) -> str:
+def _without_comment(line: str) -> str:
     """A line without comment and surrounding blanks."""
     for mark in "#%!":
         if mark in line:
@@ -215,7 +232,7 @@ def _first_row(quantity: Quantity, name: str, text: str) -> tuple[int, str | Non
     A row of numbers followed by two rows of another length, such as a date, belongs to the header.
     """
     rows: list[tuple[int, str | None, int]] = []
-    for k, line in enumerate(map(_said, io.StringIO(text))):
+    for k, line in enumerate(map(_without_comment, io.StringIO(text))):
         if line:
             row = _row(k, line)
             if row is None and ";" in line and all(_is_number(f.replace(",", ".")) for f in line.split(";")):
@@ -262,11 +279,11 @@ def _is_number(field: str) -> bool:
 def _fields(above: list[str], separator: str | None, width: int) -> list[str]:
     """Names of columns in the last line of the header, with units; empty if their number is wrong."""
     for line in filter(None, (x.strip() for x in reversed(above))):
-        said = line.lstrip("#% \t")
+        plain = line.lstrip("#% \t")
         pattern = r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?"
-        parts = _split(said, separator) if separator else [p.strip('"') for p in re.findall(pattern, said)]
+        parts = _split(plain, separator) if separator else [p.strip('"') for p in re.findall(pattern, plain)]
         parts = parts[:-1] if separator and parts[-1:] == [""] else parts
-        comment = not _said(line)
+        comment = not _without_comment(line)
         if len(parts) == width and not (comment and (line[0] == "!" or any(map(_is_number, parts)))):
             return parts
         if not comment:
@@ -283,10 +300,10 @@ def _column(quantity: Quantity, name: str, column: int | str | None, names: list
         if len(choice) == 1:
             return choice[0]
         raise ValueError(f"{name}: has several columns of {quantity.name}; give column, one of {shown}")
-    wanted = str(column).strip().lower()
-    matches = [k for k in choice if names and names[k].lower() == wanted]
-    if not matches and wanted.isdecimal():
-        matches = [k for k in choice if k == int(wanted) - 1]
+    requested = str(column).strip().lower()
+    matches = [k for k in choice if names and names[k].lower() == requested]
+    if not matches and requested.isdecimal():
+        matches = [k for k in choice if k == int(requested) - 1]
     if len(matches) != 1:
         raise ValueError(f"{name}: column = {column!r}: must be one of {shown}")
     return matches[0]
@@ -298,7 +315,7 @@ def _values(name: str, text: str, head: int, separator: str | None, width: int =
     if plain is not None:
         return plain
     fields, lines = list[str](), array("q")
-    for k, line in enumerate(map(_said, io.StringIO(text)), 1):
+    for k, line in enumerate(map(_without_comment, io.StringIO(text)), 1):
         if k <= head or not line:
             continue
         row = line.split(separator)
@@ -312,10 +329,10 @@ def _values(name: str, text: str, head: int, separator: str | None, width: int =
         fields += row
         lines.extend([k] * len(row))
     try:
-        found = array("d", map(float, fields))
+        values = array("d", map(float, fields))
     except ValueError:  # quotes, Fortran's exponents, or an invalid number
-        found = array("d", map(_number, repeat(name), lines, fields))
-    return np.array(found), np.array(lines)
+        values = array("d", map(_number, repeat(name), lines, fields))
+    return np.array(values), np.array(lines)
 
 
 def _plain_values(text: str, head: int, separator: str | None, width: int) -> tuple[Floats, NDArray[np.int64]] | None:

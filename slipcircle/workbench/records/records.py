@@ -18,7 +18,7 @@ from slipcircle.base.checks import EPS, INFINITY, Bounds, InputError, mistakes, 
 from slipcircle.base.series import Floats, Series, bad_sample
 from slipcircle.core import STRONGEST
 from slipcircle.workbench.records.headers import ACCELERATION, PORE_PRESSURE, UNITS, Quantity, unit_of
-from slipcircle.workbench.records.recordfiles import Found, parse
+from slipcircle.workbench.records.recordfiles import Samples, parse
 
 _GAP = 1.5  # of an evenly sampled record's step
 
@@ -38,10 +38,12 @@ def read_record(
     """An acceleration record as shaking: driving acceleration over gravity, zero before and after.
 
     Reads PEER's AT2 (NPTS and DT in the header, values in g), ESM's ASCII (SAMPLING_INTERVAL_S, NDATA and UNITS in
-    the header), K-NET's and KiK-net's ASCII (Scale Factor in the header; the mean is taken off the counts), one channel
-    in COSMOS' format (V1.20, step in the real header), and tables of numbers after any header lines: separated by
-    commas, semicolons, tabs or blanks, with a column of time and one or more of acceleration, or with a fixed ``step``
-    one column, or values along the lines. Lines that begin with #, % or ! are comments.
+    the header), K-NET's and KiK-net's ASCII (Scale Factor in the header; the mean is taken off the counts), COSMOS'
+    format (V1.20, step in the real header) and CSMIP's volume 2 (``column`` chooses one of several channels, by its
+    place from 1 or its orientation), corrected SMC of the U.S. Geological Survey, and tables of numbers after any
+    header lines: separated by commas, semicolons, tabs or blanks, with a column of time and one or more of
+    acceleration, or with a fixed ``step`` one column, or values along the lines. Lines that begin with #, % or ! are
+    comments.
 
     Parameters
     ----------
@@ -78,15 +80,15 @@ def read_record(
             f'holds = {holds!r}: must be "ground" (acceleration of the ground) or "driving" (its opposite)'
         )
     raise_all(str(path), mistakes({"gravity": gravity}, {"gravity": (0.0, INFINITY, "a positive number in m/s^2")}))
-    found = read_samples(ACCELERATION, path, units, column, step, start, gaps)
-    return shaking_of(found, str(path), holds, gravity, scaled)
+    samples = read_samples(ACCELERATION, path, units, column, step, start, gaps)
+    return shaking_of(samples, str(path), holds, gravity, scaled)
 
 
-def shaking_of(found: Found, name: str, holds: str, gravity: float, scaled: bool = False) -> Series:
+def shaking_of(samples: Samples, name: str, holds: str, gravity: float, scaled: bool = False) -> Series:
     """Accelerations of a file as shaking; the arguments are those of `read_record`."""
     if not scaled:
-        _check_unit(name, found.values, found.units)
-    return Series(found.time, _over_gravity(found.values, found.units, holds, gravity), held=False)
+        _check_unit(name, samples.values, samples.units)
+    return Series(samples.time, _over_gravity(samples.values, samples.units, holds, gravity), held=False)
 
 
 class Record(Series):
@@ -129,9 +131,9 @@ class Record(Series):
         unit = unit_of(str(units))
         if unit is None:
             raise ValueError(f"Record: units = {units!r}: must be one of {ACCELERATION.choice}")
-        given = {"gravity": gravity} if dt is None else {"gravity": gravity, "dt": dt}
+        numbers = {"gravity": gravity} if dt is None else {"gravity": gravity, "dt": dt}
         allowed = {"gravity": "a positive number in m/s^2", "dt": "a positive time in s"}
-        raise_all("Record", mistakes(given, {n: (0.0, INFINITY, allowed[n]) for n in given}, one=given))
+        raise_all("Record", mistakes(numbers, {n: (0.0, INFINITY, allowed[n]) for n in numbers}, one=numbers))
         values = np.asarray(samples[-1])
         if dt is None:
             super().__init__(np.asarray(samples[0]), values, held=False)
@@ -190,17 +192,18 @@ def read_pore_pressure(
     ValueError
         Names the file, the line, the value, what is allowed, and the remedy.
     """
-    found = read_samples(PORE_PRESSURE, path, units, column, step, start, gaps)
-    is_ratio = found.units == "ratio"
-    bad = np.flatnonzero((found.values < 0.0) | (is_ratio & (found.values >= 1.0)))
+    samples = read_samples(PORE_PRESSURE, path, units, column, step, start, gaps)
+    is_ratio = samples.units == "ratio"
+    bad = np.flatnonzero((samples.values < 0.0) | (is_ratio & (samples.values >= 1.0)))
     if bad.size:
         k = int(bad[0])
+        value = float(samples.values[k])
         allowed = "a ratio of at least 0 and below 1" if is_ratio else "a pressure of at least 0"
-        raise ValueError(
-            f"{path}, line {found.lines[k]}: value = {float(found.values[k])!r}: must be {allowed}; mend the value, or "
-            "check the units and the column"
-        )
-    return {"ratio" if is_ratio else "pressure": Series(found.time, found.values * PORE_PRESSURE.units[found.units])}
+        rule = f"must be {allowed}; mend the value, or check the units and the column"
+        raise ValueError(f"{path}, line {samples.lines[k]}: value = {value!r}: {rule}")
+    return {
+        "ratio" if is_ratio else "pressure": Series(samples.time, samples.values * PORE_PRESSURE.units[samples.units])
+    }
 
 
 _TIMES: dict[str, Bounds] = {
@@ -218,37 +221,37 @@ def read_samples(
     start: float | None,
     gaps: str,
     default_units: str | None = None,
-) -> Found:
+) -> Samples:
     """Checked samples of a file and their unit; the default unit if neither file nor call gives one."""
     name = str(path)
     if gaps not in ("refuse", "linear"):
         raise ValueError(f'gaps = {gaps!r}: must be "refuse" or "linear"')
-    given = {n: v for n, v in (("step", step), ("start", start)) if v is not None}
-    raise_all(name, mistakes(given, {n: _TIMES[n] for n in given}))
-    asked = "" if units is None else unit_of(units, quantity)
-    if asked is None:
+    times = {n: v for n, v in (("step", step), ("start", start)) if v is not None}
+    raise_all(name, mistakes(times, {n: _TIMES[n] for n in times}))
+    requested = "" if units is None else unit_of(units, quantity)
+    if requested is None:
         raise ValueError(f"{name}: units = {units!r}: must be one of {quantity.choice}")
-    found = parse(quantity, name, Path(path), column, step)
-    if found.units and asked and found.units != asked:
+    samples = parse(quantity, name, Path(path), column, step)
+    if samples.units and requested and samples.units != requested:
         raise ValueError(
-            f"{name}: units = {units!r}, but its header says {found.units}; leave units out, or correct the header"
+            f"{name}: units = {units!r}, but its header says {samples.units}; leave units out, or correct the header"
         )
-    unit = found.units or asked or default_units
+    unit = samples.units or requested or default_units
     if not unit:
         raise ValueError(f"{name}: units are missing: its header names none; give units, one of {quantity.choice}")
-    return found._replace(time=_checked_times(name, found, start, gaps), units=unit)
+    return samples._replace(time=_checked_times(name, samples, start, gaps), units=unit)
 
 
-def _checked_times(name: str, found: Found, start: float | None, gaps: str) -> Floats:
+def _checked_times(name: str, samples: Samples, start: float | None, gaps: str) -> Floats:
     """Times of samples, checked: finite, increasing, not before the scene, without rejected gaps."""
-    wrong = bad_sample(found.time, found.values)
+    wrong = bad_sample(samples.time, samples.values)
     if wrong is None and gaps == "refuse":
-        wrong = _gap(found.time)
+        wrong = _gap(samples.time)
     if wrong is not None:
-        raise ValueError(f"{name}, line {found.lines[wrong[0]]}: {wrong[1]}")
-    time = found.time if start is None else found.time - found.time[0] + start
+        raise ValueError(f"{name}, line {samples.lines[wrong[0]]}: {wrong[1]}")
+    time = samples.time if start is None else samples.time - samples.time[0] + start
     if time[0] < 0.0:
-        first = f"{name}, line {found.lines[0]}: time = {float(time[0])!r} s"
+        first = f"{name}, line {samples.lines[0]}: time = {float(time[0])!r} s"
         rule = "must not be before 0, when the scene starts; give {start}, the time of the first sample in s"
         raise InputError("", [f"{first}: {rule}"])
     return time

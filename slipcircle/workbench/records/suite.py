@@ -159,12 +159,18 @@ class Suite:
                 by_station.setdefault((str(Path(entry.file).parent), entry.station), []).append(entry)
         return [(same[0], same[1]) for same in by_station.values() if len(same) == 2]
 
+    @property
+    def not_used(self) -> list[str]:
+        """A line for each file without a record and each vertical component."""
+        verticals = [f"{entry.name}: is a vertical component by its name" for entry in self.verticals]
+        return [f"{line}; not used" for line in (*self.unread, *verticals)]
+
     def to_dict(self) -> dict[str, Any]:
         """The records with their intensity measures, and what is not used, for JSON."""
         known = ("name", "file", "station", "component", "samples", "step", "unit")
         plain = [{name: getattr(entry, name) for name in known} for entry in self.entries]
         return {
-            "records": [of | entry.intensities._asdict() for of, entry in zip(plain, self.entries, strict=True)],
+            "records": [row | entry.intensities._asdict() for row, entry in zip(plain, self.entries, strict=True)],
             "verticals": [entry.name for entry in self.verticals],
             "pairs": [[entry.name for entry in pair] for pair in self.pairs],
             "not_read": [unread._asdict() for unread in self.unread],
@@ -218,12 +224,12 @@ def read_suite(
     entries, unread = list[Entry](), list[Unread]()
     reading = {"holds": holds, "units": units and unit_of(units), "gravity": gravity, "gaps": gaps}
     files = _files(paths)
-    left = _KEPT
+    remaining = _KEPT
     for file in track(files, "records read"):
         try:
             for entry in _entries(file, step, reading):
-                left -= entry.samples
-                entries.append(entry if left >= 0 else replace(entry, kept=None))
+                remaining -= entry.samples
+                entries.append(entry if remaining >= 0 else replace(entry, kept=None))
         except ValueError as error:
             unread.append(Unread(str(file), str(error).removeprefix(str(file)).lstrip(":, ")))
     if unread and strict:
@@ -253,31 +259,31 @@ def _nothing_read(paths: Iterable[Any], unread: Sequence[Unread], verticals: Seq
 
 def _files(paths: Iterable[str | PathLike[str]]) -> Sequence[Path]:
     """The files, those of folders in the order of their names, each once."""
-    found: dict[Path, None] = {}
+    files: dict[Path, None] = {}
     for path in map(Path, paths):
         inside = sorted(path.rglob("*")) if path.is_dir() else [path]
         hidden = [any(part.startswith(".") for part in file.relative_to(path).parts) for file in inside]
-        found |= dict.fromkeys(file for file, is_hidden in zip(inside, hidden, strict=True) if not is_hidden)
-    return [path for path in found if not path.is_dir()]
+        files |= dict.fromkeys(file for file, is_hidden in zip(inside, hidden, strict=True) if not is_hidden)
+    return [path for path in files if not path.is_dir()]
 
 
 def _entries(file: Path, step: float | None, reading: Mapping[str, Any]) -> list[Entry]:
     """The records of a file."""
-    found = []
+    entries = []
     for component in components(str(file), file, step):
         series, unit = _read(str(file), component, **reading)
         name = f"{file.name} {component.name}".rstrip()
         known = {**reading, "component": component}
-        found.append(_entry(name, str(file), place_of(file.name, component.name), series, unit, known))
-    return found
+        entries.append(_entry(name, str(file), place_of(file.name, component.name), series, unit, known))
+    return entries
 
 
 def _read(
     file: str, component: Component, holds: str, units: str | None, gravity: float, gaps: str
 ) -> tuple[Series, str]:
     """A record and the unit of its file, from 0 s."""
-    found = read_samples(ACCELERATION, file, None, component.column, component.step, 0.0, gaps, units)
-    return shaking_of(found, file, holds, gravity), found.units
+    samples = read_samples(ACCELERATION, file, None, component.column, component.step, 0.0, gaps, units)
+    return shaking_of(samples, file, holds, gravity), samples.units
 
 
 def _entry(

@@ -134,21 +134,36 @@ class SuiteStudy(Pictured):
         displacement, pga = self.displacement, self.pga
         return [fragility_curve(exceedance_shares(displacement, t), pga, t) for t in thresholds]
 
-    def fragility_columns(self) -> dict[str, list[float]]:
+    def fragility_columns(self) -> dict[str, list[Any]]:
         """Exceedance at every threshold and scale, in columns: of the motions, and of the fragility curve.
 
-        Each with its interval of 95 %, the curve at the median peak acceleration of the scale.
+        Each with its interval of 95 %, the curve at the median peak acceleration of the scale; or why there is none.
         """
+        names = [
+            "threshold_m",
+            "scale",
+            "median_pga_g",
+            "share",
+            "share_low",
+            "share_high",
+            "curve",
+            "curve_low",
+            "curve_high",
+        ]
         levels = np.median(self.pga, axis=0)
+        curves = self.fragility()
         shares = np.array(exceedance(self.displacement, self.design.thresholds))
-        columns: dict[str, list[Any]] = {"threshold_m": [], "scale": [], "median_pga_g": []}
-        columns |= {name: [] for name in ("share", "share_low", "share_high", "curve", "curve_low", "curve_high")}
-        for curve, of_threshold in zip(self.fragility(), np.swapaxes(shares, 0, 1), strict=True):
+        blocks = []
+        for k, curve in enumerate(curves):
+            threshold = np.full(levels.size, curve.threshold)
             fitted = curve.probability(levels)
-            rows = [np.full(levels.size, curve.threshold), self.scales, levels, *of_threshold.T, *fitted]
-            for name, values in zip(columns, rows, strict=True):
-                columns[name] += values.tolist()
-        return columns
+            blocks.append(np.stack([threshold, self.scales, levels, *shares[:, k].T, *fitted]))
+        rows = np.concatenate(blocks, axis=1).tolist()
+        columns: dict[str, list[Any]] = {
+            name: [None if math.isnan(value) else value for value in row] for name, row in zip(names, rows, strict=True)
+        }
+        reasons = np.repeat([curve.reason for curve in curves], levels.size)
+        return columns | {"reason": reasons.tolist()}
 
     def median_record(self, scale: int) -> int:
         """The place of the record with the median displacement at a scale, the lower one of two."""
@@ -157,9 +172,12 @@ class SuiteStudy(Pictured):
 
     def motions_of(self, record: int, scale: int) -> list[Motion]:
         """The motions under a record at a scale, by their places, one a polarity, at medians of uncertain numbers."""
-        entry = self.suite.entries[record]
-        factors = self.factors[record, scale] * self.polarities
-        return [solve(self.design.shaken(entry.record().scaled(f)), self.design.sampling.accuracy) for f in factors]
+        unscaled = self.suite.entries[record].record()
+        motions = []
+        for factor in (self.factors[record, scale] * self.polarities).tolist():
+            shaken = self.design.shaken(unscaled.scaled(factor))
+            motions.append(solve(shaken, self.design.sampling.accuracy))
+        return motions
 
     @property
     def own_scale(self) -> int:
@@ -175,8 +193,7 @@ class SuiteStudy(Pictured):
     def warnings(self) -> list[str]:
         """Warnings about files and results."""
         found = [f"the records replace the scene's own {name} shaking" for name in self.design.replaces]
-        found += [f"{unread}; not used" for unread in self.suite.unread]
-        found += [f"{entry.name}: is a vertical component by its name; not used" for entry in self.suite.verticals]
+        found += self.suite.not_used
         if bool(np.any(motions(self.scene, {}, self.design.sampling.accuracy).moves)):
             found.append("the mass moves without shaking too: displacements are not those of the records alone")
         counts, total = np.bincount(self.values["status"].ravel(), minlength=len(Status)), self.values["status"].size

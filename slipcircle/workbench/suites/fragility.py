@@ -48,11 +48,13 @@ class FragilityCurve(NamedTuple):
     def probability(self, pga: ArrayLike) -> Floats:
         """Probability of exceedance at positive peak accelerations over gravity and its interval, (3, ...)."""
         log_pga = np.log(np.asarray(pga, dtype=np.float64))
-        terms = np.stack([np.ones_like(log_pga), log_pga])
-        middle = np.tensordot(self.coefficients, terms, 1)
-        variance = np.einsum("i...,ij,j...->...", terms, self.covariance, terms)
+        intercept, slope = self.coefficients
+        (of_intercept, joint), (_, of_slope) = self.covariance
+        middle = intercept + slope * log_pga
+        variance = of_intercept + 2.0 * joint * log_pga + of_slope * log_pga**2
         half = self.quantile * np.sqrt(np.maximum(variance, 0.0))
-        return np.asarray(statistics().norm.cdf(np.stack([middle, middle - half, middle + half])))
+        bounds = np.stack([middle, middle - half, middle + half])
+        return np.asarray(statistics().norm.cdf(bounds))
 
     def to_dict(self) -> dict[str, Any]:
         """The curve for JSON."""
@@ -96,19 +98,20 @@ def fragility_curve(share: Floats, pga: Floats, threshold: float, confidence: fl
     31(1), 2015, pp. 579-599.
     """
     counts = np.isfinite(share) & (pga > 0.0)
-    if reason := _not_identified(share, pga, counts):
+    record, _ = np.nonzero(counts)
+    shares, log_pga = share[counts], np.log(pga[counts])
+    if reason := _not_identified(shares, log_pga, record):
         return FragilityCurve(threshold, reason)
-    log_pga = np.log(np.where(counts, pga, 1.0))
-    centre, width = log_pga[counts].mean(), log_pga[counts].std()
-    terms = np.stack([np.ones_like(log_pga), (log_pga - centre) / width], axis=-1)
-    shares = np.where(counts, share, 0.0)
-    scaled, scaled_covariance = _fit(terms, shares, counts)
+    centre, width = log_pga.mean(), log_pga.std()
+    scaled = (log_pga - centre) / width
+    terms = np.stack([np.ones_like(scaled), scaled], axis=1)
+    fitted = _most_likely(terms, shares)
     unscale = np.array([[1.0, -centre / width], [0.0, 1.0 / width]])
-    coefficients = unscale @ scaled
-    covariance = unscale @ scaled_covariance @ unscale.T
-    freedom = np.count_nonzero(counts.any(axis=1)) - coefficients.size
-    quantile = float(statistics().t.ppf((1.0 + confidence) / 2.0, freedom))
-    return _curve(threshold, coefficients, covariance, quantile)
+    coefficients = unscale @ fitted
+    covariance = unscale @ _jackknife(terms, shares, record, fitted) @ unscale.T
+    freedom = np.unique(record).size - coefficients.size
+    quantile = statistics().t.ppf((1.0 + confidence) / 2.0, freedom)
+    return _curve(threshold, coefficients, covariance, float(quantile))
 
 
 def _curve(threshold: float, coefficients: Floats, covariance: Floats, quantile: float) -> FragilityCurve:
@@ -122,64 +125,72 @@ def _curve(threshold: float, coefficients: Floats, covariance: Floats, quantile:
     return FragilityCurve(threshold, "", median, dispersion, coefficients, covariance, quantile)
 
 
-def _not_identified(share: Floats, pga: Floats, counts: NDArray[np.bool_]) -> str:
+def _not_identified(share: Floats, log_pga: Floats, record: NDArray[np.int64]) -> str:
     """Why there is no curve; empty where there is one, and with any one of the records left out, too.
 
-    Where one motion makes the difference, the dispersion would be small and its interval too narrow.
+    Where one record makes the difference, the dispersion would be small and its interval too narrow.
     """
-    records = np.flatnonzero(counts.any(axis=1))
-    if reason := _without_maximum(share[counts], pga[counts]):
+    if reason := _without_maximum(share, log_pga):
         return reason
+    records = np.unique(record)
     if records.size < _FEWEST:
         return f"needs {_FEWEST} records at least"
-    for record in records:
-        others = counts.copy()
-        others[record] = False
-        if reason := _without_maximum(share[others], pga[others]):
+    for left_out in records:
+        others = record != left_out
+        if reason := _without_maximum(share[others], log_pga[others]):
             return f"rests on one record, without which {reason}"
     return ""
 
 
-def _without_maximum(share: Floats, pga: Floats) -> str:
+def _without_maximum(share: Floats, log_pga: Floats) -> str:
     """Why the likelihood has no maximum at a finite median and dispersion; empty where it has one.
 
     It has none where a peak acceleration separates what exceeds from what does not (Albert and Anderson 1984).
     """
-    if not np.any(share > 0.0):
+    exceeds, stays = share > 0.0, share < 1.0
+    if not np.any(exceeds):
         return "no motion exceeds it; give larger scales"
-    if np.all(share == 1.0):
+    if not np.any(stays):
         return "every motion exceeds it; give smaller scales"
-    if np.ptp(pga) <= _SAME * pga.max():
+    if np.ptp(log_pga) <= _SAME:
         return "all motions have one peak acceleration; give several scales"
-    log_pga = np.log(pga)
     growth = (share - share.mean()) @ (log_pga - log_pga.mean())
     if growth <= 0.0:
         return "it is not exceeded more often at larger peak accelerations"
-    lowest, highest = float(pga[share > 0.0].min()), float(pga[share < 1.0].max())
-    if abs(lowest - highest) <= _SAME * highest:
-        return f"no motion exceeds it below a peak of {shown(lowest)} g and every one above; give scales next to it"
-    if lowest > highest:
-        both = f"no motion exceeds it up to a peak of {shown(highest)} g and every one does from {shown(lowest)} g"
-        return f"{both}; give scales between"
-    return ""
+    lowest, highest = log_pga[exceeds].min(), log_pga[stays].max()
+    if lowest < highest - _SAME:
+        return ""
+    first, last = shown(math.exp(lowest)), shown(math.exp(highest))
+    if lowest <= highest + _SAME:
+        return f"no motion exceeds it below a peak of {first} g and every one above; give scales next to it"
+    return f"no motion exceeds it up to a peak of {last} g and every one does from {first} g; give scales between"
 
 
-def _fit(terms: Floats, share: Floats, counts: NDArray[np.bool_]) -> tuple[Floats, Floats]:
-    """Coefficients of greatest likelihood and their covariance by the jackknife over records."""
-    from scipy import optimize
+def _most_likely(terms: Floats, share: Floats) -> Floats:
+    """Coefficients of greatest likelihood."""
+    from scipy.optimize import minimize
 
     def negative(coefficients: Floats) -> tuple[float, Floats]:
         likelihood, score, _ = _likelihood(terms @ coefficients, share)
-        return -float(likelihood[counts].sum()), -score[counts] @ terms[counts]
+        return -float(likelihood.sum()), -score @ terms
 
-    found = optimize.minimize(negative, np.array([0.0, 1.0]), jac=True, method="BFGS", options={"gtol": 1e-9})
-    _, score, weight = _likelihood(terms @ found.x, share)
-    scores = np.einsum("rs,rsi->ri", score * counts, terms)
-    information = np.einsum("rs,rsi,rsj->rij", weight * counts, terms, terms)
+    start = np.array([0.0, 1.0])
+    found = minimize(negative, start, jac=True, method="BFGS", options={"gtol": 1e-9})
+    return np.asarray(found.x)
+
+
+def _jackknife(terms: Floats, share: Floats, record: NDArray[np.int64], coefficients: Floats) -> Floats:
+    """Covariance of the coefficients, from a Newton step to those without each record."""
+    _, score, weight = _likelihood(terms @ coefficients, share)
+    first = np.flatnonzero(np.diff(record, prepend=-1))  # motion of each record, which stand in a row
+    products = terms[:, :, None] * terms[:, None, :]
+    scores = np.add.reduceat(score[:, None] * terms, first)
+    information = np.add.reduceat(weight[:, None, None] * products, first)
     remaining = information.sum(axis=0) - information
-    records = np.count_nonzero(counts.any(axis=1))
-    steps = np.linalg.solve(remaining, scores[:, :, None])[:, :, 0]
-    return found.x, (records - 1) / records * steps.T @ steps
+    steps = np.linalg.solve(remaining, scores[:, :, None])
+    records = first.size
+    shrinking = (records - 1) / records
+    return np.asarray(shrinking * np.einsum("rik,rjk->ij", steps, steps))
 
 
 def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats]:
@@ -188,9 +199,12 @@ def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats
 
     log_above, log_below = special.log_ndtr(argument), special.log_ndtr(-argument)
     log_density = -(argument**2 + math.log(2.0 * math.pi)) / 2.0
-    above, below = np.exp(log_density - log_above), np.exp(log_density - log_below)
-    likelihood = share * log_above + (1.0 - share) * log_below
-    return likelihood, share * above - (1.0 - share) * below, above * below
+    above = np.exp(log_density - log_above)
+    below = np.exp(log_density - log_below)
+    rest = 1.0 - share
+    likelihood = share * log_above + rest * log_below
+    score = share * above - rest * below
+    return likelihood, score, above * below
 
 
 def _lognormal(log_value: float, derivative: Floats, covariance: Floats, quantile: float) -> Estimate:

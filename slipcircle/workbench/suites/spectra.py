@@ -1,31 +1,36 @@
 """Target spectra: at how many periods they are compared, and how far the spectra of records are from them."""
 
+from typing import Any
+
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from slipcircle.base.series import Series
 from slipcircle.workbench.suites.intensities import spectral_acceleration
 
 Floats = NDArray[np.float64]
-Spectrum = tuple[ArrayLike, ArrayLike]  # periods, s, and accelerations over gravity at a damping of 5 %
+Spectrum = tuple[Any, Any]  # periods, s, and accelerations over gravity at a damping of 5 %
 _RESOLUTION = 20  # steps of a period, from which peaks are too small by 1 % at most
 
 
 def log_ratios(record: Series, periods: Floats, accelerations: Floats) -> Floats:
     """Logarithms of the pseudo-accelerations of a record over others, at periods."""
-    spectrum = [spectral_acceleration(record, period, resolution=_RESOLUTION) for period in periods.tolist()]
-    return np.asarray(np.log(spectrum / accelerations))
+    spectrum = []
+    for period in periods.tolist():
+        spectrum.append(spectral_acceleration(record, period, resolution=_RESOLUTION))
+    ratios = np.array(spectrum) / accelerations
+    return np.log(ratios)
 
 
 def resampled(spectrum: Spectrum, count: int = 30) -> tuple[Floats, Floats]:
     """A spectrum at so many periods, equally far apart on a logarithmic axis, between which it is a power."""
-    periods, accelerations = np.asarray(spectrum, dtype=np.float64)
-    log_periods = np.log(periods)
-    even = np.linspace(log_periods[0], log_periods[-1], count)
-    return np.exp(even), np.exp(np.interp(even, log_periods, np.log(accelerations)))
+    periods, accelerations = np.log(np.asarray(spectrum, dtype=np.float64))
+    even = np.linspace(periods[0], periods[-1], count)
+    between = np.interp(even, periods, accelerations)
+    return np.exp(even), np.exp(between)
 
 
 def misfit(record: Series, target: Spectrum) -> float:
     """Root mean square of the logarithm of a record's spectrum over a target, at periods spread over the target's."""
-    periods, accelerations = resampled(target)
-    return float(np.sqrt(np.mean(log_ratios(record, periods, accelerations) ** 2)))
+    ratios = log_ratios(record, *resampled(target))
+    return float(np.sqrt(np.mean(ratios**2)))
