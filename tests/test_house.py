@@ -247,6 +247,8 @@ DENSITY = {
     "slipcircle/workbench": 12.6,
     "slipcircle/workbench/files": 12.1,
     "slipcircle/workbench/outputs": 12.2,
+    "slipcircle/workbench/records": 12.0,
+    "slipcircle/workbench/suites": 11.8,
 }
 
 
