@@ -67,7 +67,7 @@ class Problem(NamedTuple):
         """The same lanes with a constant horizontal coefficient, initially 0, in place of their shaking."""
         recipe = self.recipe
         shaking = {p.symbol for p in ALL_EFFECTS["shaking"].parameters}
-        with_shaking = in_order({*recipe.effects, "shaking"})
+        with_shaking = in_order(dict.fromkeys((*recipe.effects, "shaking")))
         moving = tuple(symbol for symbol in recipe.moving if symbol not in shaking)
         absent = [symbol for symbol in recipe.absent if symbol not in shaking]
         program = build_program(with_shaking, recipe.laws, moving, (*absent, "k_v"))
