@@ -44,8 +44,9 @@ class RotationTables(NamedTuple):
     @property
     def upright(self) -> Floats:
         """The rotation at which J_r cos(phi) - J_r' sin(phi) falls to 0, (lanes,)."""
-        coefficients = self.section.moment_coefficients
-        return np.ravel(np.arctan2(coefficients.normal_load, coefficients.normal_load_slope))
+        weight = self.section.moment_coefficients
+        upright = np.arctan2(weight.normal_load, weight.normal_load_slope)
+        return np.ravel(upright)
 
     def laid_out(self, reach: float = np.inf) -> dict[str, Data]:
         """Tables up to a rotation, or until contact is lost; beyond, they are constants."""
@@ -61,7 +62,9 @@ class RotationTables(NamedTuple):
         first = last - np.pi if self.upslope else np.zeros_like(last)
         if share_geometry:
             tables = self._of_shared_parts(first, last)
-            return tables if lanes > 1 else {name: _of_one(table) for name, table in tables.items()}
+            if lanes == 1:
+                tables = {name: _of_one(table) for name, table in tables.items()}
+            return tables
 
         def values(rotation: Floats) -> Floats:
             parts = strength.parts(rotation, self.names)
@@ -96,7 +99,8 @@ class RotationTables(NamedTuple):
         jumps = np.zeros(len(breaks))
         tables = {}
         for name, function in self.functions.items():
-            tables[name] = Data(breaks[:, 0], _combined(function, rows, coefficients[..., 0]), jumps)
+            combined = _combined(function, rows, coefficients[..., 0])
+            tables[name] = Data(breaks[:, 0], combined, jumps)
         return tables
 
     def likely_reach(self, friction: Mapping[str, Any]) -> float:
@@ -108,7 +112,8 @@ class RotationTables(NamedTuple):
             return np.inf
         upright = float(self.upright.max())
         rotation = _SHARES[:, None] * upright
-        energy = np.cumsum(self._net_moment(rotation, friction), axis=0)
+        net_moment = self._net_moment(rotation, friction)
+        energy = np.cumsum(net_moment, axis=0)
         if np.any(energy[-1] >= 0.0):
             return np.inf
         stops = np.argmax(energy < 0.0, axis=0)
@@ -143,7 +148,8 @@ class RotationTables(NamedTuple):
         term = self.terms.get(name, 0.0)
         if not isinstance(term, OfRotation):
             return term if np.ndim(term) == 0 else term[sample]
-        circles = self.section.arc_strength.rotation_kinks.shape[1]
+        strength = self.section.arc_strength
+        circles = strength.rotation_kinks.shape[1]
         if circles > 1:
             every = np.broadcast_to(rotation, (len(rotation), circles))
             return term(every)[:, sample]
