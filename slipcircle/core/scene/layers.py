@@ -85,7 +85,9 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         errors = layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland)
         if not errors:
             errors = [f"soils.{soil.name}.{m}" for soil, _ in self.layers for m in soil_mistakes(soil)]
-        raise_all("LayeredSection", errors + rate_mistakes(self.rate))
+        if self.rate is not None:
+            errors += rate_mistakes(self.rate)
+        raise_all("LayeredSection", errors)
         least = 0.0 if np.ndim(self.crack) else -5e-324  # of arrays none is without a crack
         depth = (least, FAR, "a depth of at least 0 in m, in an array above 0")
         raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}))
