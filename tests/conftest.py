@@ -1,5 +1,6 @@
 """What every test starts from, and how the command line is asked in this process."""
 
+import gc
 import json
 import shlex
 from collections.abc import Callable, Iterator
@@ -29,6 +30,11 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         return next((k for k, part in enumerate(LONGEST) if part in item.nodeid), len(LONGEST))
 
     items.sort(key=place)
+
+
+def pytest_collection_finish() -> None:
+    """What is imported by now stays: no later collection looks at all of it again."""
+    gc.freeze()
 
 
 @pytest.fixture(autouse=True)

@@ -151,7 +151,9 @@ def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
         m = oracle.numbers(Arc(**SLOPE))
         a = m["fall"] * mpmath.sin(m["dip"]) - mpf(0.2) * m["press"] * mpmath.cos(m["dip"])
         start = a, mpf(0.2) * m["polar"], mpf(0), mpf(1e9) / m["scale"]
-        turned, omega = oracle.rotation(*start), oracle.angular_velocity(*start)
+        with ctx.workprec(400):
+            balls = [arb(mpmath.nstr(x, 50)) for x in start]
+            turned, omega = (oracle.digits_of(f(*balls)) for f in (oracle.rotation, oracle.angular_velocity))
         return False, (turned * m["radius"], mpf(1e9), omega * m["radius"] / m["scale"])
     if name == "floats":  # a pendulum, whose greatest speed is at its lowest point
         m = oracle.numbers(Arc(**SLOPE))

@@ -6,12 +6,14 @@ measured times.
 """
 
 import base64
+import io
 import json
 import math
 import os
 import sys
 import tempfile
 import warnings
+from collections.abc import Callable
 from dataclasses import replace
 from decimal import Decimal
 from functools import cache, wraps
@@ -26,6 +28,7 @@ import pytest
 from ipykernel.inprocess.manager import InProcessKernelManager
 from matplotlib import pyplot as plt
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 from traitlets.config import Config
 
 import generated
@@ -82,13 +85,26 @@ def executed(source: str) -> list[Any]:
     return outputs
 
 
+@cache
+def blank() -> Any:
+    """The canvas of the smallest picture."""
+    return FigureCanvasAgg(Figure((1, 1), dpi=1))
+
+
+def print_nothing(canvas: Any, target: Any, **more: Any) -> None:
+    """A picture whose layout was done, text by text, by now: that is drawn which only says what it would show."""
+    if canvas.figure.get_layout_engine() is None or "draw" in vars(canvas.figure):  # as where it is laid out
+        undescribed(canvas, io.BytesIO())
+    undescribed(blank(), target, metadata={"Description": "\n".join(described(canvas.figure))})
+
+
 @wraps(undescribed)
 def print_png(canvas: Any, target: Any, **more: Any) -> None:
     """Pictures say in the file what their legends and axes say, as those of commands do."""
     undescribed(canvas, target, **more | {"metadata": {"Description": "\n".join(described(canvas.figure))}})
 
 
-def run(path: Path, first: str = "") -> Any:
+def run(path: Path, first: str = "", draw: Callable[..., None] = print_png) -> Any:
     """The notebook, run from its top, after what is to be run ``first``; nothing volatile is left in it.
 
     Lines of progress are no output: how many there are depends on the machine.
@@ -102,7 +118,7 @@ def run(path: Path, first: str = "") -> Any:
     ):
         patch.setitem(sys.modules, "__main__", sys.modules["__main__"])  # IPython puts its namespace there
         patch.chdir(folder)
-        patch.setattr(FigureCanvasAgg, "print_png", print_png)
+        patch.setattr(FigureCanvasAgg, "print_png", draw)
         patch.setattr(progress, "FIRST", math.inf)
         patch.setattr(progress_of_commands, "_SELDOM", math.inf)
         matplotlib.rcdefaults()
@@ -163,8 +179,9 @@ def printed(notebook: Any, cell_id: str) -> str:
 def test_outputs_are_those_of_a_fresh_run(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for name, value in (QUICK | {"SIZES": (1, 4, 16), "REPEATS": 1, "_PASS": 1e-3}).items():
         monkeypatch.setattr(cost, name, value)
-    # Pictures are drawn once, not a first time to see how large they are.
-    kept, fresh = stored(path.name), run(path, "%config InlineBackend.print_figure_kwargs = {'bbox_inches': None}")
+    # Pictures are laid out once, not a first time to see how large they are.
+    once = "%config InlineBackend.print_figure_kwargs = {'bbox_inches': None}"
+    kept, fresh = stored(path.name), run(path, once, print_nothing)
     stale = "stale; to store fresh outputs: ./run python tests/test_notebooks.py"
     for old, new in zip(kept.cells, fresh.cells, strict=True):
         assert old.id.startswith("timed") or texts(old) == texts(new), f"{path.name}, cell {old.id}: {stale}"

@@ -4,6 +4,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+from flint import acb, arb, ctx
 from mpmath import mpf
 
 from derive.algebra import rules
@@ -30,13 +31,13 @@ def test_every_weight_has_a_stable_form(weight: str) -> None:
     values = program("stable", ("alpha",), found.form).run(np.array(ANGLES))
     n = int(sp.degree(moment.weight, r)) + 1
     for half, value in zip(ANGLES, values.tolist(), strict=True):
-        with mpmath.workdps(110 if half < 1e-8 else 40):  # 1 - chord^n cancels in thin arcs
+        with ctx.workprec(400 if half < 1e-8 else 160):  # 1 - chord^n cancels in thin arcs
 
-            def ring(x: mpf, half: float = half) -> mpf:
-                chord = mpmath.cos(half) / mpmath.cos(half * x)
-                return (1 - chord**n) / n * (mpmath.cos(half * x) if moment.amplitude else 1)
+            def ring(x: acb, _: bool, half: float = half) -> acb:
+                chord = arb(half).cos() / (x * half).cos()
+                return (1 - chord**n) / n * ((x * half).cos() if moment.amplitude else 1)
 
-            true = 2 * mpf(half) * mpmath.quad(ring, [0, 0.5, 0.9, 1])
+            true = 2 * arb(half) * acb.integral(ring, 0, 1).real
             assert abs(value / true - 1) < 16 * 2.0**-53, half
     assert found.power == 3  # every such mass is thin like alpha**3
 

@@ -276,10 +276,12 @@ def test_a_mass_is_one_piece() -> None:
     slope = Slope([(-60, 20), (-30, 20), (-20, 12), (-12, 12), (10, 0), (60, 0)], 10e3, 0.5, 19e3)
     search = Search(slope, "bishop", None, None, 0.0)
     crest, toe = search.along[1], search.along[4]
-    flat, deep = search.evaluate(np.array([[crest, toe, 0.05], [crest, toe, 0.9]])).tolist()
+    flat, deep = search.evaluate(np.array([[crest, toe, 0.05, -1.0], [crest, toe, 0.9, -1.0]])).tolist()
     assert math.isnan(flat)
     assert deep > 0.0
-    _, _, left, right = masses(slope.ground, *search.circles(np.array([[crest, toe, 0.05], [crest, toe, 0.9]]))[:2])
+    _, _, left, right = masses(
+        slope.ground, *search.circles(np.array([[crest, toe, 0.05, -1.0], [crest, toe, 0.9, -1.0]]))[:2]
+    )
     assert left[0, 0] > -20.0  # the flat circle cuts off what lies below the bench alone
     assert left[1] == pytest.approx([-30, 20])
     assert right == pytest.approx(np.array([[10.0, 0.0], [10.0, 0.0]]))
@@ -288,7 +290,7 @@ def test_a_mass_is_one_piece() -> None:
 def test_circles_may_all_be_unwanted() -> None:
     slope = Slope(GROUND, 8e3, tangent(25), 19e3, level=LEVEL)
     search = Search(slope, "bishop", None, None, 50.0)  # all thinner, in a block that has a water level
-    assert np.isnan(search.evaluate(np.array([[10.0, 60.0, 0.3], [12.0, 70.0, 0.2]]))).all()
+    assert np.isnan(search.evaluate(np.array([[10.0, 60.0, 0.3, -1.0], [12.0, 70.0, 0.2, -1.0]]))).all()
 
 
 def test_a_circle_at_the_end_of_the_ground_is_told() -> None:

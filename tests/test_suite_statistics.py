@@ -316,4 +316,4 @@ def test_synthetic_records_have_the_intensity_and_duration_asked_for() -> None:
     with pytest.raises(
         ValueError, match="arias = -1: must be a positive number in m/s; duration = 2000: must be a time in s"
     ):
-        synthetic_records(2, -1.0, 2000.0)
+        synthetic_records(2, -1.0, 2000.0, -3)

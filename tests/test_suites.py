@@ -16,6 +16,7 @@ from scipy.optimize import brentq
 
 from slipcircle import Arc, Scene, Series, ensemble, solve
 from slipcircle.core import Status
+from slipcircle.workbench.records.records import read_record
 from slipcircle.workbench.records.suite import Suite, place_of, read_suite
 from slipcircle.workbench.studies.suitedesign import LANE_RESULTS
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
@@ -55,6 +56,34 @@ def cosmos(record: Series) -> str:
     fields = [f"{981.0 * value:12.6f}" for value in record.values.tolist()]
     lines += ["".join(fields[k : k + 8]) for k in range(0, len(fields), 8)]
     return "\n".join([*lines, "End-of-data for Chan  1 acceleration", ""])
+
+
+def csmip(record: Series) -> str:
+    """Volume 2: for each channel 25 lines of text, 100 integers, 100 reals, acceleration, velocity, displacement."""
+    text = ""
+    for channel, orientation in enumerate(("360 Deg", " Up", " 90 Deg"), 1):
+        lines = [f"Corrected accelerogram   89146-L2500       Chan  {channel}: {orientation}     from"]
+        lines += ["Uncorrected Accelerogram Data             Processed: 02/13/12, CGS  146be002"]
+        lines += ["text"] * 23 + ["    1" * 16] * 6 + ["    1" * 4] + [" 2.5000000" * 8] * 12 + [" 2.5000000" * 4]
+        for kind, unit in (("accel", "cm/sec2"), ("veloc", "cm/sec"), ("displ", "cm")):
+            step = f"{record.time[1]:.3f}".lstrip("0")
+            lines += [f"{record.time.size:6d} points of {kind} data equally spaced at  {step} sec, in {unit}. (8f12.6)"]
+            fields = [f"{981.0 * channel * value:12.6f}" for value in record.values.tolist()]
+            lines += ["".join(fields[k : k + 8]) for k in range(0, len(fields), 8)]
+        text += "\n".join([*lines, f"/&  ---------- End of data for channel  {channel} ----------", ""])
+    return text
+
+
+def smc(record: Series) -> str:
+    """11 lines of text, 48 integers, 50 reals, comments, samples in cm/s^2 in ten columns without blanks."""
+    integers = [-32768] * 15 + [2, record.time.size] + [-32768] * 31
+    reals = [1.7e38, 1.0 / float(record.time[1])] + [1.7e38] * 48
+    lines = ["2 CORRECTED ACCELEROGRAM", *10 * ["*"]]
+    lines += ["".join(f"{value:10d}" for value in integers[k : k + 8]) for k in range(0, 48, 8)]
+    lines += ["".join(f"{value:15.7E}" for value in reals[k : k + 5]) for k in range(0, 50, 5)]
+    fields = [f"{981.0 * value:11.4E}".replace("E-0", "E-").replace("E+0", "E+") for value in record.values.tolist()]
+    samples = ["".join(fields[k : k + 8]) for k in range(0, len(fields), 8)]
+    return "\n".join([*lines, "| 1 2 3", "|", *samples, ""])
 
 
 def two_columns(record: Series) -> str:
@@ -142,6 +171,9 @@ BAD: dict[str, tuple[str, str]] = {
     "unit.csv": ("t (s),a\n0,0.1\n0.1,0.2\n", "units are missing"),
     "notes.txt": ("nothing here\n", "has no line of numbers"),
     "counts.V2c": (cosmos(quake(1)).replace("cm/s^2", "counts"), "units=counts: must be one of g"),
+    "short.V2": (csmip(quake(1))[:6000], "values, but its header says 500"),
+    "raw.smc": (smc(quake(1)).replace("2 C", "1 UNC"), "must be 2 CORRECTED ACCELEROGRAM"),
+    "rate.smc": (smc(quake(1)).replace("1.0000000E+02", "0.0000000E+00"), "line 18: sampling rate = 0.0"),
     "step.V2c": (cosmos(quake(1)).replace("10.000000", "99.000000"), "the real header has no such step"),
 }
 
@@ -202,6 +234,25 @@ def test_a_record_in_a_file_has_the_intensity_measures_of_its_closed_form(tmp_pa
     (row,), absent = of_slammer(tmp_path)
     assert (row.name, absent) == ("Somewhere 1900 ABC-000", [])
     assert [*row.computed] == pytest.approx([*row.published], rel=3e-4)
+
+
+def test_each_channel_of_a_file_is_a_record(tmp_path: Path) -> None:
+    """CSMIP's volume 2 with two horizontal channels and a vertical one, and SMC."""
+    expected = quake(1)
+    (tmp_path / "CE89146.V2").write_text(csmip(expected), "utf-8")
+    (tmp_path / "0111a.smc").write_text(smc(expected), "utf-8")
+    suite = read_suite([tmp_path], holds="driving")
+    factors = {"0111a.smc": 1.0, "CE89146.V2 360": 1.0, "CE89146.V2 90": 3.0}
+    assert [entry.name for entry in suite] == [*factors]
+    assert [[entry.component for entry in pair] for pair in suite.pairs] == [["360", "90"]]
+    assert [entry.name for entry in suite.verticals] == ["CE89146.V2 UP"]
+    for entry in suite:
+        assert entry.record().values == pytest.approx(factors[entry.name] * expected.values, abs=2e-5)
+        assert entry.record().time == pytest.approx(expected.time, abs=1e-12)
+    vertical = read_record(tmp_path / "CE89146.V2", column="up", holds="driving")
+    assert vertical.greatest == pytest.approx(2.0 * 0.35, abs=2e-5)
+    with pytest.raises(ValueError, match=r"several columns of acceleration; give column, one of 1 \(360\), 2 \(UP\)"):
+        read_record(tmp_path / "CE89146.V2", holds="driving")
 
 
 # --- what is solved --------------------------------------------------------------------------------------------------
@@ -373,6 +424,7 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert "no displacement (at most 1 cm) for" in " ".join(out.split())
     assert "corrupt.AT2: holds" in asked(f"{line} --strict")[2]
     assert asked("sweep newmark-pulse --polarities")[0] != 0
+    assert "--samples: no number is uncertain" in asked(f"{line} --samples 3")[2]
 
 
 def test_synthetic_records_written_to_a_folder_give_the_same_bits(tmp_path: Path, asked: Any, said: Any) -> None:

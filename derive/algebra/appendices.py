@@ -103,6 +103,7 @@ def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
     return text
 
 
+@cache
 def parse(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> Expr:
     """Parse the corrected text as an expression in theta_1, theta_2 and alpha; ValueError if that fails."""
     text = mended_text(appendix, leave)

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from slipcircle.core.scene.friction import may_have_rate as may_have_rate
     from slipcircle.core.scene.ground import circle_through as circle_through
     from slipcircle.core.scene.ground import circle_touching as circle_touching
+    from slipcircle.core.scene.ground import continued as continued
     from slipcircle.core.scene.ground import pond_errors as pond_errors
     from slipcircle.core.scene.ground import simple_slope as simple_slope
     from slipcircle.core.scene.ground import slope_errors as slope_errors
@@ -59,7 +60,10 @@ if TYPE_CHECKING:
     from slipcircle.core.scene.soils_along import Stretch as Stretch
     from slipcircle.core.scene.soils_along import mean_normal_stress as mean_normal_stress
     from slipcircle.core.scene.soils_along import stretches as stretches
+    from slipcircle.core.scene.strips import arc_crossings as arc_crossings
+    from slipcircle.core.scene.strips import edge_below as edge_below
     from slipcircle.core.scene.strips import line_crossings as line_crossings
+    from slipcircle.core.scene.strips import meets_circle as meets_circle
     from slipcircle.core.scene.weights import Dimensionless as Dimensionless
 
 # Public names by the module that defines them.
@@ -76,7 +80,7 @@ _PUBLIC = {
     "core.scene.coordinates": "arc_numbers",
     "core.scene.forcing": "STRONGEST in_time",
     "core.scene.friction": "RATE_LAWS friction_at_rest law_depends law_mistakes law_names law_parts may_have_rate",
-    "core.scene.ground": "circle_through circle_touching pond_errors simple_slope slope_errors",
+    "core.scene.ground": "circle_through circle_touching continued pond_errors simple_slope slope_errors",
     "core.scene.layers": "LayeredSection",
     "core.scene.parameters": (
         "DIP SOIL_BOUNDS Parameter parameter_value parameters with_parameter_arrays with_parameters"
@@ -85,7 +89,7 @@ _PUBLIC = {
     "core.scene.section": "Section",
     "core.scene.soils": "Soil datum_of layer_mistakes",
     "core.scene.soils_along": "Stretch mean_normal_stress stretches",
-    "core.scene.strips": "line_crossings",
+    "core.scene.strips": "arc_crossings edge_below line_crossings meets_circle",
     "core.scene.weights": "Dimensionless",
 }
 _MODULES = {name: f"slipcircle.{module}" for module, names in _PUBLIC.items() for name in names.split()}

@@ -60,7 +60,7 @@ def evolved(given: Case, seed: int) -> float:
 
     def judged(q: np.ndarray) -> np.ndarray:
         some = np.sort(q[:2], axis=0)
-        return np.nan_to_num(search.evaluate(np.stack([*some, q[2]], axis=1)), nan=1e6)
+        return np.nan_to_num(search.evaluate(np.stack([*some, q[2], np.full(len(q[2]), -1.0)], axis=1)), nan=1e6)
 
     bounds = [(0.0, total), (0.0, total), (0.005, 1.0)]
     found = differential_evolution(judged, bounds, rng=seed, popsize=40, tol=1e-10, maxiter=400, vectorized=True,

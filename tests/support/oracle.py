@@ -155,88 +155,102 @@ class Reference(NamedTuple):
     sensitivity: mpf
 
 
-def waves(a: mpf, b: mpf, t: mpf) -> tuple[mpf, mpf]:
-    """The two solutions of y'' = a b y with (y, y') = (1, 0) and (0, 1) at t = 0."""
-    k = mpmath.sqrt(abs(a * b))
+def growth(a: arb, b: arb, omega_0: arb, t: arb) -> tuple[arb, arb, arb]:
+    """Of y'' = a b y with y(0) = 1 and y'(0) = b omega_0, without their common factor: y, y'/b, and its logarithm.
+
+    The factor is exp(k t)/2 with k**2 = a b > 0, else 1.
+    """
+    k = abs(a * b).sqrt()
     if k == 0:
-        return mpf(1), t
-    return (mpmath.cosh(k * t), mpmath.sinh(k * t) / k) if a * b > 0 else (mpmath.cos(k * t), mpmath.sin(k * t) / k)
+        return 1 + b * omega_0 * t, omega_0 + a * t, arb(0)
+    if a * b > 0:
+        q = (-2 * k * t).exp()
+        c, s, factor = 1 + q, (1 - q) / k, k * t - arb(2).log()
+    else:
+        c, s, factor = (k * t).cos(), (k * t).sin() / k, arb(0)
+    return c + b * omega_0 * s, omega_0 * c + a * s, factor
 
 
-def alive(a: mpf, b: mpf, omega_0: mpf, t: mpf) -> bool:
-    """Whether the solution reaches t: y, which starts at 1, has not crossed zero."""
-    c, s = waves(a, b, t)
-    return bool(c + b * omega_0 * s > 0) and not (a * b < 0 and mpmath.sqrt(-a * b) * t >= mpmath.pi)
+def alive(a: arb, b: arb, omega_0: arb, t: arb) -> bool | None:
+    """Whether the solution reaches t: y, which starts at 1, has not crossed zero; None if more digits must say."""
+    if a * b < 0 and (-a * b).sqrt() * t >= arb.pi():
+        return False
+    y, _, _ = growth(a, b, omega_0, t)
+    return True if y > 0 else False if y <= 0 else None
 
 
-def angular_velocity(a: mpf, b: mpf, omega_0: mpf, t: mpf) -> mpf:
+def angular_velocity(a: arb, b: arb, omega_0: arb, t: arb) -> arb:
     """omega = y'/(b y), the Riccati equation made linear."""
-    c, s = waves(a, b, t)
-    return (omega_0 * c + a * s) / (c + b * omega_0 * s)
+    y, slope, _ = growth(a, b, omega_0, t)
+    return slope / y
 
 
-def rotation(a: mpf, b: mpf, omega_0: mpf, t: mpf) -> mpf:
+def rotation(a: arb, b: arb, omega_0: arb, t: arb) -> arb:
     """The integral of omega, ln(y)/b."""
     if b == 0:
         return omega_0 * t + a * t**2 / 2
-    c, s = waves(a, b, t)
-    return mpmath.log(c + b * omega_0 * s) / b
+    y, _, factor = growth(a, b, omega_0, t)
+    return (factor + y.log()) / b
 
 
-def angular_acceleration(a: mpf, b: mpf, omega_0: mpf, t: mpf) -> mpf:
+def angular_acceleration(a: arb, b: arb, omega_0: arb, t: arb) -> arb:
     """The equation of motion itself, as its solution solves it: a - b omega**2, and (a - b omega_0**2)/y**2."""
-    c, s = waves(a, b, t)
-    return (a - b * omega_0**2) / (c + b * omega_0 * s) ** 2
+    y, _, factor = growth(a, b, omega_0, t)
+    return (a - b * omega_0**2) * (-2 * factor).exp() / y**2
 
 
-def arrest_time(a: mpf, b: mpf, omega_0: mpf) -> mpf:
+def arrest_time(a: arb, b: arb, omega_0: arb) -> arb:
     """The integral of d(omega)/(-a + b omega**2) from 0 to omega_0."""
     if b == 0:
         return omega_0 / -a
-    k = mpmath.sqrt(-a * b)
-    return mpmath.acot(k / (b * omega_0)) / k if omega_0 else mpf(0)
+    k = (-a * b).sqrt() if a * b < 0 else (a * b).sqrt()
+    return arb.atan(b * omega_0 / k) / k if a * b < 0 else arb.atanh(b * omega_0 / k) / -k
 
 
-def arrest_rotation(a: mpf, b: mpf, omega_0: mpf) -> mpf:
+def arrest_rotation(a: arb, b: arb, omega_0: arb) -> arb:
     """The integral of omega d(omega)/(-a + b omega**2) from 0 to omega_0."""
     if b == 0:
         return omega_0**2 / (-2 * a)
-    return (mpmath.log(b * omega_0**2 - a) - mpmath.log(-a)) / (2 * b)
+    return (1 - b * omega_0**2 / a).log() / (2 * b)
 
 
-MOTION: dict[str, Callable[..., mpf]] = {
+MOTION: dict[str, Callable[..., arb]] = {
     "frozen_angular_velocity": angular_velocity,
     "frozen_rotation": rotation,
     "frozen_angular_acceleration": angular_acceleration,
     "frozen_arrest_time": arrest_time,
     "frozen_arrest_rotation": arrest_rotation,
 }
-_STEP = mpf(2) ** -90  # relative, for the derivatives: 27 digits
+_STEP = arb(2) ** -90  # relative, for the derivatives: 27 digits
+
+
+def digits_of(ball: arb) -> mpf:
+    """The middle of a ball as mpmath's number of 50 digits."""
+    mantissa, exponent = ball.mid().man_exp()
+    with mpmath.workdps(50):
+        return mpmath.ldexp(mpf(int(mantissa)), int(exponent))
 
 
 @cache
 def motion(name: str, *arguments: float) -> Reference | None:
     """A motion formula at exact arguments to 30 digits, with its conditioning; None after the solution has ended.
 
-    The working precision grows until two of them agree.
+    The working precision grows until the balls are as small as that, or nothing beside the smallest double.
     """
     function = MOTION[name]
-    previous: Reference | None = None
-    # Small arguments cost as many digits as their product is below 1: log(1 + tiny). None is silently lost.
-    start = 120 + sum(int(2 * abs(np.log10(abs(x)))) for x in arguments if x)
-    for digits in (start, 2 * start, 4 * start, 8 * start, 16 * start):
-        with mpmath.workdps(digits):
-            x = [mpf(v) for v in arguments]
-            if function in (angular_velocity, rotation, angular_acceleration) and not alive(*x):
+    for bits in (2**k for k in range(9, 17)):
+        with ctx.workprec(bits):
+            x = [exact(v) for v in arguments]
+            lives = "arrest" in name or alive(*x)
+            if lives is False:
                 return None
             value = function(*x)
-            moved = (function(*x[:i], v * (1 + _STEP), *x[i + 1 :]) for i, v in enumerate(x) if v)
-            found = Reference(value, mpmath.fsum(abs(m - value) for m in moved) / _STEP)
-            if previous is not None and all(
-                abs(new - old) <= abs(new) * mpf(10) ** -p for new, old, p in zip(found, previous, (30, 3), strict=True)
-            ):
-                return found
-            previous = found
+            moved = [function(*x[:i], v * (1 + _STEP), *x[i + 1 :]) for i, v in enumerate(x) if v != 0]
+            sensitivity = sum((abs(m - value) for m in moved), arb(0)) / _STEP
+            size = abs(value.mid())
+            small = max(size * arb(2) ** -105, arb(2) ** -1300)
+            if lives and value.rad() <= small and sensitivity.rad() <= max((size + sensitivity.mid()) / 1000, small):
+                return Reference(digits_of(value), digits_of(sensitivity))
     raise ArithmeticError(f"{name}{arguments}: no 30 digits")
 
 

@@ -14,7 +14,8 @@ from slipcircle.base.checks import EPS
 from slipcircle.core.scene.doubledouble import DoubleDouble
 
 Floats = NDArray[np.float64]
-_GAUSS = [((1.0 + x) / 2, w / 2) for x, w in zip(*np.polynomial.legendre.leggauss(slopes.NODES), strict=True)]
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(slopes.NODES)
+_GAUSS = list(zip((1.0 + _NODES) / 2, _WEIGHTS / 2, strict=True))  # of integrals from 0 to 1
 MEASURES = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
 _BLOCK = 1 << 14  # edges at a time: their arrays stay in the cache
 
@@ -42,22 +43,28 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
 
     A vertex as near to a circle as rounding of its coordinates goes lies on it, and parts two stretches.
     """
+    x, y = _from_centre(points, centre)
     edges = np.diff(points, axis=1)
-    x, y = (points[..., k] - centre[:, k, None] for k in (0, 1))
-    u, v = (np.broadcast_to(edges[..., k], (len(radius), edges.shape[1])) for k in (0, 1))
+    of_circles = np.broadcast_to(edges, (len(radius), *edges.shape[1:]))
+    u = of_circles[..., 0]
+    v = of_circles[..., 1]
     clear, inside = _clearances(points, centre, radius)
     start, share = _shares_inside(points, centre, radius, clear, inside)
 
     first_in = inside[:, :-1]
     last_in = inside[:, 1:]
-    through = ~first_in & ~last_in & (share > 0.0)
+    both_outside = ~first_in & ~last_in
+    through = both_outside & (share > 0.0)
     enters = (~first_in & last_in) | through
     leaves = (first_in & ~last_in) | through
     per_r = 1.0 / radius[:, None]
-    gap = np.where(inside, clear, 0.0) * per_r**2
+    inside_by = np.where(inside, clear, 0.0)
+    gap = inside_by * per_r**2
+    first_x = x[:, :-1] + start * u
+    first_y = y[:, :-1] + start * v
     return Cut(
-        x=(x[:, :-1] + start * u) * per_r,
-        y=(y[:, :-1] + start * v) * per_r,
+        x=first_x * per_r,
+        y=first_y * per_r,
         e_x=share * u * per_r,
         e_y=share * v * per_r,
         first=gap[:, :-1],
@@ -82,10 +89,14 @@ def _shares_inside(
     at = np.nonzero(first_in != last_in)
     start[at], share[at] = _with_one_end_inside(at, last_in[at], clear, from_centre, edges)
 
-    before_foot = (from_centre[:, :-1] * edges).sum(axis=2)  # negative where the foot of the perpendicular is ahead
-    foot_on_edge = (before_foot < 0.0) & (before_foot + (edges**2).sum(axis=2) > 0.0)
-    at = np.nonzero(~first_in & ~last_in & foot_on_edge)
-    if at[0].size:
+    first_ends = from_centre[:, :-1]
+    before_foot = (first_ends * edges).sum(axis=2)  # negative where the foot of the perpendicular is ahead
+    square = (edges**2).sum(axis=2)
+    foot_on_edge = (before_foot < 0.0) & (before_foot + square > 0.0)
+    both_outside = ~first_in & ~last_in
+    at = np.nonzero(both_outside & foot_on_edge)
+    lane, _ = at
+    if lane.size:
         start[at], share[at] = _with_both_ends_outside(at, points, centre, radius)
     return start, share
 
@@ -93,17 +104,27 @@ def _shares_inside(
 def _clearances(points: Floats, centre: Floats, radius: Floats) -> tuple[Floats, NDArray[np.bool_]]:
     """R^2 - rho^2 of each vertex, and whether it is inside by more than rounding of coordinates."""
     r = radius[:, None]
-    x, y = (points[..., k] - centre[:, k, None] for k in (0, 1))
+    x, y = _from_centre(points, centre)
     clear = r * r - x * x - y * y
     is_near = np.abs(clear) < 0.1 * r * r
     lane, vertex = np.nonzero(is_near)  # a difference of near equals takes two doubles
-    near = np.broadcast_to(points, (*clear.shape, 2))[lane, vertex]
+    of_circles = np.broadcast_to(points, (*clear.shape, 2))
+    near = of_circles[lane, vertex]
     from_centre = _difference(near, centre[lane])
-    clear[lane, vertex] = _clearance(from_centre, radius[lane]).high
-    greatest_coordinate = np.abs(points).max(axis=2)
-    size = greatest_coordinate + np.abs(centre).max(axis=1)[:, None]
+    accurate = _clearance(from_centre, radius[lane])
+    clear[lane, vertex] = accurate.high
+    of_points = np.abs(points).max(axis=2)
+    of_centre = np.abs(centre).max(axis=1)
+    size = of_points + of_centre[:, None]
     rounding = 32 * EPS * r * (r + size)
     return clear, clear > rounding
+
+
+def _from_centre(points: Floats, centre: Floats) -> tuple[Floats, Floats]:
+    """Coordinates of points (n or 1, V, 2) from the centres of circles (n, 2)."""
+    x = points[..., 0] - centre[:, 0, None]
+    y = points[..., 1] - centre[:, 1, None]
+    return x, y
 
 
 def _with_one_end_inside(
@@ -112,13 +133,17 @@ def _with_one_end_inside(
     """From the end inside: s of D s^2 + 2 b s = g, by the form of the positive root that does not cancel."""
     lane, edge = at
     end_inside = lane, edge + last_in
-    along = np.broadcast_to(edges, (len(clear), *edges.shape[1:]))[at]
+    of_circles = np.broadcast_to(edges, (len(clear), *edges.shape[1:]))
+    along = of_circles[at]
     outward = np.where(last_in, -1.0, 1.0)
-    b = outward * (from_centre[end_inside] * along).sum(axis=1)
+    scalar_product = (from_centre[end_inside] * along).sum(axis=1)
+    b = outward * scalar_product
     d = (along**2).sum(axis=1)
     g = clear[end_inside]
     root = np.sqrt(b * b + d * g)
-    positive_root = np.where(b > 0.0, g / (b + root), (root - b) / d)
+    from_sum = g / (b + root)
+    from_difference = (root - b) / d
+    positive_root = np.where(b > 0.0, from_sum, from_difference)
     share = np.minimum(positive_root, 1.0)
     start = np.where(last_in, 1.0 - share, 0.0)
     return start, share
@@ -138,15 +163,19 @@ def _with_both_ends_outside(at: Any, points: Floats, centre: Floats, radius: Flo
     clearance = _clearance(from_centre, radius[lane])
     discriminant = b * b + d * clearance
     root = np.sqrt(np.maximum(discriminant.high, 0.0))
-    enters_at = (-b.high - root) / d.high
+    square = d.high
+    enters_at = (-b.high - root) / square
     start = np.maximum(enters_at, 0.0)
-    share = np.minimum(2 * root / d.high, 1.0 - start)
+    length = 2 * root / square
+    share = np.minimum(length, 1.0 - start)
     return start, share
 
 
 def _difference(points: Floats, others: Floats) -> tuple[DoubleDouble, DoubleDouble]:
     """Of points (k, 2), its x and y without error."""
-    return DoubleDouble.difference(points[:, 0], others[:, 0]), DoubleDouble.difference(points[:, 1], others[:, 1])
+    x = DoubleDouble.difference(points[:, 0], others[:, 0])
+    y = DoubleDouble.difference(points[:, 1], others[:, 1])
+    return x, y
 
 
 def _clearance(point: tuple[DoubleDouble, DoubleDouble], radius: Floats) -> DoubleDouble:
@@ -164,23 +193,30 @@ def stretches(parts: Cut) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray
     to_end = parts.enters.sum(axis=1) > count
     begins_inside = parts.first[:, 0] > 0.0
     ends_inside = parts.second[:, -1] > 0.0
-    all_inside = begins_inside & ends_inside & ~parts.leaves.any(axis=1)
-    lanes = np.repeat(np.arange(len(count)), count)
+    never_leaves = ~parts.leaves.any(axis=1)
+    all_inside = begins_inside & ends_inside & never_leaves
+    circles = np.arange(len(count))
+    lanes = np.repeat(circles, count)
     before = np.cumsum(count) - count
-    number = np.arange(len(lanes)) - np.repeat(before, count)
-    return lanes, number, from_start | to_end | all_inside
+    first_of_circle = np.repeat(before, count)
+    number = np.arange(len(lanes)) - first_of_circle
+    holds_an_end = from_start | to_end | all_inside
+    return lanes, number, holds_an_end
 
 
 def ends(parts: Cut, number: Any) -> tuple[Floats, Floats]:
     """The left and the right crossing of one stretch for each circle, (2, n) each."""
     mine = parts.stretch == np.asarray(number)[:, None]
+    enters_here = parts.enters & mine
+    leaves_here = parts.leaves & mine
     lane = np.arange(len(parts.x))
-    first = lane, np.argmax(parts.enters & mine, axis=1)
-    last = lane, np.argmax(parts.leaves & mine, axis=1)
+    first = lane, np.argmax(enters_here, axis=1)
+    last = lane, np.argmax(leaves_here, axis=1)
+    left = np.stack([parts.x[first], parts.y[first]])
     right_x = parts.x[last] + parts.e_x[last]
     right_y = parts.y[last] + parts.e_y[last]
-    left = np.stack([parts.x[first], parts.y[first]])
-    return left, np.stack([right_x, right_y])
+    right = np.stack([right_x, right_y])
+    return left, right
 
 
 def moments(parts: Cut, mine: NDArray[np.bool_]) -> dict[str, Floats]:
@@ -199,25 +235,32 @@ def moments(parts: Cut, mine: NDArray[np.bool_]) -> dict[str, Floats]:
 
 def _moments(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
     """The same of one block: short edges by quadrature of their rings, long ones by sectors and triangles."""
+    x = parts.x
+    y = parts.y
     u = np.where(mine, parts.e_x, 0.0)
     v = np.where(mine, parts.e_y, 0.0)
-    first_distance = np.hypot(parts.x, parts.y)
-    second_distance = np.hypot(parts.x + u, parts.y + v)
-    distances = first_distance + second_distance
-    is_long = u * u + v * v > (slopes.REACH * distances) ** 2
+    first_distance = np.hypot(x, y)
+    second_distance = np.hypot(x + u, y + v)
+    reach = slopes.REACH * (first_distance + second_distance)
+    square = u * u + v * v
+    is_long = square > reach**2
     short_u = np.where(is_long, 0.0, u)
     short_v = np.where(is_long, 0.0, v)
     total = _ring_moments(parts, short_u, short_v)
     at = np.nonzero(is_long)
     lane, _ = at
     if lane.size:
-        x, y, u, v = (values[at] for values in (parts.x, parts.y, u, v))
-        cross = x * v - y * u
-        dot = x * (x + u) + y * (y + v)
-        angle = np.arctan2(cross, dot)
-        by_edge = slopes.closed(x, y, u, v, angle)
-        total += np.array([np.bincount(lane, values, len(parts.x)) for values in by_edge])
+        total += _sector_moments(x[at], y[at], u[at], v[at], lane, len(x))
     return total
+
+
+def _sector_moments(x: Floats, y: Floats, u: Floats, v: Floats, lane: Any, count: int) -> Floats:
+    """Of edges (u, v) from (x, y), each of a circle, by the closed forms of sectors and triangles; sums by circle."""
+    cross = x * v - y * u
+    dot = x * (x + u) + y * (y + v)
+    angle = np.arctan2(cross, dot)
+    by_edge = slopes.closed(x, y, u, v, angle)
+    return np.array([np.bincount(lane, values, count) for values in by_edge])
 
 
 def _ring_moments(parts: Cut, u: Floats, v: Floats) -> Floats:
@@ -228,11 +271,13 @@ def _ring_moments(parts: Cut, u: Floats, v: Floats) -> Floats:
     square = u * u + v * v
     totals = np.zeros((len(MEASURES), *u.shape))
     for s, weight in _GAUSS:
-        along_chord = (1.0 - s) * first + s * second
-        gap = along_chord + (s * (1.0 - s)) * square
+        rest = 1.0 - s
+        along_chord = rest * first + s * second
+        gap = along_chord + (s * rest) * square
         rings = np.array(slopes.rings(gap))
+        vectors = rings[3:]
         totals[:5] += weight * rings
-        totals[5:] += (weight * s) * rings[3:]
+        totals[5:] += (weight * s) * vectors
     area, polar, inertia, radial, moment, radial_s, moment_s = totals
     x = parts.x
     y = parts.y
@@ -242,28 +287,34 @@ def _ring_moments(parts: Cut, u: Floats, v: Floats) -> Floats:
     moment_y = moment * y + moment_s * v
     by_edge = np.array([area, polar, inertia, radial_x, radial_y, moment_x, moment_y])
     cross = x * v - y * u
-    return np.asarray((by_edge * cross).sum(axis=2))
+    over_edges = by_edge * cross
+    return np.asarray(over_edges.sum(axis=2))
 
 
 def thickness(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
     """The greatest distance from the arc to the ground towards the centre, for each circle."""
-    square = parts.e_x**2 + parts.e_y**2
-    to_foot = -(parts.x * parts.e_x + parts.y * parts.e_y)  # of the perpendicular from the centre
+    u = parts.e_x
+    v = parts.e_y
+    square = u**2 + v**2
+    to_foot = -(parts.x * u + parts.y * v)  # of the perpendicular from the centre
     on_edge = (to_foot > 0.0) & (to_foot < square)
     share = np.divide(to_foot, square, out=np.zeros(square.shape), where=on_edge)
     rest = 1.0 - share
-    at_foot = rest * parts.first + share * parts.second + share * rest * square
+    along_chord = rest * parts.first + share * parts.second
+    at_foot = along_chord + share * rest * square
     at_ends = np.maximum(parts.first, parts.second)
     gap = np.maximum(at_ends, at_foot)  # 1 - rho^2
     greatest = np.where(mine, gap, 0.0).max(axis=1)
     greatest = np.minimum(greatest, 1.0)
-    return greatest / (1.0 + np.sqrt(1.0 - greatest))
+    least_distance = np.sqrt(1.0 - greatest)
+    return greatest / (1.0 + least_distance)
 
 
 def below_ground(parts: Cut, mine: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Which circles have their centre below the ground of the stretch."""
-    x_2 = parts.x + parts.e_x
-    around_centre = (parts.x <= 0.0) & (x_2 >= 0.0) & (parts.e_x > 0.0)
+    first_x = parts.x
+    second_x = parts.x + parts.e_x
+    around_centre = (first_x <= 0.0) & (second_x >= 0.0) & (parts.e_x > 0.0)
     above_centre = parts.x * parts.e_y <= parts.y * parts.e_x
     is_below = mine & around_centre & above_centre
     return np.any(is_below, axis=1)

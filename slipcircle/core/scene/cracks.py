@@ -16,9 +16,7 @@ from slipcircle.base.series import Floats
 from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.errors import geometry_errors
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.strips import edge_below, meets_circle
-
-_ON_ARC = 1e-9  # over R
+from slipcircle.core.scene.strips import arc_crossings, edge_below
 
 
 class CrackedSection(Section):
@@ -60,13 +58,8 @@ class CrackedSection(Section):
         whole = self._uncracked
         _, centre, radius = whole._circle
         (left, _), (right, _) = whole._ends
-        x = meets_circle(self._lowered_ground)
-        height, _ = edge_below(self._lowered_ground, x, x)
-        depth_of_arc = np.sqrt(np.maximum(1.0 - x * x, 0.0))
-        on_arc = np.abs(height + depth_of_arc) < _ON_ARC
-        beyond_left = x.real > left[:, None].real
-        before_right = x.real < right[:, None].real
-        inside = on_arc & beyond_left & before_right
+        x = arc_crossings(self._lowered_ground)
+        inside = (x.real > left[:, None].real) & (x.real < right[:, None].real)
         from_left = np.where(inside, x, np.inf).min(axis=1)
         from_right = np.where(inside, x, -np.inf).max(axis=1)
         next_to_entry = np.where(whole._facing > 0.0, from_left, from_right)

@@ -19,15 +19,20 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
 
     def at(bad: Any, words: str) -> Fault:
         places = np.argmax(bad, axis=1)
-        return bad.any(axis=1), lambda k: f"{{{name}}}[{places[k]}] = {lines[k, places[k]].tolist()}: {words}"
 
-    yield at(~(np.abs(lines) < FAR).all(axis=2), "must be two finite numbers within 1e9 m")
+        def sentence(k: int) -> str:
+            place = places[k]
+            point = lines[k, place].tolist()
+            return f"{{{name}}}[{place}] = {point}: {words}"
+
+        return bad.any(axis=1), sentence
+
+    is_near = (np.abs(lines) < FAR).all(axis=2)
+    yield at(~is_near, "must be two finite numbers within 1e9 m")
     yield at(~step.any(axis=2), "is equal to the point before it; remove one")
     yield at(step[..., 0] < 0.0, "lies left of the point before it; order them by x")
-    yield (
-        lines[:, -1, 0] == lines[:, 0, 0],
-        lambda _: f"{{{name}}}: all points have the same x; it must extend from left to right",
-    )
+    is_upright = lines[:, -1, 0] == lines[:, 0, 0]
+    yield is_upright, lambda _: f"{{{name}}}: all points have the same x; it must extend from left to right"
 
 
 def points_errors(name: str, given: Any, many: bool) -> list[str]:
@@ -36,11 +41,13 @@ def points_errors(name: str, given: Any, many: bool) -> list[str]:
         points = np.asarray(given)
     except (ValueError, RuntimeError):  # ragged, or nested too deep
         points = np.asarray(None)
-    axes = range(2, 16 if many else 3)
+    most_axes = 15 if many else 2
     shape = points.shape
-    if points.dtype.kind not in "iuf" or points.ndim not in axes or shape[-1] != 2 or shape[-2] < 2:
+    has_axes = 2 <= points.ndim <= most_axes
+    if points.dtype.kind not in "iuf" or not has_axes or shape[-1] != 2 or shape[-2] < 2:
         return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
-    lines = points.reshape(-1, *shape[-2:]).astype(np.float64)
+    one_axis = points.reshape(-1, *shape[-2:])
+    lines = one_axis.astype(np.float64)
     return complaint(line_errors(name, lines), shape[:-2])
 
 
@@ -57,27 +64,34 @@ def continued(lines: Floats, left: Any, right: Any) -> Floats:
 
 def _upper(lines: Floats, x: Floats) -> Floats:
     """Heights of lines (n, V, 2) at x (n, M), the upper one on a scarp; -inf beyond their ends."""
-    x_1, y_1 = np.moveaxis(lines[:, None, :-1], -1, 0)
-    x_2, y_2 = np.moveaxis(lines[:, None, 1:], -1, 0)
+    every_line = lines[:, None]
+    x_1, y_1 = np.moveaxis(every_line[:, :, :-1], -1, 0)
+    x_2, y_2 = np.moveaxis(every_line[:, :, 1:], -1, 0)
     at = x[..., None]
+    run = x_2 - x_1
     rise = y_2 - y_1
     with np.errstate(divide="ignore", invalid="ignore"):
-        share = (at - x_1) / (x_2 - x_1)
+        share = (at - x_1) / run
     upper_end = y_2 > y_1  # of a scarp
     share = np.where(x_2 > x_1, share, upper_end)
     heights = y_1 + share * rise
     on_edge = (x_1 <= at) & (at <= x_2)
-    return np.asarray(np.where(on_edge, heights, -np.inf).max(axis=-1))
+    of_edges = np.where(on_edge, heights, -np.inf)
+    return np.asarray(of_edges.max(axis=-1))
 
 
 def pond_errors(grounds: Floats, levels: Floats) -> Fault:
     """Where water levels (n or 1, W, 2) stand above grounds (n or 1, V, 2), or beside them; and what to say of one."""
     n = max(len(grounds), len(levels))
-    x = np.concatenate([np.broadcast_to(line[..., 0], (n, line.shape[1])) for line in (grounds, levels)], axis=1)
+    of_ground = np.broadcast_to(grounds[..., 0], (n, grounds.shape[1]))
+    of_level = np.broadcast_to(levels[..., 0], (n, levels.shape[1]))
+    x = np.concatenate([of_ground, of_level], axis=1)
     ground = _upper(grounds, x)
     level = _upper(levels, x)
     both = np.isfinite(ground) & np.isfinite(level)
-    excess = np.where(both, level, -np.inf) - np.where(both, ground, 0.0)
+    known_level = np.where(both, level, -np.inf)
+    known_ground = np.where(both, ground, 0.0)
+    excess = known_level - known_ground
     size = np.ptp(grounds, axis=(1, 2))
 
     def sentence(k: int) -> str:
@@ -89,7 +103,9 @@ def pond_errors(grounds: Floats, levels: Floats) -> Fault:
             "{pond}, which factors of safety know and motions do not"
         )
 
-    return ~both.any(axis=1) | (excess.max(axis=1) > 1e-9 * size), sentence
+    lies_beside = ~both.any(axis=1)
+    stands_above = excess.max(axis=1) > 1e-9 * size
+    return lies_beside | stands_above, sentence
 
 
 _WEIGHT = "a positive unit weight in N/m^3"
@@ -122,27 +138,44 @@ def section_errors(given: Mapping[str, Any], axes: Mapping[str, int]) -> list[st
     bounds = _bounds_of(given)
     errors = mistakes(given, bounds, one=("base", "water_unit_weight"))
     if not errors:  # all of them are numbers
-        pair = given["between"]
-        is_pair = pair is None or (np.shape(pair) == (2,) and pair[0] < pair[1])
-        right = {"centre": np.shape(given["centre"])[-1:] == (2,), "between": is_pair}
-        errors = [f"{{{n}}} = {given[n]!r}: must be {bounds[n][2]}" for n in right if not right[n]]
+        errors = _pair_errors(given, bounds)
     errors += _lines_errors(given, many=True)
     if errors:
         return errors
-    shapes = {n: np.shape(given[n]) for n in axes if given[n] is not None}
-    leading = {n: np.empty(shape[: len(shape) - axes[n]]) for n, shape in shapes.items()}
-    return shape_mistakes(leading) or [f"{{{n}}}: is empty" for n, lanes in leading.items() if not np.size(lanes)]
+    leading = {}
+    for name, own_axes in axes.items():
+        if given[name] is not None:
+            shape = np.shape(given[name])
+            leading[name] = np.empty(shape[: len(shape) - own_axes])
+    empty = [f"{{{name}}}: is empty" for name, lanes in leading.items() if not np.size(lanes)]
+    return shape_mistakes(leading) or empty
+
+
+def _pair_errors(given: Mapping[str, Any], bounds: Mapping[str, Bounds]) -> list[str]:
+    """Of the centre, which is two numbers, and of the range of x, which is an increasing pair."""
+    has_two = np.shape(given["centre"])[-1:] == (2,)
+    pair = given["between"]
+    is_pair = pair is None or (np.shape(pair) == (2,) and pair[0] < pair[1])
+    errors = []
+    for name, is_right in (("centre", has_two), ("between", is_pair)):
+        if not is_right:
+            _, _, allowed = bounds[name]
+            errors.append(f"{{{name}}} = {given[name]!r}: must be {allowed}")
+    return errors
 
 
 def _bounds_of(given: Mapping[str, Any]) -> dict[str, Bounds]:
-    optional = ("base", "between")
-    return {n: bounds for n, bounds in _BOUNDS.items() if n in given and not (n in optional and given[n] is None)}
+    """Bounds of the fields that are given."""
+    left_out = {name for name in ("base", "between") if given.get(name) is None}
+    return {name: bounds for name, bounds in _BOUNDS.items() if name in given and name not in left_out}
 
 
 def _lines_errors(given: Mapping[str, Any], many: bool) -> list[str]:
     """Of the ground, and of a level if there is one."""
     errors = points_errors("ground", given["ground"], many)
-    return errors if given["level"] is None else errors + points_errors("level", given["level"], many)
+    if given["level"] is not None:
+        errors += points_errors("level", given["level"], many)
+    return errors
 
 
 def simple_slope(height: float, *, angle: float | None = None, run: float | None = None) -> Floats:
@@ -162,9 +195,13 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
         "run": (-5e-324, INFINITY, "a length of at least 0 in m"),
         "angle": (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)"),
     }
-    given = {n: v for n, v in {"height": height, "run": run, "angle": angle}.items() if v is not None}
-    found = [] if len(given) == 2 else ["{angle} or {run}: give one of them"]
-    raise_all("simple_slope", mistakes(given, {n: bounds[n] for n in given}) + found)
+    fields = {"height": height, "run": run, "angle": angle}
+    given = {name: value for name, value in fields.items() if value is not None}
+    bounds_of_given = {name: bounds[name] for name in given}
+    errors = mistakes(given, bounds_of_given)
+    if len(given) != 2:
+        errors.append("{angle} or {run}: give one of them")
+    raise_all("simple_slope", errors)
     if angle is not None:
         run = 0.0 if angle > 1.5707963 else height / float(np.tan(angle))
     assert run is not None
@@ -206,7 +243,9 @@ def circle_through(
 
 
 def _through_errors(chord: Floats, half: Floats, radius: Any, depth: Any) -> list[str]:
-    errors = ["{radius} or {depth}: give one of them"] if (radius is None) == (depth is None) else []
+    errors = []
+    if (radius is None) == (depth is None):
+        errors.append("{radius} or {depth}: give one of them")
     if np.any(chord[..., 0] == 0.0):
         errors.append("the two points have the same x; a slip circle connects two sides")
     elif radius is not None and np.any(np.asarray(radius) < half):

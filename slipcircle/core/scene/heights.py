@@ -52,10 +52,14 @@ class HeightIntegrals(NamedTuple):
     def integral(self, first: Floats, last: Floats) -> Floats:
         """Over arcs from one angle to another, (..., n)."""
         first, last = _first_turn(first, last)
+        first_angle = first[..., None]
+        last_angle = last[..., None]
         total = np.zeros(np.shape(first))
         together = max(1, _TOGETHER // np.size(first))
         for k in range(0, len(self.edge), together):
-            total += self._parts(slice(k, k + together), first[..., None], last[..., None]).sum(axis=-1)
+            chosen = slice(k, k + together)
+            by_piece = self._parts(chosen, first_angle, last_angle)
+            total += by_piece.sum(axis=-1)
         return total
 
     def _parts(self, chosen: slice, first: Floats, last: Floats) -> Any:
@@ -66,14 +70,18 @@ class HeightIntegrals(NamedTuple):
         slope = self.slope[:, chosen]
         if np.array_equal(start, stop):
             return np.zeros(1)
-        angle = np.where((start <= low) & (stop >= high), span, stop - start)
+        is_whole = (start <= low) & (stop >= high)
+        angle = np.where(is_whole, span, stop - start)
         ahead = start - low
         along = np.sin(ahead)
-        bent = 2 * np.sin(ahead / 2) ** 2
+        half_sine = np.sin(ahead / 2)
+        bent = 2 * half_sine**2
         more_sine = cosine * along - sine * bent
         more_cosine = -sine * along - cosine * bent
+        start_sine = sine + more_sine
+        start_cosine = cosine + more_cosine
         start_height = height + slope * more_sine + more_cosine
-        return slopes.head(angle, sine + more_sine, cosine + more_cosine, start_height, slope)
+        return slopes.head(angle, start_sine, start_cosine, start_height, slope)
 
     def gradient(self, first: Floats, last: Floats) -> Floats:
         """Derivatives of the integral by the vertices of the line of a single circle, ends held, (..., V, 2).
@@ -88,15 +96,20 @@ class HeightIntegrals(NamedTuple):
         stop = np.clip(last[..., None], low, high)
         line_x = self.line[0, :, 0]
         x = line_x[self.edge]
-        run = np.diff(line_x)[self.edge]
+        runs = np.diff(line_x)
+        run = runs[self.edge]
         angle = stop - start
-        second = (np.cos(start) - np.cos(stop) - x * angle) / run
+        sine_integral = np.cos(start) - np.cos(stop)
+        second = (sine_integral - x * angle) / run
         first_one = angle - second
-        direction = np.stack([-self.slope[0], np.ones_like(run)], axis=1)
-        by_vertex = np.zeros((*second.shape[:-1], *self.line.shape[1:]))
+        upwards = np.ones_like(run)
+        direction = np.stack([-self.slope[0], upwards], axis=1)
+        shape = second.shape[:-1]
+        by_vertex = np.zeros((*shape, *self.line.shape[1:]))
         for k, hat in ((0, first_one), (1, second)):
             of_vertex: Any = (..., self.edge + k, slice(None))
-            np.add.at(by_vertex, of_vertex, hat[..., None] * direction)
+            moved = hat[..., None] * direction
+            np.add.at(by_vertex, of_vertex, moved)
         by_vertex[..., 1, :] += by_vertex[..., 0, :]
         by_vertex[..., -2, :] += by_vertex[..., -1, :]
         return by_vertex[..., 1:-1, :]
@@ -105,15 +118,20 @@ class HeightIntegrals(NamedTuple):
         """Height above the arc of a single circle at angles, (...,)."""
         angle, _ = _first_turn(angle, angle)
         beta = angle[..., None]
-        above = (self.pieces.low[0] <= beta) & (beta < self.pieces.high[0])
+        low = self.pieces.low[0]
+        high = self.pieces.high[0]
+        above = (low <= beta) & (beta < high)
         x, y = self.line[0, self.edge].T
-        height = y + self.slope[0] * (np.sin(beta) - x) + np.cos(beta)
+        from_vertex = np.sin(beta) - x
+        height = y + self.slope[0] * from_vertex + np.cos(beta)
         return np.where(above, height, 0.0).sum(axis=-1)
 
 
 def _first_turn(first: Floats, last: Floats) -> tuple[Floats, Floats]:
     """Both ends of arcs turned by whole turns until the first one is within a turn from -3 pi/2."""
-    turns = 2 * np.pi * np.floor((first + 1.5 * np.pi) / (2 * np.pi))
+    turn = 2 * np.pi
+    ahead = (first + 1.5 * np.pi) / turn
+    turns = turn * np.floor(ahead)
     return first - turns, last - turns
 
 
@@ -132,24 +150,28 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     """
     of_circles = np.broadcast_to(points, (len(radius), *points.shape[1:]))
     x = centre[:, 0]
-    points = continued(of_circles, x - 2 * radius, x + 2 * radius)
-    line = (points - centre[:, None]) / radius[:, None, None]
+    beyond = 2 * radius
+    points = continued(of_circles, x - beyond, x + beyond)
+    from_centre = points - centre[:, None]
+    line = from_centre / radius[:, None, None]
     edges = np.diff(points, axis=1)
     slope = _slope(edges[..., 0], edges[..., 1])
-    lower, upper = _halves(cut(points, centre, radius), line, slope)
+    parts = cut(points, centre, radius)
+    lower, upper = _halves(parts, line, slope)
 
     turn = 2 * np.pi
     before = [pieces.turned(-turn) for pieces in upper]
     after = [pieces.turned(turn) for pieces in lower]
     two_turns = [*before, *lower, *upper, *after]
-    columns = [np.concatenate(parts, axis=1) for parts in zip(*two_turns, strict=True)]
-    edge = np.tile(np.arange(slope.shape[1]), len(two_turns))
+    columns = [np.concatenate(column, axis=1) for column in zip(*two_turns, strict=True)]
+    edges_of_line = np.arange(slope.shape[1])
+    edge = np.tile(edges_of_line, len(two_turns))
 
     has_width = _Pieces(*columns).span > 0.0
     used = np.flatnonzero(has_width.any(axis=0))
-    used_pieces = _Pieces(*(column[:, used] for column in columns))
+    used_columns = [column[:, used] for column in columns]
     edge = edge[used]
-    return HeightIntegrals(used_pieces, slope[:, edge], edge, line)
+    return HeightIntegrals(_Pieces(*used_columns), slope[:, edge], edge, line)
 
 
 def _halves(parts: Cut, line: Floats, slope: Floats) -> tuple[list[_Pieces], list[_Pieces]]:
@@ -175,7 +197,8 @@ def _inside(parts: Cut) -> _Pieces:
     With g = 1 - rho^2 of a point, which does not cancel near the circle, the arc below it has cos = sqrt(y^2 + g), and
     the point's height above it is cos + y = g/(cos - y).
     """
-    x, y = parts.x, parts.y
+    x = parts.x
+    y = parts.y
     x_2 = x + parts.e_x
     y_2 = y + parts.e_y
     cosine = np.sqrt(y**2 + parts.first)

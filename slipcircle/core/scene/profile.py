@@ -66,8 +66,10 @@ class Profile(NamedTuple):
         circle = np.arange(inside.shape[1])
         first = edges[piece, circle]
         width = edges[piece + 1, circle] - first
-        share = (inside - first) / np.where(width != 0.0, width, 1.0)
-        place = (4.0 * share - 2.0)[:, :, None, None]  # twice the argument of Chebyshev polynomials
+        divisor = np.where(width != 0.0, width, 1.0)
+        share = (inside - first) / divisor
+        argument = 4.0 * share - 2.0  # of Chebyshev polynomials, twice
+        place = argument[:, :, None, None]
 
         _, integrals, surfaces, _ = self.before.shape
         ahead = np.zeros((*inside.shape, integrals, surfaces), dtype=series.dtype)
@@ -76,7 +78,8 @@ class Profile(NamedTuple):
         for k in range(last_term, 0, -1):  # Clenshaw's recurrence
             coefficient = series[piece, k, :, :, circle]
             ahead, after = coefficient + place * ahead - after, ahead
-        constant = self.before[piece, :, :, circle] + series[piece, 0, :, :, circle]
+        up_to_piece = self.before[piece, :, :, circle]
+        constant = up_to_piece + series[piece, 0, :, :, circle]
         total = constant + place / 2 * ahead - after
         return np.moveaxis(total, (2, 3), (0, 1))
 
@@ -128,7 +131,8 @@ def _converged(strips: Strips) -> list[_Piece]:
     scale = 0.0
     while len(strip):
         half = (last - first) / 2
-        nodes = first + half * (1.0 + _NODES[:, None, None])
+        from_first = 1.0 + _NODES[:, None, None]
+        nodes = first + half * from_first
         values = half * _integrands(strips, strip, nodes)
         chebyshev = np.tensordot(_TO_CHEBYSHEV, values, (1, 2))  # terms, integrals, surfaces, pieces, circles
         size = np.abs(chebyshev)
@@ -139,7 +143,8 @@ def _converged(strips: Strips) -> list[_Piece]:
         rough = is_truncated & is_long
         smooth = ~rough
 
-        series = np.tensordot(_INTEGRAL, values[:, :, :, smooth], (1, 2))
+        smooth_values = values[:, :, :, smooth]
+        series = np.tensordot(_INTEGRAL, smooth_values, (1, 2))
         by_piece = series.transpose(3, 0, 1, 2, 4)
         done += map(_Piece, first[smooth], last[smooth], by_piece)
         middle = (first + last)[rough] / 2
@@ -156,16 +161,20 @@ def _integrands(strips: Strips, strip: NDArray[np.intp], beta: Floats) -> Floats
     edges = strips.x.T
     left = edges[strip]
     beyond = x - left
-    y = _by_strip(strips.y, strip) + _by_strip(strips.slope, strip) * beyond
+    at_left = _by_strip(strips.y, strip)
+    slope = _by_strip(strips.slope, strip)
+    y = at_left + slope * beyond
     height = y + c
     is_above = _by_strip(strips.above, strip) & (height > 0.0)
-    columns = _over_height(x, c, np.where(is_above, height, 0.0))
+    height = np.where(is_above, height, 0.0)
+    columns = _over_height(x, c, height)
     if strips.loads:
         middle = (left + edges[strip + 1]) / 2
         ground, *_ = strips.y
-        slope, *_ = strips.slope
-        on_ground = ground.T[strip] + slope.T[strip] * beyond
-        columns = np.concatenate([columns, _of_loads(strips, x, on_ground, middle)], axis=1)
+        ground_slope, *_ = strips.slope
+        on_ground = ground.T[strip] + ground_slope.T[strip] * beyond
+        of_loads = _of_loads(strips, x, on_ground, middle)
+        columns = np.concatenate([columns, of_loads], axis=1)
     return np.asarray(columns * c)
 
 
@@ -174,12 +183,15 @@ def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
     gap = h * (2.0 * c - h)  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
     inward = gap / (1.0 + rho)  # 1 - rho
-    log = np.log1p((inward + h) / (rho + c - h))
+    to_top = rho + c - h
+    log = np.log1p((inward + h) / to_top)
     square = x * x
+    polar = h * rho + c * inward + square * log
+    mean_square = square + (h * h - 3.0 * c * h) / 3 + c * c
     rows = {
         AREA: h,
-        POLAR: (h * rho + c * inward + square * log) / 2,
-        INERTIA: h * (square + (h * h - 3.0 * c * h) / 3 + c * c),
+        POLAR: polar / 2,
+        INERTIA: h * mean_square,
         RADIAL_X: x * log,
         RADIAL_Y: -inward,
         MOMENT_X: x * h,
@@ -199,12 +211,16 @@ def _of_loads(strips: Strips, x: Floats, y: Floats, middle: Floats) -> Floats:
     pressures = []
     for load in strips.loads:
         first, last = (end[:, 0] for end in load)
-        share = (x - first) / (last - first)
+        width = last - first
+        share = (x - first) / width
         under = (middle > first) & (middle < last)
         falling = np.where(under, 1.0 - share, 0.0)
         rising = np.where(under, share, 0.0)
         pressures += [falling, rising]
     rho = np.sqrt(x * x + y * y)
-    integrands = (1.0, rho, rho * rho, x / rho, y / rho, x, y, 0.0)
+    across = x / rho
+    up = y / rho
+    integrands = (1.0, rho, rho * rho, across, up, x, y, 0.0)
     values = np.stack(np.broadcast_arrays(*integrands))
-    return np.asarray(values[:, None] * np.stack(pressures))
+    every_pressure = np.stack(pressures)
+    return np.asarray(values[:, None] * every_pressure)

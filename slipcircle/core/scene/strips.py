@@ -22,6 +22,7 @@ from slipcircle.core.scene.ground import continued
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 _THIN = 1e-14  # narrower strips are rounding
+_ON_ARC = 1e-9
 
 
 @dataclass(frozen=True)
@@ -168,6 +169,18 @@ def meets_circle(line: Floats) -> Floats:
         x = np.where(on_edge, at_crossing, first_x)
         crossings.append(x)
     return np.concatenate(crossings, axis=1)
+
+
+def arc_crossings(line: Floats) -> Floats:
+    """x where the edges of lines cross the lower half of the unit circle, (n, 2 E); NaN of an edge that does not.
+
+    Lines are (n, V, 2), from the centre, over R.
+    """
+    x = meets_circle(line)
+    height, _ = edge_below(line, x, x)
+    depth_of_arc = np.sqrt(np.maximum(1.0 - x * x, 0.0))
+    on_arc = np.abs(height + depth_of_arc) < _ON_ARC
+    return np.where(on_arc, x, np.nan)
 
 
 def line_crossings(one: Floats, other: Floats) -> Floats:

@@ -20,7 +20,7 @@ from slipcircle.workbench.suites.synthetic import synthetic_records, write_recor
 
 Floats = NDArray[np.float64]
 HELP = "earthquake records of files and folders with their intensity measures, or synthetic ones for a folder"
-FORMATS = "files and folders of records: AT2, ESM, K-NET, COSMOS, and tables of numbers, mixed"
+FORMATS = "files and folders of records: AT2, ESM, K-NET, COSMOS, CSMIP, SMC, and tables of numbers, mixed"
 
 
 def options(parser: argparse.ArgumentParser) -> None:

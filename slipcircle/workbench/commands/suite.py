@@ -61,6 +61,8 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
     of_records = {"records": suite, "polarities": options.polarities} | scales
     if not options.samples:
         scene = replace(scene, uncertain={})
+    elif not scene.uncertain:
+        raise ValueError("sweep: --samples: no number is uncertain; give --uncertain, or leave it out")
     found: SuiteStudy = ensemble(scene, options.samples or 1, **sampling, **of_records)
     return found
 

@@ -1,7 +1,8 @@
-"""Headers of files without times: PEER's AT2, ESM's, K-NET's and COSMOS' ASCII; and what files may hold."""
+"""Headers of files without times (PEER's AT2, ESM, K-NET, COSMOS, CSMIP, SMC), and quantities that files hold."""
 
 import re
 from collections.abc import Mapping
+from itertools import pairwise
 from typing import NamedTuple
 
 from slipcircle.base.checks import INFINITY
@@ -42,7 +43,7 @@ ACCELERATION = Quantity(
     _SAME,
     f"{', '.join(UNITS)}, gal",
     "(?:[cm]?m_s2)|g|gal",
-    "CSV, AT2, or ESM's, K-NET's or COSMOS' ASCII",
+    "CSV, AT2, or the text of ESM, K-NET, COSMOS, CSMIP or SMC",
 )
 PORE_PRESSURE = Quantity(
     "pore pressure",
@@ -190,6 +191,58 @@ def _cosmos_reals(first: list[str]) -> dict[int, float]:
     return {}
 
 
+_CSMIP_DATA = re.compile(
+    r"\s*(?P<samples>\d+)\s+points of accel data equally spaced at\s*(?P<step>[\d.]+)\s*sec[,.\s]*"
+    r"(?:in\s+(?P<units>[^\s,(]+))?(?:.*\(\s*\d*f(?P<width>\d+))?",
+    re.IGNORECASE,
+)
+
+
+def _csmip(name: str, first: list[str]) -> Header | None:
+    """CSMIP volume 2 (Shakal and Huang 1985): text, integers and reals, then a line that describes the samples."""
+    described = ((k, m) for k, line in enumerate(first, 1) if (m := _CSMIP_DATA.match(line)))
+    head, data = next(described, (0, None))
+    if data is None:
+        return None
+    units = (data["units"] or "cm/sec2").rstrip(".")
+    unit = unit_of(units)
+    step = float(data["step"])
+    if unit is None or not step > 0.0:
+        raise ValueError(
+            f"{name}, line {head}: {first[head - 1].strip()!r}: must give a positive step and one of "
+            f"{ACCELERATION.choice}"
+        )
+    return Header(head, int(data["samples"]), step, unit, width=int(data["width"] or 10))
+
+
+_SMC_TEXT, _SMC_INTEGERS, _SMC_REALS = 11, 6, 10  # lines
+_SMC_COMMENTS, _SMC_SAMPLES, _SMC_RATE = 15, 16, 1  # places in the integers and reals, from 0
+
+
+def _smc(name: str, first: list[str]) -> Header | None:
+    """SMC of the U.S. Geological Survey: text, integers (8I10), reals (5E15.7), comments, samples in cm/s^2."""
+    kind = re.match(r"\s*[1-6] (UNCORRECTED|CORRECTED|VELOCITY|DISPLACEMENT|RESPONSE|FOURIER)\b", first[0])
+    if kind is None:
+        return None
+    if kind[1] != "CORRECTED":
+        raise ValueError(f"{name}: holds {first[0].strip()!r}: must be 2 CORRECTED ACCELEROGRAM; take that file")
+    reals_from = _SMC_TEXT + _SMC_INTEGERS
+    samples_from = reals_from + _SMC_REALS
+    integers = fixed_columns(first[_SMC_TEXT:reals_from], 10)
+    reals = fixed_columns(first[reals_from:samples_from], 15)
+    try:
+        comments, samples = int(integers[_SMC_COMMENTS]), int(integers[_SMC_SAMPLES])
+        rate = float(reals[_SMC_RATE])
+    except (IndexError, ValueError) as error:
+        counts = "the numbers of comments and samples, the 16th and 17th integer below line 11"
+        raise ValueError(
+            f"{name}: its header must have {counts}, and the samples a second, the second number of line 18"
+        ) from error
+    if not 0.0 < rate < 1e5:
+        raise ValueError(f"{name}, line {reals_from + 1}: sampling rate = {rate!r}: must be a positive rate in 1/s")
+    return Header(samples_from + max(comments, 0), samples, 1.0 / rate, "cm/s2", width=10)
+
+
 def fixed_columns(rows: list[str], width: int) -> list[str]:
     """The fields of rows of fixed width, which need no blanks between them; a row ends with its last character."""
     plain = [row.rstrip() for row in rows]
@@ -204,8 +257,30 @@ def header_of(name: str, first: list[str]) -> tuple[str, Header] | None:
     ValueError
         Where the header is damaged, or of what is no acceleration.
     """
-    kinds = {"an AT2 file": _at2, "an ESM file": _esm, "a K-NET file": _knet, "a COSMOS file": _cosmos}
+    kinds = {
+        "an AT2 file": _at2,
+        "an ESM file": _esm,
+        "a K-NET file": _knet,
+        "a COSMOS file": _cosmos,
+        "a CSMIP file": _csmip,
+        "an SMC file": _smc,
+    }
     for kind, read in kinds.items():
         if header := read(name, first):
             return kind, header
     return None
+
+
+_CHANNEL = re.compile(r"^[ \t]*corrected accel", re.IGNORECASE | re.MULTILINE)
+_ORIENTATION = re.compile(r"\bchan\w*\s*\d+:\s*(\d+(?=\s*deg)|[a-z]\w*)", re.IGNORECASE)
+
+
+def channels(text: str) -> list[tuple[str, str]]:
+    """The channels of a file of COSMOS or CSMIP, each with its orientation or number; others are one channel."""
+    starts = [start.start() for start in _CHANNEL.finditer(text)]
+    if len(starts) < 2:
+        return [("", text)]
+    parts = [text[start:end] for start, end in pairwise([*starts, len(text)])]
+    orientations = (_ORIENTATION.search(part[:2000]) for part in parts)
+    names = [match[1].upper() if match else str(k) for k, match in enumerate(orientations, 1)]
+    return list(zip(names, parts, strict=True))

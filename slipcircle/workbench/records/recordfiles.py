@@ -12,7 +12,15 @@ from numpy.typing import NDArray
 
 from slipcircle.base.checks import InputError
 from slipcircle.base.series import Floats
-from slipcircle.workbench.records.headers import ACCELERATION, Header, Quantity, fixed_columns, header_of, unit_of
+from slipcircle.workbench.records.headers import (
+    ACCELERATION,
+    Header,
+    Quantity,
+    channels,
+    fixed_columns,
+    header_of,
+    unit_of,
+)
 
 MOST_BYTES = 2**30
 
@@ -47,7 +55,12 @@ def _text(quantity: Quantity, path: Path, name: str) -> str:
 
 def parse(quantity: Quantity, name: str, path: Path, column: int | str | None, step: float | None) -> Samples:
     """Read a file of the kind that its first lines indicate."""
-    text = _text(quantity, path, name)
+    parts = channels(_text(quantity, path, name))
+    chosen = 0
+    if len(parts) > 1:
+        chosen = _column(quantity, name, column, [component for component, _ in parts], [*range(len(parts))])
+        name, column = f"{name}, channel {chosen + 1}", None
+    text = parts[chosen][1]
     headed = header_of(name, _first_lines(text)) if quantity is ACCELERATION else None
     if headed is None:
         samples = _table(quantity, name, text, column, step)
@@ -78,7 +91,10 @@ class Component(NamedTuple):
 
 def components(name: str, path: Path, step: float | None) -> list[Component]:
     """The records of acceleration in a file; the step is for files without times."""
-    text = _text(ACCELERATION, path, name)
+    parts = channels(_text(ACCELERATION, path, name))
+    if len(parts) > 1:
+        return [Component(component, place) for place, (component, _) in enumerate(parts, 1)]
+    text = parts[0][1]
     if header_of(name, _first_lines(text)):
         return [Component()]
     head = _table_head(ACCELERATION, name, text)
@@ -118,7 +134,7 @@ def _wrapped(name: str, text: str, header: Header) -> Samples:
 def _fixed(name: str, text: str, header: Header) -> tuple[Floats, NDArray[np.int64]]:
     """Values as of `_values` from columns of fixed width, up to the line that ends the samples."""
     below = text.split("\n")[header.lines :]
-    ends = (k for k, line in enumerate(below) if line.lstrip().lower().startswith("end"))
+    ends = (k for k, line in enumerate(below) if re.match(r"\s*(?:end|\d+ points of )", line, re.IGNORECASE))
     end = next(ends, len(below))
     if any(" acceleration pts" in line.lower() for line in below[end:]):
         raise ValueError(f"{name}: holds several channels; save each in a file")

@@ -38,10 +38,12 @@ def read_record(
     """An acceleration record as shaking: driving acceleration over gravity, zero before and after.
 
     Reads PEER's AT2 (NPTS and DT in the header, values in g), ESM's ASCII (SAMPLING_INTERVAL_S, NDATA and UNITS in
-    the header), K-NET's and KiK-net's ASCII (Scale Factor in the header; the mean is taken off the counts), one channel
-    in COSMOS' format (V1.20, step in the real header), and tables of numbers after any header lines: separated by
-    commas, semicolons, tabs or blanks, with a column of time and one or more of acceleration, or with a fixed ``step``
-    one column, or values along the lines. Lines that begin with #, % or ! are comments.
+    the header), K-NET's and KiK-net's ASCII (Scale Factor in the header; the mean is taken off the counts), COSMOS'
+    format (V1.20, step in the real header) and CSMIP's volume 2 (``column`` chooses one of several channels, by its
+    place from 1 or its orientation), corrected SMC of the U.S. Geological Survey, and tables of numbers after any
+    header lines: separated by commas, semicolons, tabs or blanks, with a column of time and one or more of
+    acceleration, or with a fixed ``step`` one column, or values along the lines. Lines that begin with #, % or ! are
+    comments.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Downhill to the least values of circles, many valleys at once: grids of neighbours, and parabolas through them."""
+"""Descent to the least values of circles, many valleys at once: grids of neighbours, and parabolas through them."""
 
 from __future__ import annotations
 
@@ -35,7 +35,8 @@ class Descent:
     @property
     def unfinished(self) -> Any:
         """Numbers of the circles whose steps are not yet small."""
-        return np.flatnonzero(np.any(self._step > _FINEST * self._first_step, axis=1))
+        is_coarse = self._step > _FINEST * self._first_step
+        return np.flatnonzero(np.any(is_coarse, axis=1))
 
     def proposals(self) -> Floats:
         """Of each unfinished circle those a step away in some of its numbers, itself, and the least of parabolas."""
@@ -43,63 +44,74 @@ class Descent:
         grid = _OFFSETS * self._step[live, None, :3]
         away = np.concatenate([grid, self._leaps[live]], axis=1)
         near = np.repeat(self.q[live, None], away.shape[1], axis=1)
+        numbers = near[..., :3]
+        numbers += away
         least = [0.0, 0.0, _LEAST_SHARE]
-        near[..., :3] = np.clip(near[..., :3] + away, least, self._greatest)
+        np.clip(numbers, least, self._greatest, out=numbers)
         return near
 
     def move(self, near: Floats, values: Floats) -> None:
         """Go to the best proposals, and choose the next steps; leave what is far above the least of all."""
         live = self.unfinished
-        least = np.argmin(values, axis=1)
         rows = np.arange(len(live))
-        lowest = values[rows, least]
+        chosen = np.argmin(values, axis=1)
+        lowest = values[rows, chosen]
         before = self.best[live]
         better = lowest + 1e-13 * np.abs(lowest) < before
         with np.errstate(invalid="ignore"):
-            counts = before - lowest > _GAIN * np.abs(lowest)
-        target = np.where(better[:, None], near[rows, least], self.q[live])
-        back = (self.q[live] - target)[:, None, :3]
+            gains = before - lowest > _GAIN * np.abs(lowest)
+        middle = self.q[live]
+        target = np.where(better[:, None], near[rows, chosen], middle)
+        to_middle = (middle - target)[:, None, :3]
+        self.q[live] = target
+        self.best[live] = np.where(better, lowest, before)
+
         on_grid = values[:, : len(_OFFSETS)]
         leaps = _leaps(on_grid)
         step = self._step[live, None, :3]
-        self._leaps[live] = back + leaps * step
-        self.q[live] = target
-        self.best[live] = np.where(better, lowest, before)
-        leapt = least >= len(_OFFSETS)
-        on_rim = counts & ~leapt & (least != _MIDDLE)
-        in_all_numbers = leaps[:, -1]
-        short = np.all(np.abs(in_all_numbers) < 1.0, axis=1)
-        smooth = short & np.any(in_all_numbers, axis=1)
-        self._scale_steps(live, on_rim, smooth | (better & leapt))
+        self._leaps[live] = to_middle + leaps * step
+        by_leap = chosen >= len(_OFFSETS)
+        on_rim = gains & ~by_leap & (chosen != _MIDDLE)
+        smooth = _is_smooth(leaps) | (better & by_leap)
+        self._scale_steps(live, on_rim, smooth)
 
     def _scale_steps(self, live: Any, on_rim: Any, smooth: Any) -> None:
         """Greater steps where the best neighbour is on the rim of a grid, none where a circle is hopeless."""
         shrink = np.where(smooth, _SHRINK_SMOOTH, _SHRINK)
         scale = np.where(on_rim, _GROWTH, shrink)
         step = self._step[live] * scale[:, None]
-        self._step[live] = np.minimum(step, self._first_step[live])
+        greatest = self._first_step[live]
+        self._step[live] = np.minimum(step, greatest)
         least_of_all = self.best.min()
         range_of_hope = _HOPELESS * max(abs(least_of_all), 0.1)
         hopeless = self.best > least_of_all + range_of_hope
         self._step[hopeless] = 0.0
 
 
+def _is_smooth(leaps: Floats) -> Any:
+    """Where the parabola in all numbers is least within its grid, and not in the middle, (n,)."""
+    in_all_numbers = leaps[:, -1]
+    within_grid = np.all(np.abs(in_all_numbers) < 1.0, axis=1)
+    return within_grid & np.any(in_all_numbers, axis=1)
+
+
 def _leaps(values: Floats) -> Floats:
     """Steps from the middle of grids to the least points of parabolas, (n, subsets, 3), along some of the axes each.
 
-    The others stay: factors have kinks where an end passes a vertex of the ground, and no values beyond limits.
+    A step x solves H x = -g, g and H the gradient and the curvature along these axes. It stays 0 along the others:
+    factors have kinks where an end passes a vertex of the ground, and no values beyond limits.
     """
     gradient, curvature = _derivatives(values.reshape(-1, 3, 3, 3))
-    alone = np.eye(3, dtype=bool)
+    identity = np.eye(3, dtype=bool)
     both = _SUBSETS[:, :, None] & _SUBSETS[:, None, :]
-    system = np.where(both, curvature[:, None], alone)
+    system = np.where(both, curvature[:, None], identity)
     right = np.where(_SUBSETS, -gradient[:, None], 0.0)
     known = np.all(np.isfinite(system), axis=(2, 3))
     known &= np.all(np.isfinite(right), axis=2)
-    system = np.where(known[..., None, None], system, alone)
+    system = np.where(known[..., None, None], system, identity)
     eigenvalues = np.linalg.eigvalsh(system)
     convex = known & np.all(eigenvalues > 0.0, axis=2)
-    system = np.where(convex[..., None, None], system, alone)
+    system = np.where(convex[..., None, None], system, identity)
     right = np.where(convex[..., None], right, 0.0)
     leaps = np.linalg.solve(system, right[..., None])[..., 0]
     short = np.clip(leaps, -2.0, 2.0)
@@ -119,9 +131,14 @@ def _derivatives(grid: Floats) -> tuple[Floats, Floats]:
             curvature[:, i, i] = ahead - 2 * here + behind
             for j in range(i):
                 plane = np.moveaxis(grid, (i + 1, j + 1), (-2, -1))[:, 1]
-                alike = plane[:, 2, 2] + plane[:, 0, 0]
-                opposed = plane[:, 2, 0] + plane[:, 0, 2]
-                mixed = (alike - opposed) / 4
+                mixed = _mixed_derivative(plane)
                 curvature[:, i, j] = mixed
                 curvature[:, j, i] = mixed
     return gradient, curvature
+
+
+def _mixed_derivative(plane: Floats) -> Floats:
+    """In the middle of grids (n, 3, 3), by their corners."""
+    equal_signs = plane[:, 2, 2] + plane[:, 0, 0]
+    opposite_signs = plane[:, 2, 0] + plane[:, 0, 2]
+    return np.asarray((equal_signs - opposite_signs) / 4)

@@ -8,10 +8,10 @@ import numpy as np
 
 from generated import slopes
 from slipcircle.base.series import Floats
-from slipcircle.workbench.stability.columns import Edges, SlopeArrays, edges_of, height_at
-from slipcircle.workbench.stability.slices import NODES, Arcs, Slices, meeting_points, slices_above
+from slipcircle.core import arc_crossings
+from slipcircle.workbench.stability.columns import SlopeArrays
+from slipcircle.workbench.stability.slices import NODES, Arcs, Slices, angle_from_below, slices_above
 
-METHOD_NAMES = ("paper", "ordinary", "bishop")
 YIELD = "k_y"  # least yield coefficient, in the place of a method
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is meaningless
 _LEAST_FACTOR = 5e-3  # by Bishop's method
@@ -27,11 +27,6 @@ class _Driven(NamedTuple):
     facing: Floats  # 1 where the mass slides to the right, -1 to the left, 0 where nothing drives it
     gravity: Floats  # its moment, NaN where nothing slides
     driving: Floats  # with k_h
-
-    @property
-    def length(self) -> Floats:
-        """Angle of the arcs."""
-        return self.slices.integral(1.0)
 
 
 def circle_factors(
@@ -66,12 +61,13 @@ def circle_factors(
     """
     driven = _driven(slope, centre, radius, left, right, pieces)
     slices = driven.slices
-    found = {method: _value(driven, method) for method in (*METHOD_NAMES, YIELD)}
-    ordinary = slices.integral(slices.ordinary_normal() < 0.0)
-    bishop = slices.integral(_bishop_normal(slices, found["bishop"]) < 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        negative = np.maximum(ordinary, bishop) / driven.length
-    return found | {"facing": driven.facing, "negative": negative}
+        factors = {method: value(driven) for method, value in _VALUES.items()}
+    ordinary = slices.integral(slices.ordinary_normal() < 0.0)
+    bishop = slices.integral(_bishop_normal(slices, factors["bishop"]) < 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        negative = np.maximum(ordinary, bishop) / slices.integral(1.0)
+    return factors | {"facing": driven.facing, "negative": negative}
 
 
 def factors_by(
@@ -79,13 +75,8 @@ def factors_by(
 ) -> tuple[Floats, Floats]:
     """Factors by one method, or yield coefficients, and which way each mass slides."""
     driven = _driven(slope, centre, radius, left, right, 1, nodes)
-    return _value(driven, method), driven.facing
-
-
-def _value(driven: _Driven, method: str) -> Floats:
-    by_method = {"paper": _paper, "ordinary": _ordinary, "bishop": _bishop, YIELD: _yield_coefficient}
     with np.errstate(divide="ignore", invalid="ignore"):
-        return by_method[method](driven)
+        return _VALUES[method](driven), driven.facing
 
 
 # --- what drives -----------------------------------------------------------------------------------------------------
@@ -100,7 +91,8 @@ def _driven(
     slices = slices_above(slope, arcs, pieces, _NODES_TO_FACE if cracked else nodes)
     gravity = slices.driving_moment()
     negligible = 1e-9 * slices.weight_along_arc()
-    facing = np.where(np.abs(gravity) > negligible, np.sign(gravity), 0.0)
+    is_driven = np.abs(gravity) > negligible
+    facing = np.where(is_driven, np.sign(gravity), 0.0)
     if cracked:
         arcs = _cracked(slope, arcs, facing)
         slices = slices_above(slope, arcs, pieces, nodes)
@@ -108,40 +100,52 @@ def _driven(
     slices = slices.facing(facing)
     upper_end = np.where(facing > 0.0, arcs.first, arcs.last)
     gravity = facing * gravity + _crack_water(slope, radius, upper_end)
-    driving = gravity + slope.k_h * slices.shaking_moment() if np.any(slope.k_h) else gravity
+    driving = gravity
+    if np.any(slope.k_h):
+        driving = gravity + slope.k_h * slices.shaking_moment()
     slides = arcs.valid & (facing != 0.0)
-    driving = np.where(slides & (driving > negligible), driving, np.nan)
-    return _Driven(slices, facing, np.where(slides, gravity, np.nan), driving)
+    gravity = np.where(slides, gravity, np.nan)
+    overcomes = slides & (driving > negligible)
+    return _Driven(slices, facing, gravity, np.where(overcomes, driving, np.nan))
 
 
 def _arcs(slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Arcs:
     """Arcs between two points, valid if nowhere steeper than upright and with the centre above the ground."""
-    first, last = (np.arctan2(p[:, 0] - centre[:, 0], centre[:, 1] - p[:, 1]) for p in (left, right))
-    upright = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
-    below_ground = (first < 0.0) & (last > 0.0) & (height_at(slope.ground, centre[:, 0]) >= centre[:, 1])
-    return Arcs(centre, radius, first, last, upright & ~below_ground)
+    first = angle_from_below(centre, left)
+    last = angle_from_below(centre, right)
+    overhangs = (first < -np.pi / 2) | (last > np.pi / 2)
+    lies_below_centre = (first < 0.0) & (last > 0.0)
+    x, y = centre.T
+    buried = lies_below_centre & (slope.ground_height(x) >= y)
+    valid = (first < last) & ~overhangs & ~buried
+    return Arcs(centre, radius, first, last, valid)
 
 
 def _cracked(slope: SlopeArrays, arcs: Arcs, facing: Floats) -> Arcs:
     """Arcs that begin at the bottom of a tension crack: where the ground is its depth above them."""
     depth = np.reshape(slope.crack, (-1, 1))
-    bottom = slope.ground - np.stack(np.broadcast_arrays(0.0, depth), axis=-1)
-    angles = np.arcsin(meeting_points(Edges(*edges_of(bottom)), arcs))
+    down = np.stack([np.zeros_like(depth), depth], axis=-1)
+    lowered_ground = slope.lines[0] - down
+    sines = arc_crossings(arcs.from_centre(lowered_ground))
+    with np.errstate(invalid="ignore"):
+        angles = np.arcsin(sines)
     between = (angles > arcs.first[:, None]) & (angles < arcs.last[:, None])
     from_left = np.where(between, angles, np.inf).min(axis=1)
     from_right = np.where(between, angles, -np.inf).max(axis=1)
     first = np.where(facing > 0.0, from_left, arcs.first)
     last = np.where(facing < 0.0, from_right, arcs.last)
     deep_enough = np.isfinite(first) & np.isfinite(last) & (first < last)
-    first, last = (np.where(deep_enough, angle, 0.0) for angle in (first, last))
-    return Arcs(arcs.centre, arcs.radius, first, last, arcs.valid & deep_enough)
+    return arcs._replace(
+        first=np.where(deep_enough, first, 0.0), last=np.where(deep_enough, last, 0.0), valid=arcs.valid & deep_enough
+    )
 
 
 def _crack_water(slope: SlopeArrays, radius: Floats, bottom: Floats) -> Any:
     """Moment of the water in a crack above the upper end of the arc: gamma_w h^2/2 at a third of its height."""
-    depth = slope.crack_water / radius
-    force = np.divide(slope.water_unit_weight, slope.soils[0].unit_weight) * depth**2 / 2
-    return force * (np.cos(bottom) - depth / 3)
+    height = slope.crack_water / radius
+    unit_weight = slope.water_unit_weight / slope.soils.unit_weight[0]
+    force = unit_weight * height**2 / 2
+    return force * (np.cos(bottom) - height / 3)
 
 
 # --- what resists ----------------------------------------------------------------------------------------------------
@@ -154,43 +158,51 @@ def _paper(driven: _Driven) -> Floats:
     if np.any(slices.k_h):
         normal += slices.k_h * slices.radial_tilt()
     friction = slices.integral(slices.friction * normal)
-    return (slices.integral(slices.cohesion()) + np.maximum(friction, 0.0)) / driven.driving
+    cohesion = slices.integral(slices.cohesion())
+    return (cohesion + np.maximum(friction, 0.0)) / driven.driving
 
 
 def _ordinary(driven: _Driven) -> Floats:
+    """By the stress normal to the base of each slice, without forces between slices (Fellenius 1936)."""
     slices = driven.slices
     strength = slices.cohesion() + slices.friction * slices.ordinary_normal()
     return slices.integral(strength) / driven.driving
 
 
 def _yield_coefficient(driven: _Driven) -> Floats:
-    """k_h by which drive and resistance of the paper's method are equal; both are linear in it, with friction or not.
+    """k_h at which the driving moment G + k_h S and the resistance of the paper's method C + P + k_h T are equal.
 
-    As of a motion, which shakes surcharges as well; friction does not act where its sum over the arc is negative.
+    G of gravity, S of shaking, C of cohesion, and P + k_h T of friction, which does not act where it is negative.
+    Surcharges are shaken as well, as in a motion.
     """
     slices = driven.slices._replace(shaken_load=1.0)
     shaking = slices.shaking_moment()
     friction = slices.integral(slices.friction * slices.radial_normal())
     tilt = slices.integral(slices.friction * slices.radial_tilt())
     missing = slices.integral(slices.cohesion()) - driven.gravity  # of friction to be in balance
-    pressed = (missing + friction) / (shaking - tilt)
-    lifted = friction + pressed * tilt < 0.0
-    return np.where(shaking > np.where(lifted, 0.0, tilt), np.where(lifted, missing / shaking, pressed), np.nan)
+    with_friction = (missing + friction) / (shaking - tilt)
+    lifted = friction + with_friction * tilt < 0.0
+    grows = shaking > np.where(lifted, 0.0, tilt)
+    balanced = np.where(lifted, missing / shaking, with_friction)
+    return np.where(grows, balanced, np.nan)
 
 
 def _bishop(driven: _Driven) -> Floats:
     """F = 1/y where y times the integral of strength/m_alpha(y) is the driving moment; the former grows with y.
 
-    By Newton's steps for all arcs at once, within the range of y in which m_alpha = cos - y mu sin is at least
-    ``LEAST_LEVER`` at all ends of intervals, between which it has no minimum.
+    The strength is that of Bishop (1955), [c + mu (W/b - u)] cos a/m_alpha. By Newton's steps for all arcs at once,
+    within the range of y in which m_alpha = cos a - y mu sin a is at least ``LEAST_LEVER`` at all ends of intervals,
+    between which it has no minimum.
     """
     slices = driven.slices
     friction, cosine = slices.friction, slices.cosine
     lowest, highest = _lever_range(slices)
-    strength = slopes.bishop_strength(cosine, slices.vertical(), 0.0, slices.cohesion(), friction)
+    effective = slices.vertical()
+    strength = slopes.bishop_strength(cosine, effective, 0.0, slices.cohesion(), friction)
     driving = driven.driving
     start = slices.integral(strength) / driving
-    y = np.clip(1.0 / np.maximum(start, _LEAST_FACTOR), lowest, highest)
+    start = np.maximum(start, _LEAST_FACTOR)
+    y = np.clip(1.0 / start, lowest, highest)
     y = np.where(lowest < highest, y, np.nan)
     for _ in range(_NEWTON_STEPS):
         factor = 1.0 / y
@@ -199,9 +211,11 @@ def _bishop(driven: _Driven) -> Floats:
         excess = y * slices.integral(shear) - driving
         growth = slices.integral(shear * cosine / lever)  # d(y/m_alpha)/dy = cos/m_alpha^2
         y = np.clip(y - excess / growth, lowest, highest)
-        if not np.any(np.abs(y * factor - 1.0) > _CLOSE):
+        change = np.abs(y * factor - 1.0)
+        if not np.any(change > _CLOSE):
             break
-    return np.where(np.abs(excess) <= _CLOSE * driving, 1.0 / y, np.nan)
+    balanced = np.abs(excess) <= _CLOSE * driving
+    return np.where(balanced, 1.0 / y, np.nan)
 
 
 def _bishop_normal(slices: Slices, factor: Floats) -> Any:
@@ -213,16 +227,22 @@ def _bishop_normal(slices: Slices, factor: Floats) -> Any:
 
 def _lever_range(slices: Slices) -> tuple[Floats, Floats]:
     """Least and greatest 1/F for which m_alpha stays above its least value, of each arc."""
-    most = 1.0 / _LEAST_FACTOR
+    greatest = 1.0 / _LEAST_FACTOR
     sine = slices.friction * slices.way * np.sin(slices.ends)
     room = np.cos(slices.ends) - LEAST_LEVER
-    above = np.where(sine > 0.0, np.maximum(room, 0.0) / sine, most).min(axis=0)
-    below = np.where((sine < 0.0) & (room < 0.0), room / sine, 0.0).max(axis=0)
+    limits_above = np.maximum(room, 0.0) / sine
+    above = np.where(sine > 0.0, limits_above, greatest).min(axis=0)
+    limited_below = (sine < 0.0) & (room < 0.0)
+    below = np.where(limited_below, room / sine, 0.0).max(axis=0)
     count = len(slices.arcs.radius)
-    lowest, highest = np.zeros(count), np.full(count, most)
+    lowest = np.zeros(count)
+    highest = np.full(count, greatest)
     if len(slices.arc):
         begins = np.flatnonzero(np.diff(slices.arc, prepend=-1))
         arcs = slices.arc[begins]
         lowest[arcs] = np.maximum.reduceat(below, begins)
-        highest[arcs] = np.minimum(most, np.minimum.reduceat(above, begins))
+        highest[arcs] = np.minimum.reduceat(above, begins)
     return lowest, highest
+
+
+_VALUES = {"paper": _paper, "ordinary": _ordinary, "bishop": _bishop, YIELD: _yield_coefficient}

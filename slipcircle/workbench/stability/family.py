@@ -6,6 +6,7 @@ touches from above in the place of that share, -1 of most circles, which touch n
 begins to cut a layer, so that the least may stand there.
 """
 
+import math
 from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
@@ -17,7 +18,7 @@ from slipcircle.base.series import Floats
 from slipcircle.core import circle_through, circle_touching
 from slipcircle.workbench.stability.descent import Descent
 from slipcircle.workbench.stability.factors import YIELD, factors_by
-from slipcircle.workbench.stability.slices import NODES
+from slipcircle.workbench.stability.slices import NODES, angle_from_below
 from slipcircle.workbench.stability.stability import Slope
 
 _POSITIONS = 40  # of ends, evenly along the ground
@@ -33,28 +34,44 @@ _STEPS = 150  # of a refinement, at most
 _KEPT = 3  # of refined valleys
 _TOGETHER = 1 << 13  # ground vertices times circles at a time: what fits into the caches
 _NONE = -1.0  # no edge is touched
+_JUST_BELOW = 1 - 1e-12
+
+
+def _length(vectors: Floats) -> Floats:
+    """Of vectors (..., 2)."""
+    return np.asarray(np.hypot(vectors[..., 0], vectors[..., 1]))
+
+
+def _upwards(vectors: Floats) -> Floats:
+    """Unit vectors across vectors to the right, (n, 2)."""
+    x, y = vectors.T
+    return np.stack([-y, x], axis=1) / _length(vectors)[:, None]
 
 
 def _touching_half_angle(left: Floats, right: Floats, edge: Floats) -> Floats:
-    """Half the opening of the arc from left to right that touches the line through an edge from above, or NaN.
+    """Half the opening of arcs from left to right that touch the lines through edges (n, 2, 2) from above, or NaN.
 
     With the centre t above the middle of the chord, half of which is h, its distance from the line, a + b t, is the
-    radius, sqrt(h^2 + t^2).
+    radius: (a + b t)^2 = h^2 + t^2.
     """
     chord = right - left
-    along = edge[1] - edge[0]
-    half = np.hypot(*chord.T) / 2
-    up = np.stack([-chord[:, 1], chord[:, 0]], axis=1) / (2 * half)[:, None]
-    normal = np.array([-along[1], along[0]]) / np.hypot(*along)
-    a = ((left + right) / 2 - edge[0]) @ normal
-    b = up @ normal
+    half = _length(chord) / 2
+    start, end = edge.swapaxes(0, 1)
+    normal = _upwards(end - start)
+    from_edge = (left + right) / 2 - start
+    a = np.sum(from_edge * normal, axis=1)
+    b = np.sum(_upwards(chord) * normal, axis=1)
+    square = 1.0 - b * b
+    constant = half * half - a * a
     with np.errstate(divide="ignore", invalid="ignore"):
-        square = 1.0 - b * b
-        root = np.sqrt(a * a * b * b - square * (half * half - a * a))
-        lower = (a * b - root) / square  # the other circle touches the line beyond its chord
-        centre = np.where(lower > 0.0, lower, (a * b + root) / square)
-        centre = np.where(square > 1e-12, centre, (half * half - a * a) / (2 * a * b))
-        return np.where((a > 0.0) & (centre > 0.0), np.arctan2(half, centre), np.nan)
+        root = np.sqrt(a * a * b * b - square * constant)
+        lower = (a * b - root) / square
+        upper = (a * b + root) / square
+        centre = np.where(lower > 0.0, lower, upper)  # the upper one's circle touches the line beyond its chord
+        parallel = constant / (2 * a * b)
+        centre = np.where(square > 1e-12, centre, parallel)
+        is_above = (a > 0.0) & (centre > 0.0)
+        return np.where(is_above, np.arctan2(half, centre), np.nan)
 
 
 class Search:
@@ -67,29 +84,33 @@ class Search:
         self.depth = depth
         self.limits = {"entry": entry, "exit": exit}
         self.ground = np.asarray(slope.ground)
-        edges = np.diff(self.ground, axis=0)
-        self.along = np.concatenate([[0.0], np.cumsum(np.hypot(edges[:, 0], edges[:, 1]))])
+        lengths = _length(np.diff(self.ground, axis=0))
+        self.along = np.concatenate([[0.0], np.cumsum(lengths)])
         self.rounding = 1e-9 * float(self.along[-1])
-        boundaries = [np.stack([top[0, :-1], top[0, 1:]], axis=1) for top in self.arrays.tops]
-        self.boundary_edges = np.concatenate([np.empty((0, 2, 2)), *boundaries])
+        edges = [np.empty((0, 2, 2))]
+        for (top,) in self.arrays.tops:
+            edges.append(np.stack([top[:-1], top[1:]], axis=1))
+        self.boundary_edges = np.concatenate(edges)
         self.centres: list[Floats] = []
         self.values: list[Floats] = []
 
     def points(self, lengths: Floats) -> Floats:
         """Points of the ground at lengths along it."""
-        return np.stack([np.interp(lengths, self.along, self.ground[:, k]) for k in (0, 1)], axis=-1)
+        x, y = (np.interp(lengths, self.along, of_vertices) for of_vertices in self.ground.T)
+        return np.stack([x, y], axis=-1)
 
     def circles(self, q: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """Centres, radii, left and right ends."""
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
-        chord = right - left
-        half_chord = np.hypot(*chord.T) / 2
+        half_chord = _length(right - left) / 2
         greatest = self._greatest_half_angle(left, right)
         half_angle = q[:, 2] * greatest
-        for k, edge in enumerate(self.boundary_edges):
-            touches = q[:, 3] == k
-            half_angle[touches] = _touching_half_angle(left[touches], right[touches], edge)
+        touching = np.flatnonzero(q[:, 3] != _NONE)
+        if touching.size:
+            number = q[touching, 3].astype(np.int64)
+            edge = self.boundary_edges[number]
+            half_angle[touching] = _touching_half_angle(left[touching], right[touching], edge)
         valid = (half_angle > 0.0) & (half_angle <= greatest * (1 + 1e-9))
         some_angle = np.where(valid, half_angle, 1.0)
         radius = half_chord / np.sin(some_angle)
@@ -99,65 +120,72 @@ class Search:
 
     def _greatest_half_angle(self, left: Floats, right: Floats) -> Floats:
         """Of circles through two points that are upright at an end, or touch the base between them."""
-        chord = right - left
-        upright = np.arctan2(chord[:, 0], np.abs(chord[:, 1])) * (1 - 1e-12)
-        if self.slope.base is None:
-            return upright
+        run, rise = (right - left).T
+        upright = np.arctan2(run, np.abs(rise)) * _JUST_BELOW
         base = self.slope.base
+        if base is None:
+            return upright
         lower = np.minimum(left[:, 1], right[:, 1])
         above_base = lower - base >= -self.rounding
         upright = np.where(above_base, upright, np.nan)
         centre, _ = circle_touching(left, right, np.minimum(base, lower))
         x = centre[:, 0]
-        beyond_left = left[:, 0] <= x + self.rounding
-        before_right = x - self.rounding <= right[:, 0]
-        half_angles = []
-        for end in (left, right):
-            beside = np.abs(end[:, 0] - x)
-            below = centre[:, 1] - end[:, 1]
-            half_angles.append(np.arctan2(beside, below))
-        touching = sum(half_angles) / 2 * (1 - 1e-12)
+        touches_between = (left[:, 0] <= x + self.rounding) & (x - self.rounding <= right[:, 0])
+        to_left = np.abs(angle_from_below(centre, left))
+        to_right = np.abs(angle_from_below(centre, right))
+        touching = (to_left + to_right) / 2 * _JUST_BELOW
         deepest = np.minimum(upright, touching)
-        return np.where(beyond_left & before_right, deepest, upright)
+        return np.where(touches_between, deepest, upright)
 
     def evaluate(self, q: Floats, nodes: int = NODES) -> Floats:
         """The factor of each circle, NaN where there is none, or none within the limits."""
         values = np.full(len(q), np.nan)
         possible = self._possible(q)
-        blocks = -(-len(possible) * len(self.ground) // _TOGETHER) or 1
-        for lanes in np.array_split(possible, blocks):
-            values[lanes] = self._factors(q[lanes], nodes)
+        size = len(possible) * len(self.ground)
+        blocks = max(math.ceil(size / _TOGETHER), 1)
+        for block in np.array_split(possible, blocks):
+            values[block] = self._factors(q[block], nodes)
         return values
 
     def _possible(self, q: Floats) -> Any:
-        """Circles whose ends lie beside each other, within the limits, and not both on the base."""
+        """Numbers of circles whose ends lie beside each other, within the limits, and not both on the base."""
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
-        apart = right[:, 0] - left[:, 0] > self.rounding
-        entry, exit = (self._within(limit, left[:, 0], right[:, 0]) for limit in self.limits.values())
-        apart &= (entry[0] & exit[1]) | (entry[1] & exit[0])
+        left_x = left[:, 0]
+        right_x = right[:, 0]
+        possible = right_x - left_x > self.rounding
+        possible &= self._within(left_x, right_x) | self._within(right_x, left_x)
         if self.slope.base is not None:
-            apart &= np.maximum(left[:, 1], right[:, 1]) - self.slope.base > self.rounding
-        return np.flatnonzero(apart)
+            higher_end = np.maximum(left[:, 1], right[:, 1])
+            possible &= higher_end - self.slope.base > self.rounding
+        return np.flatnonzero(possible)
 
-    def _within(self, limit: Any, *ends: Floats) -> list[Any]:
-        """Which ends lie within a limit."""
-        low, high = (-np.inf, np.inf) if limit is None else limit
-        return [(x >= low - self.rounding) & (x <= high + self.rounding) for x in ends]
+    def _within(self, entry: Floats, exit: Floats) -> Any:
+        """Whether the x of both ends lie within the limits."""
+        within = np.ones(len(entry), dtype=bool)
+        for x, limit in zip((entry, exit), self.limits.values(), strict=True):
+            if limit is not None:
+                low, high = limit
+                within &= (x >= low - self.rounding) & (x <= high + self.rounding)
+        return within
 
     def _factors(self, q: Floats, nodes: int) -> Floats:
-        """The same of a block, which is kept for the map."""
+        """The factors of a block of circles, which is kept for the map."""
         centre, radius, left, right = self.circles(q)
-        thick = np.flatnonzero(self.thickness(q, centre, radius) >= self.depth)
-        circles = (centre[thick], radius[thick], left[thick], right[thick])
-        factors, facing = factors_by(self.arrays, *circles, self.method, nodes)
-        within = np.isfinite(factors) if self.method == YIELD else factors > 0.0
-        for limit, upper_left in zip(self.limits.values(), (1.0, -1.0), strict=True):
-            if limit is not None:
-                x = np.where(facing == upper_left, left[thick, 0], right[thick, 0])
-                within &= (x >= limit[0] - self.rounding) & (x <= limit[1] + self.rounding)
+        thickness = self.thickness(q, centre, radius)
+        thick = np.flatnonzero(thickness >= self.depth)
+        left = left[thick]
+        right = right[thick]
+        factors, facing = factors_by(self.arrays, centre[thick], radius[thick], left, right, self.method, nodes)
+        counts = np.isfinite(factors) if self.method == YIELD else factors > 0.0
+        left_x = left[:, 0]
+        right_x = right[:, 0]
+        to_right = facing > 0.0
+        entry = np.where(to_right, left_x, right_x)
+        exit = np.where(to_right, right_x, left_x)
+        counts &= self._within(entry, exit)
         values = np.full(len(q), np.nan)
-        values[thick] = np.where(within, factors, np.nan)
+        values[thick] = np.where(counts, factors, np.nan)
         self.centres.append(centre)
         self.values.append(values)
         return values
@@ -165,20 +193,13 @@ class Search:
     def thickness(self, q: Floats, centre: Floats, radius: Floats) -> Floats:
         """Greatest distance from arc to ground along the radius; -1 where the ground leaves the circle in between."""
         lengths = np.clip(self.along, q[:, :1], q[:, 1:2])  # repeats the ends beyond them
-        line = self.points(lengths) - centre[:, None]
-        distance = np.hypot(line[..., 0], line[..., 1])
+        ground = self.points(lengths) - centre[:, None]
         most = (1 + 1e-12) * radius[:, None]
-        inside = np.all(distance <= most, axis=1)
+        inside = np.all(_length(ground) <= most, axis=1)
         if not self.depth:
             return np.where(inside, 0.0, -1.0)
-        start = line[:, :-1]
-        edge = np.diff(line, axis=1)
-        square = np.sum(edge**2, axis=2)
-        to_foot = -np.sum(start * edge, axis=2)  # of the perpendicular from the centre
-        share = np.clip(to_foot / np.where(square > 0.0, square, 1.0), 0.0, 1.0)
-        nearest = start + share[..., None] * edge
-        distance = np.hypot(nearest[..., 0], nearest[..., 1]).min(axis=1)
-        return np.where(inside, radius - distance, -1.0)
+        thickness = radius - _distance_from_origin(ground)
+        return np.where(inside, thickness, -1.0)
 
     def _positions(self) -> Floats:
         """Lengths along the ground of the ends of the coarse family."""
@@ -190,8 +211,10 @@ class Search:
         least = _LEAST_ON_EDGE if len(vertices) <= _FEW_EDGES else 1
         positions = [vertices]
         for low, high in pairwise(vertices.tolist()):
-            count = max(least, round(_POSITIONS * (high - low) / total))
-            positions.append(np.linspace(low, high, count + 1)[1:-1])
+            share = (high - low) / total
+            count = max(least, round(_POSITIONS * share))
+            inside = np.linspace(low, high, count + 1)[1:-1]
+            positions.append(inside)
         for limit in filter(None, self.limits.values()):
             first, last = np.interp(limit, self.ground[:, 0], self.along)
             positions.append(np.linspace(first, last, _LEAST_ON_EDGE + 1))
@@ -200,19 +223,22 @@ class Search:
     def coarse_family(self) -> tuple[Floats, Floats]:
         """Circles between all pairs of positions, with all openings, and touching each boundary; and their steps."""
         ends = self._positions()
-        numbers = np.indices((len(ends), len(ends), len(_SHARES))).reshape(3, -1)
-        i, j, k = numbers[:, numbers[0] < numbers[1]]
-        count = len(i)
-        q = np.column_stack([ends[i], ends[j], _SHARES[k], np.full(count, _NONE)])
+        shape = len(ends), len(ends), len(_SHARES)
+        numbers = np.indices(shape).reshape(3, -1)
+        left, right, share = numbers[:, numbers[0] < numbers[1]]
+        no_edge = np.full(len(share), _NONE)
+        q = np.column_stack([ends[left], ends[right], _SHARES[share], no_edge])
         spacing = np.gradient(ends)
-        share_spacing = np.gradient(_SHARES)
-        steps = np.column_stack([spacing[i], spacing[j], share_spacing[k], np.zeros(count)])
-        pairs = np.flatnonzero(k == 0)
+        share_spacing = np.gradient(_SHARES)[share]
+        steps = np.column_stack([spacing[left], spacing[right], share_spacing, np.zeros_like(no_edge)])
+        pairs = share == 0
         families = [q]
         for edge in range(len(self.boundary_edges)):
-            families.append(np.column_stack([q[pairs, :3], np.full(len(pairs), edge)]))
-        more = [steps[pairs]] * len(self.boundary_edges)
-        return np.concatenate(families), np.concatenate([steps, *more])
+            touching = q[pairs]
+            touching[:, 3] = edge
+            families.append(touching)
+        more_steps = [steps[pairs]] * len(self.boundary_edges)
+        return np.concatenate(families), np.concatenate([steps, *more_steps])
 
     def coarse(self, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
         """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
@@ -232,22 +258,38 @@ class Search:
             if not descent.unfinished.size:
                 break
             near = descent.proposals()
-            values = self.evaluate(near.reshape(-1, 4), _FINE_NODES).reshape(near.shape[:2])
-            descent.move(near, np.nan_to_num(values, nan=np.inf))
+            values = self.evaluate(near.reshape(-1, 4), _FINE_NODES)
+            values = np.nan_to_num(values, nan=np.inf)
+            descent.move(near, values.reshape(near.shape[:2]))
         order = np.argsort(descent.best, kind="stable")[:_KEPT]
         return descent.q[order], step[order]
+
+
+def _distance_from_origin(line: Floats) -> Floats:
+    """Least distance of lines (n, V, 2) from the origin, (n,): at the feet of perpendiculars, or at vertices."""
+    start = line[:, :-1]
+    edge = np.diff(line, axis=1)
+    square = np.sum(edge**2, axis=2)
+    to_foot = -np.sum(start * edge, axis=2)
+    divisor = np.where(square > 0.0, square, 1.0)
+    share = np.clip(to_foot / divisor, 0.0, 1.0)
+    nearest = start + share[..., None] * edge
+    return np.asarray(_length(nearest).min(axis=1))
 
 
 def valleys_of(q: Floats, values: Floats, steps: Floats, most: int, most_on_edge: int) -> list[int]:
     """The best circles that are no neighbours of a better one, of those that touch no boundary and those of each."""
     valleys: list[int] = []
-    order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
+    order = np.argsort(values, kind="stable")
+    order = order[np.isfinite(values[order])]
     for edge in np.unique(q[:, 3]):
-        left = order[q[order, 3] == edge]
+        rest = order[q[order, 3] == edge]
         count = most if edge == _NONE else most_on_edge
-        while count and left.size:
-            best = left[0]
+        while count and rest.size:
+            best = rest[0]
             valleys.append(int(best))
-            left = left[np.any(np.abs(q[left] - q[best]) > _APART * steps[best], axis=1)]
+            distance = np.abs(q[rest] - q[best])
+            is_apart = np.any(distance > _APART * steps[best], axis=1)
+            rest = rest[is_apart]
             count -= 1
     return valleys

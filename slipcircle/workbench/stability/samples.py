@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.series import Floats
-from slipcircle.workbench.stability.factors import METHOD_NAMES, circle_factors
+from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.family import COARSE_NODES, Search, valleys_of
-from slipcircle.workbench.stability.stability import Slope
+from slipcircle.workbench.stability.stability import METHODS, Slope
 
 _NEAR = 0.5  # over the least value, as a share of it, circles of the coarse family are kept
 _BEST, _OTHERS = 100, 300  # of these, the best ones, and so many spread evenly over the others
@@ -34,31 +34,44 @@ class SampleSearch:
         self._limits = limits
         search = Search(slope, method, **limits)
         q, steps = search.coarse_family()
-        values = search.evaluate(q, COARSE_NODES)
-        order = np.argsort(values, kind="stable")
-        least = values[order[0]]
-        near = order[values[order] <= least + _NEAR * max(abs(least), 0.1)]
-        others = near[_BEST:]
-        spread = others[:: max(len(others) // _OTHERS, 1)]
-        kept = np.concatenate([near[:_BEST], spread])
+        kept = _promising(search.evaluate(q, COARSE_NODES))
         self._q = q[kept]
         self._steps = steps[kept]
-        self._solved: list[tuple[Floats, Floats, Floats]] = []
+        self._solved: list[tuple[Floats, Floats, Floats]] = []  # place, circle and steps of slopes
 
     def factors(self, slope: Slope, place: Floats) -> dict[str, float]:
-        """Factors of safety by method on the critical circle of a slope; NaN where none is found.
+        """Factors of safety by method on the critical circle of a slope; NaN where no circle has one.
 
-        ``place`` tells which slopes are neighbours: numbers of about the same spread.
+        Slopes are neighbours where the numbers in ``place`` are close; these should have about the same spread.
         """
+
+        def distance(solved: tuple[Floats, Floats, Floats]) -> float:
+            return float(np.sum((solved[0] - place) ** 2))
+
         search = Search(slope, self._method, **self._limits)
-        nearest = sorted(self._solved, key=lambda solved: float(np.sum((solved[0] - place) ** 2)))[:_NEIGHBOURS]
-        q = np.concatenate([self._q, *(circle for _, circle, _ in nearest)])
-        steps = np.concatenate([self._steps, *(step for _, _, step in nearest)])
+        nearest = sorted(self._solved, key=distance)[:_NEIGHBOURS]
+        q = self._q
+        steps = self._steps
+        for _, circle, circle_steps in nearest:
+            q = np.concatenate([q, circle])
+            steps = np.concatenate([steps, circle_steps])
         values = search.evaluate(q, COARSE_NODES)
         if not np.any(np.isfinite(values)):
-            return dict.fromkeys(METHOD_NAMES, np.nan)
+            return dict.fromkeys(METHODS, np.nan)
         followed = valleys_of(q, values, steps, _VALLEYS, 1)
-        best, step = search.refined(q[followed], steps[followed])
-        self._solved.append((place, best[:1], step[:1]))
-        found = circle_factors(search.arrays, *search.circles(best[:1]))
-        return {method: float(found[method][0]) for method in METHOD_NAMES}
+        refined, refined_steps = search.refined(q[followed], steps[followed])
+        best = refined[:1]
+        self._solved.append((place, best, refined_steps[:1]))
+        factors = circle_factors(search.arrays, *search.circles(best))
+        return {method: float(factors[method][0]) for method in METHODS}
+
+
+def _promising(values: Floats) -> Any:
+    """Numbers of the best values, and of some of those not far above."""
+    order = np.argsort(values, kind="stable")
+    least = values[order[0]]
+    limit = least + _NEAR * max(abs(least), 0.1)
+    near = order[values[order] <= limit]
+    others = near[_BEST:]
+    spread = others[:: max(len(others) // _OTHERS, 1)]
+    return np.concatenate([near[:_BEST], spread])

@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from generated import slopes
 from slipcircle.base.series import Floats
-from slipcircle.workbench.stability.columns import Edges, SlopeArrays, SoilArrays
+from slipcircle.core import meets_circle
+from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays
 
 NODES = 10  # of Gauss' rule in each interval
 _INSIDE = 0.45  # of an interval, where its soil is looked up: not its middle, at which arcs touch level boundaries
@@ -32,6 +33,16 @@ class Arcs(NamedTuple):
     last: Floats
     valid: Any  # others have no slices
 
+    def from_centre(self, lines: Floats) -> Floats:
+        """Lines (1 or n, V, 2) from the centre of each arc, over R."""
+        return np.asarray((lines - self.centre[:, None]) / self.radius[:, None, None])
+
+
+def angle_from_below(centre: Floats, point: Floats) -> Floats:
+    """Angle of points as seen from centres, (n, 2) each, from straight below, positive to the right."""
+    to_right, upwards = (point - centre).T
+    return np.asarray(np.arctan2(to_right, -upwards))
+
 
 class Stresses(NamedTuple):
     """On the arcs over gamma R, gamma the unit weight of the first layer: (3, intervals), of 1, sine and cosine."""
@@ -46,7 +57,8 @@ class Stresses(NamedTuple):
 
     def turned(self, way: Floats) -> Stresses:
         """The same for angles of the opposite sense where ``way`` is -1."""
-        sense = np.stack([np.ones(len(way)), way, np.ones(len(way))])
+        same = np.ones(len(way))
+        sense = np.stack([same, way, same])
         return Stresses(*(values * sense for values in self))
 
 
@@ -76,12 +88,14 @@ class Slices(NamedTuple):
 
     def at(self, linear: Any) -> Any:
         """Of three numbers for each interval the value at each point."""
-        return linear[0] + linear[1] * self.sine + linear[2] * self.cosine
+        constant, of_sine, of_cosine = linear
+        return constant + of_sine * self.sine + of_cosine * self.cosine
 
     def integral(self, values: Any) -> Floats:
         """Over each arc."""
         by_interval = (self.weight * values).sum(axis=0)
-        return np.bincount(self.arc, by_interval, len(self.arcs.radius)).astype(np.float64)
+        arcs = len(self.arcs.radius)
+        return np.bincount(self.arc, by_interval, arcs).astype(np.float64)
 
     def facing(self, way: Floats) -> Slices:
         """The same with positive angles down-slope, for arcs that slide to the right (1) or to the left (-1)."""
@@ -99,53 +113,66 @@ class Slices(NamedTuple):
     def weight_along_arc(self) -> Floats:
         """The integral of the vertical stress over each arc's breadth: what moments are compared with."""
         stresses = self.stresses
-        return self.integral(self.cosine * self.at(stresses.soil + stresses.load + stresses.pond))
+        vertical = self.at(stresses.soil + stresses.load + stresses.pond)
+        return self.integral(self.cosine * vertical)
 
     def shaking_moment(self) -> Floats:
         """Of k_h = 1 about the centre, of each arc: on the soil at half its height, on a load at the ground."""
-        total = self.at(self.stresses.load) * self.cosine * -self.surface(0) * self.shaken_load
+        load = self.at(self.stresses.load) * self.cosine
+        moment = load * -self.surface(0) * self.shaken_load
         for k in np.flatnonzero(self.shaken):
             height = self.surface(k) + self.cosine
-            total = total + self.steps[k] * slopes.drive(0.0, self.cosine, height, 1.0)
-        return self.integral(total)
+            of_unit_weight = slopes.drive(0.0, self.cosine, height, 1.0)
+            moment = moment + self.steps[k] * of_unit_weight
+        return self.integral(moment)
 
     def surface(self, k: Any) -> Floats:
         """Height of a surface above the centre."""
         return self.constant[k] + self.gradient[k] * self.sine
 
+    def distance(self, k: Any) -> Floats:
+        """Of a surface from the centre."""
+        return np.asarray(np.hypot(self.sine, self.surface(k)))
+
     def uplift(self) -> Floats:
         """Pore pressure less that of a pond."""
-        return np.asarray(self.at(self.stresses.pressure - self.stresses.relieved))
+        stresses = self.stresses
+        return np.asarray(self.at(stresses.pressure - stresses.relieved))
 
     def ordinary_normal(self) -> Floats:
-        """Effective normal stress of the ordinary method."""
+        """Effective normal stress of the ordinary method, (W cos a - k_h W sin a - u l)/l (Fellenius 1936)."""
+        sine, cosine = self.sine, self.cosine
         stresses = self.stresses
-        loads = slopes.ordinary_normal(self.sine, self.cosine, self.at(stresses.buoyancy + stresses.load), 0.0, 0.0)
+        not_shaken = self.at(stresses.buoyancy + stresses.load)
+        loads = slopes.ordinary_normal(sine, cosine, not_shaken, 0.0, 0.0)
         if np.any(self.k_h * self.shaken_load):
-            loads = loads + self.k_h * self.sine * self.cosine * self.at(stresses.load) * self.shaken_load
-        soil = slopes.ordinary_normal(self.sine, self.cosine, self.at(stresses.soil), self.uplift(), self.k_h)
+            load = self.at(stresses.load)
+            loads = loads + self.k_h * sine * cosine * load * self.shaken_load
+        weight = self.at(stresses.soil)
+        soil = slopes.ordinary_normal(sine, cosine, weight, self.uplift(), self.k_h)
         return np.asarray(soil + loads)
 
     def radial_normal(self) -> Floats:
         """Effective normal stress of the paper's method by strips: the weights of (2.23) straight above."""
-        total = -self.uplift()
+        normal = -self.uplift()
         for k in np.flatnonzero(np.any(self.steps, axis=1)):
-            distance = np.hypot(self.sine, self.surface(k))
-            total += self.steps[k] * slopes.radial_weight(self.cosine, distance)
-        load = self.stresses.load
-        if np.any(load):
-            total += self.at(load) * self.cosine * -self.surface(0) / np.hypot(self.sine, self.surface(0))
-        return total
+            of_unit_weight = slopes.radial_weight(self.cosine, self.distance(k))
+            normal += self.steps[k] * of_unit_weight
+        if np.any(self.stresses.load):
+            load = self.at(self.stresses.load) * self.cosine
+            normal += load * -self.surface(0) / self.distance(0)
+        return normal
 
     def radial_tilt(self) -> Floats:
         """What k_h = 1 adds to it."""
-        total = self.at(self.stresses.load) * self.cosine * self.sine / np.hypot(self.sine, self.surface(0))
-        total *= self.shaken_load
+        load = self.at(self.stresses.load) * self.cosine
+        tilt = load * self.sine / self.distance(0)
+        tilt *= self.shaken_load
         for k in np.flatnonzero(self.shaken):
-            top = self.surface(k)
-            distance = np.hypot(self.sine, top)
-            total += self.steps[k] * slopes.radial_tilt(self.sine, self.cosine, top + self.cosine, distance)
-        return total
+            height = self.surface(k) + self.cosine
+            of_unit_weight = slopes.radial_tilt(self.sine, self.cosine, height, self.distance(k))
+            tilt += self.steps[k] * of_unit_weight
+        return tilt
 
     def vertical(self) -> Floats:
         """Effective vertical stress on the arc, for Bishop's method."""
@@ -166,11 +193,12 @@ def _gauss(nodes: int) -> tuple[Floats, Floats]:
 def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = NODES) -> Slices:
     """The slices above valid arcs, cut into pieces and at all kinks."""
     arc, ends = _intervals(slope, arcs, pieces)
-    half = (ends[1] - ends[0]) / 2
-    middle = (ends[0] + ends[1]) / 2
+    first, last = ends
+    half = (last - first) / 2
+    middle = (first + last) / 2
     nodes_at, weights = _gauss(nodes)
     angle = middle + half * nodes_at[:, None]
-    base = _Bases(slope, arcs, arc, ends[0] + _INSIDE * (ends[1] - ends[0]))
+    base = _Bases(slope, arcs, arc, first + _INSIDE * (last - first))
     steps = base.steps()
     return Slices(
         arcs=arcs,
@@ -193,37 +221,24 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = N
 
 def _intervals(slope: SlopeArrays, arcs: Arcs, pieces: int) -> tuple[NDArray[np.int64], Floats]:
     """Number of the arc and angles of both ends of each interval."""
-    cuts = np.linspace(arcs.first, arcs.last, pieces + 1, axis=1)
-    angles = np.arcsin(np.clip(_kinks(slope, arcs), -1.0, 1.0))
-    inside = np.clip(angles, arcs.first[:, None], arcs.last[:, None])
-    every = np.sort(np.concatenate([cuts, inside], axis=1), axis=1)
-    arc, k = np.nonzero((every[:, 1:] > every[:, :-1]) & arcs.valid[:, None])
-    return arc, np.stack([every[arc, k], every[arc, k + 1]])
+    sines = np.clip(_kinks(slope, arcs), -1.0, 1.0)
+    kinks = np.arcsin(sines)
+    kinks = np.clip(kinks, arcs.first[:, None], arcs.last[:, None])
+    pieces_ends = np.linspace(arcs.first, arcs.last, pieces + 1, axis=1)
+    angles = np.concatenate([pieces_ends, kinks], axis=1)
+    angles.sort(axis=1)
+    first = angles[:, :-1]
+    last = angles[:, 1:]
+    arc, k = np.nonzero((last > first) & arcs.valid[:, None])
+    return arc, np.stack([first[arc, k], last[arc, k]])
 
 
 def _kinks(slope: SlopeArrays, arcs: Arcs) -> Floats:
-    """x over R from the centre at which an integrand may not be smooth, (n, any); NaN for none."""
-    bounds = (slope.columns.bounds - arcs.centre[:, :1]) / arcs.radius[:, None]
-    return np.concatenate([bounds, meeting_points(slope.edges, arcs)], axis=1)
-
-
-def meeting_points(edges: Edges, arcs: Arcs) -> Floats:
-    """x over R from the centre where edges meet the lower half of each circle, (n, 2 edges); NaN for none.
-
-    With y = gradient x - below and x^2 + y^2 = 1.
-    """
-    x, y = arcs.centre.T[..., None]
-    radius = arcs.radius[:, None]
-    gradient = edges.gradient
-    left, right = ((end - x) / radius for end in (edges.left, edges.right))
-    with np.errstate(invalid="ignore"):
-        below = (y - edges.y - gradient * (x - edges.x)) / radius
-        square = 1.0 + gradient**2
-        root = np.sqrt(square - below**2)
-        at = np.concatenate([(gradient * below - root) / square, (gradient * below + root) / square], axis=1)
-        on_edge = (at >= np.tile(left, 2)) & (at <= np.tile(right, 2))
-        in_lower_half = np.tile(gradient, 2) * at < np.tile(below, 2)
-        return np.where(on_edge & in_lower_half, at, np.nan)
+    """x over R from the centre at which an integrand may not be smooth, (n, any)."""
+    from_centre = slope.columns.bounds - arcs.centre[:, :1]
+    bounds = from_centre / arcs.radius[:, None]
+    cuts = [meets_circle(arcs.from_centre(line)) for line in slope.lines_cut_by_arcs]
+    return np.concatenate([bounds, *cuts], axis=1)
 
 
 class _Bases:
@@ -233,56 +248,59 @@ class _Bases:
         self.slope = slope
         self.arc = arc
         self.scale = arcs.radius[arc]
-        self.centre = arcs.centre[arc]
-        self.x = self.centre[:, 0] + self.scale * np.sin(inside)
-        self._look_up_surfaces(inside)
+        self.centre_x, self.centre_y = arcs.centre[arc].T
+        sine = np.sin(inside)
+        self.x = self.centre_x + self.scale * sine
+        self.depth = np.cos(inside)
+        self._look_up_surfaces()
+        self.above = self.constant + self.gradient * sine + self.depth
         self._look_up_soil()
 
-    def _look_up_surfaces(self, inside: Floats) -> None:
-        """Their lines from the centre, and their heights above the arc."""
+    def _look_up_surfaces(self) -> None:
+        """Heights of the surfaces above the centre, constant + gradient sine."""
         columns = self.slope.columns
         column = columns.at(self.arc, self.x)
         row = 0 if len(columns.bounds) == 1 else self.arc
         height = columns.height[:, row, column]
         self.gradient = columns.gradient[:, row, column]
-        from_middle = self.centre[:, 0] - columns.middle[row, column]
-        self.constant = (height + self.gradient * from_middle - self.centre[:, 1]) / self.scale
-        self.depth = np.cos(inside)
-        self.above = self.constant + self.gradient * np.sin(inside) + self.depth
+        from_middle = self.centre_x - columns.middle[row, column]
+        below_centre = height + self.gradient * from_middle
+        self.constant = (below_centre - self.centre_y) / self.scale
 
     def _look_up_soil(self) -> None:
-        """The layer at the base, and its numbers."""
-        slope = self.slope
-        numbers = slope.numbers
-        lane = 0 if numbers.friction.shape[1] == 1 else self.arc
+        """The layer at the base, and its soil."""
+        soils = self.slope.soils
+        layers, slopes = soils.unit_weight.shape
+        self.lane = np.zeros(1, dtype=np.int64) if slopes == 1 else self.arc
         # At an end of the arc rounding may leave no ground above it: then the layers that end there count.
         lowest = np.minimum(self.above[0], 0.0) - _TOUCH
-        layer = np.count_nonzero(self.above[: len(slope.soils)] >= lowest, axis=0) - 1
-        self.soil = SoilArrays(*(values[layer, lane] for values in numbers))
-        self.lane = lane
-        self.unit_weight = numbers.unit_weight[0, lane]
-        self.water = self.of_slope(slope.water_unit_weight) / self.unit_weight
+        layer = np.count_nonzero(self.above[:layers] >= lowest, axis=0) - 1
+        self.soil = SoilArrays(*(values[layer, self.lane] for values in soils))
+        self.unit_weight = soils.unit_weight[0, self.lane]
+        self.water = self.of_slope(self.slope.water_unit_weight) / self.unit_weight
 
     def of_slope(self, value: Any) -> Floats:
         """A number of the slope, or of each, by interval."""
         values = np.asarray(value, dtype=np.float64)
-        return np.broadcast_to(values, len(self.arc)) if values.size == 1 else values[self.arc]
+        if values.size == 1:
+            return np.broadcast_to(values, len(self.arc))
+        return values[self.arc]
 
     def steps(self) -> Floats:
         """Of the unit weight below each surface that is above the arc, (surfaces, intervals)."""
         slope = self.slope
-        numbers = slope.numbers
-        none = np.zeros((1, numbers.unit_weight.shape[1]))
-        rows = [np.diff(numbers.unit_weight, axis=0, prepend=0.0)]
+        unit_weight = slope.soils.unit_weight
+        rows = [np.diff(unit_weight, axis=0, prepend=0.0)]
         if slope.level is not None:
-            rows.append(none)
+            rows.append(np.zeros_like(unit_weight[:1]))
         if slope.saturates:
-            rows.append(np.diff(numbers.saturated_unit_weight - numbers.unit_weight, axis=0, prepend=0.0))
-        every = np.concatenate(rows)
-        steps = (every[:, self.lane] if every.shape[1] > 1 else every) / self.unit_weight
+            gain = slope.soils.saturated_unit_weight - unit_weight
+            rows.append(np.diff(gain, axis=0, prepend=0.0))
+        steps = np.concatenate(rows)[:, self.lane] / self.unit_weight
         if slope.pond is not None:
-            of_water = np.stack([np.zeros(len(self.arc)), -self.water])
-            steps = np.concatenate([np.broadcast_to(steps, (len(steps), len(self.arc))), of_water])
+            of_soil = np.broadcast_to(steps, (len(steps), len(self.arc)))
+            of_pond = [np.zeros_like(self.water), -self.water]
+            steps = np.concatenate([of_soil, of_pond])
         return np.asarray(steps * (self.above > 0.0))
 
     def shaken(self, steps: Floats) -> NDArray[np.bool_]:
@@ -292,47 +310,68 @@ class _Bases:
             shaken[-1] = False
         return np.asarray(shaken)
 
-    def _below(self, k: int, when: Any) -> Floats:
-        """Height of a surface above the arc, where that is so."""
-        return np.stack([self.constant[k] * when, self.gradient[k] * when, 1.0 * when])
+    def _above_arc(self, k: int, factor: Any) -> Floats:
+        """Height of a surface above the arc times a factor."""
+        constant = self.constant[k] * factor
+        gradient = self.gradient[k] * factor
+        return np.stack([constant, gradient, 1.0 * factor])
 
     def stresses(self, steps: Floats) -> Stresses:
         """By interval."""
-        slope = self.slope
-        layers = len(slope.soils)
+        none = np.zeros((3, 1))
+        buoyancy, pond, relieved = none, none, none
+        of_soil = steps
+        if self.slope.pond is not None:
+            of_soil = steps[:-2]
+            ground = self.above[0]
+            water_level = self.above[-2]
+            buoyancy = self._above_arc(-1, steps[-1])
+            relieved = self._above_arc(-2, self.water * (water_level > 0.0))
+            filled = self.water * (water_level > ground)
+            pond = self._above_arc(-2, filled) - self._above_arc(0, filled)
+        soil = self._soil_weight(of_soil)
         scale = self.unit_weight * self.scale
-        buoyancy, pond, relieved = (np.zeros((3, 1)) for _ in range(3))
-        of_soil = slice(None)
-        if slope.pond is not None:
-            of_soil = slice(-2)
-            buoyancy = self._below(-1, steps[-1])
-            relieved = self._below(-2, self.water * (self.above[-2] > 0.0))
-            filled = self.water * (self.above[-2] > self.above[0])
-            pond = self._below(-2, filled) - self._below(0, filled)
-        constant = np.einsum("si,si->i", steps[of_soil], self.constant[of_soil])
-        gradient = np.einsum("si,si->i", steps[of_soil], self.gradient[of_soil])
-        soil = np.stack([constant, gradient, steps[of_soil].sum(axis=0)])
-        pressure = self.soil.pore_ratio * soil
+        pressure = self._pore_pressure(soil, scale)
+        load = self._load() / scale
+        cohesion = self._cohesion() / scale
+        return Stresses(soil, buoyancy, load, pond, pressure, relieved, cohesion)
+
+    def _soil_weight(self, steps: Floats) -> Floats:
+        """Vertical stress of the soil, the sum of the steps times the heights of their surfaces above the arc."""
+        surfaces = len(steps)
+        constant = np.einsum("si,si->i", steps, self.constant[:surfaces])
+        gradient = np.einsum("si,si->i", steps, self.gradient[:surfaces])
+        return np.stack([constant, gradient, steps.sum(axis=0)])
+
+    def _pore_pressure(self, soil: Floats, scale: Floats) -> Floats:
+        """r_u times the stress of the soil, or the head below the water level; and a uniform pressure."""
+        slope = self.slope
+        ratio = self.soil.pore_ratio
+        pressure = ratio * soil
         pressure[0] += self.of_slope(slope.pressure) / scale
         if slope.level is not None:
-            pressure += self._below(layers, self.water * (self.above[layers] > 0.0) * (self.soil.pore_ratio == 0.0))
-        return Stresses(soil, buoyancy, self._load() / scale, pond, pressure, relieved, self._cohesion() / scale)
+            level = len(slope.tops) + 1
+            wet = (self.above[level] > 0.0) & (ratio == 0.0)
+            pressure += self._above_arc(level, self.water * wet)
+        return np.asarray(pressure)
 
     def _load(self) -> Floats:
         """Of surcharges, Pa."""
-        total = np.zeros((3, 1))
+        load = np.zeros((3, 1))
         for x1, x2, q1, q2 in self.slope.surcharge:
             inside = (self.x > x1) & (self.x < x2)
-            first, last = self.of_slope(q1), self.of_slope(q2)
-            growth = (last - first) / (x2 - x1)
-            at_centre = first + growth * (self.centre[:, 0] - x1)
-            total = total + inside * np.stack([at_centre, growth * self.scale, 0.0 * self.scale])
-        return total
+            first = self.of_slope(q1)
+            growth = (self.of_slope(q2) - first) / (x2 - x1)
+            at_centre = first + growth * (self.centre_x - x1)
+            linear = np.stack([at_centre, growth * self.scale, 0.0 * self.scale])
+            load = load + inside * linear
+        return load
 
     def _cohesion(self) -> Floats:
-        """At the base, which may grow with the depth below a datum; Pa."""
+        """At the base, which may increase with the depth below a datum; Pa."""
         soil = self.soil
-        from_centre = soil.datum - self.centre[:, 1]
-        growth = soil.cohesion_gradient * (from_centre + self.depth * self.scale > 0.0)
-        zero = np.zeros(len(growth))
-        return np.stack([soil.cohesion + growth * from_centre, zero, growth * self.scale])
+        from_centre = soil.datum - self.centre_y
+        below_datum = from_centre + self.depth * self.scale > 0.0
+        growth = soil.cohesion_gradient * below_datum
+        at_centre = soil.cohesion + growth * from_centre
+        return np.stack([at_centre, np.zeros_like(growth), growth * self.scale])

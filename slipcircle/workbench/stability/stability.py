@@ -5,6 +5,7 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -69,6 +70,7 @@ warning from 20 % on. Compared with Taylor's friction circles on vertical cuts w
 accurate to 1 % for a share below 14 %, and 2 % too low at 25 %, 5 % at 34 % and 9 % at 48 %; with those stresses set \
 to 0 it would be 4 to 23 % too high. For mu = 0 the share has no meaning."""
 _BLOCK = 1 << 10  # sections at a time: their slices stay in the caches
+_Layers = Sequence[tuple[Soil, Any]]  # each with its top
 
 
 @dataclass(frozen=True)
@@ -133,49 +135,59 @@ class Slope:
     k_h_on_surcharge: bool = False
 
     def __post_init__(self) -> None:
-        given = {name: value for name, value in vars(self).items() if name not in _LAYERED}
-        if self.layers:
-            given = {name: value for name, value in given.items() if name not in _OF_ONE_SOIL}
-            said = [name for name in _OF_ONE_SOIL if getattr(self, name)]
-            found = [f"{name}: is given by the soils of the layers; leave it out" for name in said]
-            found += layer_mistakes(self.layers, self.surcharge)
-        else:
-            found = [] if self.unit_weight is not None else ["unit_weight is missing"]
-        found += slope_errors(given)
-        if self.level is not None and self.pore_ratio != 0.0:
-            found.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; remove one")
-        if not found:
-            ground = np.array(self.ground, dtype=np.float64)
-            object.__setattr__(self, "ground", ground)
+        mistakes = self._field_mistakes()
+        if not mistakes:
+            object.__setattr__(self, "ground", np.array(self.ground, dtype=np.float64))
             if self.level is not None:
                 object.__setattr__(self, "level", np.array(self.level, dtype=np.float64))
-                (above,), words = pond_errors(_filled(ground, self.pond)[None], np.asarray(self.level)[None])
-                found += [words(0)] if above else []
-            if not self.layers and self.cohesion == 0.0 and self.friction == 0.0:
-                found.append("cohesion and friction are both 0: the slope has no strength")
-            if self.crack_water > self.crack:
-                found.append(f"{{crack_water}} = {self.crack_water!r}: must be at most the depth of the crack")
-            if self.base is not None and self.base >= float(ground[:, 1].max()):
-                found.append(f"{{base}} = {self.base:.10g}: must lie below the highest point of the ground")
-        raise_all("Slope", found)
+            mistakes = self._joint_mistakes()
+        raise_all("Slope", mistakes)
+
+    def _field_mistakes(self) -> list[str]:
+        """A sentence for each field that is missing, out of range, or excluded by another."""
+        fields = {name: value for name, value in vars(self).items() if name not in _LAYERED}
+        mistakes = []
+        if self.layers:
+            fields = {name: value for name, value in fields.items() if name not in _OF_ONE_SOIL}
+            for name in _OF_ONE_SOIL:
+                if getattr(self, name):
+                    mistakes.append(f"{name}: is given by the soils of the layers; leave it out")
+            mistakes += layer_mistakes(self.layers, self.surcharge)
+        elif self.unit_weight is None:
+            mistakes.append("unit_weight is missing")
+        mistakes += slope_errors(fields)
+        if self.level is not None and self.pore_ratio != 0.0:
+            mistakes.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; remove one")
+        return mistakes
+
+    def _joint_mistakes(self) -> list[str]:
+        """A sentence for each mistake of fields that are valid by themselves."""
+        mistakes = []
+        ground = np.asarray(self.ground)
+        if self.level is not None:
+            (above,), words = pond_errors(_filled(ground, self.pond)[None], np.asarray(self.level)[None])
+            if above:
+                mistakes.append(words(0))
+        if not self.layers and self.cohesion == 0.0 and self.friction == 0.0:
+            mistakes.append("cohesion and friction are both 0: the slope has no strength")
+        if self.crack_water > self.crack:
+            mistakes.append(f"{{crack_water}} = {self.crack_water!r}: must be at most the depth of the crack")
+        if self.base is not None and self.base >= float(ground[:, 1].max()):
+            mistakes.append(f"{{base}} = {self.base:.10g}: must lie below the highest point of the ground")
+        return mistakes
 
     def arrays(self) -> SlopeArrays:
         """For `circle_factors`."""
         names = ("water_unit_weight", "pressure", "k_h", "pond", "crack", "crack_water", "k_h_on_surcharge")
-        numbers: dict[str, Any] = {n: getattr(self, n) for n in names}
-        ground = np.asarray(self.ground)[None]
-        level = None if self.level is None else np.asarray(self.level)[None]
+        numbers = {name: getattr(self, name) for name in names}
+        layers = self.layers
+        if not layers:
+            assert self.unit_weight is not None
+            layers = _one_layer(self.unit_weight, self.cohesion, self.friction, self.pore_ratio)
+        level = self.level
         if level is None and self.pond is not None:
-            level = level_line(self.pond, ground)
-        soils: tuple[SoilArrays, ...] = (SoilArrays(self.cohesion, self.friction, self.unit_weight, self.pore_ratio),)
-        tops: tuple[Floats, ...] = ()
-        if self.layers:
-            soils = tuple(
-                soil_arrays(soil, datum_of(soil, self.layers), lambda value: value) for soil, _ in self.layers
-            )
-            lines = (top_line(top, ground, lambda value, *_: np.asarray(value)) for _, top in self.layers[1:])
-            tops = tuple(line.reshape(-1, *line.shape[-2:]) for line in lines)
-        return SlopeArrays(ground, soils, tops, level, surcharge=self.surcharge, **numbers)
+            level = level_line(self.pond, np.asarray(self.ground)[None])[0]
+        return _slope_arrays(_of_one_slope, self.ground, level, layers, self.surcharge, numbers)
 
 
 _LAYERED = ("layers", "surcharge", "pond", "crack", "crack_water", "k_h_on_surcharge")
@@ -234,62 +246,99 @@ def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:
         raise ValueError(
             "factors_of_safety: scene: needs friction or cohesion, and a pore pressure that no record prescribes"
         )
-    slope, arcs = _lanes(scene, section, strength, k_h)
+    scenes = np.arange(math.prod(scene.shape))
     blocks = []
-    for lanes in np.array_split(np.arange(len(arcs[0])), -(-len(arcs[0]) // _BLOCK)):
-        centre, radius, left, right = (values[lanes] for values in arcs)
-        blocks.append(circle_factors(slope.only(lanes), centre, radius, left, right))
-    found = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
-    undriven = (found["facing"] == 0.0) & np.isfinite(found["negative"])
-    found |= {name: np.where(undriven, np.inf, found[name]) for name in METHODS}
-    return {name: values.reshape(scene.shape) for name, values in found.items()}
+    for block in np.array_split(scenes, -(-len(scenes) // _BLOCK)):
+        by_lane = _of_scenes(scene.shape, block)
+        slope = _slope_of_section(section, strength, k_h, by_lane)
+        left, right = _ends(section, by_lane)
+        blocks.append(circle_factors(slope, by_lane(section.centre, 1), by_lane(section.radius), left, right))
+    values = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
+    undriven = (values["facing"] == 0.0) & np.isfinite(values["negative"])
+    values |= {method: np.where(undriven, np.inf, values[method]) for method in METHODS}
+    return {name: array.reshape(scene.shape) for name, array in values.items()}
 
 
-def _lanes(
-    scene: Any, section: Section, strength: Mapping[str, Any], k_h: Any
-) -> tuple[SlopeArrays, tuple[Floats, ...]]:
-    """Slopes and arcs of the scenes of an ensemble, with one axis of lanes."""
+_ByLane = Callable[..., Floats]  # of a value, whose last axes (0 by default) are its own: with one axis of lanes
+
+
+def _of_one_slope(value: Any, axes: int = 0) -> Floats:
+    return np.asarray(value, dtype=np.float64)[None]
+
+
+def _of_scenes(shape: tuple[int, ...], numbers: Any) -> _ByLane:
+    """Values of some scenes of an ensemble of a shape."""
+    some = np.unravel_index(numbers, shape or (1,))
 
     def by_lane(value: Any, axes: int = 0) -> Floats:
-        own = np.shape(value)[np.ndim(value) - axes :]
-        whole = np.broadcast_to(np.asarray(value, dtype=np.float64), (*scene.shape, *own))
-        return whole.reshape(-1, *own)
+        array = np.asarray(value, dtype=np.float64)
+        inner = array.shape[array.ndim - axes :]
+        return np.asarray(np.broadcast_to(array, (*(shape or (1,)), *inner))[some])
 
-    ground, level = by_lane(section.ground, 2), None if section.level is None else by_lane(section.level, 2)
-    general: dict[str, Any] = {"level": level, "water_unit_weight": section.water_unit_weight, "k_h": by_lane(k_h)}
+    return by_lane
+
+
+def _slope_of_section(section: Section, strength: Mapping[str, Any], k_h: Any, by_lane: _ByLane) -> SlopeArrays:
+    """The slopes of sections."""
+    numbers = {"water_unit_weight": section.water_unit_weight, "k_h": by_lane(k_h)}
     if isinstance(section, LayeredSection):
-        soils = tuple(soil_arrays(soil, datum_of(soil, section.layers), by_lane) for soil, _ in section.layers)
-        tops = tuple(top_line(top, ground, by_lane) for _, top in section.layers[1:])
-        surcharge = tuple((*ends, by_lane(left), by_lane(right)) for *ends, left, right in section.surcharge)
-        slope = SlopeArrays(ground, soils, tops, surcharge=surcharge, **general)
-    else:
-        numbers = {n: by_lane(strength[n]) for n in ("cohesion", "friction", "pore_ratio")}
-        homogeneous = SoilArrays(**numbers, unit_weight=by_lane(section.unit_weight))
-        slope = SlopeArrays(ground, (homogeneous,), pressure=by_lane(strength["pressure"]), **general)
-    return slope, _arcs(section, by_lane)
+        return _slope_arrays(by_lane, section.ground, section.level, section.layers, section.surcharge, numbers)
+    layers = _one_layer(section.unit_weight, strength["cohesion"], strength["friction"], strength["pore_ratio"])
+    numbers |= {"pressure": by_lane(strength["pressure"])}
+    return _slope_arrays(by_lane, section.ground, section.level, layers, (), numbers)
 
 
-def _arcs(section: Section, by_lane: Callable[..., Floats]) -> tuple[Floats, ...]:
-    """Centres, radii, left and right ends of arcs."""
+def _slope_arrays(
+    by_lane: _ByLane, ground: Any, level: Any, layers: _Layers, surcharge: Sequence[Any], numbers: Mapping[str, Any]
+) -> SlopeArrays:
+    """Slopes with their lines, soils and surcharges, and further numbers."""
+    lines = by_lane(ground, 2)
+    return SlopeArrays(
+        ground=lines,
+        soils=_soil_arrays(layers, by_lane),
+        tops=tuple(_top_line(top, lines, by_lane) for _, top in layers[1:]),
+        level=None if level is None else by_lane(level, 2),
+        surcharge=tuple((x1, x2, by_lane(q1), by_lane(q2)) for x1, x2, q1, q2 in surcharge),
+        **numbers,
+    )
+
+
+def _ends(section: Section, by_lane: _ByLane) -> tuple[Floats, Floats]:
+    """Left and right ends of arcs."""
     rightward = by_lane(section.facing)[:, None] > 0.0
     entry = by_lane(section.entry, 1)
     exit_ = by_lane(section.exit, 1)
-    left = np.where(rightward, entry, exit_)
-    right = np.where(rightward, exit_, entry)
-    return by_lane(section.centre, 1), by_lane(section.radius), left, right
+    return np.where(rightward, entry, exit_), np.where(rightward, exit_, entry)
 
 
-def soil_arrays(soil: Soil, datum: Any, by_lane: Callable[[Any], Any]) -> SoilArrays:
-    """The numbers of a soil at the start, each as ``by_lane`` returns it."""
-    of_soil = {n: getattr(soil, n) for n in SoilArrays._fields if n != "friction"}
-    numbers = of_soil | {"friction": soil.peak, "datum": datum}
-    return SoilArrays(**{n: None if value is None else by_lane(value) for n, value in numbers.items()})
+def _one_layer(unit_weight: Any, cohesion: Any, friction: Any, pore_ratio: Any) -> _Layers:
+    """Homogeneous ground as its only layer."""
+    return [(Soil(unit_weight, cohesion, friction, pore_ratio=pore_ratio), None)]
 
 
-def top_line(top: Any, ground: Floats, by_lane: Callable[..., Any]) -> Floats:
+def _soil_arrays(layers: _Layers, by_lane: _ByLane) -> SoilArrays:
+    """The soils of layers at the start of a motion."""
+    rows = []
+    for soil, _ in layers:
+        saturated = soil.unit_weight if soil.saturated_unit_weight is None else soil.saturated_unit_weight
+        datum = datum_of(soil, layers)
+        of_layer = SoilArrays(
+            cohesion=by_lane(soil.cohesion),
+            friction=by_lane(soil.peak),
+            unit_weight=by_lane(soil.unit_weight),
+            pore_ratio=by_lane(soil.pore_ratio),
+            saturated_unit_weight=by_lane(saturated),
+            cohesion_gradient=by_lane(soil.cohesion_gradient),
+            datum=by_lane(0.0 if datum is None else datum),
+        )
+        rows.append(of_layer)
+    return SoilArrays(*np.stack(rows, axis=1))
+
+
+def _top_line(top: Any, ground: Floats, by_lane: _ByLane) -> Floats:
     """The top of a layer as a line, (1 or n, V, 2): of a height, from one end of the ground to the other."""
     if np.ndim(top) > 1:
-        return np.asarray(by_lane(top, 2))
+        return by_lane(top, 2)
     return level_line(by_lane(top), ground)
 
 
@@ -310,6 +359,6 @@ def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, A
     strength = {"friction": friction_at_rest(friction), "cohesion": at_start(cohesion.get("cohesion", 0.0))}
     if "record" in water or not any(np.any(value) for value in strength.values()):
         return {}
-    return strength | {
-        name: at_start(water.get(key, 0.0)) for name, key in (("pore_ratio", "ratio"), ("pressure", "pressure"))
-    }
+    pore_ratio = at_start(water.get("ratio", 0.0))
+    pressure = at_start(water.get("pressure", 0.0))
+    return strength | {"pore_ratio": pore_ratio, "pressure": pressure}

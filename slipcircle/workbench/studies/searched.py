@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from slipcircle.core import Scene, with_parameters
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.variation import slope_of
-from slipcircle.workbench.stability.factors import METHOD_NAMES
 from slipcircle.workbench.stability.samples import SampleSearch
+from slipcircle.workbench.stability.stability import METHODS
 
 Floats = NDArray[np.float64]
 SEARCHED = "searched "  # before the name of a method: by this method, the circle searched for every sample
@@ -25,7 +25,7 @@ def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: NDArray[np.b
     spread = values.std(axis=0)
     scale = np.where(spread > 0.0, spread, 1.0)
     places = values / scale
-    factors = {method: np.full(len(values), np.nan) for method in METHOD_NAMES}
+    factors = {method: np.full(len(values), np.nan) for method in METHODS}
     for k in np.flatnonzero(valid):
         numbers = dict(zip(si, values[k].tolist(), strict=True))
         sample = with_parameters(scene, numbers)
@@ -45,7 +45,7 @@ def search_mistakes(scene: Any) -> list[str]:
 
 def effect_of_searching(study: Any, method: str) -> str:
     """How much it changes factors of safety that the circle is searched for every sample."""
-    method = method if method in METHOD_NAMES else "paper"
+    method = method if method in METHODS else "paper"
     both = (method, f"{SEARCHED}{method}")
     below, below_searched = (f"{study.failure[name].value:.3g}" for name in both)
     median, median_searched = (f"{study.factor_quantile(name, 0.5).value:.4g}" for name in both)

@@ -26,6 +26,7 @@ _BOUNDS: dict[str, Bounds] = {
     "arias": (0.0, INFINITY, "a positive number in m/s"),
     "duration": (0.1, 1e3, "a time in s"),
     "gravity": (0.0, INFINITY, "a positive number in m/s^2"),
+    "seed": (-1.0, INFINITY, "a whole number of at least 0"),
 }
 
 
@@ -79,7 +80,7 @@ def synthetic_records(
     if arias is not None and spectrum is not None:
         raise ValueError("synthetic records: arias and spectrum exclude each other; leave one out")
     arias = 1.0 if arias is None else arias
-    given = {"count": count, "arias": arias, "duration": duration, "gravity": gravity}
+    given = {"count": count, "arias": arias, "duration": duration, "gravity": gravity, "seed": seed}
     raise_all("synthetic records", mistakes(given, _BOUNDS, one=given))
     target = None if spectrum is None else resampled(spectrum)
     streams = np.random.SeedSequence(seed).spawn(count)
