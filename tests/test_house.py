@@ -247,6 +247,7 @@ DENSITY = {
     "slipcircle/workbench": 12.6,
     "slipcircle/workbench/files": 12.1,
     "slipcircle/workbench/outputs": 12.2,
+    "slipcircle/workbench/stability": 12.1,
 }
 
 
