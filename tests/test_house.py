@@ -244,10 +244,12 @@ DENSITY = {
     "derive": 11.1,
     "slipcircle/base": 10.9,
     "slipcircle/core": 12.5,
-    "slipcircle/workbench": 12.6,
+    "slipcircle/workbench": 12.1,
     "slipcircle/workbench/files": 12.1,
     "slipcircle/workbench/outputs": 12.2,
+    "slipcircle/workbench/records": 12.0,
     "slipcircle/workbench/stability": 12.1,
+    "slipcircle/workbench/suites": 11.6,
 }
 
 

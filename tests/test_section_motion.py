@@ -9,6 +9,7 @@ import pytest
 from scipy.optimize import brentq
 
 from slipcircle import Arc, Motion, Scene, Section, load, solve
+from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.stability import Slope
 from tests.support.grounds import GROUND
@@ -92,7 +93,8 @@ def test_a_travel_angle_is_that_of_the_centroids_way(tmp_path: Path, said: Any) 
     assert line.split()[-1] == "-"
 
 
-def test_from_a_file_to_the_slide(tmp_path: Path, said: Any, records: Any) -> None:
+def test_from_a_file_to_the_slide(tmp_path: Path, said: Any, records: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pictures, "_FRAMES", 1)  # a second
     picture, report, film = (tmp_path / f"slide.{kind}" for kind in ("png", "html", "gif"))
     (record,) = records("run real-slope --plot", picture, "--report", report)
     (circle,) = records("search real-slope")

@@ -424,6 +424,8 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert "no displacement (at most 1 cm) for" in " ".join(out.split())
     assert "corrupt.AT2: holds" in asked(f"{line} --strict")[2]
     assert asked("sweep newmark-pulse --polarities")[0] != 0
+    assert "--magnitude, --period: of records" in asked("sweep newmark-pulse --samples 3 --magnitude 7 --period 0.2")[2]
+    assert "--period -1: must be a time in s, at least 0" in asked(f"{line} --period -1")[2]
     assert "--samples: no number is uncertain" in asked(f"{line} --samples 3")[2]
 
 

@@ -85,14 +85,18 @@ def plain(value: Any) -> Any:
 
 def choose(mask: Any, one: Any, other: Any) -> Any:
     """`numpy.where` that also takes plain numbers."""
-    return np.where(mask, one, other) if isinstance(mask, np.ndarray) else one if mask else other
+    if isinstance(mask, np.ndarray):
+        return np.where(mask, one, other)
+    return one if mask else other
 
 
 def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
     """A sum and its rounding error (Knuth's TwoSum)."""
     total = a + b
     part = total - a
-    return total, (a - (total - part)) + (b - part)
+    error_of_a = a - (total - part)
+    error_of_b = b - part
+    return total, error_of_a + error_of_b
 
 
 def shown(value: Any) -> str:
@@ -124,14 +128,16 @@ def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> 
         return [f"{{{name}}} = {shown(value)}: must be one number"]
     if array.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
         return [f"{{{name}}} = {shown(value)}: must be {allowed}"]
-    outside = ~(np.isfinite(array) & (array > lower) & (array < upper))
+    within = np.isfinite(array) & (array > lower) & (array < upper)
+    outside = ~within
     if not np.any(outside):
         return []
     first = float(array[outside].flat[0])
-    range_helps = upper < INFINITY and math.isfinite(first) and first > min(lower, 0.0) and first != 0.0
-    least = 0.0 if lower == -5e-324 else lower
-    between = f", between {least:g} and {upper:g}" if range_helps else ""  # of an odd size, not sign
-    return [f"{{{name}}} = {first:.10g}: must be {allowed}{between}"]
+    odd_size = math.isfinite(first) and first > min(lower, 0.0) and first != 0.0  # not an odd sign
+    if odd_size and upper < INFINITY:
+        least = 0.0 if lower == -5e-324 else lower
+        allowed = f"{allowed}, between {least:g} and {upper:g}"
+    return [f"{{{name}}} = {first:.10g}: must be {allowed}"]
 
 
 _KINDS = {
@@ -151,7 +157,9 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable
         if name not in given and not p.optional:
             sentences.append(f"{path}: {name!r} is missing: {p.help}")
     names = ", ".join(known) or "none"
-    sentences += [f"{path}: {name!r} is unknown; known are {names}" for name in given if name not in known]
+    for name in given:
+        if name not in known:
+            sentences.append(f"{path}: {name!r} is unknown; known are {names}")
     for name, p in known.items():
         if name in given:
             sentences += _value_mistakes(path, p, given[name])
@@ -165,8 +173,10 @@ def _value_mistakes(path: str, p: Any, value: Any) -> list[str]:
     """What is wrong with the value of a declared parameter."""
     if p.kind in ("number", "list", "series") and p.key and not callable(value):
         sign = _SIGNS.get(min(p.lower, 0.0), "")
-        bounds = {p.name: (p.lower, p.upper, f"{p.help}{sign} ({p.unit})")}
-        return [Message.of(sentence).within(path) for sentence in mistakes({p.name: value}, bounds)]
+        allowed = f"{p.help}{sign} ({p.unit})"
+        bounds = {p.name: (p.lower, p.upper, allowed)}
+        sentences = mistakes({p.name: value}, bounds)
+        return [Message.of(sentence).within(path) for sentence in sentences]
     if _is_of_kind(p.kind, value):
         return []
     allowed = _KINDS.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
@@ -215,6 +225,7 @@ def complaint(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
         first = int(bad.argmax())
         if bad.size == 1:
             return [Message(sentence(first))]
-        place = ", ".join(map(str, np.unravel_index(first, shape)))
+        index = np.unravel_index(first, shape)
+        place = ", ".join(map(str, index))
         return [Message(f"lane [{place}]: {sentence(first)}")]
     return []

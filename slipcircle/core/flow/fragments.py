@@ -16,32 +16,43 @@ _OF_ONE_SOIL = {str(p.symbol) for p in ALL_EFFECTS["soil_friction"].parameters} 
 
 def fragment_of(name: str) -> Fragment:
     """A fragment by name; of one soil, ``soil_friction#0``, its names are those of that soil: ``dsoil_mu#0``."""
-    fragment = FRAGMENTS[without_soil(name)]
+    shared_name = without_soil(name)
+    fragment = FRAGMENTS[shared_name]
     number = soil_number(name)
     if not number:
         return fragment
-    results = {operation[1] for operation in fragment.scalar}
-    for names in fragment.series:
-        count = RESULTS.get(str(names[0]), 1)
-        results.update(map(str, names[1 : count + 1]))
     tables = {table for table, *_ in fragment.tables}
-    results.update(argument for _, kind, argument, _ in fragment.tables if kind == "time")
+    numbered = tables | _results(fragment)
 
-    def renamed(item: Any) -> Any:
+    def of_soil(item: Any) -> Any:
+        if isinstance(item, tuple):
+            return tuple(map(of_soil, item))
         if not isinstance(item, str):
-            return tuple(map(renamed, item)) if isinstance(item, tuple) else item
+            return item
         quantity = item.removesuffix("_0").removeprefix("d")
         if quantity in _OF_ONE_SOIL:
             return item.replace(quantity, quantity + number)
-        table, dot, cell = item.partition(".")
-        if dot and (table in tables or table == without_soil(name)):
-            return f"{table}{number}.{cell}"
-        return item + number if item in results or item in tables else item
+        prefix, dot, cell = item.partition(".")
+        if dot and prefix in {*tables, shared_name}:
+            return f"{prefix}{number}.{cell}"
+        return item + number if item in numbered else item
 
     return fragment._replace(
-        inputs=renamed(fragment.inputs),
-        scalar=tuple((operation[0], *renamed(operation[1:])) for operation in fragment.scalar),
-        series=tuple((operation[0], *renamed(operation[1:])) for operation in fragment.series),
-        adds={quantity: renamed(added) for quantity, added in fragment.adds.items()},
-        tables=renamed(fragment.tables),
+        inputs=of_soil(fragment.inputs),
+        scalar=of_soil(fragment.scalar),
+        series=of_soil(fragment.series),
+        adds={quantity: of_soil(added) for quantity, added in fragment.adds.items()},
+        tables=of_soil(fragment.tables),
     )
+
+
+def _results(fragment: Fragment) -> set[str]:
+    """Names of the cells and registers that a fragment computes; a table of time provides its argument."""
+    results = {operation[1] for operation in fragment.scalar}
+    for kind, *names in fragment.series:
+        count = RESULTS.get(str(kind), 1)
+        results.update(map(str, names[:count]))
+    for _, kind, argument, _ in fragment.tables:
+        if kind == "time":
+            results.add(argument)
+    return results

@@ -72,7 +72,8 @@ class Linker:
             if name not in self.cell_definitions:
                 self._define_cell_tangent(name)
             operation, *taken = self.cell_definitions[name]
-            self.cells[name] = self.compute(operation, [self.cell(x) for x in taken], name)
+            cells = [self.cell(argument) for argument in taken]
+            self.cells[name] = self.compute(operation, cells, name)
         return self.cells[name]
 
     def _define_cell_tangent(self, name: str) -> None:
@@ -98,7 +99,8 @@ class Linker:
         if operation == "mul" and MINUS_ONE in taken:
             factor = taken[1] if taken[0] == MINUS_ONE else taken[0]
             return self.compute("neg", [factor], name)
-        return self.scalar.setdefault((operation, *taken), name or f"cell{len(self.scalar)}")
+        result = name or f"cell{len(self.scalar)}"
+        return self.scalar.setdefault((operation, *taken), result)
 
     def origins(self, names: Iterable[str]) -> set[str]:
         """The inputs from which some cells are computed."""
@@ -131,12 +133,15 @@ class Linker:
             by_cells = [(tangent(cell, direction), register) for cell, register in terms]
             constant = constant and tangent(constant, direction)
             self.series_definitions[name] = ("lin", name, constant, (*by_registers, *by_cells))
-        elif operation == "ramp":
-            self.series_definitions[name] = ("ramp", name, names[1])
-        else:
-            placeholders, rule = SERIES_TANGENTS[operation]
-            actual = dict(zip(placeholders, names, strict=True))
-            self.define_series(_instance(rule, actual, base, direction))
+            return
+        if operation == "ramp":
+            table = names[1]
+            self.series_definitions[name] = ("ramp", name, table)
+            return
+        placeholders, rule = SERIES_TANGENTS[operation]
+        actual = dict(zip(placeholders, names, strict=True))
+        derivative = _instance(rule, actual, base, direction)
+        self.define_series(derivative)
 
     def mark_shared(self, names: Iterable[str]) -> None:
         """Collect the registers that these take, directly or not, and that are more than terms of sums."""
@@ -172,14 +177,16 @@ class Linker:
 
     def register(self, name: str) -> str | None:
         """The register that a name stands for, with its operations; None where it is zero."""
-        if not self.is_zero(name) and name not in self.registers:
-            operation, *names = self.definition(name)
-            if operation == "lin":
-                _, constant, terms = names
-                self.registers[name] = self._sum(name, constant, terms)
-            else:
-                self.registers[name] = self._result(name, operation, names)
-        return self.registers[name]
+        if self.is_zero(name) or name in self.registers:
+            return self.registers[name]
+        operation, *names = self.definition(name)
+        if operation == "lin":
+            _, constant, terms = names
+            register = self._sum(name, constant, terms)
+        else:
+            register = self._result(name, operation, names)
+        self.registers[name] = register
+        return register
 
     def _result(self, name: str, operation: str, names: Sequence[Any]) -> str:
         """The register of one result of an operation, which is shared by equal arguments."""
@@ -198,7 +205,9 @@ class Linker:
 
     def _sum(self, name: str, constant: str, terms: Iterable[Term]) -> str:
         """A constant and cells times registers, each register once."""
-        start = self.cell(constant) if constant else ZERO
+        start = ZERO
+        if constant:
+            start = self.cell(constant)
         factors: dict[str, str] = {}
         for cell, register in self._terms(terms, ONE):
             factor = factors.get(register, ZERO)
@@ -265,18 +274,23 @@ def _instance(rule: Iterable[Any], actual: dict[str, str], base: str, direction:
             return tuple(substitute(x) for x in item)
         if not item or item.startswith("=") or item in actual:
             return actual.get(item, item)
-        if item[-1] == PRIME and item[:-1] in actual:
-            return tangent(actual[item[:-1]], direction)
+        placeholder = item.removesuffix(PRIME)
+        if placeholder in actual:
+            return tangent(actual[placeholder], direction)
         return f"{tangent(base, direction)}|{item}"
 
-    return [(operation, *(substitute(name) for name in names)) for operation, *names in rule]
+    instance = []
+    for operation, *names in rule:
+        actual_names = map(substitute, names)
+        instance.append((operation, *actual_names))
+    return instance
 
 
 # --- operations that a program keeps ---------------------------------------------------------------------
 
 
 def named_in(operation: Operation) -> set[str]:
-    """The cells and registers that an operation names, except the registers of a sum."""
+    """The cells and registers that an operation takes, except the registers of a sum."""
     if operation[0] != "lin":
         return {*operation[1:]}
     _, constant, terms = operation
@@ -284,7 +298,7 @@ def named_in(operation: Operation) -> set[str]:
 
 
 def needed(operations: Iterable[tuple[Operation, tuple[str, ...]]], wanted: Iterable[str]) -> Operations:
-    """The operations whose results are needed, in order."""
+    """The operations on which the results ``wanted`` depend, in order."""
     pending = set(wanted)
     selected = Operations()
     for operation, results in reversed(list(operations)):
@@ -303,14 +317,20 @@ def places_of(operations: Operations, kept: list[str]) -> dict[str, int]:
     place = {name: k for k, name in enumerate(kept)}
     last_use = dict[str, int]()
     for k, (operation, _) in enumerate(operations):
-        last_use.update(dict.fromkeys(operation[1:], k))
+        for name in operation[1:]:
+            last_use[name] = k
+    first_scratch = len(kept)
+    end = first_scratch
     free = list[int]()
-    end = len(kept)
     for k, (operation, (result,)) in enumerate(operations):
         done = {place[name] for name in operation[1:] if last_use[name] == k}
-        scratch = [cell for cell in done if cell >= len(kept)]
+        scratch = [cell for cell in done if cell >= first_scratch]
         free += sorted(scratch, reverse=True)
-        if result not in place:
-            place[result] = free.pop() if free else end
-            end = max(end, place[result] + 1)
+        if result in place:
+            continue
+        if free:
+            place[result] = free.pop()
+            continue
+        place[result] = end
+        end += 1
     return place

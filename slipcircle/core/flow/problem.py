@@ -1,6 +1,6 @@
 """The problem that the integrator solves: a scene's flow program, its tables, and the initial cells of lanes.
 
-Here the scene's SI numbers become dimensionless, by the declarations in `generated.effects`.
+The scene's SI numbers are made dimensionless here, by the declarations in `generated.effects`.
 """
 
 import math
@@ -196,7 +196,7 @@ def _assembled(numbers: "_Numbers", recipe: Recipe, lanes: int) -> Problem:
 
 
 def recipe_of(called: Effects, laws: tuple[str, ...]) -> Recipe:
-    """What the program of scenes with these effects and laws is built from."""
+    """The recipe of scenes with these effects and laws."""
     effects = in_order(called)
     moving = list[str]()
     absent = list[str]()
@@ -285,9 +285,9 @@ class _Numbers:
         def pressure(rotation: Any) -> Any:
             return section.mean_pressure(rotation if section.shape else rotation[:, 0]).reshape(1, *rotation.shape)
 
-        coefficients = section.moment_coefficients
-        upright = np.arctan2(coefficients.normal_load, coefficients.normal_load_slope)  # J_r cos - J_r' sin falls to 0
-        last = np.ravel(upright)
+        weight = section.moment_coefficients
+        contact_lost = np.arctan2(weight.normal_load, weight.normal_load_slope)  # J_r cos - J_r' sin falls to 0
+        last = np.ravel(contact_lost)
         if rotating:
             first = last - np.pi if self.upslope else np.zeros_like(last)
             kinks = np.atleast_2d(section.pressure_kinks).T
@@ -296,8 +296,10 @@ class _Numbers:
             breaks = np.zeros((1, last.size))
             values = np.zeros((1, TERMS, 1, last.size))
             values[0, 0] = pressure(breaks)[:, 0]
-        table = Data(breaks, np.ascontiguousarray(values[:, :, 0]), np.zeros(len(breaks)))
-        return table if section.shape else table._replace(breaks=breaks[:, 0], coefficients=values[:, :, 0, 0])
+        jumps = np.zeros(len(breaks))
+        if section.shape:
+            return Data(breaks, np.ascontiguousarray(values[:, :, 0]), jumps)
+        return Data(breaks[:, 0], values[:, :, 0, 0], jumps)
 
     def add_layers(self, given: Effects, friction: Any) -> None:
         """Add the functions of the rotation that belong to the soils of a layered section."""
@@ -319,26 +321,28 @@ class _Numbers:
 
     def add_law(self, name: str, given: Mapping[str, Any]) -> None:
         """Add a friction law: a table, or dimensionless numbers by its name."""
-        speed = self.radius / self.time_scale
-        cell = name
-        name = without_soil(name)
-        if name == "callable":
+        law = without_soil(name)
+        if law == "callable":
             function = given["function"]
             first_slip = float(np.max(self.radius)) / 256
             self.functions[name] = function
             self.tables[name] = sampled(function, first_slip), self.radius, 1.0
-        elif name in PIECES:
-            length = given[PIECES[name][0]]
-            self.tables[cell] = tables.of_law(name, given), self.radius / length, 1.0
-        elif LAWS[name].parameters[0].kind == "list":
-            (argument,) = LAWS[name].depends_on
-            places, values = (np.asarray(given[p.name], dtype=np.float64) for p in LAWS[name].parameters)
+            return
+        if law in PIECES:
+            length = given[PIECES[law][0]]
+            self.tables[name] = tables.of_law(law, given), self.radius / length, 1.0
+            return
+        declared = LAWS[law]
+        speed = self.radius / self.time_scale
+        if declared.parameters[0].kind == "list":
+            (argument,) = declared.depends_on
+            places, values = (np.asarray(given[p.name], dtype=np.float64) for p in declared.parameters)
             scales = {"slip": self.radius, "speed": speed, "time": self.time_scale}
-            self.tables[cell] = tables.of_list(argument, places, values), scales[argument], 1.0
-        else:
-            units = {"m": self.radius, "m/s": speed, "": 1.0}
-            for p in LAWS[name].parameters:
-                self.inputs[f"{cell}.{p.name}"] = given[p.name] / units[p.unit]
+            self.tables[name] = tables.of_list(argument, places, values), scales[argument], 1.0
+            return
+        units = {"m": self.radius, "m/s": speed, "": 1.0}
+        for p in declared.parameters:
+            self.inputs[f"{name}.{p.name}"] = given[p.name] / units[p.unit]
 
 
 def scales_of(arc: Arc | Section) -> dict[str, Any]:
@@ -361,13 +365,15 @@ def rotates(effects: Iterable[str]) -> bool:
 
 def _one_way(shaking: Mapping[str, Any]) -> float:
     """1 where shaking may start the mass down-slope only."""
-    return float(callable(shaking.get("horizontal")) and not shaking.get("two_way", False))
+    varies = callable(shaking.get("horizontal"))
+    two_way = shaking.get("two_way", False)
+    return float(varies and not two_way)
 
 
 def _first_only(terms: Collection[str], laws: Any, inputs: Mapping[str, Any]) -> Any:
-    """1 where nothing brings the mass to rest, 2 where water or heat may lift it; it is integrated to its first stop.
+    """1 where nothing brings the mass to rest, 2 where water or heat may lift it: integrated to its first standstill.
 
-    Of effects and symbols of functions.
+    ``terms`` are names of effects and symbols of functions.
     """
     turning = rotates(ALL_EFFECTS.keys() & terms)
     if not turning or "layered_cohesion" in terms:

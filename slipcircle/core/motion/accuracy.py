@@ -79,17 +79,20 @@ def estimate(lanes: Lanes, final: Mapping[int, Any]) -> Any:
     """
     summary = summary_vector(final)
     size = np.maximum(np.abs(summary), LEAST_SIZE)
-    spread: Any
-    known: Any
+    error: Any
+    unlike: Any
     if lanes.count == 1:
         spread, unlike = _of_single(lanes, final, summary, size)
-        known = min(max(ROUNDED * spread, LEAST), 1.0)
+        error = max(ROUNDED * spread, LEAST)
+        error = min(error, 1.0)
     else:
-        spread, unlike = _of_ensemble(lanes, final, summary, size)
-        known = np.minimum(np.maximum(CUT * spread, LEAST), 1.0)
-    undecided = unlike | (final[ix.CLOSE] < UNDECIDED)
+        spreads, unlike = _of_ensemble(lanes, final, summary, size)
+        error = np.maximum(CUT * spreads, LEAST)
+        error = np.minimum(error, 1.0)
+    close = final[ix.CLOSE] < UNDECIDED
     still = final[ix.PHASES] == 0.0
-    return choose(undecided, 1.0, choose(still, 0.0, known))
+    if_decided = choose(still, 0.0, error)
+    return choose(unlike | close, 1.0, if_decided)
 
 
 def _of_ensemble(lanes: Lanes, final: Mapping[int, Floats], summary: Floats, size: Floats) -> tuple[Floats, Any]:
@@ -100,7 +103,8 @@ def _of_ensemble(lanes: Lanes, final: Mapping[int, Floats], summary: Floats, siz
         alone = slice(run, run + 1)
         problem = perturbed_runs(lanes.problem, alone, lanes.arc.rounding)
         cells = integrate_all(problem)
-        change = np.abs(summary_vector(cells) - summary)
+        difference = summary_vector(cells) - summary
+        change = np.abs(difference)
         greatest = np.fmax.reduce(change / size)
         spread = np.fmax(spread, greatest)
         unlike |= _ends_otherwise(cells, final)
@@ -114,9 +118,10 @@ def _of_single(lanes: Lanes, final: Mapping[int, Any], summary: Floats, size: Fl
     outputs = 2 + len(problem.program.states)
     states = np.zeros((outputs, *SHARES.shape))
     duration = summary[0]
-    samples = Samples(duration * SHARES, states)
-    cells = integrate_all(problem, samples)
-    change = np.abs(summary_vector(cells) - summary)
+    times = duration * SHARES
+    cells = integrate_all(problem, Samples(times, states))
+    difference = summary_vector(cells) - summary
+    change = np.abs(difference)
     spread = np.fmax.reduce(change / size, axis=None)
     if final[ix.PHASES] > 0.0:
         rotation_and_velocity = states[:2]

@@ -44,18 +44,21 @@ def factor(effect: str, given: Mapping[str, Any], name: str) -> Any:
         return 1.0
     if isinstance(given.get(name), Pulse):
         return given.get("vertical_amplitude" if name == "vertical" else "amplitude", 1.0)
-    scale = given.get("scale", 1.0)
-    return given["peak"] / (given["horizontal"].greatest or 1.0) if "peak" in given else scale
+    if "peak" not in given:
+        return given.get("scale", 1.0)
+    recorded_peak = given["horizontal"].greatest or 1.0
+    return given["peak"] / recorded_peak
 
 
 def in_time(called: Mapping[str, Mapping[str, Any]]) -> dict[str, Series | Pulse]:
     """What changes with time in the effects of a single scene, with its factors, by ``effect.parameter``."""
-    return {
-        f"{effect}.{name}": value.scaled(float(factor(effect, given, name)))
-        for effect, given in called.items()
-        for name, value in given.items()
-        if isinstance(value, Series | Pulse)
-    }
+    functions = {}
+    for effect, given in called.items():
+        for name, value in given.items():
+            if isinstance(value, Series | Pulse):
+                scale = float(factor(effect, given, name))
+                functions[f"{effect}.{name}"] = value.scaled(scale)
+    return functions
 
 
 def _water(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -68,10 +71,14 @@ def _water(given: Mapping[str, Any]) -> dict[str, Any]:
         raise InputError("", [f"{{{strange}}}: applies to a record; remove it, or give {{record}}"])
     if "time" not in given:  # without it a list is an ensemble
         return rest
-    lists = {k: v for k, v in rest.items() if not callable(v) and np.ndim(v) == 1}
-    if np.ndim(given["time"]) != 1 or not lists:
+    time = np.asarray(given["time"])
+    lists = [name for name, value in rest.items() if not callable(value) and np.ndim(value) == 1]
+    if time.ndim != 1 or not lists:
         raise InputError("", ["{time} and {ratio} or {pressure}: must be lists of numbers"])
-    return rest | {k: Series(np.asarray(given["time"]), np.asarray(v)) for k, v in lists.items()}
+    for name in lists:
+        values = np.asarray(rest[name])
+        rest[name] = Series(time, values)
+    return rest
 
 
 def _shaking(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -84,25 +91,31 @@ def _shaking(given: Mapping[str, Any]) -> dict[str, Any]:
 def _as_series(given: Mapping[str, Any]) -> dict[str, Any]:
     if "record" in given:
         raise InputError("", [_IN_FILES.format("horizontal")])
-    ways = [w for w in _FITTING if w in given]
+    ways = [way for way in _FITTING if way in given]
     if len(ways) != 1:
-        raise InputError("", [" and ".join(f"{{{w}}}" for w in ways) + " exclude each other; remove one"])
-    way = ways[0]
-    strange = [k for k in given if k not in _FITTING[way] and k not in (way, "two_way")]
+        both = " and ".join(f"{{{way}}}" for way in ways)
+        raise InputError("", [f"{both} exclude each other; remove one"])
+    (way,) = ways
+    fitting = _FITTING[way] | {way, "two_way"}
+    strange = [name for name in given if name not in fitting]
     if strange:
         raise InputError("", [f"{{{strange[0]}}} does not belong to a {way}; leave it out"])
     if "scale" in given and "peak" in given:
         raise InputError("", ["{scale} and {peak} exclude each other; remove one"])
     if way == "horizontal":
         return dict(given)
-    missing = [k for k in ("amplitude", "duration") if k not in given]
-    if missing:
-        raise InputError("", [f"{{{missing[0]}}} is missing: a pulse needs it"])
-    pulse = Pulse(
-        given["pulse"], 1.0, *(float(given.get(k, v)) for k, v in (("start", 0.0), ("duration", 0.0), ("cycles", 1.0)))
-    )
-    series = {"horizontal": pulse} | ({"vertical": pulse} if "vertical_amplitude" in given else {})
-    return series | {k: given[k] for k in (*_FACTORS, "two_way") if k in given}
+    for needed in ("amplitude", "duration"):
+        if needed not in given:
+            raise InputError("", [f"{{{needed}}} is missing: a pulse needs it"])
+    start = float(given.get("start", 0.0))
+    duration = float(given["duration"])
+    cycles = float(given.get("cycles", 1.0))
+    pulse = Pulse(given["pulse"], 1.0, start, duration, cycles)
+    made = {"horizontal": pulse}
+    if "vertical_amplitude" in given:
+        made["vertical"] = pulse
+    kept = (*_FACTORS, "two_way")
+    return made | {name: given[name] for name in kept if name in given}
 
 
 def _check_strength(given: Mapping[str, Any]) -> None:
@@ -111,7 +124,8 @@ def _check_strength(given: Mapping[str, Any]) -> None:
         record = given.get(name)
         if not isinstance(record, Series):
             continue
-        peak = float(np.max(np.abs(factor("shaking", given, name)))) * record.greatest
+        greatest_factor = float(np.max(np.abs(factor("shaking", given, name))))
+        peak = greatest_factor * record.greatest
         if peak > STRONGEST:
             unlikely = f"{{{name}}} reaches {peak:.6g} g, more than any recorded ground motion ({STRONGEST:g} g)"
             unit = 'its values are over gravity; in Python give their unit, such as Record(t, a, units="cm/s2")'

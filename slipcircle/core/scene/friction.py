@@ -18,33 +18,26 @@ def law_mistakes(given: Any) -> list[str]:
     if callable(given):
         return []
     if not isinstance(given, Mapping):
-        return mistakes(
-            {"friction": given},
-            {"friction": (-5e-324, np.inf, "a friction coefficient, tan(phi): a number of at least 0")},
-        )
+        allowed = (-5e-324, np.inf, "a friction coefficient, tan(phi): a number of at least 0")
+        return mistakes({"friction": given}, {"friction": allowed})
     faults = _named_faults(given, "friction", tuple(LAWS))
-    if not faults and "rate" in given:
-        if not may_have_rate(given["law"]):
-            faults.append(f"friction.rate: {given['law']} is not a law of slip; remove one")
-        elif not isinstance(given["rate"], Mapping):
-            faults.append(f"friction.rate = {shown(given['rate'])}: must be a law of speed with its parameters")
-        else:
-            faults += _named_faults(given["rate"], "friction.rate", RATE_LAWS)
-    return faults
+    if faults or "rate" not in given:
+        return faults
+    if not may_have_rate(given["law"]):
+        return [f"friction.rate: {given['law']} is not a law of slip; remove one"]
+    return rate_mistakes(given["rate"], "friction.rate")
 
 
-def rate_mistakes(given: Any) -> list[str]:
-    """A sentence for each mistake in a law of speed that multiplies the friction of all soils."""
-    if given is None:
-        return []
+def rate_mistakes(given: Any, path: str = "rate") -> list[str]:
+    """A sentence for each mistake in a law of speed that multiplies a law of slip, or the friction of all soils."""
     if not isinstance(given, Mapping):
-        return [f"rate = {shown(given)}: must be a law of speed with its parameters"]
-    return _named_faults(given, "rate", RATE_LAWS)
+        return [f"{path} = {shown(given)}: must be a law of speed with its parameters"]
+    return _named_faults(given, path, RATE_LAWS)
 
 
 def may_have_rate(law: str) -> bool:
     """Whether a law may be multiplied by one of speed."""
-    return not {"speed", "time"} & set(LAWS[law].depends_on)
+    return {"speed", "time"}.isdisjoint(LAWS[law].depends_on)
 
 
 def _named_faults(given: Mapping[str, Any], path: str, known: tuple[str, ...]) -> list[str]:
@@ -52,23 +45,32 @@ def _named_faults(given: Mapping[str, Any], path: str, known: tuple[str, ...]) -
     name = given.get("law")
     if name not in known:
         return [f"{path}.law = {name!r}: must be one of {', '.join(known)}"]
-    parameters = {k: v for k, v in given.items() if k != "law" and (k, path) != ("rate", "friction")}
+    parameters = dict(given)
+    del parameters["law"]
+    if path == "friction":
+        parameters.pop("rate", None)
     declared = LAWS[name].parameters
     faults = parameter_mistakes(path, parameters, declared)
-    if declared[0].kind == "list" and not faults:
-        faults += _table_faults(path, name, parameters)
-    return faults
+    if faults or declared[0].kind != "list":
+        return faults
+    return _table_faults(path, name, parameters)
 
 
 def _table_faults(path: str, name: str, parameters: Mapping[str, Any]) -> list[str]:
     """What is wrong with a law that is a table: its slips, speeds or times, and the coefficients there."""
-    places, values = (np.asarray(parameters[p.name], dtype=float) for p in LAWS[name].parameters)
-    argument = f"{path}.{LAWS[name].parameters[0].name}"
-    if places.ndim != 1 or places.shape != values.shape or places.size < 2:
-        return [f"{{{argument}}} and {{{path}.coefficient}}: must be two lists of equal length, at least two values"]
-    if name == "tabulated" and (places[0] != 0.0 or np.any(np.diff(places) <= 0.0)):
-        return [f"{{{argument}}}: must start at 0 and increase"]
-    return [f"{{{argument}}}: must increase"] if np.any(np.diff(places) <= 0.0) else []
+    argument = LAWS[name].parameters[0].name
+    places = np.asarray(parameters[argument], dtype=float)
+    coefficients = np.asarray(parameters["coefficient"], dtype=float)
+    key = f"{{{path}.{argument}}}"
+    if places.ndim != 1 or places.shape != coefficients.shape or places.size < 2:
+        return [f"{key} and {{{path}.coefficient}}: must be two lists of equal length, at least two values"]
+    steps = np.diff(places)
+    increases = bool(np.all(steps > 0.0))
+    if name == "tabulated" and not (increases and places[0] == 0.0):
+        return [f"{key}: must start at 0 and increase"]
+    if not increases:
+        return [f"{key}: must increase"]
+    return []
 
 
 def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:
@@ -82,9 +84,12 @@ def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:
         return (("constant", {"coefficient": friction}),)
     rate = law_parts(friction["rate"]) if "rate" in friction else ()
     if "soils" in friction:
-        of_soils = [law_parts(law)[0] for law in friction["soils"].values()]
-        return (*((f"{name}{OF_SOIL}{k}", given) for k, (name, given) in enumerate(of_soils)), *rate)
-    parameters = {n: v for n, v in friction.items() if n not in ("law", "rate")}
+        of_soils = []
+        for k, law in enumerate(friction["soils"].values()):
+            name, parameters = law_parts(law)[0]
+            of_soils.append((f"{name}{OF_SOIL}{k}", parameters))
+        return (*of_soils, *rate)
+    parameters = {name: value for name, value in friction.items() if name not in ("law", "rate")}
     return ((friction["law"], parameters), *rate)
 
 
@@ -113,27 +118,37 @@ def law_names(given: Any) -> tuple[str, ...]:
 
 def law_depends(given: Any) -> tuple[str, ...]:
     """What a scene's friction depends on: some of slip, speed, time."""
-    names = map(without_soil, law_names(given))
-    return tuple(dict.fromkeys(x for n in names for x in (LAWS[n].depends_on if n in LAWS else ("slip",))))
+    variables: dict[str, None] = {}
+    for name in law_names(given):
+        law = LAWS.get(without_soil(name))
+        depends_on = law.depends_on if law else ("slip",)
+        variables |= dict.fromkeys(depends_on)
+    return tuple(variables)
 
 
 def friction_at_rest(friction: Any) -> Any:
     """The coefficient before any slip, at no speed and at the start."""
-    coefficients = []
     if isinstance(friction, Mapping) and "soils" in friction:  # with the mean of the whole arc
         friction = {**friction, "law": "constant"}
         del friction["soils"]
-    for name, given in law_parts(friction):
-        if name == "callable":
-            coefficients.append(float(np.ravel(given["function"](0.0))[0]))
-            continue
-        value = given["peak" if "peak" in given else "coefficient"]
-        is_table = LAWS[name].parameters[0].kind == "list"
-        coefficients.append(value[0] if is_table else value)
-    return math.prod(coefficients)
+    factors = [_at_rest(name, parameters) for name, parameters in law_parts(friction)]
+    return math.prod(factors)
+
+
+def _at_rest(name: str, parameters: Mapping[str, Any]) -> Any:
+    """The coefficient of one law before any slip; a table begins with it."""
+    if name == "callable":
+        coefficient = parameters["function"](0.0)
+        return float(np.ravel(coefficient)[0])
+    if "peak" in parameters:
+        return parameters["peak"]
+    coefficient = parameters["coefficient"]
+    is_table = LAWS[name].parameters[0].kind == "list"
+    return coefficient[0] if is_table else coefficient
 
 
 def least_friction(friction: Any) -> float:
     """The least coefficient of a law without a law of speed beside it, of any lane."""
     _, given = law_parts(friction)[0]
-    return min(float(np.min(given[n])) for n in ("coefficient", "peak", "residual") if n in given)
+    coefficients = [given[name] for name in ("coefficient", "peak", "residual") if name in given]
+    return min(float(np.min(values)) for values in coefficients)

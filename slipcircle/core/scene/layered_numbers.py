@@ -4,7 +4,7 @@ Names are ``soils.NAME.cohesion``, ``soils.NAME.friction.peak``, ...; ``layers.2
 first point; ``surcharge.1.pressure``, the greater one of both ends; ``crack``; ``rate.peak``, ...
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -14,29 +14,36 @@ from generated.effects import LAWS
 from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.soils import SOIL_NUMBERS, Soil, share_one_law
 
+Load = tuple[float, float, Any, Any]  # a surcharge: x1, x2, and the pressures there
+
 
 class LayeredNumbers:
     """Numbers of a section with layers beside those of ground, circle and water, and its fields with other values."""
 
     layers: Sequence[tuple[Soil, Any]]
     foreland: Soil | None
-    surcharge: Sequence[tuple[float, float, Any, Any]]
+    surcharge: Sequence[Load]
     rate: Mapping[str, Any] | None
     crack: Any
 
     @cached_property
     def soils(self) -> tuple[Soil, ...]:
         """The soils of the layers, and that of the foreland."""
-        return (*(soil for soil, _ in self.layers), *([self.foreland] if self.foreland else []))
+        of_layers = tuple(soil for soil, _ in self.layers)
+        if self.foreland is None:
+            return of_layers
+        return (*of_layers, self.foreland)
 
     def other_numbers(self) -> dict[str, Any]:
         """Numbers by name."""
-        numbers = {name: value for soil in self.soils for name, value in _numbers_of(soil)}
+        numbers: dict[str, Any] = {}
+        for soil in self.soils:
+            numbers |= _numbers_of_soil(soil)
         for k, (_, top) in enumerate(self.layers, 1):
             if top is not None:
-                numbers[f"layers.{k}.top"] = np.asarray(top)[..., 0, 1][()] if np.ndim(top) > 1 else top
-        if self.rate and LAWS[self.rate["law"]].parameters[0].kind != "list":
-            numbers |= {f"rate.{name}": value for name, value in self.rate.items() if name != "law"}
+                numbers[f"layers.{k}.top"] = _height(top)
+        if self.rate:
+            numbers |= _numbers_of_law("rate", self.rate)
         for k, (_, _, left, right) in enumerate(self.surcharge, 1):
             numbers[f"surcharge.{k}.pressure"] = np.maximum(left, right)
         if np.any(self.crack):
@@ -49,10 +56,8 @@ class LayeredNumbers:
         changed = {name: value for name, value in values.items() if value is not known[name]}
         if not changed:
             return {}
-        lengths = [value for name, value in changed.items() if name.endswith(".friction.length")]
-        if lengths and share_one_law(self.soils):
-            of_soils = {name for name in known if name.endswith(".friction.length")}
-            changed = {**dict.fromkeys(of_soils, lengths[0]), **changed}
+        if share_one_law(self.soils):
+            _share_length(changed, known)
         soils = {id(soil): _soil_with(soil, changed) for soil in self.soils}
         layers = []
         for k, (soil, top) in enumerate(self.layers, 1):
@@ -60,30 +65,60 @@ class LayeredNumbers:
             if name in changed and not np.array_equal(changed[name], known[name]):
                 top = _moved(top, changed[name])
             layers.append((soils[id(soil)], top))
+        loads = []
+        for k, load in enumerate(self.surcharge, 1):
+            greatest = changed.get(f"surcharge.{k}.pressure")
+            if greatest is not None:
+                load = _scaled(load, greatest)
+            loads.append(load)
         rate = _within("rate.", changed)
-        loads = [_scaled(load, changed.get(f"surcharge.{k}.pressure")) for k, load in enumerate(self.surcharge, 1)]
         return {
             "layers": tuple(layers),
             "foreland": self.foreland and soils[id(self.foreland)],
-            "rate": {**self.rate, **rate} if self.rate and rate else self.rate,
+            "rate": {**self.rate, **rate} if self.rate else None,
             "surcharge": tuple(loads),
             "crack": changed.get("crack", self.crack),
         }
 
 
-def _numbers_of(soil: Soil) -> Iterator[tuple[str, Any]]:
+def _numbers_of_soil(soil: Soil) -> dict[str, Any]:
     """The numbers of a soil by name."""
     start = f"soils.{soil.name}"
+    numbers = {}
     for name in SOIL_NUMBERS:
         value = getattr(soil, name)
         if value is not None:
-            yield f"{start}.{name}", value
-    if not isinstance(soil.friction, Mapping):
-        yield f"{start}.friction", soil.friction
-        return
-    for p in LAWS[soil.friction["law"]].parameters:
-        if p.kind != "list":
-            yield f"{start}.friction.{p.name}", soil.friction[p.name]
+            numbers[f"{start}.{name}"] = value
+    if isinstance(soil.friction, Mapping):
+        return numbers | _numbers_of_law(f"{start}.friction", soil.friction)
+    numbers[f"{start}.friction"] = soil.friction
+    return numbers
+
+
+def _numbers_of_law(start: str, law: Mapping[str, Any]) -> dict[str, Any]:
+    """The numbers of a law by name; a table has none."""
+    numbers = {}
+    for parameter in LAWS[law["law"]].parameters:
+        if parameter.kind != "list":
+            numbers[f"{start}.{parameter.name}"] = law[parameter.name]
+    return numbers
+
+
+def _height(top: Any) -> Any:
+    """The height of the top of a layer, of a line that of its first point."""
+    if np.ndim(top) < 2:
+        return top
+    heights = np.asarray(top)[..., 1]
+    return heights[..., 0]
+
+
+def _share_length(changed: dict[str, Any], known: Mapping[str, Any]) -> None:
+    """Give the slip length of one soil to all, as a law that they share has one."""
+    lengths = [name for name in known if name.endswith(".friction.length")]
+    given = [changed[name] for name in changed if name in lengths]
+    if given:
+        for name in lengths:
+            changed.setdefault(name, given[0])
 
 
 def _within(start: str, values: Mapping[str, Any]) -> dict[str, Any]:
@@ -96,21 +131,21 @@ def _soil_with(soil: Soil, values: Mapping[str, Any]) -> Soil:
     changed = _within(f"soils.{soil.name}.", values)
     law = _within("friction.", changed)
     if law:
-        changed = {name: value for name, value in changed.items() if not name.startswith("friction.")}
+        for name in law:
+            del changed[f"friction.{name}"]
         changed["friction"] = {**soil.friction, **law}
     return replace_unchecked(soil, changed)
 
 
-def _scaled(load: tuple[float, float, Any, Any], greatest: Any) -> tuple[float, float, Any, Any]:
+def _scaled(load: Load, greatest: Any) -> Load:
     """A surcharge with another pressure at the end where it is greater; that at the other end is in proportion."""
-    if greatest is None:
-        return load
     first, last, left, right = load
     known = np.maximum(left, right)
     is_none = known == 0.0
     unit = np.where(is_none, 1.0, known)
-    shares = [np.where(is_none, 1.0, pressure / unit) for pressure in (left, right)]
-    return first, last, greatest * shares[0], greatest * shares[1]
+    left_share = np.where(is_none, 1.0, left / unit)
+    right_share = np.where(is_none, 1.0, right / unit)
+    return first, last, greatest * left_share, greatest * right_share
 
 
 def _moved(top: Any, height: Any) -> Any:
@@ -119,6 +154,9 @@ def _moved(top: Any, height: Any) -> Any:
         return height
     line = np.asarray(top)
     if line.ndim > 2:  # lanes of one line
-        line = line.reshape(-1, *line.shape[-2:])[0]
-    rise = np.asarray(height - line[0, 1])[..., None]
-    return line + np.stack(np.broadcast_arrays(0.0, rise), axis=-1)
+        lines = line.reshape(-1, *line.shape[-2:])
+        line = lines[0]
+    first_height = line[0, 1]
+    rise = np.asarray(height - first_height)[..., None]
+    shift = np.stack(np.broadcast_arrays(0.0, rise), axis=-1)
+    return line + shift

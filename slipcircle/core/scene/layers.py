@@ -84,55 +84,73 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def __post_init__(self) -> None:
         errors = layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland)
         if not errors:
-            errors = [f"soils.{soil.name}.{m}" for soil, _ in self.layers for m in soil_mistakes(soil)]
-        raise_all("LayeredSection", errors + rate_mistakes(self.rate))
+            for soil, _ in self.layers:
+                errors += [f"soils.{soil.name}.{mistake}" for mistake in soil_mistakes(soil)]
+        if self.rate is not None:
+            errors += rate_mistakes(self.rate)
+        raise_all("LayeredSection", errors)
         least = 0.0 if np.ndim(self.crack) else -5e-324  # of arrays none is without a crack
         depth = (least, FAR, "a depth of at least 0 in m, in an array above 0")
         raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}))
         super().__post_init__()
         first, last = self._angles
-        overhangs = max(-float(np.min(first)), float(np.max(last))) > np.pi / 2
-        steep = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
-        raise_all("LayeredSection", [steep] if overhangs else [])
+        steepest = max(-float(np.min(first)), float(np.max(last)))
+        if steepest > np.pi / 2:
+            above = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
+            raise_all("LayeredSection", [above])
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, LayeredSection) or len(self.layers) != len(other.layers):
             return False
-        same_tops = all(np.array_equal(a, b) for (_, a), (_, b) in zip(self.layers, other.layers, strict=True))
-        names = {f.name for f in fields(self)} - {"layers", "foreland"}
-        same_fields = all(np.array_equal(getattr(self, name), getattr(other, name)) for name in names)
-        return self.soils == other.soils and same_tops and same_fields
+        if self.soils != other.soils:
+            return False
+        pairs = [(top, other_top) for (_, top), (_, other_top) in zip(self.layers, other.layers, strict=True)]
+        for f in fields(self):
+            if f.name not in ("layers", "foreland"):
+                pairs.append((getattr(self, f.name), getattr(other, f.name)))
+        return all(np.array_equal(one, another) for one, another in pairs)
 
     # --- soils -------------------------------------------------------------------------------------------------------
 
     @cached_property
     def shape(self) -> tuple[int, ...]:
         """Of results that depend on the geometry alone."""
-        tops = [np.shape(top) for _, top in self.layers if top is not None]
-        leading = [shape[:-2] if len(shape) > 1 else shape for shape in tops]
-        return np.broadcast_shapes(super().shape, np.shape(self.crack), *leading)
+        shapes = [super().shape, np.shape(self.crack)]
+        for _, top in self.layers:
+            if np.ndim(top) > 1:  # lines
+                shapes.append(np.shape(top)[:-2])
+            elif top is not None:
+                shapes.append(np.shape(top))
+        return np.broadcast_shapes(*shapes)
 
     @cached_property
     def lanes_shape(self) -> tuple[int, ...]:
         """The broadcast shape of the geometry and of all numbers of soils."""
-        numbers = [getattr(s, n) for s in self.soils for n in LANE_NUMBERS]
-        numbers += [pressure for load in self.surcharge for pressure in load[2:]]
-        return np.broadcast_shapes(self.shape, *(np.shape(x) for x in numbers if x is not None))
+        numbers = [getattr(soil, name) for soil in self.soils for name in LANE_NUMBERS]
+        for _, _, left, right in self.surcharge:
+            numbers += [left, right]
+        shapes = [np.shape(number) for number in numbers if number is not None]
+        return np.broadcast_shapes(self.shape, *shapes)
 
     @cached_property
     def datums(self) -> tuple[Any, ...]:
         """Heights below which the cohesion of the soils grows, m, (circles,) each; None where it does not grow."""
-        raise_all("LayeredSection", [m for soil in self.soils for m in datum_mistakes(soil, self.layers)])
-        heights = [datum_of(soil, self.layers) for soil in self.soils]
-        return tuple(None if y is None else np.broadcast_to(y, self.shape).reshape(-1) for y in heights)
+        datums: list[Any] = []
+        for soil in self.soils:
+            raise_all("LayeredSection", datum_mistakes(soil, self.layers))
+            height = datum_of(soil, self.layers)
+            if height is not None:
+                height = np.broadcast_to(height, self.shape).reshape(-1)
+            datums.append(height)
+        return tuple(datums)
 
     def of_soils(self, value: Callable[[Soil], Any]) -> Floats:
         """A number of each soil, (soils, lanes)."""
-        return self._by_lane([value(s) for s in self.soils])
+        return self._by_lane([value(soil) for soil in self.soils])
 
-    def _by_lane(self, given: Sequence[Any]) -> Floats:
+    def _by_lane(self, numbers: Sequence[Any]) -> Floats:
         """Numbers or arrays of them, (numbers, lanes)."""
-        numbers = [np.asarray(number) for number in given]
+        numbers = list(map(np.asarray, numbers))
         rows = np.empty((len(numbers), *self.lanes_shape), dtype=np.result_type(np.float64, *numbers))
         for k, number in enumerate(numbers):
             rows[k] = number
@@ -141,9 +159,11 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def _shaped(self, values: Any) -> Any:
         """Values by lane in the shape of the results, of geometry or of all."""
         values = np.asarray(values)
-        count = int(np.prod(self.shape))
-        shape = self.shape if len(values) == count else self.lanes_shape
-        return values.reshape((*shape, *values.shape[1:]))[()]
+        circles = int(np.prod(self.shape))
+        shape = self.shape if len(values) == circles else self.lanes_shape
+        _, *components = values.shape
+        shaped = values.reshape((*shape, *components))
+        return shaped[()]
 
     # --- geometry ----------------------------------------------------------------------------------------------------
 
@@ -154,16 +174,19 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         ends = ground[:, [0, -1], 0]
         lines = [ground]
         for _, top in self.layers[1:]:
-            points = np.asarray(top)
-            if points.ndim < 2:  # a height, or one of each circle
-                height = np.broadcast_to(points, self.shape if points.ndim else ()).reshape(-1, 1)
-                points = np.stack(np.broadcast_arrays(ends, height), axis=-1)
-                lines.append(points)
-            else:
-                lines.append(self._lines(points))
+            height = np.asarray(top)
+            if height.ndim > 1:
+                lines.append(self._lines(height))
+                continue
+            if height.ndim == 1:  # one of each circle
+                height = np.broadcast_to(height, self.shape)
+            row = height.reshape(-1, 1)
+            lines.append(np.stack(np.broadcast_arrays(ends, row), axis=-1))
         if self.level is not None:
             lines.append(self._level)
-        return [(line - centre[:, None]) / radius[:, None, None] for line in lines]
+        origin = centre[:, None]
+        size = radius[:, None, None]
+        return [(line - origin) / size for line in lines]
 
     @cached_property
     def _saturated(self) -> bool:
@@ -179,17 +202,30 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         if self._saturated:
             surfaces += [(*lines, count) for lines in surfaces]
         _, centre, radius = self._circle
-        x, size = centre[:, :1], radius[:, None]
-        loads = [((x1 - x) / size, (x2 - x) / size) for x1, x2, _, _ in self.surcharge]
-        cuts = [end for load in loads for end in load]
-        for datum in self.datums:
-            if datum is not None:
-                depth = np.clip((centre[:, 1:] - datum[:, None]) / size, -1.0, 1.0)
-                across = np.sqrt((1.0 - depth) * (1.0 + depth))
-                cuts += [across, -across]
+        centre_x = centre[:, :1]
+        size = radius[:, None]
+        loads = []
+        cuts = self._datum_crossings_x
+        for x1, x2, _, _ in self.surcharge:
+            load = (x1 - centre_x) / size, (x2 - centre_x) / size
+            loads.append(load)
+            cuts += load
         extra = np.concatenate(cuts, axis=1) if cuts else None
         (left, _), (right, _) = self._ends
         return cut_into_strips(self._lines_over_radius, surfaces, count, (left, right), extra, loads)
+
+    @property
+    def _datum_crossings_x(self) -> list[Floats]:
+        """x from the centre, over R, where heights below which cohesion grows cross the circle, (circles, 1) each."""
+        _, centre, radius = self._circle
+        crossings = []
+        for datum in self.datums:
+            if datum is not None:
+                below_centre = centre[:, 1:] - datum[:, None]
+                depth = np.clip(below_centre / radius[:, None], -1.0, 1.0)
+                across = np.sqrt((1.0 - depth) * (1.0 + depth))
+                crossings += [across, -across]
+        return crossings
 
     @cached_property
     def profile(self) -> Profile:
@@ -209,11 +245,13 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         weight = self.of_soils(lambda s: s.unit_weight)[:count]
         steps = [np.diff(weight, axis=0, prepend=0.0)]
         if self._saturated:
-            wet = self.of_soils(lambda s: s.unit_weight if s.saturated_unit_weight is None else s.saturated_unit_weight)
-            steps.append(np.diff(wet[:count] - weight, axis=0, prepend=0.0))
+            wet = self.of_soils(_weight_below_water)
+            increase = wet[:count] - weight
+            steps.append(np.diff(increase, axis=0, prepend=0.0))
         if self.surcharge:
             pressures = self._by_lane([pressure for load in self.surcharge for pressure in load[2:]])
-            steps.append(pressures / self._circle[2])
+            _, _, radius = self._circle
+            steps.append(pressures / radius)
         return np.concatenate(steps)
 
     @cached_property
@@ -246,7 +284,9 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         """Of the mass, x and y in m."""
         _, centre, radius = self._circle
         m = self._per_mean_weight
-        return self._shaped(centre + m[[MOMENT_X, MOMENT_Y]].T * (radius / m[AREA])[:, None])
+        scale = radius / m[AREA]
+        from_centre = m[[MOMENT_X, MOMENT_Y]].T * scale[:, None]
+        return self._shaped(centre + from_centre)
 
     @cached_property
     def moments(self) -> dict[str, Any]:
@@ -279,8 +319,11 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         self, effects: Mapping[str, Mapping[str, Any]], complete: bool = False
     ) -> Mapping[str, Mapping[str, Any]]:
         """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
-        how = "rotation" in effects, "shaking" in effects, complete
-        terms = {"layered_strength": self.arc_strength.terms(*how), **self.arc_strength.soil_terms(*how)}
+        strength = self.arc_strength
+        rotates = "rotation" in effects
+        shaken = "shaking" in effects
+        terms = {"layered_strength": strength.terms(rotates, shaken, complete)}
+        terms |= strength.soil_terms(rotates, shaken, complete)
         if "centripetal" not in effects:
             for effect, added in terms.items():
                 terms[effect] = {name: term for name, term in added.items() if not name.endswith("inertia")}
@@ -300,14 +343,23 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
 def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
     """Whether two sections have the same boundaries, crack, places of surcharges, and heights where cohesion grows."""
-    if len(one.layers) != len(other.layers) or len(one.soils) != len(other.soils) or one.crack is not other.crack:
+    if _cut_of(one) != _cut_of(other) or one.crack is not other.crack:
         return False
-    if one.strength != other.strength or one._saturated != other._saturated:
-        return False
-    if [load[:2] for load in one.surcharge] != [load[:2] for load in other.surcharge]:
-        return False
-    tops = [(top, other_top) for (_, top), (_, other_top) in zip(one.layers, other.layers, strict=True)]
-    if any(top is not other_top for top, other_top in tops):
+    tops = zip(one.layers, other.layers, strict=True)
+    if any(top is not other_top for (_, top), (_, other_top) in tops):
         return False
     datums = zip(one.datums, other.datums, strict=True)
     return all(np.array_equal(datum, other_datum) for datum, other_datum in datums)
+
+
+def _cut_of(section: LayeredSection) -> tuple[Any, ...]:
+    """What of a section's cut can be compared by value: counts, switches and places of surcharges."""
+    places = [load[:2] for load in section.surcharge]
+    return len(section.layers), len(section.soils), section.strength, section._saturated, places
+
+
+def _weight_below_water(soil: Soil) -> Any:
+    """Unit weight of a soil below the water level, N/m^3."""
+    if soil.saturated_unit_weight is None:
+        return soil.unit_weight
+    return soil.saturated_unit_weight

@@ -6,7 +6,7 @@ all replace values by these names; how a scene file calls them is the file reade
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
@@ -28,7 +28,8 @@ ARC_UNITS = {
     "gravity": "m/s^2",
     "width": "m",
 }
-_STRESS, _COEFFICIENT = (-5e-324, 1e12), ("", -5e-324, declared.LIMITS[""][1])
+_STRESS = (-5e-324, 1e12)
+_COEFFICIENT = ("", -5e-324, declared.LIMITS[""][1])
 SOIL_BOUNDS: dict[str, tuple[str, float, float]] = {
     "unit_weight": ("N/m^3", 0.0, 1e6),
     "saturated_unit_weight": ("N/m^3", 0.0, 1e6),
@@ -45,6 +46,8 @@ SOIL_BOUNDS: dict[str, tuple[str, float, float]] = {
     "crack": ("m", 0.0, FAR),
 }
 SMALLEST = 5e-324  # a lower bound of minus this allows zero, as all bounds are open
+
+_OTHER_FACTOR = {"peak": "scale", "scale": "peak"}  # two names of one factor of shaking
 
 
 @dataclass(frozen=True)
@@ -70,28 +73,43 @@ _MOTION = (
 
 def parameters(scene: Scene) -> dict[str, Parameter]:
     """Every number that a scene with this arc and friction law may have, whether it has a value of it or not."""
-    arc = scene.arc
-    of_arc = [Parameter(n, ARC_UNITS[n], *ARC_BOUNDS[n][:2]) for n in ARC_BOUNDS if n in arc.quantities]
-    if "ground" in arc.quantities:
-        of_arc += [Parameter(name, "m", -FAR, FAR) for name in arc_numbers(arc) if "." in name]
-    else:
-        of_arc.append(DIP)
-    of_arc += [Parameter(name, *SOIL_BOUNDS[name.rpartition(".")[2]]) for name in arc.other_numbers()]
-    of_law: list[Parameter] = []
-    for path, (name, _) in zip(law_paths(scene.friction), law_parts(scene.friction), strict=True):
-        law = without_soil(name)
-        if law in declared.LAWS and not path.startswith("soils."):
-            of_law += _scalars(path, declared.LAWS[law].parameters)
     of_effects = [p for name, effect in declared.EFFECTS.items() for p in _scalars(name, effect.parameters)]
-    return {p.name: p for p in (*_MOTION, *of_arc, *of_law, *of_effects)}
+    every = (*_MOTION, *_parameters_of_arc(scene.arc), *_parameters_of_friction(scene.friction), *of_effects)
+    return {parameter.name: parameter for parameter in every}
 
 
-def _scalars(path: str, parameters: Iterable[declared.Parameter]) -> list[Parameter]:
+def _parameters_of_arc(arc: Any) -> Iterator[Parameter]:
+    """Of an arc or a section; coordinates have a point in their names."""
+    for name, (lower, upper, _) in ARC_BOUNDS.items():
+        if name in arc.quantities:
+            yield Parameter(name, ARC_UNITS[name], lower, upper)
+    if "ground" not in arc.quantities:
+        yield DIP
+    else:
+        for name in arc_numbers(arc):
+            if "." in name:
+                yield Parameter(name, "m", -FAR, FAR)
+    for name in arc.other_numbers():
+        _, _, quantity = name.rpartition(".")
+        yield Parameter(name, *SOIL_BOUNDS[quantity])
+
+
+def _parameters_of_friction(friction: Any) -> Iterator[Parameter]:
+    """Of the laws of a scene's friction but those of soils, whose numbers are the section's."""
+    for path, (name, _) in zip(law_paths(friction), law_parts(friction), strict=True):
+        law = declared.LAWS.get(without_soil(name))
+        if law is not None and not path.startswith("soils."):
+            yield from _scalars(path, law.parameters)
+
+
+def _scalars(path: str, parameters: Iterable[declared.Parameter]) -> Iterator[Parameter]:
     """Those declared parameters of a law or an effect that are one number, or a function of time that may be one."""
-    scalar = [p for p in parameters if p.kind in ("number", "series")]
-    name_of = {"friction.coefficient": "friction"}
-    names = [f"{path}.{p.name}" for p in scalar]
-    return [Parameter(name_of.get(n, n), p.unit, p.lower, p.upper) for n, p in zip(names, scalar, strict=True)]
+    for p in parameters:
+        if p.kind in ("number", "series"):
+            name = f"{path}.{p.name}"
+            if name == "friction.coefficient":
+                name = "friction"
+            yield Parameter(name, p.unit, p.lower, p.upper)
 
 
 def parameter_value(scene: Scene, name: str) -> float | None:
@@ -110,7 +128,8 @@ def with_parameters(scene: Scene, values: Mapping[str, Any]) -> Scene:
     ValueError
         If that is no scene; lists every mistake.
     """
-    changed = _fields_with(scene, {n: v if np.ndim(v) else float(v) for n, v in values.items()})
+    numbers = {name: value if np.ndim(value) else float(value) for name, value in values.items()}
+    changed = _fields_with(scene, numbers)
     arc = replace(scene.arc, **changed["arc"]) if changed["arc"] else scene.arc
     return Scene(**_fields_of(scene) | changed | {"arc": arc})
 
@@ -126,16 +145,21 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]
     invalid = ~np.logical_and.reduce(allowed)
     before: dict[str, Any] = {name: parameter_value(scene, name) for name in values}
     while True:
-        stand_in = before if np.all(invalid) else {name: value[np.argmin(invalid)] for name, value in values.items()}
-        valid_values = {name: np.where(invalid, stand_in[name], value) for name, value in values.items()}
+        none_valid = bool(np.all(invalid))
+        first_valid = np.argmin(invalid)
+        valid_values = {}
+        for name, value in values.items():
+            stand_in = before[name] if none_valid else value[first_valid]
+            valid_values[name] = np.where(invalid, stand_in, value)
         changed = _fields_with(scene, valid_values)
         arc = replace_unchecked(scene.arc, changed["arc"])
-        faults = arc.geometry_errors() if arc is not scene.arc and not np.all(invalid) else ()
+        faults = () if none_valid or arc is scene.arc else arc.geometry_errors()
         impossible = next((lanes for lanes, _ in faults if np.any(lanes)), None)
         if impossible is None:
-            break
-        invalid = invalid | (impossible if impossible.size == 1 else impossible.reshape(invalid.shape))
-    return replace_unchecked(scene, changed | {"arc": arc}), invalid
+            return replace_unchecked(scene, changed | {"arc": arc}), invalid
+        if impossible.size > 1:
+            impossible = impossible.reshape(invalid.shape)
+        invalid = invalid | impossible
 
 
 def _fields_of(scene: Scene) -> dict[str, Any]:
@@ -147,8 +171,11 @@ def _fields_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
     """The fields of a scene, and under "arc" those of its arc that change, with other values of numbers; unchecked."""
     arc = changed_fields(scene.arc, values)
     if DIP.name in values:
-        turn = scene.arc.facing * (scene.arc.dip - values[DIP.name])
-        arc |= {end: np.asarray(getattr(scene.arc, end)) + turn for end in ("theta_1", "theta_2")}
+        change = scene.arc.dip - values[DIP.name]
+        turn = scene.arc.facing * change
+        for end in ("theta_1", "theta_2"):
+            theta = np.asarray(getattr(scene.arc, end))
+            arc[end] = theta + turn
     of_arc = {DIP.name, *arc_numbers(scene.arc)}
     assert isinstance(scene.effects, dict)
     effects = {name: dict(given) for name, given in scene.effects.items()}
@@ -162,7 +189,8 @@ def _fields_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
             friction = _friction_with(friction, number, value)
         elif number:
             given = effects.setdefault(table, {})
-            given.pop({"peak": "scale", "scale": "peak"}.get(number, ""), None)  # two names of one factor
+            other_name = _OTHER_FACTOR.get(number, "")
+            given.pop(other_name, None)
             given[number] = value
         else:
             others[name] = value
@@ -175,4 +203,7 @@ def _friction_with(friction: Any, number: str, value: Any) -> Any:
         return value
     assert isinstance(friction, Mapping)
     rate, _, name = number.rpartition(".")
-    return {**friction, rate: {**friction[rate], name: value}} if rate else {**friction, number: value}
+    if not rate:
+        return {**friction, name: value}
+    law_of_speed = {**friction[rate], name: value}
+    return {**friction, rate: law_of_speed}

@@ -19,13 +19,13 @@ def questions(scene: Scene) -> Iterator[str]:
     known = parameters(scene)
     for name, values in scene.numbers.items():
         unit = known[name].unit if name in known else ""
-        for value in np.unique(np.asarray(values, dtype=np.float64)):
-            if "friction" in name.split(".") and not unit and "rate" not in name.split("."):
-                question = _of_friction(float(value))
-            else:
-                question = _of_unit(float(value), unit)
+        words = name.split(".")
+        is_friction = "friction" in words and "rate" not in words and not unit
+        for value in map(float, np.unique(np.asarray(values, dtype=np.float64))):
+            question = _of_friction(value) if is_friction else _of_unit(value, unit)
             if question:
-                yield f"{name} = {value:.6g}{f' {unit}' if unit else ''}: {question}"
+                quantity = f"{value:.6g} {unit}".rstrip()
+                yield f"{name} = {quantity}: {question}"
                 break
 
 
@@ -35,16 +35,17 @@ def _of_unit(value: float, unit: str) -> str:
         return ""
     for other, size in declared.OTHER_UNITS[unit].items():
         if least <= value * size <= most:
-            return f"is that in {other}? 1 {other} is {size:g} {unit}" + (" under 9.81 m/s^2" if size == 9.81 else "")
+            gravity = " under 9.81 m/s^2" if size == 9.81 else ""
+            return f"is that in {other}? 1 {other} is {size:g} {unit}{gravity}"
     return ""
 
 
 def _of_friction(coefficient: float) -> str:
-    if coefficient > declared.USUAL_FRICTION[1]:
-        return (
-            f"is that an angle? The coefficient of {coefficient:.6g} deg is {math.tan(math.radians(coefficient)):.4g}"
-        )
+    least, most = declared.USUAL_FRICTION
+    if coefficient > most:
+        of_angle = math.tan(math.radians(coefficient))
+        return f"is that an angle? The coefficient of {coefficient:.6g} deg is {of_angle:.4g}"
     angle = math.degrees(math.atan(coefficient))
-    if 0.0 < coefficient < declared.USUAL_FRICTION[0] and angle > 0.05:
+    if 0.0 < coefficient < least and angle > 0.05:
         return f"an angle of {angle:.3g} deg; was that meant in rad? {angle:.3g} rad are {math.degrees(angle):.3g} deg"
     return ""

@@ -158,31 +158,26 @@ class Scene(Generic[Numbers]):
     def numbers(self) -> Mapping[str, ArrayLike]:
         """All numbers that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``,
         ``cohesion.cohesion``, ..."""
-        found = arc_numbers(self.arc)
-        law = self.friction
-        if isinstance(self.arc, LayeredSection):
-            pass  # numbers of its soils
-        elif isinstance(law, Mapping):
-            for path, (name, own) in zip(law_paths(law), law_parts(law), strict=True):
-                tables = LAWS[name].parameters[0].kind == "list"
-                found |= {f"{path}.{n}": value for n, value in own.items() if not tables}
-        elif not callable(law):
-            found["friction"] = law
-        found["initial_velocity"] = self.initial_velocity
+        numbers = arc_numbers(self.arc)
+        if not isinstance(self.arc, LayeredSection):  # whose soils have the numbers of friction
+            numbers |= _friction_numbers(self.friction)
+        numbers["initial_velocity"] = self.initial_velocity
         if self.end_time is not None:
-            found["end_time"] = self.end_time
+            numbers["end_time"] = self.end_time
         assert isinstance(self.effects, dict)
-        known = {e: {p.name for p in EFFECTS[e].parameters if p.kind in ("number", "series")} for e in self.effects}
-        shaken = self.effects.get("shaking", {})
-        if isinstance(record := shaken.get("horizontal"), Series):  # its peak and its scale stand for each other
-            share = factor("shaking", shaken, "horizontal")
-            found |= {"shaking.scale": share, "shaking.peak": share * record.greatest}
-        return found | {
-            f"{e}.{n}": value
-            for e, given in self.effects.items()
-            for n, value in given.items()
-            if n in known[e] and not callable(value)
-        }
+        shaking = self.effects.get("shaking", {})
+        record = shaking.get("horizontal")
+        if isinstance(record, Series):  # its peak and its scale stand for each other
+            scale = factor("shaking", shaking, "horizontal")
+            numbers["shaking.scale"] = scale
+            numbers["shaking.peak"] = scale * record.greatest
+        for effect, given in self.effects.items():
+            for p in EFFECTS[effect].parameters:
+                if p.name in given and p.kind in ("number", "series"):
+                    value = given[p.name]
+                    if not callable(value):
+                        numbers[f"{effect}.{p.name}"] = value
+        return numbers
 
     @cached_property
     def shape(self) -> tuple[int, ...]:
@@ -191,13 +186,27 @@ class Scene(Generic[Numbers]):
         return np.broadcast_shapes(*shapes) if shapes else ()
 
 
+def _friction_numbers(friction: Any) -> dict[str, Any]:
+    """The numbers of a friction, by name; functions and tables have none."""
+    if callable(friction):
+        return {}
+    if not isinstance(friction, Mapping):
+        return {"friction": friction}
+    numbers = {}
+    for path, (law, parameters) in zip(law_paths(friction), law_parts(friction), strict=True):
+        if LAWS[law].parameters[0].kind != "list":
+            for name, value in parameters.items():
+                numbers[f"{path}.{name}"] = value
+    return numbers
+
+
 def layered_mistakes(friction: Any, effects: Mapping[str, Any]) -> list[str]:
     """What a scene of layered ground says that its soils say."""
-    soil = "is given by the soils of a layered section; leave it out"
-    found = [f"effects.{name}: {soil}" for name in ("cohesion", "pore_pressure") if name in effects]
-    return found + (
-        [] if friction is None or isinstance(friction, MeanFriction) else [f"friction = {friction!r}: {soil}"]
-    )
+    of_soils = "is given by the soils of a layered section; leave it out"
+    faults = [f"effects.{name}: {of_soils}" for name in ("cohesion", "pore_pressure") if name in effects]
+    if friction is not None and not isinstance(friction, MeanFriction):
+        faults.append(f"friction = {friction!r}: {of_soils}")
+    return faults
 
 
 def accuracy_mistakes(accuracy: Any) -> list[str]:
@@ -220,13 +229,16 @@ def _named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
     """Effects by name, each with its parameters, and a sentence for what is no such thing."""
     if isinstance(effects, str) or not isinstance(effects, Iterable):
         return {}, [f"effects = {effects!r}: must be a list of names, or a mapping from names to parameters"]
-    given = effects if isinstance(effects, Mapping) else {e: {} for e in effects}
-    found = [
-        f"effects.{name} = {parameters!r}: must be a mapping of parameters, {{}} where there are none"
-        for name, parameters in given.items()
-        if not isinstance(parameters, Mapping)
-    ]
-    return {str(e): dict(parameters) for e, parameters in given.items() if isinstance(parameters, Mapping)}, found
+    given = effects if isinstance(effects, Mapping) else {name: {} for name in effects}
+    named = {}
+    faults = []
+    for name, parameters in given.items():
+        if isinstance(parameters, Mapping):
+            named[str(name)] = dict(parameters)
+        else:
+            what = f"effects.{name} = {parameters!r}"
+            faults.append(f"{what}: must be a mapping of parameters, {{}} where there are none")
+    return named, faults
 
 
 def _arc_faults(arc: Any, effects: Mapping[str, Mapping[str, Any]]) -> list[str]:
@@ -250,6 +262,8 @@ def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
     if name not in EFFECTS:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     effect = EFFECTS[name]
-    lacks = effect.any_of and not {*effect.any_of} & {*parameters}
-    found = [f"effects.{name}: one of {', '.join(effect.any_of)} is missing"] if lacks else []
-    return found + parameter_mistakes(f"effects.{name}", parameters, effect.parameters)
+    path = f"effects.{name}"
+    faults = []
+    if effect.any_of and not any(needed in parameters for needed in effect.any_of):
+        faults.append(f"{path}: one of {', '.join(effect.any_of)} is missing")
+    return faults + parameter_mistakes(path, parameters, effect.parameters)

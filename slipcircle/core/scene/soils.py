@@ -64,15 +64,17 @@ class Soil:
         """Friction coefficient after much slip."""
         if not isinstance(self.friction, Mapping):
             return self.friction
+        if "residual" in self.friction:
+            return self.friction["residual"]
         coefficient = self.friction.get("coefficient", 0.0)
-        return self.friction.get(
-            "residual", coefficient[-1] if {"slip", "speed", "time"} & {*self.friction} else coefficient
-        )
+        is_table = not {"slip", "speed", "time"}.isdisjoint(self.friction)
+        return coefficient[-1] if is_table else coefficient
 
 
 def soil_mistakes(soil: Soil) -> list[str]:
     """A sentence for each number of a soil that no soil has."""
-    positive, stress = (0.0, 1e6, "a positive unit weight in N/m^3"), (-5e-324, 1e12, "a stress of at least 0 in Pa")
+    positive = (0.0, 1e6, "a positive unit weight in N/m^3")
+    stress = (-5e-324, 1e12, "a stress of at least 0 in Pa")
     bounds = {
         "unit_weight": positive,
         "saturated_unit_weight": positive,
@@ -80,8 +82,11 @@ def soil_mistakes(soil: Soil) -> list[str]:
         "cohesion_gradient": (-5e-324, 1e12, "a growth of at least 0 in Pa/m"),
         "pore_ratio": (-5e-324, 1.0, "at least 0 and below 1"),
     }
-    numbers = {name: getattr(soil, name) for name in bounds if getattr(soil, name) is not None}
-    found = mistakes(numbers, {name: bounds[name] for name in numbers}) + law_mistakes(soil.friction)
+    if soil.saturated_unit_weight is None:
+        del bounds["saturated_unit_weight"]
+    numbers = {name: getattr(soil, name) for name in bounds}
+    found = mistakes(numbers, bounds)
+    found += law_mistakes(soil.friction)
     if callable(soil.friction):
         found.append("friction: must be a number or a law by name")
     if isinstance(soil.friction, Mapping) and "rate" in soil.friction:
@@ -101,7 +106,9 @@ def layer_mistakes(
     pairs = list(layers)
     if not pairs or not all(isinstance(p, tuple | list) and len(p) == 2 and isinstance(p[0], Soil) for p in pairs):
         return ["layers: must be pairs of a Soil and its top, from the ground down; the top of the first is None"]
-    found = [m for k, (_, top) in enumerate(pairs) for m in _top_mistakes(k, top)]
+    found = []
+    for k, (_, top) in enumerate(pairs):
+        found += _top_mistakes(k, top)
     if strength not in ("", "base", "mass"):
         found.append(f"strength = {strength!r}: must be 'base' or 'mass'")
     if foreland is not None and not isinstance(foreland, Soil):
@@ -110,10 +117,16 @@ def layer_mistakes(
         found.append(
             "{foreland}: cannot be combined with {strength} = 'mass', by which the sole of the mass keeps its own"
         )
-    used = [soil for soil, _ in pairs] + ([foreland] if isinstance(foreland, Soil) else [])
-    together = list({id(soil): soil for soil in used}.values())
-    found += _together_mistakes(together, strength) + [m for soil in together for m in datum_mistakes(soil, pairs)]
-    return found + [m for k, load in enumerate(surcharge) for m in _load_mistakes(k, load)]
+    used = [soil for soil, _ in pairs]
+    if isinstance(foreland, Soil):
+        used.append(foreland)
+    distinct = list({id(soil): soil for soil in used}.values())
+    found += _together_mistakes(distinct, strength)
+    for soil in distinct:
+        found += datum_mistakes(soil, pairs)
+    for k, load in enumerate(surcharge):
+        found += _load_mistakes(k, load)
+    return found
 
 
 def datum_of(soil: Soil, layers: Sequence[tuple[Soil, Any]]) -> Any:
@@ -128,9 +141,11 @@ def datum_mistakes(soil: Soil, layers: Sequence[tuple[Soil, Any]]) -> list[str]:
     if soil.datum is not None or not np.any(soil.cohesion_gradient):
         return []
     tops = [top for other, top in layers if other is soil]
-    of_one_height = tops and all(top is not None and np.ndim(top) < 2 and np.array_equal(top, tops[0]) for top in tops)
+    are_heights = tops and all(top is not None and np.ndim(top) < 2 for top in tops)
+    if are_heights and all(np.array_equal(top, tops[0]) for top in tops):
+        return []
     why = "is missing: y below which the cohesion grows, as no one height is the top of its layers"
-    return [] if of_one_height else [f"soils.{soil.name}.datum: {why}"]
+    return [f"soils.{soil.name}.datum: {why}"]
 
 
 def _load_mistakes(k: int, load: Any) -> list[str]:
@@ -164,11 +179,13 @@ def share_one_law(soils: Iterable[Soil]) -> bool:
     """Whether soils have one law of slip and one length, or a friction that does not change."""
     laws = set()
     for soil in soils:
-        if isinstance(soil.friction, Mapping):
-            if not {"peak", "residual", "length"} <= {*soil.friction}:
-                return False
-            shared = {name: value for name, value in soil.friction.items() if name not in ("peak", "residual")}
-            laws.add(repr(sorted(shared.items())))
+        law = soil.friction
+        if not isinstance(law, Mapping):
+            continue
+        if not {"peak", "residual", "length"} <= {*law}:
+            return False
+        shared = [(name, law[name]) for name in sorted(law) if name not in ("peak", "residual")]
+        laws.add(repr(shared))
     return len(laws) <= 1
 
 

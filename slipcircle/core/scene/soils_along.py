@@ -94,7 +94,10 @@ def mean_normal_stress(section: LayeredSection, directions: ArrayLike) -> Floats
 
 def _means(section: LayeredSection, ends: Floats, integral: Floats) -> Floats:
     """Means between neighbouring directions, of an integral up to each of them that is over R."""
-    return np.asarray(np.diff(integral, axis=-1) / np.diff(ends) * _radius(section))
+    angles = np.diff(ends)
+    parts = np.diff(integral, axis=-1)
+    means = parts / angles
+    return np.asarray(means * _radius(section))
 
 
 def _one_lane(section: LayeredSection) -> None:
@@ -110,7 +113,8 @@ def _layers_along(section: LayeredSection) -> tuple[list[int], Floats]:
     """The layer of each stretch, and the directions of their ends, one more."""
     (first,), (last,) = section.arc_strength.span
     joints = section.arc_strength.stretches
-    layers, ends = [int(joints.first[0])], [float(first)]
+    layers = [int(joints.first[0])]
+    ends = [float(first)]
     for joint, after in zip(joints.joint[0], joints.after[0], strict=True):
         if last - joint < _SHORT:
             break
@@ -124,11 +128,14 @@ def _layers_along(section: LayeredSection) -> tuple[list[int], Floats]:
 
 def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> Floats:
     """An integral of the weights from the entry to directions, over R or R^2, (M,)."""
-    (facing,), profile = section._facing, section.profile
-    up_to = profile.up_to(facing * directions[:, None])[integral, :, :, 0]
+    (facing,) = section._facing
+    profile = section.profile
+    to_the_right = facing * directions[:, None]
+    up_to = profile.up_to(to_the_right)[integral, :, :, 0]
     if facing < 0.0:
         up_to = profile.whole[integral] - up_to
-    return np.asarray((up_to * section.weight_steps).sum(axis=0))
+    by_surface = up_to * section.weight_steps
+    return np.asarray(by_surface.sum(axis=0))
 
 
 def _head(section: LayeredSection, start: float, end: float) -> float:
@@ -137,5 +144,7 @@ def _head(section: LayeredSection, start: float, end: float) -> float:
         return 0.0
     (facing,) = section._facing
     low, high = sorted((facing * start, facing * end))
-    height = float(section.heads_between(np.array([low]), np.array([high]))[0]) / (high - low)
-    return height * _radius(section) * float(np.asarray(section.water_unit_weight))
+    integral = section.heads_between(np.array([low]), np.array([high]))
+    height = float(integral[0]) / (high - low)
+    water_unit_weight = float(np.asarray(section.water_unit_weight))
+    return height * _radius(section) * water_unit_weight

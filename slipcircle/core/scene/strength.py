@@ -37,7 +37,10 @@ class OfRotation(NamedTuple):
 
     def combined(self, parts: Mapping[str, Floats]) -> Floats:
         """Its values from parts that are known."""
-        return sum((over_circles(parts[name], values) for name, values in self.coefficients.items()), np.zeros(()))
+        total: Floats = np.zeros(())
+        for name, values in self.coefficients.items():
+            total = total + over_circles(parts[name], values)
+        return total
 
 
 def over_circles(parts: Floats, coefficients: Floats) -> Floats:
@@ -59,38 +62,47 @@ class ArcStrength(StretchIntegrals):
 
     def _by_surface(self, quantity: Floats) -> Floats:
         """Coefficients of integrals up to joints of a quantity of the soils, ((J + 1) surfaces, lanes)."""
+        _, weights = self._surfaces
         differences = self._by_direction(quantity)[:-1]
-        product = differences[:, None] * self._surfaces[1]
-        return product.reshape(-1, product.shape[-1])
+        product = differences[:, None] * weights
+        joints, surfaces, lanes = product.shape
+        return product.reshape(joints * surfaces, lanes)
 
     def _by_direction(self, quantity: Floats) -> Floats:
         """The same up to directions in space, joints, exit and entry, (J + 2, lanes)."""
-        return over_circles(self.incidence.transpose(1, 0, 2), quantity)
+        by_soil = self.incidence.transpose(1, 0, 2)
+        return over_circles(by_soil, quantity)
 
     @cached_property
     def _still(self) -> dict[str, Floats]:
         """The parts at the start, by name, (parts, circles)."""
-        still = np.zeros((1, len(self.section._facing)))
+        circles = len(self.section._facing)
+        still = np.zeros((1, circles))
         names = ["normal", "space"]
-        names += ["growth"] if any(datum is not None for datum in self.section.datums) else []
-        names += ["heads"] if self.section.level is not None else []
+        if any(datum is not None for datum in self.section.datums):
+            names.append("growth")
+        if self.section.level is not None:
+            names.append("heads")
         return {name: part[:, 0] for name, part in self.parts(still, names).items()}
 
     @cached_property
     def _by_soil(self) -> dict[str, Floats]:
         """What presses on the stretches of each soil at the start, over the mean unit weight, (soils, lanes)."""
-        weights = self._surfaces[1]
-        found = {}
+        _, weights = self._surfaces
+        surfaces = len(weights)
+        at_joints = self.incidence[:-1]
+        by_soil = {}
         for name in ("normal", "tilt", "inertia", "overburden"):
             part = self._still[name]
-            by_joint = part.reshape(-1, len(weights), part.shape[-1])
-            by_surface = np.einsum("jic,jsc->sic", self.incidence[:-1], by_joint)
-            found[name] = over_circles(by_surface, weights)
-        return found
+            by_joint = part.reshape(-1, surfaces, part.shape[-1])
+            by_surface = np.einsum("jic,jsc->sic", at_joints, by_joint)
+            by_soil[name] = over_circles(by_surface, weights)
+        return by_soil
 
     def _at_start(self, name: str, quantity: Floats) -> Floats:
         """A quantity of the soils times what presses on their stretches, (lanes,)."""
-        return np.asarray((self._by_soil[name] * quantity).sum(axis=0))
+        by_soil = self._by_soil[name] * quantity
+        return np.asarray(by_soil.sum(axis=0))
 
     def _mean(self, quantity: Floats) -> Floats:
         """Mean of a friction coefficient over the arc, by the normal forces at the start, (lanes,)."""
@@ -125,17 +137,22 @@ class ArcStrength(StretchIntegrals):
         With mu = r + (p - r) f(s) of each soil and of the means, sum mu N = mu_mean (sum (p - r)/(p - r)_mean N) +
         sum (r - r_mean (p - r)/(p - r)_mean) N: the second sum is 0 where the soils soften alike.
         """
-        mean = np.where(self.mean_peak != 0.0, self.mean_peak, 1.0)
-        share = np.where(self.mean_peak != 0.0, self._peak / mean, 1.0)
+        has_friction = self.mean_peak != 0.0
+        mean = np.where(has_friction, self.mean_peak, 1.0)
+        share = np.where(has_friction, self._peak / mean, 1.0)
         if not self._softens:
             return share, np.zeros(1)
         lost = self._peak - self._residual
         mean_lost = self.mean_peak - self.mean_residual
         softens = np.any(lost, axis=0) & (mean_lost != 0.0)
-        share = np.where(softens, lost / np.where(softens, mean_lost, 1.0), share)
-        remaining = np.where(softens, self._residual - self.mean_residual * share, 0.0)
-        is_rounding = np.abs(remaining) <= 1e-15 * np.abs(self._residual)
-        return share, remaining - np.where(is_rounding, remaining.real, 0.0)
+        divisor = np.where(softens, mean_lost, 1.0)
+        share = np.where(softens, lost / divisor, share)
+        beyond_share = self._residual - self.mean_residual * share
+        remaining = np.where(softens, beyond_share, 0.0)
+        rounding = 1e-15 * np.abs(self._residual)
+        is_rounding = np.abs(remaining) <= rounding
+        dropped = np.where(is_rounding, remaining.real, 0.0)  # only the value: derivatives stay
+        return share, remaining - dropped
 
     @cached_property
     def friction(self) -> MeanFriction:
@@ -143,10 +160,11 @@ class ArcStrength(StretchIntegrals):
         rate = {} if self.section.rate is None else {"rate": self.section.rate}
         if self._own_laws:
             by_soil = {soil.name: soil.friction for soil in self._distinct_soils}
-            mean = self.section._shaped(self.mean_peak)
-            return MeanFriction(law="of each soil", coefficient=mean, soils=by_soil, **rate)
-        laws = [s.friction for s in self.section.soils if isinstance(s.friction, Mapping)]
-        peak, residual = self.section._shaped(self.mean_peak), self.section._shaped(self.mean_residual)
+            peak = self.section._shaped(self.mean_peak)
+            return MeanFriction(law="of each soil", coefficient=peak, soils=by_soil, **rate)
+        peak = self.section._shaped(self.mean_peak)
+        residual = self.section._shaped(self.mean_residual)
+        laws = [soil.friction for soil in self.section.soils if isinstance(soil.friction, Mapping)]
         if not laws:
             return MeanFriction(law="constant", coefficient=peak, **rate)
         return MeanFriction(laws[0], peak=peak, residual=residual, **rate)
@@ -161,17 +179,23 @@ class ArcStrength(StretchIntegrals):
         key = rotates, shaken, complete
         if key not in self._terms:
             terms = {"strength": self._cohesion(rotates, complete)}
-            share, remaining = self._shares
             if not self._own_laws:
-                terms |= self._gripping(("normal", "turning", "inertia"), share - 1.0, rotates, shaken)
-                if np.any(self._peak):
-                    terms["lift"] = self._lift(share, rotates)
-            if not self._own_laws and (np.any(remaining) or (complete and self._softens)):
-                left = ("remaining_normal", "remaining", "remaining_inertia")
-                terms |= self._gripping(left, remaining, rotates, shaken)
-                terms["remaining_lift"] = self._lift(remaining, rotates)
+                terms |= self._friction_terms(rotates, shaken, complete)
             self._terms[key] = {name: term for name, term in terms.items() if complete or _counts(term)}
         return self._terms[key]
+
+    def _friction_terms(self, rotates: bool, shaken: bool, complete: bool) -> dict[str, Any]:
+        """What friction under one law of slip takes hold of beyond its mean: of its share, and of what remains."""
+        share, remaining = self._shares
+        names = ("normal", "turning", "inertia")
+        terms = self._gripping(names, share - 1.0, rotates, shaken)
+        if np.any(self._peak):
+            terms["lift"] = self._lift(share, rotates)
+        if np.any(remaining) or (complete and self._softens):
+            names = ("remaining_normal", "remaining", "remaining_inertia")
+            terms |= self._gripping(names, remaining, rotates, shaken)
+            terms["remaining_lift"] = self._lift(remaining, rotates)
+        return terms
 
     # --- a friction law of its own for each soil -----------------------------------------------------------------
 
@@ -194,17 +218,17 @@ class ArcStrength(StretchIntegrals):
         total = -self.section._per_mean_weight[RADIAL_Y]
         terms = {}
         for k, soil in enumerate(self._distinct_soils):
-            along = np.array([[float(other is soil)] for other in self.section.soils])
+            is_soil = [[float(other is soil)] for other in self.section.soils]
+            along = np.array(is_soil)
             share = self._at_start("normal", along) / total
             excess = self._gripping(("", "turning", "inertia"), along - share, rotates, shaken)
-            terms[f"soil_friction{OF_SOIL}{k}"] = {
-                "share": self.section._shaped(share),
-                "slope": excess["turning_slope"],
-                "inertia": excess["inertia"],
-            }
+            of_soil = {"share": self.section._shaped(share)}
+            of_soil["slope"] = excess["turning_slope"]
+            of_soil["inertia"] = excess["inertia"]
             lift = self._lift(along, rotates)
             if complete or _counts(lift):
-                terms[f"soil_friction{OF_SOIL}{k}"]["lift"] = lift
+                of_soil["lift"] = lift
+            terms[f"soil_friction{OF_SOIL}{k}"] = of_soil
         return terms
 
     @property
@@ -221,16 +245,18 @@ class ArcStrength(StretchIntegrals):
         base, mass, inertia = names
 
         def at_start(part: str) -> Any:
-            return self.section._shaped(self._at_start(part, quantity) / self._theta)
+            total = self._at_start(part, quantity)
+            return self.section._shaped(total / self._theta)
 
+        tilt = at_start("tilt")
         if not rotates or self.section.strength == "mass":
-            return {mass: at_start("normal"), f"{mass}_slope": at_start("tilt"), inertia: at_start("inertia")}
+            return {mass: at_start("normal"), f"{mass}_slope": tilt, inertia: at_start("inertia")}
         coefficients = self._by_surface(quantity) / self._theta
-        slope = OfRotation(self, {"tilt": coefficients}) if shaken else at_start("tilt")
-        terms = {
-            name: OfRotation(self, {part: coefficients}) for name, part in ((base, "normal"), (inertia, "inertia"))
-        }
-        return {**terms, f"{base}_slope": slope}  # which the yield coefficient takes too
+        normal = OfRotation(self, {"normal": coefficients})
+        of_inertia = OfRotation(self, {"inertia": coefficients})
+        if shaken:
+            tilt = OfRotation(self, {"tilt": coefficients})
+        return {base: normal, inertia: of_inertia, f"{base}_slope": tilt}  # the slope for the yield coefficient too
 
     def _cohesion(self, rotates: bool, complete: bool) -> Any:
         """Strength without normal stress, over Theta*."""
@@ -239,7 +265,9 @@ class ArcStrength(StretchIntegrals):
         growth = section.of_soils(lambda s: s.cohesion_gradient)
         coefficients = {}
         if complete or np.any(cohesion):
-            coefficients["space"] = self._by_direction(cohesion / (self._weight_scale * section._circle[2]))
+            _, _, radius = section._circle
+            dimensionless = cohesion / (self._weight_scale * radius)
+            coefficients["space"] = self._by_direction(dimensionless)
         if np.any(growth):
             coefficients["growth"] = growth / self._weight_scale
         return self._function(coefficients, rotates and section.strength == "base")
@@ -248,18 +276,26 @@ class ArcStrength(StretchIntegrals):
         """What water takes from the normal force of a share of friction, over Theta*: of the level, and of ratios."""
         section = self.section
         ratio = section.of_soils(lambda s: s.pore_ratio)
-        coefficients = {"overburden": self._by_surface(share * ratio) / self._theta} if np.any(ratio) else {}
+        coefficients = {}
+        if np.any(ratio):
+            coefficients["overburden"] = self._by_surface(share * ratio) / self._theta
+        stays_in_space = section.strength == "base"
         if section.level is not None:
-            weight = np.where(ratio > 0.0, 0.0, share) * section.water_unit_weight / self._weight_scale
+            stays_in_space = True
+            below_level = np.where(ratio > 0.0, 0.0, share)
+            weight = below_level * section.water_unit_weight / self._weight_scale
             coefficients["heads"] = self._by_direction(weight)
-        return self._function(coefficients, rotates and (section.strength == "base" or section.level is not None))
+        return self._function(coefficients, rotates and stays_in_space)
 
     def _function(self, coefficients: Mapping[str, Floats], changes: bool) -> Any:
         """A function of the rotation, or the number that it is at the start; 0 of nothing."""
         if not coefficients:
             return 0.0
         function = OfRotation(self, coefficients)
-        return function if changes else self.section._shaped(function.combined(self._still))
+        if changes:
+            return function
+        at_start = function.combined(self._still)
+        return self.section._shaped(at_start)
 
 
 def _counts(term: Any) -> bool:

@@ -37,12 +37,13 @@ class Stretches(NamedTuple):
         Summed over the stretches with a cumulative integral C from the entry, q is q_last C(exit) + sum_j (q_before -
         q_after)_j C(b_j); of an integral from elsewhere the last row takes what is at the entry.
         """
-        rows = np.concatenate([self.before.T, self.last[None], self.first[None]])
         of_soil = np.eye(soils)
-        one = of_soil[rows].transpose(0, 2, 1)
-        one[:-2] -= of_soil[self.after.T].transpose(0, 2, 1)
-        one[-1] *= -1.0
-        return np.asarray(one)
+        rows = np.concatenate([self.before.T, self.last[None], self.first[None]])
+        after_joints = of_soil[self.after.T]
+        incidence = of_soil[rows]
+        incidence[:-2] -= after_joints
+        incidence[-1] *= -1.0
+        return np.asarray(incidence.transpose(0, 2, 1))
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,18 +61,22 @@ class StretchIntegrals:
         section = self.section
         strips = section._strips
         faces_right = section._facing[:, None] > 0.0
-        base = np.where(faces_right, strips.base, strips.base[:, ::-1])
-        edges = np.where(faces_right, strips.beta, -strips.beta[:, ::-1])
+        base_from_right = strips.base[:, ::-1]
+        edges_from_right = -strips.beta[:, ::-1]
+        base = np.where(faces_right, strips.base, base_from_right)
+        edges = np.where(faces_right, strips.beta, edges_from_right)
         first = base[:, 0]
+        last = base[:, -1]
         if section.foreland is not None:  # the layer of a further strip, beyond the exit
-            beyond = np.full_like(base[:, :1], len(section.layers))
-            base = np.concatenate([base, beyond], axis=1)
-            edges = np.concatenate([edges, edges[:, -1:]], axis=1)
+            last = np.full_like(last, len(section.layers))
+            exit_ = edges[:, -1:]
+            base = np.concatenate([base, last[:, None]], axis=1)
+            edges = np.concatenate([edges, exit_], axis=1)
         before = base[:, :-1]
         after = base[:, 1:]
         joint = edges[:, 1:-1]
         changes = np.any(before != after, axis=0)
-        return Stretches(joint[:, changes], before[:, changes], after[:, changes], first, base[:, -1])
+        return Stretches(joint[:, changes], before[:, changes], after[:, changes], first, last)
 
     @cached_property
     def span(self) -> tuple[Floats, Floats]:
@@ -174,12 +179,15 @@ class StretchIntegrals:
             if datum is None:
                 rows.append(np.zeros_like(b))
                 continue
-            level = (datum - centre[:, 1]) / radius  # of the datum above the centre
+            above_centre = datum - centre[:, 1]
+            level = above_centre / radius
             depth = np.clip(-level, -1.0, 1.0)
             reach = np.arccos(depth)  # the datum crosses the arc at -reach and reach
             start = np.clip(first, -reach, reach)
             end = np.clip(b, -reach, reach)
-            rows.append(level * (end - start) + np.sin(end) - np.sin(start))
+            angle = end - start
+            integral = level * angle + np.sin(end) - np.sin(start)
+            rows.append(integral)
         return np.stack(rows)
 
     def growth(self, rotation: Floats) -> Floats:
@@ -189,9 +197,11 @@ class StretchIntegrals:
         if self.section.strength == "mass":
             there = there - rotation
         limit = last if self.section.foreland is None else np.inf  # a foreland's own rule goes on beyond the exit
-        growth = self._growth(np.clip(there, first, limit))
-        by_direction = self.incidence.transpose(1, 0, 2)[:, :, None]
-        parts = (by_direction * growth).sum(axis=1)
+        on_arc = np.clip(there, first, limit)
+        growth = self._growth(on_arc)
+        by_soil = self.incidence.transpose(1, 0, 2)
+        by_direction = by_soil[:, :, None] * growth
+        parts = by_direction.sum(axis=1)
         *_, exit_, entry = there
         if self.section.foreland is None:
             beyond_exit = np.maximum(exit_ - last, 0.0)
@@ -205,9 +215,11 @@ class StretchIntegrals:
         parts = np.zeros((len(self.section.soils), *length.shape), dtype=length.dtype)
         for k, datum in enumerate(self.section.datums):
             if datum is not None:
-                level = (datum - centre[:, 1]) / radius
+                above_centre = datum - centre[:, 1]
+                level = above_centre / radius
                 depth = np.maximum(level + np.cos(direction), 0.0)
-                parts[k] = np.where(soil == k, depth * length, 0.0)
+                of_this_soil = soil == k
+                parts[k] = np.where(of_this_soil, depth * length, 0.0)
         return parts
 
     @cached_property
@@ -220,7 +232,9 @@ class StretchIntegrals:
         kinks = [ends[:, 1:] - ends[:, :1]]
         if section.level is not None:
             of_level = section._water.kinks * facing
-            turning = ends if section.strength == "base" else np.concatenate([ends, joints], axis=1)
+            turning = ends
+            if section.strength == "mass":
+                turning = np.concatenate([ends, joints], axis=1)
             kinks.append(_differences(of_level, turning))
         if section.strength == "base":
             strips = section._strips.beta.real * facing
@@ -247,4 +261,7 @@ class StretchIntegrals:
 
 def _differences(there: Floats, mass: Floats) -> Floats:
     """Rotations that bring directions of the mass to directions in space, (circles, N M)."""
-    return (there[:, :, None] - mass[:, None, :]).reshape(len(there), -1)
+    of_place = there[:, :, None]
+    of_mass = mass[:, None, :]
+    rotations = of_place - of_mass
+    return rotations.reshape(len(there), -1)

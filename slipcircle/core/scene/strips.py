@@ -87,29 +87,28 @@ def cut_into_strips(
     edges = _edges(lines, first, last, extra)
     left = edges[:, :-1]
     middle = (left + edges[:, 1:]) / 2
-    arc = -_depth(middle)
+    arc = -np.sqrt((1.0 - middle) * (1.0 + middle))
     start, slope = np.stack([edge_below(line, left, middle) for line in lines], axis=1)
-    at_middle = start + slope * (middle - left)
+    half_width = middle - left
+    at_middle = start + slope * half_width
     lowest = np.stack([_lowest(at_middle, chosen) for chosen in surfaces])
+    height = np.take_along_axis(at_middle, lowest, 0)
     return Strips(
         x=edges,
         y=np.take_along_axis(start, lowest, 0),
         slope=np.take_along_axis(slope, lowest, 0),
-        above=np.take_along_axis(at_middle, lowest, 0) > arc,
+        above=height > arc,
         base=_base(at_middle[:layers], arc),
         loads=loads,
     )
 
 
-def _depth(x: Floats) -> Floats:
-    """Of the arc below the centre."""
-    return np.sqrt((1.0 - x) * (1.0 + x))
-
-
 def _lowest(at_middle: Floats, chosen: Sequence[int]) -> Integers:
     """The number of that line of a surface which is lowest in each strip."""
     rows = np.asarray(chosen)
-    return np.asarray(rows[np.argmin(at_middle[rows], axis=0)])
+    heights = at_middle[rows]
+    lowest = np.argmin(heights, axis=0)
+    return np.asarray(rows[lowest])
 
 
 def _base(tops: Floats, arc: Floats) -> Integers:
@@ -129,12 +128,15 @@ def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats |
     cuts += [line_crossings(one, other) for one, other in combinations(lines, 2)]
     if extra is not None:
         cuts.append(extra)
-    of_circles = [np.broadcast_to(x, (len(first), x.shape[-1])) for x in cuts]
+    circles = len(first)
+    of_circles = [np.broadcast_to(x, (circles, x.shape[-1])) for x in cuts]
     every = np.concatenate(of_circles, axis=1)
-    edges = np.sort(np.clip(every, left, right), axis=1)
-    width = np.diff(edges, axis=1).real
-    is_needed = np.any(width > _THIN, axis=0)
-    return edges[:, np.concatenate([[True], is_needed])]
+    within_mass = np.clip(every, left, right)
+    edges = np.sort(within_mass, axis=1)
+    width = np.diff(edges, axis=1)
+    has_width = np.any(width.real > _THIN, axis=0)
+    is_needed = np.concatenate([[True], has_width])
+    return edges[:, is_needed]
 
 
 def meets_circle(line: Floats) -> Floats:
@@ -146,19 +148,26 @@ def meets_circle(line: Floats) -> Floats:
     edge = np.diff(line, axis=1)
     square = np.sum(edge * edge, axis=2)
     along = np.sum(start * edge, axis=2)
-    outside = np.sum(start * start, axis=2) - 1.0
+    distance_squared = np.sum(start * start, axis=2)
+    outside = distance_squared - 1.0
     discriminant = along * along - square * outside
     crosses = discriminant.real > 0.0
-    root = np.sqrt(np.where(crosses, discriminant, 1.0))
-    divisor = np.where(square.real > 0.0, square, 1.0)
+    positive = np.where(crosses, discriminant, 1.0)
+    root = np.sqrt(positive)
+    has_length = square.real > 0.0
+    divisor = np.where(has_length, square, 1.0)
     first_x = start[..., 0]
     run = edge[..., 0]
     crossings = []
     for sign in (-1.0, 1.0):
-        share = (-along + sign * root) / divisor
-        on_edge = crosses & (share.real >= 0.0) & (share.real <= 1.0)
-        x = first_x + share * run
-        crossings.append(np.where(on_edge, x, first_x))
+        along_edge = -along + sign * root
+        share = along_edge / divisor
+        after_start = share.real >= 0.0
+        before_end = share.real <= 1.0
+        on_edge = crosses & after_start & before_end
+        at_crossing = first_x + share * run
+        x = np.where(on_edge, at_crossing, first_x)
+        crossings.append(x)
     return np.concatenate(crossings, axis=1)
 
 
@@ -189,15 +198,20 @@ def line_crossings(one: Floats, other: Floats) -> Floats:
     share = _cross(apart, other_edge) / safe
     other_share = _cross(apart, edge) / safe
     inside = _within_edge(share) & _within_edge(other_share)
-    at_crossing = start[..., 0] + share * edge[..., 0]
+    crosses = inside & ~parallel
+    start_x = start[..., 0]
+    run = edge[..., 0]
+    at_crossing = start_x + share * run
     at_vertex = one[:, 1, 0, None, None]
-    x = np.where(inside & ~parallel, at_crossing, at_vertex)
+    x = np.where(crosses, at_crossing, at_vertex)
     return x.reshape(len(x), -1)
 
 
 def _within_edge(share: Floats) -> NDArray[np.bool_]:
     """Whether a point lies between the ends of an edge, by its share of it."""
-    return (share.real > 0.0) & (share.real < 1.0)
+    after_start = share.real > 0.0
+    before_end = share.real < 1.0
+    return after_start & before_end
 
 
 def _cross(a: Floats, b: Floats) -> Floats:
@@ -209,14 +223,17 @@ def edge_below(line: Floats, x: Floats, middle: Floats) -> tuple[Floats, Floats]
     """y of lines (n or 1, V, 2) at x (n, M), and their slopes, of the edges below or above the points ``middle``."""
     points = np.broadcast_to(line, (len(x), *line.shape[1:]))
     vertices = points[:, None, :, 0].real
-    passed = np.count_nonzero(vertices <= middle[..., None].real, axis=-1)
+    behind = vertices <= middle[..., None].real
+    passed = np.count_nonzero(behind, axis=-1)
     last_edge = points.shape[1] - 2
     edge = np.clip(passed - 1, 0, last_edge)
     circle = np.arange(len(x))[:, None]
     start_x, start_y = np.moveaxis(points[circle, edge], -1, 0)
     end_x, end_y = np.moveaxis(points[circle, edge + 1], -1, 0)
     run = end_x - start_x
+    rise = end_y - start_y
     upright = run.real <= 0.0
     divisor = np.where(upright, 1.0, run)
-    slope = np.where(upright, 0.0, (end_y - start_y) / divisor)
-    return start_y + slope * (x - start_x), slope
+    slope = np.where(upright, 0.0, rise / divisor)
+    along = x - start_x
+    return start_y + slope * along, slope

@@ -59,22 +59,31 @@ def active_parameters(section: Section) -> list[str]:
 def _vertices_above(section: Section) -> range:
     """Of the edges over the mass, or, where the arc overhangs, over all of it."""
     edges = np.flatnonzero(section._edges_over_mass)
-    if np.any(np.abs(section._angles) > np.pi / 2):
-        edges = np.unique(np.clip(_ground_heights(section).edge - 1, 0, np.shape(section.ground)[0] - 2))
-    return range(edges[0], edges[-1] + 2)
+    overhangs = np.abs(section._angles) > np.pi / 2
+    if np.any(overhangs):
+        vertices, _ = np.shape(section.ground)
+        above = _ground_heights(section).edge - 1
+        edges = np.unique(np.clip(above, 0, vertices - 2))
+    first = edges[0]
+    last = edges[-1]
+    return range(first, last + 2)
 
 
 def through_vertex(section: Section) -> bool:
     """Whether an end of the arc of a single section is a vertex of its ground."""
     ends = np.array([section.entry, section.exit])
-    return bool(np.any(np.isclose(ends[:, None], section._circle[0], rtol=1e-14, atol=0.0).all(axis=2)))
+    ground, _, _ = section._circle
+    same_coordinate = np.isclose(ends[:, None], ground, rtol=1e-14, atol=0.0)
+    same_point = same_coordinate.all(axis=2)
+    return bool(np.any(same_point))
 
 
 def section_derivatives(section: Section, names: Sequence[str]) -> SectionDerivatives:
     """Derivatives of a single section by its numbers, to some 1e-14 of each moment over the length that moves."""
     chain = _chain_rule(section, names)
     (points,), (centre,), (radius,) = section._circle
-    ground = (points - centre) / radius
+    from_centre = points - centre
+    ground = from_centre / radius
     vertices = len(ground)
     surface = _surface(section, np.diff(ground, axis=0))
     by_vertex = _moments_by_vertex(surface, vertices)
@@ -86,8 +95,10 @@ def section_derivatives(section: Section, names: Sequence[str]) -> SectionDeriva
     first, last = angles
     first_height, last_height = above.at(angles)
     by_ground = chain(above.gradient(first, last), ground, "ground")
-    heights = by_ground + last_height * ends[1] - first_height * ends[0]
-    of_scale = np.array([float(n == "radius") for n in names]) / radius
+    first_by_numbers, last_by_numbers = ends
+    heights = by_ground + last_height * last_by_numbers - first_height * first_by_numbers
+    is_radius = [float(name == "radius") for name in names]
+    of_scale = np.array(is_radius) / radius
     return SectionDerivatives(moments, heights, ends, _pressure(section, ends, chain, of_scale))
 
 
@@ -117,7 +128,8 @@ def _surface(section: Section, edges: Floats) -> _Surface:
     start = starts[vertex]
     part = parts[vertex]
     (points,), (centre,), (radius,) = section._circle
-    before = start - (points[vertex] - centre) / radius
+    first_vertex = (points[vertex] - centre) / radius
+    before = start - first_vertex
     square = (edge**2).sum(axis=1)
     skipped = (before * edge).sum(axis=1) / square
     share = (part * edge).sum(axis=1) / square
@@ -126,23 +138,28 @@ def _surface(section: Section, edges: Floats) -> _Surface:
 
 def _moments_by_vertex(surface: _Surface, vertices: int) -> dict[str, Floats]:
     """Derivatives of the integrals over the mass by each vertex, (V, 2): of f (v x ds), with v one hat function."""
-    start = surface.start
-    part = surface.part
-    at, weight = _along(start, part)
-    x = start[:, :1] + at * part[:, :1]
-    y = start[:, 1:] + at * part[:, 1:]
+    start_x, start_y = surface.start.T[:, :, None]
+    run, rise = surface.part.T[:, :, None]
+    place, weight = _along(start_x, start_y, run, rise)
+    x = start_x + place * run
+    y = start_y + place * rise
     r = np.hypot(x, y)
-    integrands = {"polar": r, "inertia": r * r, "radial_x": x / r, "radial_y": y / r, "moment_x": x, "moment_y": y}
-    second = surface.skipped[:, None] + at * surface.share[:, None]  # hat function of the second vertex of an edge
-    hats = np.stack([1.0 - second, second]) * weight
-    values = np.stack([*integrands.values()])
-    along_normal = np.einsum("fkn,hkn->hfk", values, hats)
-    run, rise = part.T
-    normal = np.stack([-rise, run], axis=1)
-    by_vertex = np.zeros((len(integrands), vertices, 2))
-    for k, integrals in enumerate(along_normal):
-        by_vertex[:, surface.vertex + k] += integrals[..., None] * normal
-    return dict(zip(integrands, by_vertex, strict=True))
+    square = r * r
+    unit_x = x / r
+    unit_y = y / r
+    names = ("polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
+    integrands = np.stack([r, square, unit_x, unit_y, x, y])
+
+    second_hat = surface.skipped[:, None] + place * surface.share[:, None]  # 1 at the second vertex of an edge
+    first_hat = 1.0 - second_hat
+    hats = np.stack([first_hat, second_hat]) * weight
+    along_edges = np.einsum("fkn,hkn->hfk", integrands, hats)
+    normal = np.concatenate([-rise, run], axis=1)
+    by_first, by_second = along_edges[..., None] * normal
+    by_vertex = np.zeros((len(names), vertices, 2))
+    by_vertex[:, surface.vertex] += by_first
+    by_vertex[:, surface.vertex + 1] += by_second
+    return dict(zip(names, by_vertex, strict=True))
 
 
 def _ends_by_vertex(surface: _Surface, angles: Floats, vertices: int) -> Floats:
@@ -158,32 +175,33 @@ def _ends_by_vertex(surface: _Surface, angles: Floats, vertices: int) -> Floats:
         u, v = surface.edge[part]
         tangent_x = np.cos(angle)
         tangent_y = np.sin(angle)
-        along_arc = np.array([v, -u]) / (tangent_x * v - tangent_y * u)
+        across = tangent_x * v - tangent_y * u
+        along_arc = np.array([v, -u]) / across
         vertex = surface.vertex[part]
         by_vertex[end, vertex] = (1.0 - share) * along_arc
         by_vertex[end, vertex + 1] = share * along_arc
     return by_vertex
 
 
-def _along(start: Floats, edge: Floats) -> tuple[Floats, Floats]:
+def _along(x: Floats, y: Floats, run: Floats, rise: Floats) -> tuple[Floats, Floats]:
     """Places on edges and weights, (edges, nodes), that integrate what has its singularity at the centre.
 
-    By Gauss; on an edge longer than its distance p from the centre in asinh(t/p), in which r = p cosh is entire.
+    By Gauss in t, the length from the foot of the perpendicular; on an edge longer than its distance p from the centre
+    in asinh(t/p), in which r = p cosh is entire. Edges start at x, y, (edges, 1).
     """
-    x = start[:, :1]
-    y = start[:, 1:]
-    u = edge[:, :1]
-    v = edge[:, 1:]
-    length = np.hypot(u, v)
-    first = (x * u + y * v) / length  # t of the start, from the foot of the perpendicular
+    length = np.hypot(run, rise)
+    first = (x * run + y * rise) / length
     last = first + length
-    distance = np.abs(x * v - y * u) / length
+    distance = np.abs(x * rise - y * run) / length
     long = length > distance
-    p = np.where(long, np.maximum(distance, 1e-9), 1.0)
+    not_zero = np.maximum(distance, 1e-9)
+    p = np.where(long, not_zero, 1.0)
     low = np.where(long, np.arcsinh(first / p), first)
     high = np.where(long, np.arcsinh(last / p), last)
+
     half = (high - low) / 2
-    node = (low + high) / 2 + half * _NODES
+    middle = (low + high) / 2
+    node = middle + half * _NODES
     t = np.where(long, p * np.sinh(node), node)
     dt = np.where(long, p * np.cosh(node), 1.0)  # by the node
     place = (t - first) / length
@@ -199,7 +217,8 @@ def _pressure(section: Section, ends: Floats, chain: _Chain, of_scale: Floats) -
     """Of the mean pressure: the integral of heights over R, over the angle of the arc, times R gamma_w."""
     if section.level is None:
         return lambda turn: 0.0 * turn
-    if np.any(np.diff(section._level[0, :, 0]) == 0.0):
+    runs = np.diff(section._level[0, :, 0])
+    if np.any(runs == 0.0):
         raise ValueError("sensitivity: level: has points above each other, where the pressure has no derivative")
     water = section._water
     first, last = np.concatenate(section._angles)
@@ -207,18 +226,23 @@ def _pressure(section: Section, ends: Floats, chain: _Chain, of_scale: Floats) -
     (radius,) = section._circle[2]
     unit = radius * section.water_unit_weight
     line = water.line[0, 1:-1]
+    first_by_numbers, last_by_numbers = ends
+    angle = last - first
+    angle_by_numbers = last_by_numbers - first_by_numbers
 
     def pressure(turn: Any) -> Any:
         rotation = turn[..., 0]
-        begin = first + way * rotation
-        end = last + way * rotation
-        by_level = chain(water.gradient(begin, end), line, "level")
+        turned = way * rotation
+        begin = first + turned
+        end = last + turned
+        by_vertex = water.gradient(begin, end)
+        by_level = chain(by_vertex, line, "level")
         head_at_end = water.at(end)[..., None]
         head_at_begin = water.at(begin)[..., None]
-        by_ends = head_at_end * ends[1] - head_at_begin * ends[0]
+        by_ends = head_at_end * last_by_numbers - head_at_begin * first_by_numbers
         mean = section.mean_pressure(rotation)[..., None]
-        angle_dot = ends[1] - ends[0]
         total = unit * (by_level + by_ends)
-        return (total - mean * angle_dot) / (last - first) + mean * of_scale
+        of_mean = (total - mean * angle_by_numbers) / angle
+        return of_mean + mean * of_scale
 
     return pressure

@@ -49,7 +49,7 @@ def options(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--fragility", metavar="FILE", help=points)
     group.add_argument("--magnitude", type=float, metavar="M", help="of the earthquakes, for regressions that need it")
     period = "fundamental period of the sliding mass, s, for Bray and Travasarou (2007); default 0, a rigid mass"
-    group.add_argument("--period", type=float, default=0.0, metavar="S", help=period)
+    group.add_argument("--period", type=float, metavar="S", help=period)
     add_reading(group)
 
 

@@ -129,12 +129,14 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError("sweep: --search-each: of samples, not of a grid")
     if under_records and options.grid:
         raise ValueError("sweep: --records and --grid exclude each other; give uncertain numbers and --samples")
-    of_records = ("polarities", "scale", "scale_to_pga", "thresholds", "fragility", "spectrum")
+    of_records = ("polarities", "scale", "scale_to_pga", "thresholds", "fragility", "spectrum", "magnitude", "period")
     absent = (None, False)
     given = [name for name in of_records if not any(getattr(options, name) is value for value in absent)]
     if given and not under_records:
         names = ", ".join(f"--{name.replace('_', '-')}" for name in given)
         raise ValueError(f"sweep: {names}: of records; give --records FOLDER as well")
+    if options.period is not None and not 0.0 <= options.period < math.inf:
+        raise ValueError(f"sweep: --period {options.period:g}: must be a time in s, at least 0")
 
 
 def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_file: bytes) -> Answer:
@@ -150,7 +152,7 @@ def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_fil
         exceedance = study.fragility_columns()
         files.write(options.fragility, files.table(exceedance, zip(*exceedance.values(), strict=True)))
     magnitude = math.nan if options.magnitude is None else options.magnitude
-    compared = study.regressions(study.own_scale, magnitude, options.period)
+    compared = study.regressions(study.own_scale, magnitude, options.period or 0.0)
     tables = list(suite.parts(study, compared, spectrum_misfits(study.suite, options)))
     record = study.to_dict() | {"regressions": [c._asdict() for c in compared]}
     if options.report:

@@ -182,7 +182,8 @@ def overview(study: "SuiteStudy", figure: Any) -> Any:
     displacement(study, figure.add_subplot(grid[-1, 1]))
     letter(figure.axes)
     name = study.scene.name
-    figure.suptitle(f"{name[:1].upper()}{name[1:]}: {len(study.suite)} records", parse_math=False, fontweight="bold")
+    title = f"{name[:1].upper()}{name[1:]}: {len(study.suite)} records"
+    figure.suptitle(title, parse_math=False, fontweight="bold")
     return figure
 
 

@@ -74,15 +74,16 @@ class SuiteDesign:
         """
         entry, inputs = self.suite.entries[0], self.sampling.inputs
         values = self.sampling.values(block)
-        factors = np.multiply.outer(self.polarities, self.factors(entry))[..., None]
-        shape = (*factors.shape[:2], self.sampling.scenes(block))
-        lanes = {"shaking.scale": np.broadcast_to(factors, shape).ravel()}
+        factors = np.multiply.outer(self.polarities, self.factors(entry))
+        shape = (*factors.shape, self.sampling.scenes(block))
+        lanes = {"shaking.scale": np.broadcast_to(factors[..., None], shape).ravel()}
         for (name, number), value in zip(inputs.items(), values, strict=True):
             lanes[name] = np.broadcast_to(number.to_si(value), shape).ravel()
         motion = motions(self.shaken(entry.record()), lanes, self.sampling.accuracy)
         solved = {**motion.outcomes, "rotation": motion.end.rotation, "slips": motion.slips, "status": motion.status}
         result = {name: np.reshape(lane_values, shape) for name, lane_values in solved.items()}
-        return result | {f"sample.{n.key}": v for n, v in zip(inputs.values(), values, strict=True)}
+        samples = {f"sample.{number.key}": value for number, value in zip(inputs.values(), values, strict=True)}
+        return result | samples
 
 
 class OfRecords(TypedDict, total=False):
@@ -129,24 +130,29 @@ def suite_design(sampling: Design, records: Any, shaken: OfRecords) -> SuiteDesi
     given = shaken.get("thresholds")
     thresholds = THRESHOLDS if given is None else _positive("thresholds", given)
     design = SuiteDesign(sampling, two_way, suite, polarities, scales, to_pga, replaces, thresholds)
-    if mistakes := [*_input_mistakes(sampling.inputs), *_record_mistakes(design)]:
-        raise ValueError("\n".join(f"ensemble: {mistake}" for mistake in mistakes))
+    mistakes = [*_input_mistakes(sampling.inputs), *_record_mistakes(design)]
+    if mistakes:
+        lines = [f"ensemble: {mistake}" for mistake in mistakes]
+        raise ValueError("\n".join(lines))
     return design
 
 
 def _scales(shaken: OfRecords) -> tuple[Floats, bool]:
     """The scales, and whether they are peak accelerations."""
-    given = {name: shaken.get(name) for name in ("scales", "scale_to_pga") if shaken.get(name) is not None}
-    if len(given) > 1:
+    factors = shaken.get("scales")
+    peaks = shaken.get("scale_to_pga")
+    if peaks is None:
+        return _positive("scales", 1.0 if factors is None else factors), False
+    if factors is not None:
         raise ValueError("ensemble: scales and scale_to_pga exclude each other; leave one out")
-    name, values = next(iter(given.items()), ("scales", 1.0))
-    return _positive(name, values), name == "scale_to_pga"
+    return _positive("scale_to_pga", peaks), True
 
 
 def _positive(name: str, values: Any) -> Floats:
     """One or more positive numbers."""
     numbers = np.atleast_1d(np.asarray(values, dtype=np.float64))
-    if numbers.ndim != 1 or not numbers.size or not np.all((numbers > 0.0) & (numbers < np.inf)):
+    is_list = numbers.ndim == 1 and numbers.size > 0
+    if not is_list or not np.all((numbers > 0.0) & (numbers < np.inf)):
         raise ValueError(f"ensemble: {name} = {numbers.tolist()!r}: must be one or more positive numbers")
     return numbers
 
@@ -165,8 +171,10 @@ def _record_mistakes(design: SuiteDesign) -> Iterator[str]:
     for entry in design.suite:
         if design.to_pga and entry.peak == 0.0:
             yield f"{entry.name}: is zero at all times, so that it has no peak to scale; leave it out"
-        elif (peak := float(np.max(design.factors(entry))) * entry.peak) > STRONGEST:
+            continue
+        greatest = float(np.max(design.factors(entry))) * entry.peak
+        if greatest > STRONGEST:
             yield (
-                f"{entry.name}: would reach {peak:.4g} g, and no ground has shaken with more than {STRONGEST:g} g; "
-                "give smaller scales"
+                f"{entry.name}: would reach {greatest:.4g} g, and no ground has shaken with more than "
+                f"{STRONGEST:g} g; give smaller scales"
             )

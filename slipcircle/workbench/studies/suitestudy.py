@@ -66,7 +66,8 @@ class SuiteStudy(Pictured):
     def displacement(self) -> Floats:
         """Permanent displacement along the arc, m, (record, polarity, scale, sample); infinite without a result."""
         without_result = np.isin(self.values["status"], NO_RESULT)
-        return np.where(without_result, np.inf, np.abs(self.values["run_out"]))
+        run_out = np.abs(self.values["run_out"])
+        return np.where(without_result, np.inf, run_out)
 
     @property
     def factors(self) -> Floats:
@@ -196,12 +197,13 @@ class SuiteStudy(Pictured):
         found += self.suite.not_used
         if bool(np.any(motions(self.scene, {}, self.design.sampling.accuracy).moves)):
             found.append("the mass moves without shaking too: displacements are not those of the records alone")
-        counts, total = np.bincount(self.values["status"].ravel(), minlength=len(Status)), self.values["status"].size
-        for status in (s for s in Status if counts[s]):
-            if status.reason:
-                found.append(f"{counts[status]} of {total} motions have no result: {status.reason}")
-            elif status is Status.MOVING:
-                found.append(f"{counts[status]} of {total} still move at their end: displacements are those until then")
+        statuses = self.values["status"].ravel()
+        for status, count in zip(Status, np.bincount(statuses, minlength=len(Status)), strict=True):
+            share = f"{count} of {statuses.size}"
+            if count and status.reason:
+                found.append(f"{share} motions have no result: {status.reason}")
+            elif count and status is Status.MOVING:
+                found.append(f"{share} still move at their end: displacements are those until then")
         return found
 
     def __repr__(self) -> str:
@@ -216,8 +218,10 @@ class SuiteStudy(Pictured):
         Displacement of each polarity and their mean, m; of both the greatest peak velocity, m/s, and rotation, rad,
         and the most slips.
         """
-        columns: dict[str, list[Any]] = {"record": [entry.name for entry in self.suite]}
-        columns["pga_g"] = self.pga[:, scale].tolist()
+        columns: dict[str, list[Any]] = {
+            "record": [entry.name for entry in self.suite],
+            "pga_g": self.pga[:, scale].tolist(),
+        }
         medians = {n: np.median(np.abs(self.values[n][:, :, scale]), axis=-1) for n in LANE_RESULTS}
         both = medians["run_out"]
         for place, polarity in enumerate(self.design.polarities):
@@ -230,10 +234,12 @@ class SuiteStudy(Pictured):
 
     def columns(self) -> dict[str, NDArray[Any]]:
         """Every motion as one row of columns by name: its record, polarity, scale, sample, inputs, results, status."""
-        shape = self.values["status"].shape
-        record, polarity, scale, sample = (places.ravel() for places in np.indices(shape))
+        statuses = self.values["status"]
+        record, polarity, scale, sample = np.indices(statuses.shape).reshape(len(DIMENSIONS), -1)
+        records = np.array([entry.name for entry in self.suite])
+        words = np.array([status.name for status in Status])
         columns = {
-            "record": np.array([entry.name for entry in self.suite])[record],
+            "record": records[record],
             "polarity": self.polarities[polarity],
             "scale": self.scales[scale],
             "sample": sample,
@@ -242,7 +248,7 @@ class SuiteStudy(Pictured):
         }
         columns |= {key: values[sample] for key, values in self.samples.items()}
         columns |= {name: self.values[name].ravel() for name in LANE_RESULTS}
-        return columns | {"status": np.array([s.name for s in Status])[self.values["status"].ravel()]}
+        return columns | {"status": words[statuses.ravel()]}
 
     def to_pandas(self) -> Any:
         """Every motion as a row of a pandas.DataFrame, indexed by record, polarity, scale and sample."""
@@ -251,6 +257,7 @@ class SuiteStudy(Pictured):
     def to_xarray(self) -> Any:
         """An xarray.Dataset over record, polarity, scale and sample, with units."""
         along = {name: (DIMENSIONS, self.values[name], {"units": unit}) for name, unit in LANE_RESULTS.items()}
+        status = {"status": (DIMENSIONS, self.values["status"])}
         coordinates: dict[str, Any] = {
             "record": [entry.name for entry in self.suite],
             "polarity": self.polarities,
@@ -259,7 +266,7 @@ class SuiteStudy(Pictured):
             "pga_g": (("record", "scale"), self.pga),
         }
         coordinates |= {key: ("sample", values) for key, values in self.samples.items()}
-        return library("xarray").Dataset(along | {"status": (DIMENSIONS, self.values["status"])}, coordinates)
+        return library("xarray").Dataset(along | status, coordinates)
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """The same as plain arrays by name, for NPZ."""

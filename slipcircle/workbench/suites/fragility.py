@@ -102,13 +102,15 @@ def fragility_curve(share: Floats, pga: Floats, threshold: float, confidence: fl
     shares, log_pga = share[counts], np.log(pga[counts])
     if reason := _not_identified(shares, log_pga, record):
         return FragilityCurve(threshold, reason)
-    centre, width = log_pga.mean(), log_pga.std()
+    centre = log_pga.mean()
+    width = log_pga.std()
     scaled = (log_pga - centre) / width
     terms = np.stack([np.ones_like(scaled), scaled], axis=1)
     fitted = _most_likely(terms, shares)
+    fitted_covariance = _jackknife(terms, shares, record, fitted)
     unscale = np.array([[1.0, -centre / width], [0.0, 1.0 / width]])
     coefficients = unscale @ fitted
-    covariance = unscale @ _jackknife(terms, shares, record, fitted) @ unscale.T
+    covariance = unscale @ fitted_covariance @ unscale.T
     freedom = np.unique(record).size - coefficients.size
     quantile = statistics().t.ppf((1.0 + confidence) / 2.0, freedom)
     return _curve(threshold, coefficients, covariance, float(quantile))
@@ -117,8 +119,9 @@ def fragility_curve(share: Floats, pga: Floats, threshold: float, confidence: fl
 def _curve(threshold: float, coefficients: Floats, covariance: Floats, quantile: float) -> FragilityCurve:
     """The curve of a and b, with intervals by the derivatives of ln median = -a/b and ln dispersion = -ln b."""
     intercept, slope = coefficients.tolist()
-    log_median, log_dispersion = -intercept / slope, -math.log(slope)
-    of_median = np.array([-1.0, intercept / slope]) / slope
+    log_median = -intercept / slope
+    log_dispersion = -math.log(slope)
+    of_median = np.array([-1.0, -log_median]) / slope
     of_dispersion = np.array([0.0, -1.0 / slope])
     median = _lognormal(log_median, of_median, covariance, quantile)
     dispersion = _lognormal(log_dispersion, of_dispersion, covariance, quantile)
@@ -154,13 +157,16 @@ def _without_maximum(share: Floats, log_pga: Floats) -> str:
         return "every motion exceeds it; give smaller scales"
     if np.ptp(log_pga) <= _SAME:
         return "all motions have one peak acceleration; give several scales"
-    growth = (share - share.mean()) @ (log_pga - log_pga.mean())
-    if growth <= 0.0:
+    off_share = share - share.mean()
+    off_pga = log_pga - log_pga.mean()
+    if off_share @ off_pga <= 0.0:
         return "it is not exceeded more often at larger peak accelerations"
-    lowest, highest = log_pga[exceeds].min(), log_pga[stays].max()
+    lowest = log_pga[exceeds].min()
+    highest = log_pga[stays].max()
     if lowest < highest - _SAME:
         return ""
-    first, last = shown(math.exp(lowest)), shown(math.exp(highest))
+    first = shown(math.exp(lowest))
+    last = shown(math.exp(highest))
     if lowest <= highest + _SAME:
         return f"no motion exceeds it below a peak of {first} g and every one above; give scales next to it"
     return f"no motion exceeds it up to a peak of {last} g and every one does from {first} g; give scales between"
@@ -197,7 +203,8 @@ def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats
     """Log-likelihood of shares at arguments of Phi, its derivative, and its expected second derivative, negative."""
     from scipy import special
 
-    log_above, log_below = special.log_ndtr(argument), special.log_ndtr(-argument)
+    log_above = special.log_ndtr(argument)
+    log_below = special.log_ndtr(-argument)
     log_density = -(argument**2 + math.log(2.0 * math.pi)) / 2.0
     above = np.exp(log_density - log_above)
     below = np.exp(log_density - log_below)
@@ -211,5 +218,7 @@ def _lognormal(log_value: float, derivative: Floats, covariance: Floats, quantil
     """A positive number and its interval from the standard error of its logarithm."""
     variance = np.maximum(derivative @ covariance @ derivative, 0.0)  # not below it by rounding
     half = quantile * math.sqrt(variance)
-    low, high = math.exp(log_value - half), math.exp(log_value + half)
-    return Estimate(math.exp(log_value), low, high)
+    value = math.exp(log_value)
+    with np.errstate(over="ignore"):  # to an interval without an end
+        factor = float(np.exp(half))
+    return Estimate(value, value / factor, value * factor)
