@@ -145,9 +145,7 @@ def critical(
         _refuse_bottomless(slope, least, shaken=method == YIELD or slope.k_h > 0.0)
     _refuse_skin(slope, circle)
     tell(f"{least_of(method)}: {least:.6g}")
-    warnings = [circle.warning]
-    warnings += _reached_ends(search, circle)
-    warnings += _reached_limits(search, best[:1], circle)
+    warnings = [circle.warning, *_reached_ends(search, circle), *_reached_limits(search, best[:1], circle)]
     values = np.concatenate(search.values)
     return replace(
         circle,
