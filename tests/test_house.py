@@ -248,6 +248,7 @@ DENSITY = {
     "slipcircle/workbench/files": 12.1,
     "slipcircle/workbench/outputs": 12.2,
     "slipcircle/workbench/records": 12.0,
+    "slipcircle/workbench/stability": 12.1,
     "slipcircle/workbench/suites": 11.6,
 }
 

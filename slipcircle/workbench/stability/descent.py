@@ -16,9 +16,10 @@ _GROWTH = 2.0  # of steps while the best neighbour is on the rim
 _GAIN = 1e-6  # relative; by less, a step counts as none
 _FINEST = 1e-4  # step at which a valley is done, over its first
 _HOPELESS = 0.1  # over the least factor, as a share of it, a valley is left
-_OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+_OFFSETS = np.array(list(product([-1.0, 0.0, 1.0], repeat=3)))
 _MIDDLE = len(_OFFSETS) // 2
-_SUBSETS = np.array(list(product([False, True], repeat=3)))[1:]
+_NONE_AND_SUBSETS = list(product([False, True], repeat=3))
+_SUBSETS = np.array(_NONE_AND_SUBSETS[1:])
 
 
 class Descent:
@@ -59,9 +60,11 @@ class Descent:
         before = self.best[live]
         better = lowest + 1e-13 * np.abs(lowest) < before
         with np.errstate(invalid="ignore"):
-            gains = before - lowest > _GAIN * np.abs(lowest)
+            gain = before - lowest
+            gains = gain > _GAIN * np.abs(lowest)
         middle = self.q[live]
-        target = np.where(better[:, None], near[rows, chosen], middle)
+        best_of_near = near[rows, chosen]
+        target = np.where(better[:, None], best_of_near, middle)
         to_middle = (middle - target)[:, None, :3]
         self.q[live] = target
         self.best[live] = np.where(better, lowest, before)
@@ -103,7 +106,9 @@ def _leaps(values: Floats) -> Floats:
     """
     gradient, curvature = _derivatives(values.reshape(-1, 3, 3, 3))
     identity = np.eye(3, dtype=bool)
-    both = _SUBSETS[:, :, None] & _SUBSETS[:, None, :]
+    of_row = _SUBSETS[:, :, None]
+    of_column = _SUBSETS[:, None, :]
+    both = of_row & of_column
     system = np.where(both, curvature[:, None], identity)
     right = np.where(_SUBSETS, -gradient[:, None], 0.0)
     known = np.all(np.isfinite(system), axis=(2, 3))
@@ -113,8 +118,8 @@ def _leaps(values: Floats) -> Floats:
     convex = known & np.all(eigenvalues > 0.0, axis=2)
     system = np.where(convex[..., None, None], system, identity)
     right = np.where(convex[..., None], right, 0.0)
-    leaps = np.linalg.solve(system, right[..., None])[..., 0]
-    short = np.clip(leaps, -2.0, 2.0)
+    leaps = np.linalg.solve(system, right[..., None])
+    short = np.clip(leaps[..., 0], -2.0, 2.0)
     # Rounded, so that slopes that differ by rounding have the same circle.
     return np.asarray(np.round(short, 2))
 
@@ -125,13 +130,13 @@ def _derivatives(grid: Floats) -> tuple[Floats, Floats]:
     curvature = np.empty((len(grid), 3, 3))
     with np.errstate(invalid="ignore"):
         for i in range(3):
-            line = np.moveaxis(grid, i + 1, -1)[:, 1, 1]
-            behind, here, ahead = line.T
+            along = np.moveaxis(grid, i + 1, -1)
+            behind, here, ahead = along[:, 1, 1].T
             gradient[:, i] = (ahead - behind) / 2
             curvature[:, i, i] = ahead - 2 * here + behind
             for j in range(i):
-                plane = np.moveaxis(grid, (i + 1, j + 1), (-2, -1))[:, 1]
-                mixed = _mixed_derivative(plane)
+                along = np.moveaxis(grid, (i + 1, j + 1), (-2, -1))
+                mixed = _mixed_derivative(along[:, 1])
                 curvature[:, i, j] = mixed
                 curvature[:, j, i] = mixed
     return gradient, curvature

@@ -106,7 +106,8 @@ def _driven(
     slides = arcs.valid & (facing != 0.0)
     gravity = np.where(slides, gravity, np.nan)
     overcomes = slides & (driving > negligible)
-    return _Driven(slices, facing, gravity, np.where(overcomes, driving, np.nan))
+    driving = np.where(overcomes, driving, np.nan)
+    return _Driven(slices, facing, gravity, driving)
 
 
 def _arcs(slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Arcs:
@@ -129,9 +130,13 @@ def _cracked(slope: SlopeArrays, arcs: Arcs, facing: Floats) -> Arcs:
     sines = arc_crossings(arcs.from_centre(lowered_ground))
     with np.errstate(invalid="ignore"):
         angles = np.arcsin(sines)
-    between = (angles > arcs.first[:, None]) & (angles < arcs.last[:, None])
-    from_left = np.where(between, angles, np.inf).min(axis=1)
-    from_right = np.where(between, angles, -np.inf).max(axis=1)
+    after_first = angles > arcs.first[:, None]
+    before_last = angles < arcs.last[:, None]
+    between = after_first & before_last
+    from_left = np.where(between, angles, np.inf)
+    from_left = from_left.min(axis=1)
+    from_right = np.where(between, angles, -np.inf)
+    from_right = from_right.max(axis=1)
     first = np.where(facing > 0.0, from_left, arcs.first)
     last = np.where(facing < 0.0, from_right, arcs.last)
     deep_enough = np.isfinite(first) & np.isfinite(last) & (first < last)
@@ -206,7 +211,8 @@ def _bishop(driven: _Driven) -> Floats:
     y = np.where(lowest < highest, y, np.nan)
     for _ in range(_NEWTON_STEPS):
         factor = 1.0 / y
-        lever = slopes.bishop_lever(slices.sine, cosine, friction, factor[slices.arc])
+        of_arc = factor[slices.arc]
+        lever = slopes.bishop_lever(slices.sine, cosine, friction, of_arc)
         shear = strength / lever
         excess = y * slices.integral(shear) - driving
         growth = slices.integral(shear * cosine / lever)  # d(y/m_alpha)/dy = cos/m_alpha^2
@@ -220,20 +226,24 @@ def _bishop(driven: _Driven) -> Floats:
 
 def _bishop_normal(slices: Slices, factor: Floats) -> Any:
     """Effective normal stress of Bishop's simplified method."""
-    effective, cohesion = slices.vertical(), slices.cohesion()
-    by_arc = factor[slices.arc]
-    return slopes.bishop_normal(slices.sine, slices.cosine, effective, 0.0, cohesion, slices.friction, by_arc)
+    sine, cosine = slices.sine, slices.cosine
+    effective = slices.vertical()
+    of_arc = factor[slices.arc]
+    return slopes.bishop_normal(sine, cosine, effective, 0.0, slices.cohesion(), slices.friction, of_arc)
 
 
 def _lever_range(slices: Slices) -> tuple[Floats, Floats]:
     """Least and greatest 1/F for which m_alpha stays above its least value, of each arc."""
     greatest = 1.0 / _LEAST_FACTOR
-    sine = slices.friction * slices.way * np.sin(slices.ends)
+    friction = slices.friction * slices.way
+    sine = friction * np.sin(slices.ends)
     room = np.cos(slices.ends) - LEAST_LEVER
     limits_above = np.maximum(room, 0.0) / sine
-    above = np.where(sine > 0.0, limits_above, greatest).min(axis=0)
+    above = np.where(sine > 0.0, limits_above, greatest)
+    above = above.min(axis=0)
     limited_below = (sine < 0.0) & (room < 0.0)
-    below = np.where(limited_below, room / sine, 0.0).max(axis=0)
+    below = np.where(limited_below, room / sine, 0.0)
+    below = below.max(axis=0)
     count = len(slices.arcs.radius)
     lowest = np.zeros(count)
     highest = np.full(count, greatest)

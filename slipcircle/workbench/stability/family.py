@@ -64,7 +64,8 @@ def _touching_half_angle(left: Floats, right: Floats, edge: Floats) -> Floats:
     square = 1.0 - b * b
     constant = half * half - a * a
     with np.errstate(divide="ignore", invalid="ignore"):
-        root = np.sqrt(a * a * b * b - square * constant)
+        discriminant = a * a * b * b - square * constant
+        root = np.sqrt(discriminant)
         lower = (a * b - root) / square
         upper = (a * b + root) / square
         centre = np.where(lower > 0.0, lower, upper)  # the upper one's circle touches the line beyond its chord
@@ -85,18 +86,21 @@ class Search:
         self.limits = {"entry": entry, "exit": exit}
         self.ground = np.asarray(slope.ground)
         lengths = _length(np.diff(self.ground, axis=0))
-        self.along = np.concatenate([[0.0], np.cumsum(lengths)])
+        self.along = np.append(0.0, np.cumsum(lengths))
         self.rounding = 1e-9 * float(self.along[-1])
         edges = [np.empty((0, 2, 2))]
         for (top,) in self.arrays.tops:
-            edges.append(np.stack([top[:-1], top[1:]], axis=1))
+            both_ends = np.stack([top[:-1], top[1:]], axis=1)
+            edges.append(both_ends)
         self.boundary_edges = np.concatenate(edges)
         self.centres: list[Floats] = []
         self.values: list[Floats] = []
 
     def points(self, lengths: Floats) -> Floats:
         """Points of the ground at lengths along it."""
-        x, y = (np.interp(lengths, self.along, of_vertices) for of_vertices in self.ground.T)
+        vertex_x, vertex_y = self.ground.T
+        x = np.interp(lengths, self.along, vertex_x)
+        y = np.interp(lengths, self.along, vertex_y)
         return np.stack([x, y], axis=-1)
 
     def circles(self, q: Floats) -> tuple[Floats, Floats, Floats, Floats]:
@@ -111,7 +115,8 @@ class Search:
             number = q[touching, 3].astype(np.int64)
             edge = self.boundary_edges[number]
             half_angle[touching] = _touching_half_angle(left[touching], right[touching], edge)
-        valid = (half_angle > 0.0) & (half_angle <= greatest * (1 + 1e-9))
+        most = greatest * (1 + 1e-9)
+        valid = (half_angle > 0.0) & (half_angle <= most)
         some_angle = np.where(valid, half_angle, 1.0)
         radius = half_chord / np.sin(some_angle)
         centre, radius = circle_through(left, right, radius=radius)
@@ -128,14 +133,16 @@ class Search:
         lower = np.minimum(left[:, 1], right[:, 1])
         above_base = lower - base >= -self.rounding
         upright = np.where(above_base, upright, np.nan)
-        centre, _ = circle_touching(left, right, np.minimum(base, lower))
-        x = centre[:, 0]
-        touches_between = (left[:, 0] <= x + self.rounding) & (x - self.rounding <= right[:, 0])
+        level = np.minimum(base, lower)
+        centre, _ = circle_touching(left, right, level)
+        touches_at = centre[:, 0]
+        beyond_left = left[:, 0] <= touches_at + self.rounding
+        before_right = touches_at - self.rounding <= right[:, 0]
         to_left = np.abs(angle_from_below(centre, left))
         to_right = np.abs(angle_from_below(centre, right))
         touching = (to_left + to_right) / 2 * _JUST_BELOW
         deepest = np.minimum(upright, touching)
-        return np.where(touches_between, deepest, upright)
+        return np.where(beyond_left & before_right, deepest, upright)
 
     def evaluate(self, q: Floats, nodes: int = NODES) -> Floats:
         """The factor of each circle, NaN where there is none, or none within the limits."""
@@ -154,7 +161,9 @@ class Search:
         left_x = left[:, 0]
         right_x = right[:, 0]
         possible = right_x - left_x > self.rounding
-        possible &= self._within(left_x, right_x) | self._within(right_x, left_x)
+        rightwards = self._within(left_x, right_x)
+        leftwards = self._within(right_x, left_x)
+        possible &= rightwards | leftwards
         if self.slope.base is not None:
             higher_end = np.maximum(left[:, 1], right[:, 1])
             possible &= higher_end - self.slope.base > self.rounding
@@ -166,7 +175,8 @@ class Search:
         for x, limit in zip((entry, exit), self.limits.values(), strict=True):
             if limit is not None:
                 low, high = limit
-                within &= (x >= low - self.rounding) & (x <= high + self.rounding)
+                within &= x >= low - self.rounding
+                within &= x <= high + self.rounding
         return within
 
     def _factors(self, q: Floats, nodes: int) -> Floats:
@@ -176,8 +186,11 @@ class Search:
         thick = np.flatnonzero(thickness >= self.depth)
         left = left[thick]
         right = right[thick]
-        factors, facing = factors_by(self.arrays, centre[thick], radius[thick], left, right, self.method, nodes)
-        counts = np.isfinite(factors) if self.method == YIELD else factors > 0.0
+        circles = centre[thick], radius[thick], left, right
+        factors, facing = factors_by(self.arrays, *circles, self.method, nodes)
+        counts = np.isfinite(factors)
+        if self.method != YIELD:
+            counts &= factors > 0.0
         left_x = left[:, 0]
         right_x = right[:, 0]
         to_right = facing > 0.0
@@ -192,7 +205,8 @@ class Search:
 
     def thickness(self, q: Floats, centre: Floats, radius: Floats) -> Floats:
         """Greatest distance from arc to ground along the radius; -1 where the ground leaves the circle in between."""
-        lengths = np.clip(self.along, q[:, :1], q[:, 1:2])  # repeats the ends beyond them
+        first, last = q[:, :1], q[:, 1:2]
+        lengths = np.clip(self.along, first, last)  # repeats the ends beyond them
         ground = self.points(lengths) - centre[:, None]
         most = (1 + 1e-12) * radius[:, None]
         inside = np.all(_length(ground) <= most, axis=1)
@@ -213,8 +227,8 @@ class Search:
         for low, high in pairwise(vertices.tolist()):
             share = (high - low) / total
             count = max(least, round(_POSITIONS * share))
-            inside = np.linspace(low, high, count + 1)[1:-1]
-            positions.append(inside)
+            with_ends = np.linspace(low, high, count + 1)
+            positions.append(with_ends[1:-1])
         for limit in filter(None, self.limits.values()):
             first, last = np.interp(limit, self.ground[:, 0], self.along)
             positions.append(np.linspace(first, last, _LEAST_ON_EDGE + 1))
@@ -225,20 +239,23 @@ class Search:
         ends = self._positions()
         shape = len(ends), len(ends), len(_SHARES)
         numbers = np.indices(shape).reshape(3, -1)
-        left, right, share = numbers[:, numbers[0] < numbers[1]]
+        in_order = numbers[0] < numbers[1]
+        left, right, share = numbers[:, in_order]
         no_edge = np.full(len(share), _NONE)
         q = np.column_stack([ends[left], ends[right], _SHARES[share], no_edge])
         spacing = np.gradient(ends)
         share_spacing = np.gradient(_SHARES)[share]
-        steps = np.column_stack([spacing[left], spacing[right], share_spacing, np.zeros_like(no_edge)])
+        constant = np.zeros_like(no_edge)
+        steps = np.column_stack([spacing[left], spacing[right], share_spacing, constant])
         pairs = share == 0
         families = [q]
+        families_steps = [steps]
         for edge in range(len(self.boundary_edges)):
             touching = q[pairs]
             touching[:, 3] = edge
             families.append(touching)
-        more_steps = [steps[pairs]] * len(self.boundary_edges)
-        return np.concatenate(families), np.concatenate([steps, *more_steps])
+            families_steps.append(steps[pairs])
+        return np.concatenate(families), np.concatenate(families_steps)
 
     def coarse(self, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
         """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
@@ -248,7 +265,8 @@ class Search:
             left = "no circle within these limits can slide; widen entry, exit, depth or base"
             raise InputError("critical", [left])
         valleys = valleys_of(q, values, steps, _VALLEYS, _VALLEYS_ON_EDGE)
-        tell(f"{len(values)} circles; following {len(valleys)}, from {np.nanmin(values):.4g}")
+        least = np.nanmin(values)
+        tell(f"{len(values)} circles; following {len(valleys)}, from {least:.4g}")
         return q[valleys], steps[valleys]
 
     def refined(self, q: Floats, step: Floats) -> tuple[Floats, Floats]:

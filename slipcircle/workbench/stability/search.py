@@ -76,7 +76,8 @@ class Critical:
     @property
     def between(self) -> tuple[float, float]:
         """x of both ends, from left to right, which selects one of the masses that the circle cuts off."""
-        return min(self.entry[0], self.exit[0]), max(self.entry[0], self.exit[0])
+        left, right = sorted([self.entry[0], self.exit[0]])
+        return left, right
 
     def without_map(self) -> Critical:
         """A copy without the circles that were evaluated."""
@@ -193,7 +194,10 @@ def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right
     """One circle, by arrays of one."""
     circle = centre, radius, left, right
     factors = circle_factors(slope.arrays(), *circle, pieces=_PIECES)
-    still = circle_factors(replace(slope.arrays(), k_h=0.0), *circle) if slope.k_h else None
+    without_k_h = None
+    if slope.k_h:
+        unshaken = replace(slope.arrays(), k_h=0.0)
+        without_k_h = _by_method(circle_factors(unshaken, *circle))
     facing = int(factors["facing"][0])
     negative = float(factors["negative"][0])
     first, second = _point(left), _point(right)
@@ -214,7 +218,7 @@ def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right
         facing=facing,
         negative=negative,
         warning=warning,
-        factor_of_safety_without_k_h=None if still is None else _by_method(still),
+        factor_of_safety_without_k_h=without_k_h,
         yield_coefficient=_known(factors[YIELD]),
     )
 

@@ -35,7 +35,8 @@ class Arcs(NamedTuple):
 
     def from_centre(self, lines: Floats) -> Floats:
         """Lines (1 or n, V, 2) from the centre of each arc, over R."""
-        return np.asarray((lines - self.centre[:, None]) / self.radius[:, None, None])
+        from_centre = lines - self.centre[:, None]
+        return np.asarray(from_centre / self.radius[:, None, None])
 
 
 def angle_from_below(centre: Floats, point: Floats) -> Floats:
@@ -108,7 +109,8 @@ class Slices(NamedTuple):
         """Of gravity about the centre, of each arc."""
         stresses = self.stresses
         weight = self.at(stresses.soil + stresses.buoyancy + stresses.load)
-        return self.integral(slopes.drive(self.sine, self.cosine, weight, 0.0))
+        moment = slopes.drive(self.sine, self.cosine, weight, 0.0)
+        return self.integral(moment)
 
     def weight_along_arc(self) -> Floats:
         """The integral of the vertical stress over each arc's breadth: what moments are compared with."""
@@ -147,9 +149,11 @@ class Slices(NamedTuple):
         loads = slopes.ordinary_normal(sine, cosine, not_shaken, 0.0, 0.0)
         if np.any(self.k_h * self.shaken_load):
             load = self.at(stresses.load)
-            loads = loads + self.k_h * sine * cosine * load * self.shaken_load
+            shaken = self.k_h * sine * cosine * load
+            loads = loads + shaken * self.shaken_load
         weight = self.at(stresses.soil)
-        soil = slopes.ordinary_normal(sine, cosine, weight, self.uplift(), self.k_h)
+        uplift = self.uplift()
+        soil = slopes.ordinary_normal(sine, cosine, weight, uplift, self.k_h)
         return np.asarray(soil + loads)
 
     def radial_normal(self) -> Floats:
@@ -170,7 +174,8 @@ class Slices(NamedTuple):
         tilt *= self.shaken_load
         for k in np.flatnonzero(self.shaken):
             height = self.surface(k) + self.cosine
-            of_unit_weight = slopes.radial_tilt(self.sine, self.cosine, height, self.distance(k))
+            distance = self.distance(k)
+            of_unit_weight = slopes.radial_tilt(self.sine, self.cosine, height, distance)
             tilt += self.steps[k] * of_unit_weight
         return tilt
 
@@ -198,7 +203,8 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = N
     middle = (first + last) / 2
     nodes_at, weights = _gauss(nodes)
     angle = middle + half * nodes_at[:, None]
-    base = _Bases(slope, arcs, arc, first + _INSIDE * (last - first))
+    inside = first + _INSIDE * (last - first)
+    base = _Bases(slope, arcs, arc, inside)
     steps = base.steps()
     return Slices(
         arcs=arcs,
@@ -224,13 +230,13 @@ def _intervals(slope: SlopeArrays, arcs: Arcs, pieces: int) -> tuple[NDArray[np.
     sines = np.clip(_kinks(slope, arcs), -1.0, 1.0)
     kinks = np.arcsin(sines)
     kinks = np.clip(kinks, arcs.first[:, None], arcs.last[:, None])
-    pieces_ends = np.linspace(arcs.first, arcs.last, pieces + 1, axis=1)
-    angles = np.concatenate([pieces_ends, kinks], axis=1)
+    ends_of_pieces = np.linspace(arcs.first, arcs.last, pieces + 1, axis=1)
+    angles = np.concatenate([ends_of_pieces, kinks], axis=1)
     angles.sort(axis=1)
     first = angles[:, :-1]
     last = angles[:, 1:]
-    arc, k = np.nonzero((last > first) & arcs.valid[:, None])
-    return arc, np.stack([first[arc, k], last[arc, k]])
+    is_interval = (last > first) & arcs.valid[:, None]
+    return np.nonzero(is_interval)[0], np.stack([first[is_interval], last[is_interval]])
 
 
 def _kinks(slope: SlopeArrays, arcs: Arcs) -> Floats:
@@ -274,8 +280,10 @@ class _Bases:
         self.lane = np.zeros(1, dtype=np.int64) if slopes == 1 else self.arc
         # At an end of the arc rounding may leave no ground above it: then the layers that end there count.
         lowest = np.minimum(self.above[0], 0.0) - _TOUCH
-        layer = np.count_nonzero(self.above[:layers] >= lowest, axis=0) - 1
-        self.soil = SoilArrays(*(values[layer, self.lane] for values in soils))
+        reaches_arc = self.above[:layers] >= lowest
+        layer = np.count_nonzero(reaches_arc, axis=0) - 1
+        of_base = (values[layer, self.lane] for values in soils)
+        self.soil = SoilArrays(*of_base)
         self.unit_weight = soils.unit_weight[0, self.lane]
         self.water = self.of_slope(self.slope.water_unit_weight) / self.unit_weight
 
@@ -296,7 +304,8 @@ class _Bases:
         if slope.saturates:
             gain = slope.soils.saturated_unit_weight - unit_weight
             rows.append(np.diff(gain, axis=0, prepend=0.0))
-        steps = np.concatenate(rows)[:, self.lane] / self.unit_weight
+        steps = np.concatenate(rows)
+        steps = steps[:, self.lane] / self.unit_weight
         if slope.pond is not None:
             of_soil = np.broadcast_to(steps, (len(steps), len(self.arc)))
             of_pond = [np.zeros_like(self.water), -self.water]
@@ -326,9 +335,11 @@ class _Bases:
             ground = self.above[0]
             water_level = self.above[-2]
             buoyancy = self._above_arc(-1, steps[-1])
-            relieved = self._above_arc(-2, self.water * (water_level > 0.0))
+            wet = self.water * (water_level > 0.0)
+            relieved = self._above_arc(-2, wet)
             filled = self.water * (water_level > ground)
-            pond = self._above_arc(-2, filled) - self._above_arc(0, filled)
+            pond = self._above_arc(-2, filled)
+            pond = pond - self._above_arc(0, filled)
         soil = self._soil_weight(of_soil)
         scale = self.unit_weight * self.scale
         pressure = self._pore_pressure(soil, scale)
@@ -361,7 +372,8 @@ class _Bases:
         for x1, x2, q1, q2 in self.slope.surcharge:
             inside = (self.x > x1) & (self.x < x2)
             first = self.of_slope(q1)
-            growth = (self.of_slope(q2) - first) / (x2 - x1)
+            last = self.of_slope(q2)
+            growth = (last - first) / (x2 - x1)
             at_centre = first + growth * (self.centre_x - x1)
             linear = np.stack([at_centre, growth * self.scale, 0.0 * self.scale])
             load = load + inside * linear
@@ -374,4 +386,5 @@ class _Bases:
         below_datum = from_centre + self.depth * self.scale > 0.0
         growth = soil.cohesion_gradient * below_datum
         at_centre = soil.cohesion + growth * from_centre
-        return np.stack([at_centre, np.zeros_like(growth), growth * self.scale])
+        of_sine = np.zeros_like(growth)
+        return np.stack([at_centre, of_sine, growth * self.scale])
