@@ -166,8 +166,8 @@ def of_list(argument: str, places: Floats, values: Floats) -> Data:
     return lines(places, values, first, last)
 
 
-def of_time(function: Any) -> Data:
-    """A `Series` or `Pulse`."""
+def of_time(function: Series | Pulse) -> Data:
+    """A function of time."""
     if isinstance(function, Series):
         times = function.time
         values = function.values
@@ -176,8 +176,6 @@ def of_time(function: Any) -> Data:
         first = float(values[0])
         last = float(values[-1])
         return lines(times, values, first, last)
-    if not isinstance(function, Pulse):
-        raise TypeError(f"{function!r} is not a Series or Pulse")
     start = function.start
     duration = function.duration
     amplitude = function.amplitude
