@@ -99,7 +99,7 @@ Template = tuple[tuple[object, ...], ...]
 
 
 def of_cell(means: Expr) -> Template:
-    """The operations that make the tangent of what an operation on cells means."""
+    """Operations that compute the tangent of the result of an operation on cells."""
 
     def tangent(e: Expr) -> Expr:
         if isinstance(e, Select):  # of the branch that is taken
@@ -127,7 +127,7 @@ _HELPERS = {_l: ("log", "l", "z"), _h: ("rec", "h", "*.h_less_1", "z")}
 
 
 def of_series(o: Operation) -> Template:
-    """The operations that make the tangents of the results of one on series."""
+    """Operations that compute the tangents of the results of an operation on series."""
     if o.name == "tim":  # linear in its argument
         return (("tim", "q'", "a'"),)
     symbols = {x: cell(str(x)) for x in (*o.results, *o.arguments)}

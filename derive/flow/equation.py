@@ -12,7 +12,7 @@ from derive.declare.symbols import in_words
 
 
 class Term(NamedTuple):
-    """What is added to a quantity of the equation of motion, or what it is: in plain symbols and in LaTeX.
+    """A term of a quantity in the equation of motion, or its definition, in plain symbols and in LaTeX.
 
     ``symbols`` are those of the formula.
     """
@@ -86,7 +86,7 @@ def gravity() -> tuple[Term, ...]:
 
 
 def position(rotates: bool) -> tuple[Term, ...]:
-    """The components of the weight after a rotation, q(psi_0 - phi) = q cos phi - q' sin phi, or as at the start."""
+    """The components of the weight after a rotation, q(psi_0 - phi) = q cos phi - q' sin phi, or the initial ones."""
     start = {q: Symbol(f"{name.rstrip(chr(39))}0{chr(39) * name.count(chr(39))}") for q, name in COMPONENTS.items()}
     angle = PHI if rotates else sp.Integer(0)
     return tuple(
@@ -95,7 +95,7 @@ def position(rotates: bool) -> tuple[Term, ...]:
 
 
 def of_effect(effect: declared.Effect) -> tuple[Term, ...]:
-    """Terms that an effect adds to the quantities, separately, and the rates of its states."""
+    """Terms that an effect adds to each quantity, one by one, and the rates of its states."""
     adds = {
         "M": effect.driving_moment,
         "sigma": effect.stress + effect.normal_load / LAMBDA,
@@ -109,7 +109,7 @@ def of_effect(effect: declared.Effect) -> tuple[Term, ...]:
 
 
 def of_law(law: declared.Law) -> tuple[Term, ...]:
-    """The friction coefficient of a law; of a table, and of a Python function, what it is a function of."""
+    """The friction coefficient of a law; for a table or a Python function, its arguments."""
     if law.coefficient is not None or not law.depends_on:
         return (term("mu", sp.sympify(law.coefficient or Symbol("coefficient"))),)
     argument = law.depends_on[0]
@@ -119,7 +119,7 @@ def of_law(law: declared.Law) -> tuple[Term, ...]:
 def terms(
     effects: Sequence[declared.Effect] = ALL_EFFECTS, laws: Sequence[declared.Law] = LAWS
 ) -> dict[str, tuple[Term, ...]]:
-    """All terms, by the effect or law that asks for them; "frozen" is the position without rotation."""
+    """All terms, by the effect or law to which they belong; "frozen" is the position without rotation."""
     every = {"gravity": gravity(), "frozen": position(False)}
     every |= {effect.name: of_effect(effect) for effect in effects}
     every |= {law.name: of_law(law) for law in laws}

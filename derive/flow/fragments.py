@@ -1,4 +1,4 @@
-"""The declared effects and laws, and the balance itself, lowered to the fragments that programs are assembled from."""
+"""The declared effects and laws, and the balance itself, lowered to the fragments from which programs are assembled."""
 
 from collections.abc import Sequence
 from itertools import chain, combinations
@@ -68,17 +68,17 @@ ODD = {DRIVING_MOMENT, NORMAL_LOAD_SLOPE, TURNING_SLOPE, REMAINING_SLOPE, SOIL_S
 
 
 def seen(q: Symbol) -> Symbol:
-    """A component of the weight where the phase begins, as it is seen in the direction of travel."""
+    """A component of the weight at the start of the phase, with the sign that it has in the direction of travel."""
     return cell(f"{q}_0")
 
 
 def sign(q: Symbol) -> Expr:
-    """What a component is multiplied by to be seen so: J_theta and the slope of J_r are odd in psi."""
+    """Factor of a component in a reversed direction of travel: J_theta and the slope of J_r are odd in psi."""
     return DIRECTION if q in ODD else ONE
 
 
 def position() -> dict[Symbol, tuple[Expr, Increment]]:
-    """The weight's components at the start of a phase and their increments; those of a frozen mass are nothing.
+    """The weight's components at the start of a phase and their increments, which are zero for a frozen mass.
 
     q(psi - x) = q cos x - q' sin x, since q'' = -q by the declared derivatives: an increment of -q vers x - q' sin x.
     """
@@ -105,7 +105,7 @@ def scaled(e: Expr) -> Expr:
 
 
 def quantities(effect: Effect) -> dict[str, Expr]:
-    """What an effect adds to the quantities of the balance; of one soil times mu, by which `soils` divides."""
+    """Terms that an effect adds to the balance; those of one soil are times mu, by which `soils` divides."""
     adds = {
         "driving": scaled(effect.driving_moment),
         "resisting": scaled(effect.resistance),
@@ -119,7 +119,7 @@ def quantities(effect: Effect) -> dict[str, Expr]:
 
 
 def odd(effect: Effect) -> set[Symbol]:
-    """The parameters that change sign in a mirror, in which the drive does and nothing else, or ValueError."""
+    """Parameters that change sign in a mirror image in which only the drive does; ValueError if there are none."""
     symbols = {p.symbol for p in effect.parameters if p.symbol is not None}
     free = sorted(symbols - ODD, key=str)
     for chosen in chain.from_iterable(combinations(free, n) for n in range(len(free) + 1)):
@@ -129,7 +129,7 @@ def odd(effect: Effect) -> set[Symbol]:
 
 
 def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
-    """Whether a mirror in which these parameters change sign turns the drive round and leaves all else."""
+    """Whether only the drive changes sign if these parameters do."""
     mirror = {x: -x for x in ODD.union(chosen)}
     for quantity, e in quantities(effect).items():
         mirrored = -e if quantity == "driving" else e
@@ -139,7 +139,7 @@ def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
 
 
 def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]:
-    """Quantities that may change along a phase: base and increment by symbol."""
+    """Quantities that may change during a phase: base and increment by symbol."""
     speed = (ZERO, series("omega"))
     variables = position()
     variables |= {OMEGA: speed, SPEED: speed, SLIP: (BEGAN, series("x"))}
@@ -172,7 +172,7 @@ def piece(low: Lowering, table: str, argument: str, degree: int) -> Increment:
 
 
 def of_effect(effect: Effect) -> Fragment:
-    """What an effect adds to the quantities of the balance, and the rates of its states."""
+    """Terms that an effect adds to the balance, and the rates of its states."""
     if effect.turns:
         return rotation(effect)
     low = Lowering(effect.name, moving(effect))
@@ -233,7 +233,7 @@ def of_law(law: Law) -> Fragment:
 
 
 def _log_speed(law: Law, low: Lowering) -> None:
-    """The logarithm of the speed over that where the phase began; the first piece, below the table, is constant."""
+    """Logarithm of the speed over that at the start of the phase; constant in the first piece, below the table."""
     beyond = cell("beyond")
     start = cell("start_speed")
     low.cells["beyond"] = Select(0, cell(f"{law.name}.PIECE"), 1, 0)
@@ -245,7 +245,7 @@ def _log_speed(law: Law, low: Lowering) -> None:
 
 
 def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
-    """Where the pieces of a law with kinks begin, over its scale, and their polynomials in what is beyond.
+    """Breaks of a law with kinks, over its scale, and the polynomials of its pieces in the distance from the break.
 
     A piece takes the branch of each minimum or maximum that holds there: a constant piece is exactly its parameter.
     """
@@ -272,7 +272,7 @@ def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
 
 
 def gravity() -> Fragment:
-    """The weight, which drives and presses; of a frozen mass, whose components do not turn."""
+    """Driving moment and normal load of the weight of a frozen mass, whose components do not rotate."""
     low = Lowering("gravity", {})
     for q in BY_PSI:
         low.cells[str(seen(q))] = sign(q) * q
@@ -282,7 +282,7 @@ def gravity() -> Fragment:
 
 
 def rotation(effect: Effect) -> Fragment:
-    """The turning of the weight: its components where the phase begins, and the series that they turn by."""
+    """Rotation of the weight: its components at the start of the phase, and the series of their rotation since."""
     low = Lowering(effect.name, {})
     for q, slope in BY_PSI.items():
         turned = q * cos(ROTATION) - slope * sin(ROTATION)
@@ -299,7 +299,7 @@ def rotation(effect: Effect) -> Fragment:
 
 
 def balance() -> Fragment:
-    """The balance of momentum of its quantities, which are the sums of what the fragments add."""
+    """The balance of momentum in its quantities, which are sums of the terms of all fragments."""
     names = (*QUANTITIES, "mu")
     driving, resisting, pressing, lifting, mu = (cell(x) for x in names)
     low = Lowering("balance", {cell(x): varying(x) for x in names})
@@ -325,10 +325,10 @@ def balance() -> Fragment:
 
 
 def _drive(low: Lowering, net: Expr) -> None:
-    """The net moment where a phase begins, and the rounding of its terms.
+    """The net moment at the start of a phase, and the rounding error of its terms.
 
-    As long as nothing that it depends on has departed from the start it is normal (limit - mu), made of what is left
-    of the limit friction. That of weight alone is an input, and is known better than a quotient of sums.
+    As long as its arguments have their initial values it is normal (limit - mu), without cancellation near the limit
+    friction. The limit friction of weight alone is an input, more accurate than a quotient of sums.
     """
     cells = low.cells
     driving, resisting, normal, mu = (cell(f"{x}_0") for x in ("driving", "resisting", "normal", "mu"))
@@ -350,7 +350,7 @@ def _drive(low: Lowering, net: Expr) -> None:
 
 
 def energy() -> Fragment:
-    """Work of what drives and loss to what resists, as states: only where they are requested."""
+    """Work of the driving moment and dissipation by the resistance, as states: only where they are requested."""
     names = ("driving", "resisting", "friction", "brakes", "omega")
     driving, resisting, friction, brakes, omega = (cell(x) for x in names)
     low = Lowering("energy", {cell(x): (ZERO, series(x)) for x in names})  # in full

@@ -121,7 +121,7 @@ def python() -> str:
 
 
 def c() -> dict[str, str]:
-    """The same for the compiled integrator, and the members of the struct of a program's roles, by their mark there."""
+    """The same for the compiled integrator, and the members of the struct of a program's roles, as marked there."""
     rows = [
         [f"{prefix}{x}{f' = {start}' * (start != 0 and not k)}" for k, x in enumerate(names)]
         for _, prefix, start, names in NUMBERED

@@ -125,7 +125,7 @@ class Lowering:
         return base, increment
 
     def function(self, e: Expr) -> tuple[Expr, Increment]:
-        """The same of exp, log, a power, sin or cos, by the operation on the increment of its argument."""
+        """Base and increment of exp, log, a power, sin or cos, by the operation on the increment of the argument."""
         b, d = self.split(e.base if e.is_Pow else e.args[0])
         relative = total((1 / b, d)) if b != 0 else {}
         if isinstance(e, exp):
@@ -146,7 +146,7 @@ class Lowering:
         raise ValueError(f"no operation on series for {type(e).__name__}: {e}")
 
     def apply(self, operation: str, increment: Increment, factor: Expr, *numbers: Expr) -> Increment:
-        """A factor times the last result of an operation on an increment, which is 0 where the increment is."""
+        """A factor times the last result of an operation on an increment, which is 0 if the increment is."""
         z = self.register(increment)
         self.count += 1
         name = f"{self.name}.{operation}{self.count}"
@@ -210,7 +210,7 @@ class Lowering:
         return tuple(terms)
 
     def cell(self, e: Expr, name: str = "") -> str:
-        """The cell that holds a number which is known where a phase begins."""
+        """The cell that holds a number known at the start of a phase."""
         if not name:
             if e.is_Symbol:
                 return str(e)
@@ -224,7 +224,7 @@ class Lowering:
         return name
 
     def add(self, e: Expr, quantity: str) -> tuple[str, str, tuple[tuple[str, str], ...]]:
-        """Base, size of the base's terms, and increment of what is added to a quantity."""
+        """Base, size of the base's terms, and increment of a term that is added to a quantity."""
         direct, increment = self.split(e)
         base, scale = self.base(e, direct)
         name = f"{self.name}.{quantity}"
@@ -233,7 +233,7 @@ class Lowering:
         return base_cell, size_cell, self.sum(increment)
 
     def base(self, e: Expr, direct: Expr) -> tuple[Expr, Expr]:
-        """A base and the size of its terms; of what depends on slip, the better of two forms.
+        """A base and the size of its terms; if it depends on slip, the more accurate of two forms.
 
         Both from terms: the formula where the phase begins, and the one at no slip and the increment since then.
         """
@@ -300,5 +300,5 @@ class Lowering:
 
 
 def size(e: Expr) -> Expr:
-    """The sum of the magnitudes of an expression's terms, which its rounding error is a part of."""
+    """The sum of the magnitudes of an expression's terms, to which its rounding error is proportional."""
     return Add(*(abs(x) for x in Add.make_args(e)))

@@ -1,7 +1,7 @@
 """The operations of a flow program: the meaning of each, and the recurrence of its Taylor coefficients.
 
 Each is stated once, here. `prove` compares it with SymPy's own series; from the same statement come the text that the
-compiled interpreter and the one in NumPy run, and what a program is in any other numbers.
+compiled interpreter and the one in NumPy run, and programs in any other arithmetic.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -44,7 +44,7 @@ def _sum(term: Expr, first: int = 1, last: Expr = n) -> Expr:
 
 @dataclass(frozen=True)
 class Operation:
-    """An operation on series: results and arguments, order 0 from order 0, and order n from what is known by then.
+    """An operation on series: results and arguments, order 0 from order 0, and order n from the lower orders.
 
     ``means`` gives each result as a function of the arguments; ``start`` is the same without cancellation at 0, and
     ``step`` is coefficient n >= 1. ``numbers`` are arguments that are cells, not series.
@@ -119,7 +119,7 @@ OPERATIONS = {
 
 
 def prove(order: int = 6) -> list[str]:
-    """Prove each operation's coefficients equal to those of SymPy's own series of what it means; the claims proved."""
+    """Prove each operation's coefficients equal to those of SymPy's series of its definition; returns the claims."""
     claims = []
     for o in OPERATIONS.values():
         highest = order - 2 * len(o.numbers)  # a power of a symbol takes long
@@ -166,7 +166,7 @@ def _coefficients(o: Operation, highest: int) -> dict[IndexedBase, tuple[Expr, .
 
 
 def at(e: Expr, coefficients: Mapping[IndexedBase, Sequence[Any]]) -> Expr:
-    """An expression with the coefficients that it names."""
+    """An expression with its coefficients substituted."""
     named = {}
     for x in e.atoms(Indexed):
         named[x] = coefficients[x.base][int(x.indices[0])]
@@ -174,7 +174,7 @@ def at(e: Expr, coefficients: Mapping[IndexedBase, Sequence[Any]]) -> Expr:
 
 
 def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Mapping[str, Expr]) -> dict[str, Expr]:
-    """Order 0 of every register that operations on series make, from that of the registers they start with."""
+    """Order 0 of every register that operations on series make, from that of the given registers."""
     registers = dict(values)
 
     def number(name: str) -> Expr:

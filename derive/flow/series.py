@@ -87,7 +87,7 @@ def _body(o: Operation, let: str, call: str, zero: str, end: str) -> tuple[list[
 
 
 def _read(o: Operation) -> list[IndexedBase]:
-    """The series that an operation's results are made of."""
+    """The series on which an operation's results depend."""
     used = {x.base for e in (*o.start, *o.step) for x in e.atoms(Indexed)}
     return [x for x in o.arguments if x in used]
 

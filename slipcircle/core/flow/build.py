@@ -82,10 +82,6 @@ class _Builder(Declarations):
         Place of each cell, and of each register.
     """
 
-    def __init__(self, extra: tuple[str, ...], directions: int) -> None:
-        super().__init__(directions)
-        self.extra = extra
-
     # --- 2. from outputs back to operations --------------------------------------------------------------------------
 
     def resolve(self) -> None:

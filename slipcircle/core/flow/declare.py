@@ -42,6 +42,10 @@ class Declarations:
 
     Attributes
     ----------
+    extra : tuple of str
+        Registers that are computed in addition to those that the integrator reads.
+    directions : range
+        Numbers of the derivatives that the program computes.
     link : Linker
         The definitions of cells and registers.
     inputs : list of str
@@ -55,7 +59,8 @@ class Declarations:
         Quantities whose product is the friction coefficient.
     """
 
-    def __init__(self, directions: int) -> None:
+    def __init__(self, extra: tuple[str, ...], directions: int) -> None:
+        self.extra = extra
         self.directions = range(directions)
         self.link = Linker()
         self.inputs: list[str] = []

@@ -31,15 +31,18 @@ def equilibrium(at_rest: Forces, shaken: Forces, mu: Floats, limit: Floats) -> d
     pressed = normal > 0.0
     frictionless = driving - resisting
     excess = frictionless - mu * normal
-    exact_excess = np.where(pressed, normal * (limit - mu), excess)  # without cancellation near the limit
+    near_limit = normal * (limit - mu)  # without cancellation
+    exact_excess = np.where(pressed, near_limit, excess)
     frictionless_shaken = shaken.driving - shaken.resisting
     excess_shaken = frictionless_shaken - mu * shaken.normal
     yielding = -exact_excess / (excess_shaken - excess)
     normal_then = normal + yielding * (shaken.normal - normal)
     yielding_lifted = -frictionless / (frictionless_shaken - frictionless)
     yield_coefficient = np.where(normal_then < 0.0, yielding_lifted, yielding)
-    strength = resisting + np.where(pressed, mu * normal, 0.0)
-    driven = driving > 8 * EPS * abs(normal)
+    friction_moment = np.where(pressed, mu * normal, 0.0)
+    strength = resisting + friction_moment
+    rounding = 8 * EPS * abs(normal)
+    driven = driving > rounding
     without_contact = np.where(frictionless > 0.0, np.inf, -np.inf)
     return {
         "limit_friction": np.where(pressed, limit, without_contact),

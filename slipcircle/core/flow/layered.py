@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from slipcircle.core.flow.interpolation import between_kinks
 from slipcircle.core.flow.tables import Data
 from slipcircle.core.scene.layers import LayeredSection
+from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.strength import OfRotation
 
 Floats = NDArray[np.float64]
@@ -17,6 +18,13 @@ FINEST = 1e-14  # the first coefficients left out of tables for single scenes, o
 _SAMPLE = 256  # lanes whose reach is estimated
 _SHARES = np.linspace(0.0, 1.0, 41)  # of the rotation to upright, at which the energy is estimated
 _MARGIN = 1.2  # on the estimated reach
+
+
+def upright(section: Section) -> Floats:
+    """The rotation at which the normal load J_r cos(phi) - J_r' sin(phi) of the weight falls to 0, (lanes,)."""
+    weight = section.moment_coefficients
+    rotation = np.arctan2(weight.normal_load, weight.normal_load_slope)
+    return np.ravel(rotation)
 
 
 class RotationTables(NamedTuple):
@@ -41,19 +49,13 @@ class RotationTables(NamedTuple):
     tolerance: float
     upslope: bool
 
-    @property
-    def upright(self) -> Floats:
-        """The rotation at which J_r cos(phi) - J_r' sin(phi) falls to 0, (lanes,)."""
-        coefficients = self.section.moment_coefficients
-        return np.ravel(np.arctan2(coefficients.normal_load, coefficients.normal_load_slope))
-
     def laid_out(self, reach: float = np.inf) -> dict[str, Data]:
         """Tables up to a rotation, or until contact is lost; beyond, they are constants."""
         strength = self.section.arc_strength
         functions = self.functions
         sizes = [values.shape[1] for f in functions.values() for values in f.coefficients.values()]
         lanes = max(sizes)
-        last = np.broadcast_to(self.upright, (lanes,))
+        last = np.broadcast_to(upright(self.section), (lanes,))
         share_geometry = strength.rotation_kinks.shape[1] == 1
         if share_geometry:
             last = last.max(keepdims=True)
@@ -61,7 +63,9 @@ class RotationTables(NamedTuple):
         first = last - np.pi if self.upslope else np.zeros_like(last)
         if share_geometry:
             tables = self._of_shared_parts(first, last)
-            return tables if lanes > 1 else {name: _of_one(table) for name, table in tables.items()}
+            if lanes == 1:
+                tables = {name: _of_one(table) for name, table in tables.items()}
+            return tables
 
         def values(rotation: Floats) -> Floats:
             parts = strength.parts(rotation, self.names)
@@ -96,7 +100,8 @@ class RotationTables(NamedTuple):
         jumps = np.zeros(len(breaks))
         tables = {}
         for name, function in self.functions.items():
-            tables[name] = Data(breaks[:, 0], _combined(function, rows, coefficients[..., 0]), jumps)
+            combined = _combined(function, rows, coefficients[..., 0])
+            tables[name] = Data(breaks[:, 0], combined, jumps)
         return tables
 
     def likely_reach(self, friction: Mapping[str, Any]) -> float:
@@ -106,14 +111,15 @@ class RotationTables(NamedTuple):
         """
         if self.upslope or "rate" in friction or "soils" in friction:
             return np.inf
-        upright = float(self.upright.max())
-        rotation = _SHARES[:, None] * upright
-        energy = np.cumsum(self._net_moment(rotation, friction), axis=0)
+        farthest = float(upright(self.section).max())
+        rotation = _SHARES[:, None] * farthest
+        net_moment = self._net_moment(rotation, friction)
+        energy = np.cumsum(net_moment, axis=0)
         if np.any(energy[-1] >= 0.0):
             return np.inf
         stops = np.argmax(energy < 0.0, axis=0)
         share = _SHARES[stops.max()] * _MARGIN + _SHARES[1]
-        return float(share) * upright
+        return float(share) * farthest
 
     def _net_moment(self, rotation: Floats, friction: Mapping[str, Any]) -> Floats:
         """Driving moment less the least strength, over Theta*, of a sample of lanes at rotations, (M, lanes)."""
@@ -143,7 +149,8 @@ class RotationTables(NamedTuple):
         term = self.terms.get(name, 0.0)
         if not isinstance(term, OfRotation):
             return term if np.ndim(term) == 0 else term[sample]
-        circles = self.section.arc_strength.rotation_kinks.shape[1]
+        strength = self.section.arc_strength
+        circles = strength.rotation_kinks.shape[1]
         if circles > 1:
             every = np.broadcast_to(rotation, (len(rotation), circles))
             return term(every)[:, sample]

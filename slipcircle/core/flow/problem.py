@@ -20,7 +20,7 @@ from slipcircle.core.flow import tables
 from slipcircle.core.flow.build import build_program
 from slipcircle.core.flow.interpolation import TERMS, between_kinks, sampled
 from slipcircle.core.flow.layered import FINEST as FINEST_TABLES
-from slipcircle.core.flow.layered import RotationTables
+from slipcircle.core.flow.layered import RotationTables, upright
 from slipcircle.core.flow.program import Program
 from slipcircle.core.flow.tables import Data
 from slipcircle.core.scene.arc import Arc
@@ -67,7 +67,7 @@ class Problem(NamedTuple):
         """The same lanes with a constant horizontal coefficient, initially 0, in place of their shaking."""
         recipe = self.recipe
         shaking = {p.symbol for p in ALL_EFFECTS["shaking"].parameters}
-        with_shaking = in_order({*recipe.effects, "shaking"})
+        with_shaking = in_order(tuple(dict.fromkeys((*recipe.effects, "shaking"))))
         moving = tuple(symbol for symbol in recipe.moving if symbol not in shaking)
         absent = [symbol for symbol in recipe.absent if symbol not in shaking]
         program = build_program(with_shaking, recipe.laws, moving, (*absent, "k_v"))
@@ -197,7 +197,7 @@ def _assembled(numbers: "_Numbers", recipe: Recipe, lanes: int) -> Problem:
 
 def recipe_of(called: Effects, laws: tuple[str, ...]) -> Recipe:
     """The recipe of scenes with these effects and laws."""
-    effects = in_order(called)
+    effects = in_order(tuple(called))
     moving = list[str]()
     absent = list[str]()
     for effect in effects:
@@ -212,13 +212,9 @@ def recipe_of(called: Effects, laws: tuple[str, ...]) -> Recipe:
     return Recipe(effects, laws, tuple(moving), tuple(absent))
 
 
-def in_order(effects: Collection[str]) -> tuple[str, ...]:
-    """Effects by name in the order in which they are declared."""
-    return _in_order(tuple(effects))
-
-
 @lru_cache(maxsize=256)
-def _in_order(effects: tuple[str, ...]) -> tuple[str, ...]:
+def in_order(effects: tuple[str, ...]) -> tuple[str, ...]:
+    """Effects by name in the order in which they are declared."""
     return tuple(name for declared in ALL_EFFECTS for name in effects if without_soil(name) == declared)
 
 
@@ -285,9 +281,7 @@ class _Numbers:
         def pressure(rotation: Any) -> Any:
             return section.mean_pressure(rotation if section.shape else rotation[:, 0]).reshape(1, *rotation.shape)
 
-        weight = section.moment_coefficients
-        contact_lost = np.arctan2(weight.normal_load, weight.normal_load_slope)  # J_r cos - J_r' sin falls to 0
-        last = np.ravel(contact_lost)
+        last = upright(section)
         if rotating:
             first = last - np.pi if self.upslope else np.zeros_like(last)
             kinks = np.atleast_2d(section.pressure_kinks).T

@@ -73,10 +73,11 @@ def of_law(name: str, parameters: Mapping[str, ArrayLike]) -> Data:
 
 def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
     """Linear interpolation of samples, constant before the first and after the last."""
-    slope = np.diff(values) / np.diff(places)
-    breaks = np.concatenate([[places[0] - 1.0], places])
+    first = places[0] - 1.0
+    breaks = np.concatenate([[first], places])
     heights = np.concatenate([[before], values[:-1], [after]])
-    slopes = np.concatenate([[0.0], slope, [0.0]])
+    secant = np.diff(values) / np.diff(places)
+    slopes = np.concatenate([[0.0], secant, [0.0]])
     jumps = np.zeros_like(heights)
     jumps[1] = values[0] - before
     jumps[-1] = after - values[-1]
@@ -87,30 +88,35 @@ def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
 def waves(start: float, duration: float, amplitude: float, rate: float) -> Data:
     """A sine between its start and its end, zero elsewhere."""
     zero = [0.0, 0.0, 0.0]
-    coefficients = np.array([zero, [amplitude, rate, 0.0], zero])
-    breaks = np.array([start - 1.0, start, start + duration])
-    return Data(breaks, coefficients, np.zeros(3), sine=True)
+    wave = [amplitude, rate, 0.0]
+    end = start + duration
+    breaks = np.array([start - 1.0, start, end])
+    coefficients = np.array([zero, wave, zero])
+    jumps = np.zeros(3)
+    return Data(breaks, coefficients, jumps, sine=True)
 
 
 def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data:
     """Monotone cubic interpolation (Fritsch and Carlson 1980), smoothly continued by the last value.
 
     Interior slopes are weighted harmonic means (Fritsch and Butland 1984); the first is that of the parabola through
-    three points, limited, or 0.
+    three points, limited, or 0 for a smooth start.
     """
     step = np.diff(places)
     secant = np.diff(values) / step
     slope = np.zeros_like(values)
     slope[1:-1] = _interior_slopes(step, secant)
     if not smooth_start:
-        slope[0] = secant[0] if places.size == 2 else _first_slope(step, secant)
+        slope[0] = _first_slope(step, secant)
     start = slope[:-1]
     end = slope[1:]
     quadratic = (3 * secant - 2 * start - end) / step
     cubic = (start + end - 2 * secant) / step**2
     pieces = np.stack([values[:-1], start, quadratic, cubic], axis=1)
     beyond = [values[-1], 0.0, 0.0, 0.0]
-    return Data(places, np.vstack([pieces, beyond]), np.zeros(places.size))
+    coefficients = np.vstack([pieces, beyond])
+    jumps = np.zeros(places.size)
+    return Data(places, coefficients, jumps)
 
 
 def _interior_slopes(step: Floats, secant: Floats) -> Floats:
@@ -125,10 +131,13 @@ def _interior_slopes(step: Floats, secant: Floats) -> Floats:
 
 
 def _first_slope(step: Floats, secant: Floats) -> float:
-    """One-sided slope at the start of a table that keeps the interpolation monotone."""
+    """Slope of the parabola through the first three points, limited so that the interpolation is monotone."""
+    if step.size == 1:
+        return float(secant[0])
     near, far = step[:2]
     first, second = secant[:2]
-    slope = ((2 * near + far) * first - near * second) / (near + far)
+    weighted = (2 * near + far) * first - near * second
+    slope = weighted / (near + far)
     if slope * first <= 0.0:
         return 0.0
     if first * second <= 0.0:
@@ -139,10 +148,11 @@ def _first_slope(step: Floats, secant: Floats) -> float:
 def of_speed(speeds: Floats, values: Floats) -> Data:
     """Monotone cubics in the logarithm of the speed, continued by the end values; the first piece begins at speed 0."""
     cubics = monotone(np.log(speeds), values, smooth_start=True)
-    first = np.array([[values[0], 0.0, 0.0, 0.0]])
+    constant = [values[0], 0.0, 0.0, 0.0]
     breaks = np.concatenate([[0.0], speeds])
-    coefficients = np.vstack([first, cubics.coefficients])
-    return Data(breaks, coefficients, np.zeros(breaks.size))
+    coefficients = np.vstack([constant, cubics.coefficients])
+    jumps = np.zeros(breaks.size)
+    return Data(breaks, coefficients, jumps)
 
 
 def of_list(argument: str, places: Floats, values: Floats) -> Data:
@@ -156,25 +166,29 @@ def of_list(argument: str, places: Floats, values: Floats) -> Data:
     return lines(places, values, first, last)
 
 
-def of_time(function: Any) -> Data:
-    """A `Series` or `Pulse`."""
+def of_time(function: Series | Pulse) -> Data:
+    """A function of time."""
     if isinstance(function, Series):
+        times = function.time
         values = function.values
-        first = float(values[0]) if function.held else 0.0
-        last = float(values[-1]) if function.held else 0.0
-        return lines(function.time, values, first, last)
-    if not isinstance(function, Pulse):
-        raise TypeError(f"{function!r} is not a Series or Pulse")
+        if not function.held:
+            return lines(times, values, 0.0, 0.0)
+        first = float(values[0])
+        last = float(values[-1])
+        return lines(times, values, first, last)
     start = function.start
     duration = function.duration
     amplitude = function.amplitude
     end = start + duration
     if function.name == "rectangular":
         times = np.array([start, end])
-        return lines(times, np.array([amplitude, amplitude]), 0.0, 0.0)
+        values = np.array([amplitude, amplitude])
+        return lines(times, values, 0.0, 0.0)
     if function.name == "triangular":
-        times = np.array([start, start + duration / 2, end])
-        return lines(times, np.array([0.0, amplitude, 0.0]), 0.0, 0.0)
+        middle = start + duration / 2
+        times = np.array([start, middle, end])
+        values = np.array([0.0, amplitude, 0.0])
+        return lines(times, values, 0.0, 0.0)
     half_waves = 2 * function.cycles if function.name == "sine" else 1.0
     rate = np.pi * half_waves / duration
     return waves(start, duration, amplitude, rate)

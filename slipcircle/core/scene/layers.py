@@ -144,6 +144,12 @@ class LayeredSection(LayeredNumbers, CrackedSection):
             datums.append(height)
         return tuple(datums)
 
+    @cached_property
+    def datum_levels(self) -> list[Any]:
+        """Heights of the datums above the centre of the circle, over R, (circles,) each; None where there is none."""
+        _, centre, radius = self._circle
+        return [None if datum is None else (datum - centre[:, 1]) / radius for datum in self.datums]
+
     def of_soils(self, value: Callable[[Soil], Any]) -> Floats:
         """A number of each soil, (soils, lanes)."""
         return self._by_lane([value(soil) for soil in self.soils])
@@ -217,13 +223,11 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     @property
     def _datum_crossings_x(self) -> list[Floats]:
         """x from the centre, over R, where heights below which cohesion grows cross the circle, (circles, 1) each."""
-        _, centre, radius = self._circle
         crossings = []
-        for datum in self.datums:
-            if datum is not None:
-                below_centre = centre[:, 1:] - datum[:, None]
-                depth = np.clip(below_centre / radius[:, None], -1.0, 1.0)
-                across = np.sqrt((1.0 - depth) * (1.0 + depth))
+        for level in self.datum_levels:
+            if level is not None:
+                height = np.clip(level, -1.0, 1.0)[:, None]
+                across = np.sqrt((1.0 - height) * (1.0 + height))
                 crossings += [across, -across]
         return crossings
 

@@ -76,7 +76,10 @@ class StretchIntegrals:
         after = base[:, 1:]
         joint = edges[:, 1:-1]
         changes = np.any(before != after, axis=0)
-        return Stretches(joint[:, changes], before[:, changes], after[:, changes], first, last)
+        joint = joint[:, changes]
+        before = before[:, changes]
+        after = after[:, changes]
+        return Stretches(joint, before, after, first, last)
 
     @cached_property
     def span(self) -> tuple[Floats, Floats]:
@@ -128,7 +131,8 @@ class StretchIntegrals:
         from_right = profile.whole[:, :, None] - from_left
         from_entry = np.where(facing > 0.0, from_left, from_right)
         from_entry[1] *= facing
-        by_joint = from_entry.reshape(*from_entry.shape[:2], *met.shape)
+        integrals, surfaces, _, _ = from_entry.shape
+        by_joint = from_entry.reshape(integrals, surfaces, *met.shape)
         return np.moveaxis(by_joint, 1, 2)
 
     def parts(self, rotation: Floats, names: Any) -> dict[str, Floats]:
@@ -172,15 +176,12 @@ class StretchIntegrals:
 
         (soils, ..., circles); 0 above the datum and of soils without one.
         """
-        _, centre, radius = self.section._circle
         first, _ = self.span
         rows = []
-        for datum in self.section.datums:
-            if datum is None:
+        for level in self.section.datum_levels:
+            if level is None:
                 rows.append(np.zeros_like(b))
                 continue
-            above_centre = datum - centre[:, 1]
-            level = above_centre / radius
             depth = np.clip(-level, -1.0, 1.0)
             reach = np.arccos(depth)  # the datum crosses the arc at -reach and reach
             start = np.clip(first, -reach, reach)
@@ -211,12 +212,10 @@ class StretchIntegrals:
 
     def _held_value(self, soil: NDArray[np.intp], direction: Floats, length: Floats) -> Floats:
         """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
-        _, centre, radius = self.section._circle
-        parts = np.zeros((len(self.section.soils), *length.shape), dtype=length.dtype)
-        for k, datum in enumerate(self.section.datums):
-            if datum is not None:
-                above_centre = datum - centre[:, 1]
-                level = above_centre / radius
+        levels = self.section.datum_levels
+        parts = np.zeros((len(levels), *length.shape), dtype=length.dtype)
+        for k, level in enumerate(levels):
+            if level is not None:
                 depth = np.maximum(level + np.cos(direction), 0.0)
                 of_this_soil = soil == k
                 parts[k] = np.where(of_this_soil, depth * length, 0.0)
@@ -246,11 +245,10 @@ class StretchIntegrals:
     @property
     def _datum_crossings(self) -> Iterator[Floats]:
         """Directions at which heights below which cohesion grows cross the circle, (circles, 2) each."""
-        _, centre, radius = self.section._circle
-        for datum in self.section.datums:
-            if datum is not None:
-                depth = (centre[:, 1] - datum).real / radius.real
-                reach = np.arccos(np.clip(depth, -1.0, 1.0))
+        for level in self.section.datum_levels:
+            if level is not None:
+                depth = np.clip(-level.real, -1.0, 1.0)
+                reach = np.arccos(depth)
                 yield np.stack([reach, -reach], axis=1)
 
     @cached_property

@@ -89,12 +89,14 @@ def section_derivatives(section: Section, names: Sequence[str]) -> SectionDeriva
     by_vertex = _moments_by_vertex(surface, vertices)
     moments = {name: chain(by, ground, "ground") for name, by in by_vertex.items()}
     angles = np.concatenate(section._angles)
-    ends = chain(_ends_by_vertex(surface, angles, vertices), ground, "ground")
+    ends_by_vertex = _ends_by_vertex(surface, angles, vertices)
+    ends = chain(ends_by_vertex, ground, "ground")
 
     above = _ground_heights(section)
     first, last = angles
     first_height, last_height = above.at(angles)
-    by_ground = chain(above.gradient(first, last), ground, "ground")
+    heights_by_vertex = above.gradient(first, last)
+    by_ground = chain(heights_by_vertex, ground, "ground")
     first_by_numbers, last_by_numbers = ends
     heights = by_ground + last_height * last_by_numbers - first_height * first_by_numbers
     is_radius = [float(name == "radius") for name in names]
@@ -107,10 +109,14 @@ def _chain_rule(section: Section, names: Sequence[str]) -> _Chain:
     (radius,) = section._circle[2]
 
     def by_numbers(by_vertex: Any, vertices: Floats, field: str) -> Floats:
-        known = {name: by_vertex[(..., *at)] for name, at in indices_of(section, field).items()}
-        known["centre.x"] = -by_vertex[..., 0].sum(axis=-1)
-        known["centre.y"] = -by_vertex[..., 1].sum(axis=-1)
-        known["radius"] = -(by_vertex * vertices).sum(axis=(-2, -1))
+        known = {}
+        for name, index in indices_of(section, field).items():
+            known[name] = by_vertex[(..., *index)]
+        x_dot, y_dot = np.moveaxis(by_vertex, -1, 0)
+        known["centre.x"] = -x_dot.sum(axis=-1)
+        known["centre.y"] = -y_dot.sum(axis=-1)
+        shrinking = by_vertex * vertices
+        known["radius"] = -shrinking.sum(axis=(-2, -1))
         unaffected = np.zeros(by_vertex.shape[:-2])
         columns = [known.get(name, unaffected) for name in names]
         return np.stack(columns, axis=-1) / radius
@@ -168,10 +174,12 @@ def _ends_by_vertex(surface: _Surface, angles: Floats, vertices: int) -> Floats:
     An end stays on its edge and on the arc: it moves by (v x edge)/(tangent x edge) along the arc.
     """
     by_vertex = np.zeros((2, vertices, 2))
-    skipped = surface.skipped[0]
-    passed = surface.skipped[-1] + surface.share[-1]
-    ends = ((0, angles[0], skipped), (-1, angles[1], passed))
-    for end, (part, angle, share) in enumerate(ends):
+    passed = surface.skipped + surface.share
+    parts = (0, -1)
+    shares = (surface.skipped[0], passed[-1])
+    for end, angle in enumerate(angles):
+        part = parts[end]
+        share = shares[end]
         u, v = surface.edge[part]
         tangent_x = np.cos(angle)
         tangent_y = np.sin(angle)
