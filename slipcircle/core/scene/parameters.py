@@ -146,7 +146,7 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]
     before: dict[str, Any] = {name: parameter_value(scene, name) for name in values}
     while True:
         none_valid = bool(np.all(invalid))
-        first_valid = np.argmin(invalid)
+        first_valid = 0 if none_valid else np.argmin(invalid)
         valid_values = {}
         for name, value in values.items():
             stand_in = before[name] if none_valid else value[first_valid]

@@ -30,12 +30,15 @@ def derivatives(scene: Scene, at: Mapping[str, float], accuracy: float | None = 
     at the end of what a value may be; NaN where it is on both, as next to where it begins to move.
     """
     sizes = scales(scene, at)
-    slopes = np.full((len(OUTCOMES), len(at)), np.nan)
+    shape = len(OUTCOMES), len(at)
+    slopes = np.full(shape, np.nan)
     finest = min(accuracy or _FINE, _FINE)
     for share in _STEPS:
         outcomes, changes = _changes(scene, at, share * sizes, finest)
         ahead, ahead_2, behind, behind_2 = np.moveaxis(changes, 2, 0)
-        central = (8 * (ahead - behind) - (ahead_2 - behind_2)) / 12
+        one_step = ahead - behind
+        two_steps = ahead_2 - behind_2
+        central = (8 * one_step - two_steps) / 12
         forward = (4 * ahead - ahead_2) / 2
         backward = (behind_2 - 4 * behind) / 2
         for change in (central, forward, backward):
@@ -51,9 +54,15 @@ def scales(scene: Scene, at: Mapping[str, float]) -> Floats:
 
     Of all others their values.
     """
-    of_arc = dict.fromkeys(lengths(scene.arc), float(scene.arc.depth))
-    of_arc |= dict.fromkeys(("theta_1", "theta_2", "dip"), float(scene.arc.half_angle))
-    return np.array([of_arc.get(n, abs(v)) or 1.0 for n, v in at.items()])
+    arc = scene.arc
+    of_arc = dict.fromkeys(lengths(arc), float(arc.depth))
+    for angle in ("theta_1", "theta_2", "dip"):
+        of_arc[angle] = float(arc.half_angle)
+    scales = []
+    for name, value in at.items():
+        scale = of_arc.get(name, abs(value))
+        scales.append(scale or 1.0)
+    return np.array(scales)
 
 
 def _changes(scene: Scene, at: Mapping[str, float], steps: Floats, accuracy: float) -> tuple[Floats, Floats]:

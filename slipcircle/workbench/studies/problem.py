@@ -38,9 +38,10 @@ class SearchProblem:
         self.fields = fields
         self.ranges = ranges
         self.observed = observed
-        self.is_weighted = all(sigma is not None for _, sigma in observed.values())  # all standard errors, or none
-        self.targets = np.array([value for value, _ in observed.values()])
-        self.scales = np.array([sigma or abs(value) for value, sigma in observed.values()])
+        pairs = observed.values()
+        self.is_weighted = all(sigma is not None for _, sigma in pairs)  # all standard errors, or none
+        self.targets = np.array([value for value, _ in pairs])
+        self.scales = np.array([sigma or abs(value) for value, sigma in pairs])
 
     @property
     def degrees_of_freedom(self) -> int:
@@ -52,18 +53,23 @@ class SearchProblem:
 
         NaN where they do not count: those do that move, and rest or end before long.
         """
-        scene, is_open = self.scene, self.scene.end_time is None
+        scene = self.scene
+        is_open = scene.end_time is None
         if is_open:
-            scene = replace(scene, end_time=_PATIENCE * float(scene.arc.time_scale), uncertain={})
-        si = {field.name: field.to_si(v) for field, v in zip(self.fields, values, strict=True)}
+            end_time = _PATIENCE * float(scene.arc.time_scale)
+            scene = replace(scene, end_time=end_time, uncertain={})
+        si = {}
+        for field, of_field in zip(self.fields, values, strict=True):
+            si[field.name] = field.to_si(of_field)
         motion = motions(scene, si, _FINE)
         counts = np.isin(motion.status, ANSWERED) & motion.moves
         counts &= motion.turnings <= MOST_SWINGS
         if is_open:
             counts &= motion.status != Status.MOVING
         kind = 10 * motion.turnings + motion.status
-        outcomes = np.stack([motion.outcomes[n] for n in self.observed])
-        return np.where(counts, outcomes, np.nan), np.where(counts, kind, -1)
+        outcomes = np.stack([motion.outcomes[name] for name in self.observed])
+        outcomes = np.where(counts, outcomes, np.nan)
+        return outcomes, np.where(counts, kind, -1)
 
     def values_at(self, shares: Floats) -> Floats:
         """Values of the fields, (fields, count)."""
@@ -76,7 +82,8 @@ class SearchProblem:
     def residuals(self, shares: Floats) -> Floats:
         """Computed less observed, in standard errors or as shares of what was observed, (observations, count)."""
         outcomes, _ = self.outcomes(self.values_at(shares))
-        return (outcomes - self.targets[:, None]) / self.scales[:, None]
+        misfit = outcomes - self.targets[:, None]
+        return misfit / self.scales[:, None]
 
     def linearised(self, shares: Floats) -> tuple[Floats, Floats]:
         """Residuals, and their derivatives by the shares, (observations, fields, count): to the side that is known."""
@@ -107,7 +114,8 @@ class SearchProblem:
 
 def observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float, float | None]]:
     """Values and standard errors of what is observed."""
-    found, mistakes = dict[str, tuple[float, float | None]](), []
+    found = dict[str, tuple[float, float | None]]()
+    mistakes = []
     for name, value in given.items():
         if value is None:
             continue
@@ -186,7 +194,8 @@ def _default_field(scene: Scene) -> str:
 
 def _field_mistakes(scene: Scene, fields: Sequence[Number], observed: Observations) -> list[str]:
     """A sentence for each mistake in which numbers are to be fitted."""
-    mistakes, names = [], [f.name for f in fields]
+    mistakes = []
+    names = [f.name for f in fields]
     ends = {"theta_1", "theta_2"}.intersection(names)
     if twice := sorted({f.key for f in fields if names.count(f.name) > 1}):
         mistakes.append(f"field: {', '.join(twice)} is named twice")
@@ -211,14 +220,17 @@ def _between(name: str, low: float, high: float) -> Floats:
         raise ValueError(
             f"backanalyse: bounds of {name} = ({low!r}, {high!r}): must be two numbers, the lower one first"
         )
-    return np.geomspace(low, high, 401) if 0.0 < 100 * low < high else np.linspace(low, high, 401)
+    is_far_apart = 0.0 < 100 * low < high
+    return np.geomspace(low, high, 401) if is_far_apart else np.linspace(low, high, 401)
 
 
 def _range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     """From the least to the greatest value where no bounds are given; farther where other fields change as well."""
     is_coefficient = field.name.startswith("friction") and ".rate." not in field.name
     is_friction = is_coefficient and (field.tangent or not field.unit)
-    values = _friction_range(scene, field, is_alone) if is_friction else _usual_range(scene, field.name)
+    if is_friction:
+        return np.unique(field.from_si(_friction_range(scene, field, is_alone)))
+    values = _usual_range(scene, field.name)
     if values is None:
         raise ValueError(f"backanalyse: field = {field.key!r}: give bounds, as the scene has no value of it")
     return np.unique(field.from_si(values))
@@ -226,10 +238,12 @@ def _range(scene: Scene, field: Number, is_alone: bool) -> Floats:
 
 def _usual_range(scene: Scene, name: str) -> Floats | None:
     """Of a number by the scale that the arc gives it, or about the value that the scene has of it, SI."""
-    arc, value = scene.arc, parameter_value(scene, name)
-    stress, radius, gravity = (float(np.asarray(v)) for v in (arc.static_normal_stress, arc.radius, arc.gravity))
+    arc = scene.arc
+    scales = (arc.static_normal_stress, arc.radius, arc.gravity)
+    stress, radius, gravity = (float(np.asarray(scale)) for scale in scales)
     next_to_one = 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)
-    to_one = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], next_to_one])
+    below_one = np.linspace(0.0, 1.0, 81)[:-1]
+    to_one = np.concatenate([below_one, next_to_one])
     speed = 2 * math.sqrt(gravity * radius)
     by_scale = {
         "initial_velocity": speed * np.linspace(-1.0, 1.0, 241),
@@ -242,6 +256,7 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
     }
     if name in by_scale:
         return by_scale[name]
+    value = parameter_value(scene, name)
     if value is None:
         return None
     about = np.linspace(-1.0, 1.0, 401)
@@ -254,7 +269,8 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
 
 def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     """From so little that the mass swings to the limit, beyond which nothing moves from rest."""
-    at_once = replace(scene, end_time=1e-9 * float(scene.arc.time_scale), uncertain={})
+    end_time = 1e-9 * float(scene.arc.time_scale)
+    at_once = replace(scene, end_time=end_time, uncertain={})
     without = motions(at_once, {field.name: np.zeros(1)})
     limit = float(without.limit_friction[0])
     if not 1e-6 < limit < math.inf:

@@ -39,7 +39,8 @@ def propagated(design: Design) -> dict[str, Linear]:
     if not design.drawn:
         raise ValueError("values on a grid have no distribution")
     keys = {n: number.key for n, number in design.inputs.items()}
-    means, stds = dict[str, float](), []  # SI
+    means = dict[str, float]()  # SI
+    stds = []
     for name, uncertain in design.drawn.items():
         mean, std = uncertain.moments
         if not math.isfinite(mean + std):
@@ -47,20 +48,24 @@ def propagated(design: Design) -> dict[str, Linear]:
         number = design.inputs[name]
         means[name] = float(number.to_si(mean))
         stds.append(number.slope(mean) * std)
-    outcomes, slopes = derivatives(with_parameters(design.scene, means), means, design.accuracy)
-    unknown = [keys[n] for n, by in zip(means, slopes.T, strict=True) if not np.isfinite(by).all()]
+    at_means = with_parameters(design.scene, means)
+    outcomes, slopes = derivatives(at_means, means, design.accuracy)
+    is_known = np.all(np.isfinite(slopes), axis=0).tolist()
+    unknown = [keys[name] for name, known in zip(means, is_known, strict=True) if not known]
     if unknown:
         raise ValueError(f"{', '.join(unknown)}: the motion at the means has no derivative by it")
     changes = slopes * np.array(stds)
     variances = np.einsum("oi,ij,oj->o", changes, design.correlation, changes)
     means_of = np.abs(outcomes).tolist()
     stds_of = np.sqrt(np.maximum(variances, 0.0)).tolist()
-    return {name: Linear(mean, std) for name, mean, std in zip(OUTCOMES, means_of, stds_of, strict=True)}
+    linear = map(Linear, means_of, stds_of)
+    return dict(zip(OUTCOMES, linear, strict=True))
 
 
 def disagreement(output: str, linear: Linear, sampled: Spread, accuracy: float) -> str:
     """A sentence where they differ by more than a share of the spread and by more than chance; empty elsewhere."""
-    differences, unit = [], OUTCOMES[output].unit
+    differences = []
+    unit = OUTCOMES[output].unit
     for name, one, other, error, share in (
         ("mean", linear.mean, sampled.mean, sampled.mean_error, _MEAN),
         ("standard deviation", linear.std, sampled.std, sampled.std_error, _STD),

@@ -30,7 +30,8 @@ def bins(values: Floats) -> NDArray[np.int64]:
 
 def edges() -> Floats:
     """Lower edges of the bins, and infinity."""
-    inner = np.arange(_LOWEST, _LOWEST + _INNER + 1, dtype=np.int64) << (52 - _BITS)
+    leading_bits = np.arange(_LOWEST, _LOWEST + _INNER + 1, dtype=np.int64)
+    inner = leading_bits << (52 - _BITS)
     return np.concatenate([[0.0], inner.view(np.float64), [np.inf, np.inf]])
 
 
@@ -44,11 +45,15 @@ def histogram_quantile(counts: NDArray[np.int64], p: Any, ends: tuple[float, flo
     rank = np.ceil(np.asarray(p) * total)
     rank = np.clip(rank, 1, total)
     k = np.searchsorted(cumulated, rank)
-    lower, upper = edges()[k], edges()[k + 1]
-    share = (rank - cumulated[k]) / counts[k] + 1.0  # of the bin, that is below
+    edge = edges()
+    lower = edge[k]
+    upper = edge[k + 1]
+    above = rank - cumulated[k]
+    share = above / counts[k] + 1.0  # of the bin, that is below
     with np.errstate(invalid="ignore"):
         width = np.where(upper < np.inf, upper - lower, 0.0)
-        inside = np.clip(lower + width * share, *ends)
+        inside = lower + width * share
+    inside = np.clip(inside, *ends)
     value = np.where(k == 0, 0.0, inside)
     return np.where(k == BINS - 1, np.inf, value)
 
@@ -72,7 +77,8 @@ def value_text(value: float, digits: int = DIGITS) -> str:
 
 def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
     """Interval of a probability from independent samples, never too short (Clopper and Pearson 1934)."""
-    beta, hits = statistics().beta, np.asarray(hits, dtype=np.float64)
+    beta = statistics().beta
+    hits = np.asarray(hits, dtype=np.float64)
     tail = (1.0 - confidence) / 2
     misses = n - hits
     low = beta.ppf(tail, hits, misses + 1)
@@ -84,7 +90,8 @@ def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
 
 def standard_error(values: Floats) -> Any:
     """Of the mean of a few independent estimates, along the first axis."""
-    return np.std(values, axis=0, ddof=1) / math.sqrt(len(values))
+    deviation = np.std(values, axis=0, ddof=1)
+    return deviation / math.sqrt(len(values))
 
 
 def student(values: Floats, confidence: float) -> Any:
@@ -107,8 +114,10 @@ def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Float
         shares = hits[filled] / valid[filled, None]
         half = student(shares, confidence)
         is_unanimous = (total == 0) | (total == samples)  # the replicates agree, and cannot tell how surely
-        low = np.where(is_unanimous, low, np.maximum(value - half, 0))
-        high = np.where(is_unanimous, high, np.minimum(value + half, 1))
+        student_low = np.maximum(value - half, 0)
+        student_high = np.minimum(value + half, 1)
+        low = np.where(is_unanimous, low, student_low)
+        high = np.where(is_unanimous, high, student_high)
     return value, low, high
 
 
@@ -127,7 +136,8 @@ def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
     """
     below = statistics().binom(n, p)
     tail = (1.0 - confidence) / 2
-    low, high = int(below.ppf(tail)), int(below.ppf(1.0 - tail))
+    low = int(below.ppf(tail))
+    high = int(below.ppf(1.0 - tail))
     return low, min(high, n) + 1
 
 
@@ -141,8 +151,8 @@ def moments(values: Floats) -> Floats:
     mean = float(np.mean(values))
     off = values - mean
     squares = off * off
-    cubes, fourths = squares * off, squares * squares
-    return np.array([values.size, mean, np.sum(squares), np.sum(cubes), np.sum(fourths)])
+    powers = (squares, squares * off, squares * squares)
+    return np.array([values.size, mean, *map(np.sum, powers)])
 
 
 def pooled(each: Floats) -> Floats:
@@ -154,10 +164,12 @@ def pooled(each: Floats) -> Floats:
     common_mean = (n @ mean) / total
     off = mean - common_mean
     square = off * off
-    fourths = fourth + 4 * off * third + 6 * square * second + n * square**2
+    mixed = 4 * off * third
+    fourths = fourth + mixed + 6 * square * second + n * square**2
     thirds = third + 3 * off * second + n * off * square
     seconds = second + n * square
-    return np.array([total, common_mean, seconds.sum(), thirds.sum(), fourths.sum()])
+    sums_of_powers = [powers.sum() for powers in (seconds, thirds, fourths)]
+    return np.array([total, common_mean, *sums_of_powers])
 
 
 class Spread(NamedTuple):
@@ -178,7 +190,8 @@ def spread(moments: Floats) -> Spread:
     if n < 2:
         return Spread(mean if n else math.nan, math.nan, math.nan, math.nan)
     std = math.sqrt(second / (n - 1))
-    variance_of_variance = max(fourth / n - (second / n) ** 2, 0.0) / n
+    variance_of_squares = fourth / n - (second / n) ** 2
+    variance_of_variance = max(variance_of_squares, 0.0) / n
     std_error = math.sqrt(variance_of_variance) / (2 * std) if std else 0.0
     return Spread(mean, std / math.sqrt(n), std, std_error)
 
@@ -205,10 +218,11 @@ def indices(sums: Floats, confidence: float) -> Indices:
         whole = _indices(together)
         without_one = _indices(together - sums)
         # What leaving each out makes of it behaves like a mean of as many pseudo-values (Tukey 1958).
-        half = student(batches * whole - (batches - 1) * without_one, confidence)
+        pseudo_values = batches * whole - (batches - 1) * without_one
+        half = student(pseudo_values, confidence)
     intervals = np.stack([whole, whole - half, whole + half], axis=-1)
-    first, total = ([Estimate(*interval) for interval in by_input] for by_input in intervals.tolist())
-    return Indices(first, total)
+    first, total = intervals.tolist()
+    return Indices([Estimate(*interval) for interval in first], [Estimate(*interval) for interval in total])
 
 
 def _indices(sums: Floats) -> Floats:
@@ -232,12 +246,14 @@ def sums(y: Floats) -> Floats:
 
     The number of points, sums of yA + yB and yA**2 + yB**2; for each input of (yAB - yA)**2, yB (yAB - yA), yAB - yA.
     """
-    a, b = y[0], y[1]
+    a, b, *each_mixed = y
     with np.errstate(invalid="ignore"):
-        both, squares = np.sum(a + b), np.sum(a * a + b * b)
+        both = np.sum(a + b)
+        squares = np.sum(a * a + b * b)
         totals = [len(a), both, squares]
-        for mixed in y[2:]:
+        for mixed in each_mixed:
             step = mixed - a
-            jansen, saltelli = np.sum(step * step), np.sum(b * step)
+            jansen = np.sum(step * step)
+            saltelli = np.sum(b * step)
             totals += [jansen, saltelli, np.sum(step)]
     return np.array(totals, dtype=np.float64)
