@@ -45,9 +45,8 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
     """
     x, y = _from_centre(points, centre)
     edges = np.diff(points, axis=1)
-    of_circles = np.broadcast_to(edges, (len(radius), *edges.shape[1:]))
-    u = of_circles[..., 0]
-    v = of_circles[..., 1]
+    u = edges[..., 0]
+    v = edges[..., 1]
     clear, inside = _clearances(points, centre, radius)
     start, share = _shares_inside(points, centre, radius, clear, inside)
 
@@ -92,12 +91,13 @@ def _shares_inside(
     first_ends = from_centre[:, :-1]
     before_foot = (first_ends * edges).sum(axis=2)  # negative where the foot of the perpendicular is ahead
     square = (edges**2).sum(axis=2)
-    foot_on_edge = (before_foot < 0.0) & (before_foot + square > 0.0)
+    behind_foot = before_foot + square
+    foot_on_edge = (before_foot < 0.0) & (behind_foot > 0.0)
     both_outside = ~first_in & ~last_in
     at = np.nonzero(both_outside & foot_on_edge)
-    lane, _ = at
+    lane, edge = at
     if lane.size:
-        start[at], share[at] = _with_both_ends_outside(at, points, centre, radius)
+        start[at], share[at] = _with_both_ends_outside(lane, edge, points, centre, radius)
     return start, share
 
 
@@ -140,7 +140,8 @@ def _with_one_end_inside(
     b = outward * scalar_product
     d = (along**2).sum(axis=1)
     g = clear[end_inside]
-    root = np.sqrt(b * b + d * g)
+    discriminant = b * b + d * g
+    root = np.sqrt(discriminant)
     from_sum = g / (b + root)
     from_difference = (root - b) / d
     positive_root = np.where(b > 0.0, from_sum, from_difference)
@@ -149,9 +150,10 @@ def _with_one_end_inside(
     return start, share
 
 
-def _with_both_ends_outside(at: Any, points: Floats, centre: Floats, radius: Floats) -> tuple[Floats, Floats]:
+def _with_both_ends_outside(
+    lane: Any, edge: Any, points: Floats, centre: Floats, radius: Floats
+) -> tuple[Floats, Floats]:
     """Of edges that may pass through the circle: the discriminant may be small, and takes two doubles."""
-    lane, edge = at
     line = np.broadcast_to(points, (len(radius), *points.shape[1:]))
     first_end = line[lane, edge]
     second_end = line[lane, edge + 1]
@@ -182,7 +184,8 @@ def _clearance(point: tuple[DoubleDouble, DoubleDouble], radius: Floats) -> Doub
     """R^2 - rho^2 of points from the centre, which is small near the circle."""
     x, y = point
     r = DoubleDouble(radius)
-    return r * r - (x * x + y * y)
+    square_of_distance = x * x + y * y
+    return r * r - square_of_distance
 
 
 def stretches(parts: Cut) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.bool_]]:

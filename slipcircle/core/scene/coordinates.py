@@ -19,16 +19,24 @@ def _names(field: str, shape: tuple[int, ...]) -> dict[str, Index]:
     """Name of every number in a field of this shape, with its index there."""
     if not shape:
         return {field: ()}
-    indices = [tuple(map(int, index)) for index in np.ndindex(shape)]
-    return {".".join((field, *map(str, index[:-1]), "xy"[index[-1]])): index for index in indices}
+    names = {}
+    for index in np.ndindex(shape):
+        *point, axis = index
+        parts = [field, *map(str, point), "xy"[axis]]
+        name = ".".join(parts)
+        names[name] = index
+    return names
 
 
 def indices_of(arc: Any, field: str) -> dict[str, Index]:
     """The numbers of one field of an arc or a section: each by its name, with its index in the axes of one section."""
-    value, axes = getattr(arc, field), arc.quantities[field]
+    value = getattr(arc, field)
     if value is None:
         return {}
-    return _names(field, np.shape(value)[-axes:] if axes else ())
+    axes = arc.quantities[field]
+    shape = np.shape(value)
+    first_axis = len(shape) - axes
+    return _names(field, shape[first_axis:])
 
 
 def arc_numbers(arc: Any) -> dict[str, Any]:
@@ -51,30 +59,34 @@ def changed_fields(arc: Any, values: Mapping[str, Any]) -> dict[str, Any]:
     for field, axes in arc.quantities.items():
         indices = indices_of(arc, field)
         replaced = {name: index for name, index in indices.items() if name in values}
-        if replaced and not axes:
+        if not replaced:
+            continue
+        if not axes:
             changed[field] = values[field]
-        elif replaced:
-            changed[field] = _with_coordinates(
-                np.asarray(getattr(arc, field), dtype=np.float64), axes, replaced, values
-            )
-    others = {name: value for name, value in values.items() if name in arc.other_numbers()}
-    return changed | (arc.fields_with(others) if others else {})
+            continue
+        points = np.asarray(getattr(arc, field), dtype=np.float64)
+        changed[field] = _with_coordinates(points, axes, replaced, values)
+    known = arc.other_numbers()
+    others = {name: value for name, value in values.items() if name in known}
+    return changed | arc.fields_with(others)
 
 
 def by_lanes(arc: Any, select: Callable[[Any, int], Any]) -> Any:
     """An arc or a section with other lanes: each of its numbers is ``select(value, axes of one section)``."""
     changed = {name: select(getattr(arc, name), axes) for name, axes in arc.quantities.items()}
     others = {name: select(value, 0) for name, value in arc.other_numbers().items()}
-    return replace_unchecked(arc, changed | (arc.fields_with(others) if others else {}))
+    changed |= arc.fields_with(others)
+    return replace_unchecked(arc, changed)
 
 
 def _with_coordinates(points: Any, axes: int, replaced: Mapping[str, Index], values: Mapping[str, Any]) -> Any:
     """An array of points in which the coordinates at some indices are replaced by numbers, or by one a lane."""
-    shape = points.shape[-axes:]
+    shape = points.shape[-axes:]  # of one section
     some_stay = len(replaced) < np.prod(shape)
     lanes_of_the_rest = points.shape[:-axes] if some_stay else ()
     numbers = [values[name] for name in replaced]
-    lanes = np.broadcast_shapes(lanes_of_the_rest, *map(np.shape, numbers))
+    lanes_of_numbers = map(np.shape, numbers)
+    lanes = np.broadcast_shapes(lanes_of_the_rest, *lanes_of_numbers)
     kind = np.result_type(points, *numbers)
     changed: Any = np.empty((*lanes, *shape), dtype=kind)
     if some_stay:
@@ -89,8 +101,10 @@ def replace_unchecked(instance: Any, values: Mapping[str, Any]) -> Any:
     if all(value is getattr(instance, name) for name, value in values.items()):
         return instance
     other = object.__new__(type(instance))
-    for f in fields(instance):
-        object.__setattr__(other, f.name, values.get(f.name, getattr(instance, f.name)))
+    for field in fields(instance):
+        name = field.name
+        value = values.get(name, getattr(instance, name))
+        object.__setattr__(other, name, value)
     if hasattr(other, "takes_geometry") and other.takes_geometry(instance):
         other.take_geometry(instance)
     return other

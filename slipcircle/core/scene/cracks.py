@@ -59,7 +59,9 @@ class CrackedSection(Section):
         _, centre, radius = whole._circle
         (left, _), (right, _) = whole._ends
         x = arc_crossings(self._lowered_ground)
-        inside = (x.real > left[:, None].real) & (x.real < right[:, None].real)
+        after_left = x.real > left[:, None].real
+        before_right = x.real < right[:, None].real
+        inside = after_left & before_right
         from_left = np.where(inside, x, np.inf).min(axis=1)
         from_right = np.where(inside, x, -np.inf).max(axis=1)
         next_to_entry = np.where(whole._facing > 0.0, from_left, from_right)
@@ -78,11 +80,13 @@ class CrackedSection(Section):
     def _candidates(self) -> tuple[Any, Any, Any, Any, Any]:
         """Of a cracked mass the part on the lower side of the crack."""
         lane, number, left, right, held = super()._candidates
-        if self._is_cracked:
-            from_crack = (left + right) / 2 - self._crack_place[lane]
-            below = from_crack * self._uncracked._facing[lane] > 0.0
-            lane, number, left, right = (values[below] for values in (lane, number, left, right))
-        return lane, number, left, right, held
+        if not self._is_cracked:
+            return lane, number, left, right, held
+        middle = (left + right) / 2
+        from_crack = middle - self._crack_place[lane]
+        facing = self._uncracked._facing[lane]
+        below = from_crack * facing > 0.0
+        return lane[below], number[below], left[below], right[below], held
 
     @property
     def _edges_over_mass(self) -> Any:
@@ -92,7 +96,9 @@ class CrackedSection(Section):
         whole = self._uncracked
         x = whole._circle[0][0, :, 0]
         lower_end = x[1:] if whole._facing[0] > 0.0 else x[:-1]
-        return whole._edges_over_mass & ((lower_end - self._crack_place) * whole._facing > 0.0)
+        from_crack = lower_end - self._crack_place
+        below = from_crack * whole._facing > 0.0
+        return whole._edges_over_mass & below
 
     def _crack_errors(self) -> Iterator[Fault]:
         """Masses that are nowhere as thick as their crack is deep."""
@@ -115,10 +121,12 @@ class CrackedSection(Section):
         """The ground over the mass of one section, from its left to its right end, m; beside a crack its wall."""
         if not self._is_cracked:
             return super().surface
-        below, (x,) = super().surface, self._crack_place
+        below = super().surface
+        (x,) = self._crack_place
         (ground,) = self._uncracked._circle[0]
-        edge = [[x, np.interp(x, *ground.T)]]
-        place = 1 if float(np.asarray(self.facing)) > 0.0 else len(below) - 1
+        y = np.interp(x, *ground.T)
+        edge = [[x, y]]
+        place = 1 if self.facing > 0.0 else len(below) - 1
         return np.insert(below, place, edge, axis=0)
 
 
@@ -126,7 +134,8 @@ def _with_slits(ground: Floats, bottom: Floats, x: Floats) -> Floats:
     """Grounds (lanes, V + 3, 2) with a slit down to a height at an x of each lane."""
     lines = np.broadcast_to(ground, (len(x), *ground.shape[1:]))
     across = x[:, None]
-    ((top,), _) = (values.T for values in edge_below(lines, across, across))
+    heights, _ = edge_below(lines, across, across)
+    top = heights[:, 0]
     slit_x = np.stack([x, x, x], axis=1)
     slit_y = np.stack([top, bottom, top], axis=1)
     slit = np.stack([slit_x, slit_y], axis=2)

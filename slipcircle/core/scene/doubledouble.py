@@ -22,7 +22,9 @@ class DoubleDouble:
 
     def __add__(self, other: Self) -> Self:
         high, low = two_sum(self.high, other.high)
-        return type(self)(*two_sum(high, low + (self.low + other.low)))
+        of_low_parts = self.low + other.low
+        lost = low + of_low_parts
+        return type(self)(*two_sum(high, lost))
 
     def __sub__(self, other: Self) -> Self:
         return self + type(self)(-other.high, -other.low)
@@ -38,7 +40,9 @@ def _product_error(a: Any, b: Any, product: Any) -> Any:
     """a b - product, by halves of a and b whose products are exact."""
     a_high, a_low = _halves(a)
     b_high, b_low = _halves(b)
-    return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
+    of_high_parts = a_high * b_high - product
+    crossed = of_high_parts + a_high * b_low + a_low * b_high
+    return crossed + a_low * b_low
 
 
 def _halves(a: Any) -> tuple[Any, Any]:

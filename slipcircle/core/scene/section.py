@@ -121,9 +121,11 @@ class Section(SlidingBody, TurningMass):
     @cached_property
     def shape(self) -> tuple[int, ...]:
         """Of the results."""
-        one = {name: axes for name, axes in self.quantities.items() if name in ("radius", "centre", "ground", "level")}
-        shapes = [np.shape(getattr(self, name)) for name in one]
-        leading = (shape[: len(shape) - axes] for shape, axes in zip(shapes, one.values(), strict=True))
+        leading = []
+        for name in ("radius", "centre", "ground", "level"):
+            shape = np.shape(getattr(self, name))
+            axes = self.quantities[name]
+            leading.append(shape[: len(shape) - axes])
         return np.broadcast_shapes(*leading)
 
     @cached_property

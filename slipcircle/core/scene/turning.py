@@ -40,27 +40,34 @@ class TurningMass:
     @cached_property
     def surface(self) -> Floats:
         """The ground over the mass of one section, from its left to its right end, m."""
-        ends = np.array(sorted([tuple(self.entry), tuple(self.exit)]))
+        left, right = sorted([tuple(self.entry), tuple(self.exit)])
         ground = np.asarray(self.ground, dtype=np.float64)
-        inner = ground[(ground[:, 0] > ends[0, 0]) & (ground[:, 0] < ends[1, 0])]
-        return np.concatenate([ends[:1], inner, ends[1:]])
+        x = ground[:, 0]
+        is_between = (x > left[0]) & (x < right[0])
+        return np.concatenate([[left], ground[is_between], [right]])
 
     def drowned(self, *rotations: float) -> float:
         """How far below the water level the ground over one section's mass comes, where it is deepest, m."""
         if self.level is None:
             return 0.0
         level = np.asarray(self.level, dtype=np.float64)
-        return max((_greatest_depth(self.placed(self.surface, rotation), level) for rotation in rotations), default=0.0)
+        depths = [0.0]
+        for rotation in rotations:
+            turned = self.placed(self.surface, rotation)
+            depths.append(_greatest_depth(turned, level))
+        return max(depths)
 
     def placed(self, points: Any, rotation: Any) -> Any:
         """Points (..., 2) of the mass after a rotation, m."""
         turn = np.multiply(rotation, self.facing)
-        x, y = np.moveaxis(np.subtract(points, self.centre), -1, 0)
+        from_centre = np.subtract(points, self.centre)
+        x, y = np.moveaxis(from_centre, -1, 0)
         cosine = np.cos(turn)
         sine = np.sin(turn)
         turned_x = x * cosine - y * sine
         turned_y = x * sine + y * cosine
-        return np.asarray(self.centre) + np.stack([turned_x, turned_y], axis=-1)
+        turned = np.stack([turned_x, turned_y], axis=-1)
+        return np.asarray(self.centre) + turned
 
     def journey(self, rotation: Any) -> Journey:
         """Toe, its horizontal run-out, fall of the centroid, and travel angle: of the centroid's way, fall over run.
@@ -72,7 +79,8 @@ class TurningMass:
         centroid = self.placed(self.centroid, rotation)
         fall = self.centroid[..., 1] - centroid[..., 1]
         half_rotation = np.multiply(rotation, 0.5)
-        half_way = self.placed(self.centroid, half_rotation) - np.asarray(self.centre)
+        at_half = self.placed(self.centroid, half_rotation)
+        half_way = at_half - np.asarray(self.centre)
         x, y = np.moveaxis(half_way, -1, 0)
         sign = np.where(np.less(rotation, 0.0), -1.0, 1.0)
         travel_angle = np.arctan2(-sign * self.facing * x, -sign * y)
@@ -83,10 +91,12 @@ def _greatest_depth(line: Floats, level: Floats) -> float:
     """Of a line's points below a level, at the vertices of both, m; 0 where the line is above."""
     level_x, level_y = level.T
     line_x, line_y = line.T
-    below_level = np.interp(line_x, level_x, level_y) - line_y
+    level_above = np.interp(line_x, level_x, level_y)
+    below_level = level_above - line_y
     run, rise = np.diff(line, axis=0).T
     with np.errstate(divide="ignore", invalid="ignore"):
-        share = (level_x[:, None] - line_x[:-1]) / run  # of each edge, where a vertex of the level is
+        from_start = level_x[:, None] - line_x[:-1]
+        share = from_start / run  # of each edge, where a vertex of the level is
     on_edge = (share > 0.0) & (share < 1.0)
     height = line_y[:-1] + share * rise
     below_vertices = np.where(on_edge, level_y[:, None] - height, 0.0)

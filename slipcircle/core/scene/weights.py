@@ -67,7 +67,7 @@ class SlidingBody:
 
     def fields_with(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """The fields that differ once some of these have other values."""
-        raise KeyError(*values)
+        return {}
 
     def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:
         """Effects with what the section itself adds to them: its water level, the strengths of its soils."""
