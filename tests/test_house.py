@@ -243,7 +243,7 @@ print(*(import_module(name).__file__ for name in sys.argv[2:]), sep="\\n")
 DENSITY = {
     "derive": 11.1,
     "slipcircle/base": 10.7,
-    "slipcircle/core": 11.9,
+    "slipcircle/core": 11.8,
     "slipcircle/workbench": 12.1,
     "slipcircle/workbench/files": 12.1,
     "slipcircle/workbench/outputs": 12.2,

@@ -52,10 +52,12 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
 
     first_in = inside[:, :-1]
     last_in = inside[:, 1:]
-    both_outside = ~first_in & ~last_in
-    through = both_outside & (share > 0.0)
-    enters = (~first_in & last_in) | through
-    leaves = (first_in & ~last_in) | through
+    first_out = ~first_in
+    last_out = ~last_in
+    has_part_inside = share > 0.0
+    through = first_out & last_out & has_part_inside
+    enters = (first_out & last_in) | through
+    leaves = (first_in & last_out) | through
     per_r = 1.0 / radius[:, None]
     inside_by = np.where(inside, clear, 0.0)
     gap = inside_by * per_r**2
@@ -209,7 +211,8 @@ def stretches(parts: Cut) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray
 
 def ends(parts: Cut, number: Any) -> tuple[Floats, Floats]:
     """The left and the right crossing of one stretch for each circle, (2, n) each."""
-    mine = parts.stretch == np.asarray(number)[:, None]
+    of_circles = np.asarray(number)
+    mine = parts.stretch == of_circles[:, None]
     enters_here = parts.enters & mine
     leaves_here = parts.leaves & mine
     lane = np.arange(len(parts.x))
@@ -244,7 +247,8 @@ def _moments(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
     v = np.where(mine, parts.e_y, 0.0)
     first_distance = np.hypot(x, y)
     second_distance = np.hypot(x + u, y + v)
-    reach = slopes.REACH * (first_distance + second_distance)
+    distances = first_distance + second_distance
+    reach = slopes.REACH * distances
     square = u * u + v * v
     is_long = square > reach**2
     short_u = np.where(is_long, 0.0, u)
@@ -260,7 +264,9 @@ def _moments(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
 def _sector_moments(x: Floats, y: Floats, u: Floats, v: Floats, lane: Any, count: int) -> Floats:
     """Of edges (u, v) from (x, y), each of a circle, by the closed forms of sectors and triangles; sums by circle."""
     cross = x * v - y * u
-    dot = x * (x + u) + y * (y + v)
+    second_x = x + u
+    second_y = y + v
+    dot = x * second_x + y * second_y
     angle = np.arctan2(cross, dot)
     by_edge = slopes.closed(x, y, u, v, angle)
     return np.array([np.bincount(lane, values, count) for values in by_edge])
@@ -268,19 +274,23 @@ def _sector_moments(x: Floats, y: Floats, u: Floats, v: Floats, lane: Any, count
 
 def _ring_moments(parts: Cut, u: Floats, v: Floats) -> Floats:
     """Of the rings between edges (u, v) and arcs, with g = (1-s) g_1 + s g_2 + s (1-s) d^2 along an edge."""
-    used = (u != 0.0) | (v != 0.0)
+    across = u != 0.0
+    upwards = v != 0.0
+    used = across | upwards
     first = np.where(used, parts.first, 0.0)
     second = np.where(used, parts.second, 0.0)
     square = u * u + v * v
     totals = np.zeros((len(MEASURES), *u.shape))
     for s, weight in _GAUSS:
         rest = 1.0 - s
+        bulge = s * rest
         along_chord = rest * first + s * second
-        gap = along_chord + (s * rest) * square
+        gap = along_chord + bulge * square
         rings = np.array(slopes.rings(gap))
         vectors = rings[3:]
+        weight_of_s = weight * s
         totals[:5] += weight * rings
-        totals[5:] += (weight * s) * vectors
+        totals[5:] += weight_of_s * vectors
     area, polar, inertia, radial, moment, radial_s, moment_s = totals
     x = parts.x
     y = parts.y

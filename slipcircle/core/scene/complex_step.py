@@ -42,11 +42,14 @@ def with_derivatives(section: LayeredSection, names: Sequence[str]) -> LayeredSe
     _raise_at_a_kink_of_the_crack(section)
     numbers = arc_numbers(section)
     known = {name: numbers[name] for name in names if name in numbers}
-    steps = {name: value + 1j * STEP * np.array([float(n == name) for n in names]) for name, value in known.items()}
+    all_names = np.array(names)
+    steps = {name: value + 1j * STEP * (all_names == name) for name, value in known.items()}
     changed = changed_fields(section, steps)
     other: Any = object.__new__(_ComplexSection)
-    for f in fields(section):
-        object.__setattr__(other, f.name, changed.get(f.name, getattr(section, f.name)))
+    for field in fields(section):
+        name = field.name
+        value = changed.get(name, getattr(section, name))
+        object.__setattr__(other, name, value)
     return _beside(section, other, len(names))
 
 
@@ -79,8 +82,10 @@ class _ComplexSection(LayeredSection):
         for end in self.real._ends:
             nearest = np.argmin(np.abs(crossings.real - end[0]), axis=1)
             x = np.take_along_axis(crossings, nearest[:, None], 1)[:, 0]
-            ends.append(np.stack([x, -np.sqrt((1.0 - x) * (1.0 + x))]))
-        return ends[0], ends[1]
+            cosine = np.sqrt((1.0 - x) * (1.0 + x))
+            ends.append(np.stack([x, -cosine]))
+        left, right = ends
+        return left, right
 
     @cached_property
     def _angles(self) -> tuple[Floats, Floats]:
@@ -145,11 +150,17 @@ def _raise_at_a_kink_of_the_crack(section: LayeredSection) -> None:
     """A crack whose place is at a vertex of the ground, or jumps, as the mass gets no thicker."""
     if not section._is_cracked:
         return
-    (x,) = (section._crack_place - section._circle[1][:, 0]) / section._circle[2]
+    _, centre, radius = section._circle
+    from_centre = section._crack_place - centre[:, 0]
+    (x,) = from_centre / radius
     line = section._lowered_ground
-    _, ((slope,),) = edge_below(line, np.array([[x]]), np.array([[x]]))
-    at_vertex = np.any(np.abs(line[0, :, 0] - x) < _TOUCHES)
-    if at_vertex or abs(slope - x / np.sqrt(1.0 - x * x)) < _PARALLEL:
+    place = np.array([[x]])
+    _, ((slope,),) = edge_below(line, place, place)
+    to_vertices = np.abs(line[0, :, 0] - x)
+    at_vertex = np.any(to_vertices < _TOUCHES)
+    slope_of_arc = x / np.sqrt(1.0 - x * x)
+    is_parallel = abs(slope - slope_of_arc) < _PARALLEL
+    if at_vertex or is_parallel:
         raise ValueError(
             "sensitivity: crack: is at a vertex of the ground, or where the mass is thickest, where there are no "
             "derivatives; change its depth or the circle a little"

@@ -48,7 +48,8 @@ def points_errors(name: str, given: Any, many: bool) -> list[str]:
         return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
     one_axis = points.reshape(-1, *shape[-2:])
     lines = one_axis.astype(np.float64)
-    return complaint(line_errors(name, lines), shape[:-2])
+    faults = line_errors(name, lines)
+    return complaint(faults, shape[:-2])
 
 
 def continued(lines: Floats, left: Any, right: Any) -> Floats:
@@ -65,8 +66,10 @@ def continued(lines: Floats, left: Any, right: Any) -> Floats:
 def _upper(lines: Floats, x: Floats) -> Floats:
     """Heights of lines (n, V, 2) at x (n, M), the upper one on a scarp; -inf beyond their ends."""
     every_line = lines[:, None]
-    x_1, y_1 = np.moveaxis(every_line[:, :, :-1], -1, 0)
-    x_2, y_2 = np.moveaxis(every_line[:, :, 1:], -1, 0)
+    first_ends = every_line[:, :, :-1]
+    second_ends = every_line[:, :, 1:]
+    x_1, y_1 = np.moveaxis(first_ends, -1, 0)
+    x_2, y_2 = np.moveaxis(second_ends, -1, 0)
     at = x[..., None]
     run = x_2 - x_1
     rise = y_2 - y_1
@@ -75,7 +78,9 @@ def _upper(lines: Floats, x: Floats) -> Floats:
     upper_end = y_2 > y_1  # of a scarp
     share = np.where(x_2 > x_1, share, upper_end)
     heights = y_1 + share * rise
-    on_edge = (x_1 <= at) & (at <= x_2)
+    after_first = x_1 <= at
+    before_second = at <= x_2
+    on_edge = after_first & before_second
     of_edges = np.where(on_edge, heights, -np.inf)
     return np.asarray(of_edges.max(axis=-1))
 
@@ -233,7 +238,8 @@ def circle_through(
     half = np.hypot(run, rise) / 2
     raise_all("circle_through", _through_errors(chord, half, radius, depth))
     if depth is not None:
-        radius = (half**2 + np.square(depth)) / (2 * np.asarray(depth))
+        below = np.asarray(depth)
+        radius = (half**2 + np.square(below)) / (2 * below)
     size = np.asarray(radius)
     above_chord = np.sqrt((size - half) * (size + half))
     length = 2 * half
@@ -284,8 +290,11 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
             "and the points must differ in x"
         )
     rise = high - low
-    root = np.sqrt(high * low * (run**2 + rise**2))
-    away = high * (run**2 - low * rise) / (high * run + root)
+    square = run**2 + rise**2
+    root = np.sqrt(high * low * square)
+    numerator = high * (run**2 - low * rise)
+    denominator = high * run + root
+    away = numerator / denominator
     radius = (away**2 + high**2) / (2 * high)
     from_left_end = p[..., 0] + away
     from_right_end = q[..., 0] - away

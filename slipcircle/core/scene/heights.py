@@ -75,7 +75,7 @@ class HeightIntegrals(NamedTuple):
         ahead = start - low
         along = np.sin(ahead)
         half_sine = np.sin(ahead / 2)
-        bent = 2 * half_sine**2
+        bent = 2 * half_sine**2  # 1 - cos(ahead)
         more_sine = cosine * along - sine * bent
         more_cosine = -sine * along - cosine * bent
         start_sine = sine + more_sine
@@ -89,6 +89,24 @@ class HeightIntegrals(NamedTuple):
         A vertex moves an edge's height by its hat function, (sin - x)/run for the second one, and, moving
         horizontally, by minus the edge's slope times that. The line's ends take their continuations with them.
         """
+        hats = self._hat_integrals(first, last)
+        slope = self.slope[0]
+        upwards = np.ones_like(slope)
+        direction = np.stack([-slope, upwards], axis=1)
+        by_vertex = np.zeros((*first.shape, *self.line.shape[1:]))
+        for k, hat in enumerate(hats):
+            vertex: Any = (..., self.edge + k, slice(None))
+            moved = hat[..., None] * direction
+            np.add.at(by_vertex, vertex, moved)
+        by_vertex[..., 1, :] += by_vertex[..., 0, :]
+        by_vertex[..., -2, :] += by_vertex[..., -1, :]
+        return by_vertex[..., 1:-1, :]
+
+    def _hat_integrals(self, first: Floats, last: Floats) -> tuple[Floats, Floats]:
+        """Of the hat functions of both vertices of the edge above each piece, over arcs of a single circle.
+
+        That of the second one is (sin - x)/run, x of the first one; both together are 1.
+        """
         first, last = _first_turn(first, last)
         low = self.pieces.low[0]
         high = self.pieces.high[0]
@@ -101,18 +119,7 @@ class HeightIntegrals(NamedTuple):
         angle = stop - start
         sine_integral = np.cos(start) - np.cos(stop)
         second = (sine_integral - x * angle) / run
-        first_one = angle - second
-        upwards = np.ones_like(run)
-        direction = np.stack([-self.slope[0], upwards], axis=1)
-        shape = second.shape[:-1]
-        by_vertex = np.zeros((*shape, *self.line.shape[1:]))
-        for k, hat in ((0, first_one), (1, second)):
-            of_vertex: Any = (..., self.edge + k, slice(None))
-            moved = hat[..., None] * direction
-            np.add.at(by_vertex, of_vertex, moved)
-        by_vertex[..., 1, :] += by_vertex[..., 0, :]
-        by_vertex[..., -2, :] += by_vertex[..., -1, :]
-        return by_vertex[..., 1:-1, :]
+        return angle - second, second
 
     def at(self, angle: Floats) -> Floats:
         """Height above the arc of a single circle at angles, (...,)."""
@@ -120,7 +127,9 @@ class HeightIntegrals(NamedTuple):
         beta = angle[..., None]
         low = self.pieces.low[0]
         high = self.pieces.high[0]
-        above = (low <= beta) & (beta < high)
+        after_low = low <= beta
+        before_high = beta < high
+        above = after_low & before_high
         x, y = self.line[0, self.edge].T
         from_vertex = np.sin(beta) - x
         height = y + self.slope[0] * from_vertex + np.cos(beta)
@@ -231,9 +240,11 @@ def _outside(start: Floats, slope: Floats, first: Floats, last: Floats) -> tuple
 
 def _half_width(x: Floats) -> Floats:
     """Half the circle's width across its axis at x, the cosine of a direction whose sine is x."""
-    return np.asarray(np.sqrt((1.0 - x) * (1.0 + x)))
+    square = (1.0 - x) * (1.0 + x)
+    return np.asarray(np.sqrt(square))
 
 
 def _span(run: Floats, cosine: Floats, cosine_2: Floats) -> Floats:
     """Angle from one point of the lower half to another: tan(span/2) = (sin_2 - sin_1)/(cos_1 + cos_2)."""
-    return np.asarray(2 * np.arctan2(run, cosine + cosine_2))
+    half_span = np.arctan2(run, cosine + cosine_2)
+    return np.asarray(2 * half_span)

@@ -112,13 +112,20 @@ def profile_of(strips: Strips) -> Profile:
 
     Surcharges are two further surfaces each: a pressure that falls from 1 to 0, and one that rises from 0 to 1, over R.
     """
-    pieces = sorted(_converged(strips), key=lambda piece: float((piece.first + piece.last).real.sum()))
+    pieces = _converged(strips)
+    pieces.sort(key=_order)
     firsts, lasts, series = (np.stack(column) for column in zip(*pieces, strict=True))
     edges = np.concatenate([firsts, lasts[-1:]])
     each = series.sum(axis=1)  # at the right end every Chebyshev polynomial is 1
     nothing = np.zeros_like(each[:1])
     before = np.concatenate([nothing, np.cumsum(each, axis=0)])
     return Profile(edges, before, series)
+
+
+def _order(piece: _Piece) -> float:
+    """By what pieces are put from left to right: twice the directions of their middles, of all circles."""
+    ends = piece.first + piece.last
+    return float(ends.real.sum())
 
 
 def _converged(strips: Strips) -> list[_Piece]:
@@ -130,7 +137,8 @@ def _converged(strips: Strips) -> list[_Piece]:
     done = list[_Piece]()
     scale = 0.0
     while len(strip):
-        half = (last - first) / 2
+        width = last - first
+        half = width / 2
         from_first = 1.0 + _NODES[:, None, None]
         nodes = first + half * from_first
         values = half * _integrands(strips, strip, nodes)
@@ -139,17 +147,19 @@ def _converged(strips: Strips) -> list[_Piece]:
         scale = max(scale, float(size.max(initial=0.0)))
         tail = size[-2:].max(axis=(0, 1, 2))
         is_truncated = (tail > _ACCURACY * scale).any(axis=1)
-        is_long = (2 * half.real > _SHORTEST).any(axis=1)
+        is_long = (width.real > _SHORTEST).any(axis=1)
         rough = is_truncated & is_long
         smooth = ~rough
 
-        smooth_values = values[:, :, :, smooth]
+        smooth_values = values[..., smooth, :]
         series = np.tensordot(_INTEGRAL, smooth_values, (1, 2))
         by_piece = series.transpose(3, 0, 1, 2, 4)
         done += map(_Piece, first[smooth], last[smooth], by_piece)
-        middle = (first + last)[rough] / 2
-        first = np.concatenate([first[rough], middle])
-        last = np.concatenate([middle, last[rough]])
+        left = first[rough]
+        right = last[rough]
+        middle = (left + right) / 2
+        first = np.concatenate([left, middle])
+        last = np.concatenate([middle, right])
         strip = np.tile(strip[rough], 2)
     return done
 
@@ -187,7 +197,8 @@ def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
     log = np.log1p((inward + h) / to_top)
     square = x * x
     polar = h * rho + c * inward + square * log
-    mean_square = square + (h * h - 3.0 * c * h) / 3 + c * c
+    of_heights = (h * h - 3.0 * c * h) / 3
+    mean_square = square + of_heights + c * c
     rows = {
         AREA: h,
         POLAR: polar / 2,
@@ -217,7 +228,8 @@ def _of_loads(strips: Strips, x: Floats, y: Floats, middle: Floats) -> Floats:
         falling = np.where(under, 1.0 - share, 0.0)
         rising = np.where(under, share, 0.0)
         pressures += [falling, rising]
-    rho = np.sqrt(x * x + y * y)
+    square = x * x + y * y
+    rho = np.sqrt(square)
     across = x / rho
     up = y / rho
     integrands = (1.0, rho, rho * rho, across, up, x, y, 0.0)

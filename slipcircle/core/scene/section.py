@@ -152,20 +152,21 @@ class Section(SlidingBody, TurningMass):
         """Lane, number and both x of the stretches that may be meant; and which circles hold an end of the ground."""
         _, centre, radius = self._circle
         lane, number, held = circles.stretches(self._cut)
-        ends = circles.ends(self._cut.only(lane), number)
-        left, right = (centre[lane, 0] + radius[lane] * x for x, _ in ends)
+        (left_x, _), (right_x, _) = circles.ends(self._cut.only(lane), number)
+        r = radius[lane]
+        left = centre[lane, 0] + r * left_x
+        right = centre[lane, 0] + r * right_x
         if self.between is None:
             return lane, number, left, right, held
         low, high = self.between
-        rounding = 1e-9 * radius[lane]
+        rounding = 1e-9 * r
         keep = (left >= low - rounding) & (right <= high + rounding)
         kept = np.bincount(lane, keep, len(radius))
         without = kept[lane] == 0
         middle = (left + right) / 2
         middle_between = (middle >= low) & (middle <= high)
         keep |= without & middle_between
-        lane, number, left, right = (values[keep] for values in (lane, number, left, right))
-        return lane, number, left, right, np.zeros(len(held), dtype=bool)
+        return lane[keep], number[keep], left[keep], right[keep], np.zeros_like(held)
 
     @cached_property
     def _ends(self) -> tuple[Floats, Floats]:
