@@ -55,10 +55,12 @@ def verdict(rows: Sequence[Row]) -> str:
     broken = [row.way for row in rows if _above_bound(row)]
     frontier = [row for row in rows if row.verdict == FRONTIER]
     frontier.sort(key=lambda row: row.error)
-    best = "; ".join(f"{row.way} ({row.error:.1e}, {time_text(row.price)})" for row in frontier)
-    lines = [f"Frontier: {best}."]
+    best = [f"{row.way} ({row.error:.1e}, {time_text(row.price)})" for row in frontier]
+    lines = []
     if broken:
-        lines.insert(0, f"Seen above what is proved, so the proof or the build is wrong: {', '.join(broken)}.")
+        names = ", ".join(broken)
+        lines.append(f"Seen above what is proved, so the proof or the build is wrong: {names}.")
+    lines.append(f"Frontier: {'; '.join(best)}.")
     if ours and others:
         lines += [_losses(ours, rows), *_faster(ours, others)]
     return _wrapped(lines)
@@ -69,7 +71,8 @@ def _above_bound(row: Row) -> bool:
     ulp = row.ulp or 0.0
     if row.profile is not None:
         proved_there = row.profile.points >= UNDERFLOW
-        ulp = float(np.max(np.abs(row.profile.ulp[proved_there]), initial=0.0))
+        errors = np.abs(row.profile.ulp[proved_there])
+        ulp = float(np.max(errors, initial=0.0))
     bound = row.bound or math.inf
     bound_ulp = row.bound_ulp or math.inf
     return row.error > bound or ulp > bound_ulp
@@ -84,7 +87,9 @@ def _losses(ours: Sequence[Row], rows: Sequence[Row]) -> str:
             winner = by_name[row.verdict.removeprefix(LOST)]
             ratio = shown(row.price / winner.price, 2)
             losses.append(f"{row.way} to {winner.way} ({ratio} times slower)")
-    return f"Of ours, these lose: {'; '.join(losses)}." if losses else "None of ours is beaten."
+    if not losses:
+        return "None of ours is beaten."
+    return f"Of ours, these lose: {'; '.join(losses)}."
 
 
 def _faster(ours: Sequence[Row], others: Sequence[Row]) -> Iterator[str]:
@@ -178,7 +183,6 @@ def table_csv(rows: Sequence[Row]) -> bytes:
     """All rows as a table for machines."""
     lines = []
     for row in rows:
-        line = record(row)
-        points = {name: " ".join(map(repr, value)) for name, value in line.items() if isinstance(value, list)}
-        lines.append(list((line | points).values()))
+        values = record(row).values()
+        lines.append([" ".join(map(repr, value)) if isinstance(value, list) else value for value in values])
     return files.table(RECORDED, lines)

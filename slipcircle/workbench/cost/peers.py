@@ -31,7 +31,9 @@ class Equation:
         self.radius = float(arc.radius)
         self.dip = float(arc.dip)
         self.ends_at_rest = scene.end_time is None
-        self.end = LATEST if self.ends_at_rest else float(scene.end_time) / self.scale
+        self.end = LATEST
+        if not self.ends_at_rest:
+            self.end = float(scene.end_time) / self.scale
         self.weight = float(kernels.weight_moment_per_inertia(alpha))
         self.radial = float(kernels.radial_weight_per_inertia(alpha))
         self.polar = float(kernels.polar_moment_per_inertia(alpha))
@@ -42,21 +44,26 @@ class Equation:
         self.residual = law.get("residual", 0.0)
         length = law.get("length", 1.0)
         velocity = law.get("velocity", 1.0)
+        speed = self.radius / self.scale
         self.decay = self.radius / length
-        self.pace = self.radius / self.scale / velocity
+        self.pace = speed / velocity
         layer_heat = LAYER["heat_capacity"] * LAYER["thickness"]
         self.heating = self.radius * LAYER["pressurisation"] / layer_heat
         self.viscous = 0.0
         if "viscosity" in effects:
             stress_rate = SHEARED["viscosity"] / SHEARED["thickness"]
-            shear = stress_rate / (arc.unit_weight * self.scale)
+            stress_scale = arc.unit_weight * self.scale
+            shear = stress_rate / stress_scale
             inertia = float(kernels.moment_of_inertia(alpha))
             self.viscous = 2.0 * alpha * shear / inertia
 
     def start(self) -> list[float]:
         """Rotation, angular velocity, and under heat the effective normal force."""
-        normal = self.radial * math.cos(self.dip)
-        return [0.0, 0.0, normal] if self.heated else [0.0, 0.0]
+        state = [0.0, 0.0]
+        if self.heated:
+            normal = self.radial * math.cos(self.dip)
+            state.append(normal)
+        return state
 
     def rate(self, mu: Any, state: Any, k_h: Any = None, m: Any = math, dip: Any = None) -> list[Any]:
         """The states' derivatives by dimensionless time, over the sine, cosine and exponential of `m`."""
@@ -70,7 +77,8 @@ class Equation:
         if self.law == "exponential":
             mu = self.residual + drop * m.exp(-self.decay * phi)
         if self.law == "rate_weakening":
-            mu = self.residual + drop / (1.0 + self.pace * omega)
+            weakening = 1.0 + self.pace * omega
+            mu = self.residual + drop / weakening
         drive = self.weight * sin
         normal = self.radial * cos
         if k_h is not None:
@@ -78,10 +86,15 @@ class Equation:
             normal = normal - self.radial * k_h * sin
         if not self.heated:
             pressing = normal + self.polar * omega * omega
-            return [omega, drive - mu * pressing - self.viscous * omega]
-        resistance = mu * stress[0]
+            viscous = self.viscous * omega
+            return [omega, drive - mu * pressing - viscous]
+        (effective_normal,) = stress
+        resistance = mu * effective_normal
         gain = drive - resistance
-        growth = self.radial * sin + 2.0 * self.polar * gain - self.heating * resistance
+        by_turning = self.radial * sin
+        by_speed = 2.0 * self.polar * gain
+        by_heat = self.heating * resistance
+        growth = by_turning + by_speed - by_heat
         return [omega, gain, growth * omega]
 
     def answer(self, phi: Any, omega: Any, time: Any) -> list[Any]:
@@ -92,7 +105,8 @@ class Equation:
 
 def closed_form(equation: Equation, mu: Any) -> Floats:
     """By (3.20): domega/dt = a - b omega^2, of frozen masses that gain speed until their end time."""
-    mu, end = np.atleast_1d(mu), equation.end
+    mu = np.atleast_1d(mu)
+    end = equation.end
     _, drive = equation.rate(mu, equation.start())
     brake = mu * equation.polar
     phi = motion.frozen_rotation(drive, brake, 0.0, end)
@@ -131,9 +145,11 @@ def dop853(equation: Equation, tolerance: float, mu: Any) -> Floats:
         path = solve_ivp(rate, span, start, args=(friction,), **options)
         rotation, speed = path.y[:2]
         speeds = speed if record else speed[-1:]
-        at_peaks = [state[1] for state in path.y_events[1]]
+        _, peaks = path.y_events
+        at_peaks = [state[1] for state in peaks]
         fastest = max([*speeds, *at_peaks])
-        columns.append(equation.answer(rotation[-1], fastest, path.t[-1]))
+        end = path.t[-1]
+        columns.append(equation.answer(rotation[-1], fastest, end))
     return np.array(columns).T
 
 
@@ -143,7 +159,8 @@ def heyoka(equation: Equation, tolerance: float, lanes: int, mu: Any) -> Floats:
     The peak would take a call of Python from each lane, so that it is spared it.
     """
     integrator = _compiled(equation, tolerance, lanes)
-    mu, start = np.atleast_1d(mu), np.array(equation.start())
+    mu = np.atleast_1d(mu)
+    start = np.array(equation.start())
     no_peak = np.full(lanes, np.nan)
     columns = []
     for first in range(0, mu.size, lanes):

@@ -39,10 +39,13 @@ def drawn(count: int) -> Floats:
     height = top - bottom
     chord = np.hypot(width, height)
     depth = rng.uniform(0.1, 0.3, count) * chord
-    radius = chord**2 / (8 * depth) + depth / 2
+    half_chord = chord / 2
+    radius = half_chord**2 / (2 * depth) + depth / 2
     above = (radius - depth) / chord  # of the centre over the chord, in chords
-    x = left + width / 2 - above * height
-    y = bottom + height / 2 + above * width
+    middle_x = left + width / 2
+    middle_y = bottom + height / 2
+    x = middle_x - above * height
+    y = middle_y + above * width
     return np.stack([x, y, radius, left, right])
 
 
@@ -52,8 +55,9 @@ def drawn(count: int) -> Floats:
 def blocks(compute: Callable[..., Floats], *circles: Floats) -> Floats:
     """The measures of sections, a block of circles at a time, (7, n)."""
     columns = np.stack([np.atleast_1d(values) for values in circles])
-    results = np.empty((MEASURES, columns.shape[1]))
-    for first in range(0, columns.shape[1], _BLOCK):
+    count = columns.shape[1]
+    results = np.empty((MEASURES, count))
+    for first in range(0, count, _BLOCK):
         block = slice(first, first + _BLOCK)
         results[:, block] = compute(*columns[:, block])
     return results
@@ -61,7 +65,8 @@ def blocks(compute: Callable[..., Floats], *circles: Floats) -> Floats:
 
 def section(x: Floats, y: Floats, radius: Floats, *_: Floats) -> Floats:
     """By a `Section`, which checks its input."""
-    mass = Section(GROUND, np.stack([x, y], axis=1), radius, 2e4)
+    centre = np.stack([x, y], axis=1)
+    mass = Section(GROUND, centre, radius, 2e4)
     moments, facing = mass.moments, mass.facing
     measures = [
         mass.area / radius**2,
@@ -79,7 +84,8 @@ def gauss(points: int, x: Floats, y: Floats, radius: Floats, left: Floats, right
     """The double integrals of the definitions over vertical strips under each edge, by Gauss-Legendre both ways."""
     nodes, weights = np.polynomial.legendre.leggauss(points)
     shares = (1 + nodes) / 2
-    rule = list(zip(shares, weights / 2, strict=True))
+    halves = weights / 2
+    rule = list(zip(shares, halves, strict=True))
     columns = np.array([x, y, radius, left, right])
     x, y, radius, left, right = columns[:, :, None]
     corners = np.clip(GROUND[:, 0], left, right)

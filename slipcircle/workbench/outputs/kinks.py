@@ -14,12 +14,14 @@ Kinks = list[tuple[float, str]]
 
 def motion_kinks(motion: Motion) -> Kinks:
     """Standstills, and the end of the shaking."""
-    kinks = [
-        (phase.start, "turns back" if phase.start == before.end else "starts again")
-        for before, phase in pairwise(motion.phases)
-    ]
+    kinks = []
+    for before, phase in pairwise(motion.phases):
+        words = "turns back" if phase.start == before.end else "starts again"
+        kinks.append((phase.start, words))
     shaking_ends = max(_breakpoints(motion, "shaking."), default=math.inf)
-    return kinks + [(shaking_ends, "shaking ends")] * (shaking_ends < motion.duration)
+    if shaking_ends < motion.duration:
+        kinks.append((shaking_ends, "shaking ends"))
+    return kinks
 
 
 def friction_kinks(motion: Motion) -> Kinks:
@@ -59,7 +61,7 @@ def _crossings(times: Floats, values: Floats, level: float, words: str) -> Itera
     """Times at which values reach or leave a level."""
     above = values >= level
     changes = above[1:] != above[:-1]
-    for k in np.flatnonzero(changes).tolist():
+    for k in np.flatnonzero(changes):
         before, after = values[k : k + 2]
         start, end = times[k : k + 2]
         share = (level - before) / (after - before)

@@ -45,24 +45,26 @@ def _name_band(ax: Any, name: str, colour: str, band: Floats, view: View) -> Non
     thickest = float(np.max(thickness))
     if not name or thickest <= 0.0:
         return
-    middle = np.column_stack([x, (top + bottom) / 2])
+    middle_y = (top + bottom) / 2
+    middle = np.column_stack([x, middle_y])
     places = middle[thickness > 0.3 * thickest]
     apart = max(1, len(places) // _PLACES)
-    is_thick = thickest > _THIN * (view.top - view.bottom)
+    height = view.top - view.bottom
+    is_thick = thickest > _THIN * height
     label(ax, name, places[::apart], colour, inside=is_thick)
 
 
 def boundaries(ground: Floats, layers: Layers) -> tuple[Floats, list[Floats]]:
     """Tops of the layers over x, each cut off by those above."""
     surface = np.asarray(ground, dtype=np.float64)
-    ends = surface[[0, -1], 0]
-    left, right = ends
+    left = surface[0, 0]
+    right = surface[-1, 0]
     lines = [surface]
     for _, top in layers[1:]:
-        points = np.asarray(top, dtype=np.float64)
-        if points.ndim < 2:  # a height
-            points = np.column_stack([ends, [points, points]])
-        lines.append(points)
+        line = np.asarray(top, dtype=np.float64)
+        if line.ndim < 2:  # a height
+            line = np.array([[left, top], [right, top]])
+        lines.append(line)
     vertices = np.concatenate([line[:, 0] for line in lines])
     inside = np.clip(vertices, left, right)
     equidistant = np.linspace(left, right, _ACROSS)
@@ -94,8 +96,10 @@ def draw_stretches(ax: Any, mass: Mass, section: LayeredSection, turns: Sequence
     colours = soil_colours(section.layers)
     facing = float(section.facing)
     for turn, width in zip((0.0, *turns), (_START, _TURNED), strict=False):
-        for name, start, end in _soils_under(section, facing * turn):
-            angles = 1.5 * np.pi + facing * np.linspace(start, end, 40)
+        moved = facing * turn
+        for name, start, end in _soils_under(section, moved):
+            from_below = facing * np.linspace(start, end, 40)
+            angles = 1.5 * np.pi + from_below
             x, y = mass.on_circle(angles).T
             _, colour = colours.get(name, SOILS[-1])  # a foreland may be of another soil
             ax.plot(x, y, color=colour, lw=width, zorder=4, solid_capstyle="butt")
@@ -111,9 +115,12 @@ def _soils_under(section: LayeredSection, moved: float) -> Iterator[tuple[str, f
     entry = rows[0]
     exit_ = rows[-1]
     beyond = section.foreland or exit_.soil
-    everywhere = [(entry.soil, -np.inf, entry.start)]
-    everywhere += [(row.soil, row.start, row.end) for row in rows]
-    everywhere.append((beyond, exit_.end, np.inf))
+    above_entry = entry.soil, -np.inf, entry.start
+    below_exit = beyond, exit_.end, np.inf
+    everywhere = [above_entry]
+    for row in rows:
+        everywhere.append((row.soil, row.start, row.end))
+    everywhere.append(below_exit)
     mass_start = entry.start + moved
     mass_end = exit_.end + moved
     for soil, start, end in everywhere:

@@ -21,12 +21,13 @@ class Mass(NamedTuple):
 
     def on_circle(self, angles: Any) -> Floats:
         """Points of the circle at polar angles."""
-        return self.centre + self.radius * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+        return self.centre + self.radius * _directions(angles)
 
     @property
     def arc(self) -> Floats:
         """Points along its arc, left to right."""
-        return self.on_circle(np.linspace(self.ends[0], self.ends[1], ON_ARC))
+        start, end = self.ends
+        return self.on_circle(np.linspace(start, end, ON_ARC))
 
     def outline(self, turn: float = 0.0) -> Floats:
         """Points along the arc, left to right, and back along the ground; turned counterclockwise."""
@@ -34,9 +35,10 @@ class Mass(NamedTuple):
         first = arc[0]
         last = arc[-1]
         x = self.ground[:, 0]
-        is_between = (x >= first[0]) & (x <= last[0])
-        from_centre = np.hypot(*(self.ground - self.centre).T)
-        is_inside = from_centre < (1 - 1e-9) * self.radius
+        is_between = (first[0] <= x) & (x <= last[0])
+        across, up = (self.ground - self.centre).T
+        limit = (1 - 1e-9) * self.radius
+        is_inside = np.hypot(across, up) < limit
         above = self.ground[is_between & is_inside]
         leftwards = above[::-1]
         outline = np.concatenate([arc, self._wall(last), leftwards, self._wall(first)])
@@ -50,11 +52,17 @@ class Mass(NamedTuple):
         """The ground straight above an end of the arc at the bottom of a tension crack; no point otherwise."""
         x, y = end
         height = np.interp(x, *self.ground.T)
-        top = np.array([[x, height]])
         from_vertices = np.abs(self.ground[:, 0] - x)
         on_vertex = np.any(from_vertices < 1e-9 * self.radius)
         is_wall = height - y > 1e-6 * self.radius
-        return top if is_wall and not on_vertex else top[:0]
+        if on_vertex or not is_wall:
+            return np.empty((0, 2))
+        return np.array([[x, height]])
+
+
+def _directions(angles: Any) -> Floats:
+    """Unit vectors at polar angles."""
+    return np.stack([np.cos(angles), np.sin(angles)], axis=-1)
 
 
 class View(NamedTuple):
@@ -69,7 +77,9 @@ class View(NamedTuple):
     def around(cls, *points: Any) -> "View":
         """The smallest view that holds points, (..., 2)."""
         every = np.concatenate([np.reshape(some, (-1, 2)) for some in points])
-        return cls(*every.min(axis=0), *every.max(axis=0))
+        left, bottom = every.min(axis=0)
+        right, top = every.max(axis=0)
+        return cls(left, bottom, right, top)
 
     @property
     def size(self) -> float:
@@ -83,7 +93,9 @@ class View(NamedTuple):
     def holds(self, points: Any) -> Any:
         """Which points, (..., 2), are in view."""
         x, y = np.moveaxis(points, -1, 0)
-        return (self.left <= x) & (x <= self.right) & (self.bottom <= y) & (y <= self.top)
+        is_between_sides = (self.left <= x) & (x <= self.right)
+        is_between_levels = (self.bottom <= y) & (y <= self.top)
+        return is_between_sides & is_between_levels
 
     def show(self, ax: Any) -> None:
         """Set the limits of an axis to it, or wider if the shape of the axis differs."""
@@ -96,8 +108,11 @@ def water_line(soil: Any, view: View) -> Floats | None:
     if getattr(soil, "level", None) is None:
         return None
     level = np.asarray(soil.level, dtype=np.float64)
-    beyond = np.array([view.size + np.ptp(level[:, 0]), 0.0])
-    return np.concatenate([level[:1] - beyond, level, level[-1:] + beyond])
+    width = np.ptp(level[:, 0])
+    beyond = np.array([view.size + width, 0.0])
+    far_left = level[:1] - beyond
+    far_right = level[-1:] + beyond
+    return np.concatenate([far_left, level, far_right])
 
 
 def mass_of(circle: Any, soil: Any) -> Mass:
@@ -105,8 +120,8 @@ def mass_of(circle: Any, soil: Any) -> Mass:
     radius = float(circle.radius)
     if isinstance(circle, Arc):
         ends = np.array([circle.theta_1, circle.theta_2])
-        directions = np.stack([np.cos(ends), np.sin(ends)], axis=-1)
-        return Mass(radius * directions, np.zeros(2), radius, ends)
+        chord = radius * _directions(ends)
+        return Mass(chord, np.zeros(2), radius, ends)
     centre = np.asarray(circle.centre, dtype=np.float64)
     from_centre = np.stack([circle.entry, circle.exit]) - centre
     across, up = from_centre.T

@@ -20,7 +20,10 @@ _JUMP = 1e-3  # of the greatest value: a larger change at a breakpoint is a jump
 
 def trace(motion: Motion, times: Floats) -> dict[str, Floats]:
     """The motion at times in s: each quantity of `HISTORY` as an array in SI units."""
-    return {name: q.at(motion, times) + 0.0 for name, q in HISTORY.items()}
+    columns = {}
+    for name, quantity in HISTORY.items():
+        columns[name] = quantity.at(motion, times) + 0.0  # without negative zeros
+    return columns
 
 
 @lru_cache(maxsize=8)
@@ -31,7 +34,9 @@ def drawn(motion: Motion) -> dict[str, Floats]:
 
 def even_times(motion: Motion) -> Floats:
     """Equidistant times from the start to the end."""
-    return np.linspace(0.0, motion.duration, SAMPLES + 1) if motion.moves else np.zeros(1)
+    if not motion.moves:
+        return np.zeros(1)
+    return np.linspace(0.0, motion.duration, SAMPLES + 1)
 
 
 def telling_times(motion: Motion) -> Floats:
@@ -41,17 +46,22 @@ def telling_times(motion: Motion) -> Floats:
     """
     if not motion.moves:
         return np.zeros(1)
-    times: list[Any] = [even_times(motion), [float(motion.peak.time), float(motion.reach.time)]]
+    scene = motion.plan.scene
+    extremes = [float(motion.peak.time), float(motion.reach.time)]
+    times: list[Any] = [even_times(motion), extremes]
     each = max(4, SAMPLES // len(motion.phases))
-    share = (1.0 - np.cos(np.linspace(0.0, np.pi, each + 1))) / 2
+    angle = np.linspace(0.0, np.pi, each + 1)
+    share = (1.0 - np.cos(angle)) / 2
     for phase in motion.phases:
-        times.append(phase.start + (phase.end - phase.start) * share)
-    for function in in_time(motion.plan.scene.called).values():
+        length = phase.end - phase.start
+        times.append(phase.start + length * share)
+    for function in in_time(scene.called).values():
         times += _kinks_and_crests(function)
-    law = motion.plan.scene.friction
+    law = scene.friction
     if isinstance(law, Mapping) and "time" in law:
         times.append(law["time"])
-    return np.unique(np.clip(np.concatenate(times), 0.0, motion.duration))
+    every = np.concatenate(times)
+    return np.unique(np.clip(every, 0.0, motion.duration))
 
 
 def _kinks_and_crests(function: Any) -> list[Any]:
@@ -59,7 +69,9 @@ def _kinks_and_crests(function: Any) -> list[Any]:
     kinks = np.asarray(function.kinks)
     before = np.nextafter(kinks, -np.inf)
     values = function(kinks)
-    is_jump = np.abs(function(before) - values) > _JUMP * np.max(np.abs(values), initial=0.0)
+    greatest = np.max(np.abs(values), initial=0.0)
+    change = np.abs(function(before) - values)
+    is_jump = change > _JUMP * greatest
     return [kinks, before[is_jump], function.crests]
 
 
@@ -71,17 +83,20 @@ def toe_height(motion: Motion) -> float:
     section = motion.plan.scene.arc
     if not isinstance(section, Section):
         return np.nan
-    toe, ground = motion.journey, np.asarray(section.ground, dtype=np.float64)
-    below = np.interp(float(toe.toe_x), ground[:, 0], ground[:, 1], left=np.nan, right=np.nan)
+    toe = motion.journey
+    ground_x, ground_y = np.asarray(section.ground, dtype=np.float64).T
+    below = np.interp(float(toe.toe_x), ground_x, ground_y, left=np.nan, right=np.nan)
     return float(toe.toe_y - below)
 
 
 def toe_words(motion: Motion) -> str:
     """Height of the toe above or below the ground at the end, in words; empty if below a thousandth of the run-out."""
     height = toe_height(motion)
-    if not motion.moves or not abs(height) > 1e-3 * abs(motion.run_out):
+    distance = abs(height)
+    if not motion.moves or not distance > 1e-3 * abs(motion.run_out):
         return ""
-    return f"{shown(abs(height))} m {'above' if height > 0.0 else 'below'} the ground"
+    side = "above" if height > 0.0 else "below"
+    return f"{shown(distance)} m {side} the ground"
 
 
 def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:

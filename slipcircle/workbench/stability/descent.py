@@ -14,6 +14,7 @@ _SHRINK = 0.5  # of the steps of a grid without a better neighbour
 _SHRINK_SMOOTH = 0.2  # where a parabola describes it
 _GROWTH = 2.0  # of steps while the best neighbour is on the rim
 _GAIN = 1e-6  # relative; by less, a step counts as none
+_ROUNDING = 1e-13  # relative; by less, a value is no better
 _FINEST = 1e-4  # step at which a valley is done, over its first
 _HOPELESS = 0.1  # over the least factor, as a share of it, a valley is left
 _OFFSETS = np.array(list(product([-1.0, 0.0, 1.0], repeat=3)))
@@ -42,9 +43,12 @@ class Descent:
     def proposals(self) -> Floats:
         """Of each unfinished circle those a step away in some of its numbers, itself, and the least of parabolas."""
         live = self.unfinished
-        grid = _OFFSETS * self._step[live, None, :3]
-        away = np.concatenate([grid, self._leaps[live]], axis=1)
-        near = np.repeat(self.q[live, None], away.shape[1], axis=1)
+        step = self._step[live, None, :3]
+        grid = _OFFSETS * step
+        leaps = self._leaps[live]
+        away = np.concatenate([grid, leaps], axis=1)
+        middle = self.q[live, None]
+        near = np.repeat(middle, away.shape[1], axis=1)
         numbers = near[..., :3]
         numbers += away
         least = [0.0, 0.0, _LEAST_SHARE]
@@ -58,10 +62,11 @@ class Descent:
         chosen = np.argmin(values, axis=1)
         lowest = values[rows, chosen]
         before = self.best[live]
-        better = lowest + 1e-13 * np.abs(lowest) < before
+        size = np.abs(lowest)
+        better = lowest + _ROUNDING * size < before
         with np.errstate(invalid="ignore"):
             gain = before - lowest
-            gains = gain > _GAIN * np.abs(lowest)
+            gains = gain > _GAIN * size
         middle = self.q[live]
         best_of_near = near[rows, chosen]
         target = np.where(better[:, None], best_of_near, middle)
@@ -74,8 +79,10 @@ class Descent:
         step = self._step[live, None, :3]
         self._leaps[live] = to_middle + leaps * step
         by_leap = chosen >= len(_OFFSETS)
-        on_rim = gains & ~by_leap & (chosen != _MIDDLE)
-        smooth = _is_smooth(leaps) | (better & by_leap)
+        beside_middle = ~by_leap & (chosen != _MIDDLE)
+        on_rim = gains & beside_middle
+        led_by_parabola = better & by_leap
+        smooth = _is_smooth(leaps) | led_by_parabola
         self._scale_steps(live, on_rim, smooth)
 
     def _scale_steps(self, live: Any, on_rim: Any, smooth: Any) -> None:
@@ -86,8 +93,9 @@ class Descent:
         greatest = self._first_step[live]
         self._step[live] = np.minimum(step, greatest)
         least_of_all = self.best.min()
-        range_of_hope = _HOPELESS * max(abs(least_of_all), 0.1)
-        hopeless = self.best > least_of_all + range_of_hope
+        size = max(abs(least_of_all), 0.1)
+        limit = least_of_all + _HOPELESS * size
+        hopeless = self.best > limit
         self._step[hopeless] = 0.0
 
 
@@ -111,8 +119,9 @@ def _leaps(values: Floats) -> Floats:
     both = of_row & of_column
     system = np.where(both, curvature[:, None], identity)
     right = np.where(_SUBSETS, -gradient[:, None], 0.0)
-    known = np.all(np.isfinite(system), axis=(2, 3))
-    known &= np.all(np.isfinite(right), axis=2)
+    known_system = np.all(np.isfinite(system), axis=(2, 3))
+    known_right = np.all(np.isfinite(right), axis=2)
+    known = known_system & known_right
     system = np.where(known[..., None, None], system, identity)
     eigenvalues = np.linalg.eigvalsh(system)
     convex = known & np.all(eigenvalues > 0.0, axis=2)
@@ -135,8 +144,8 @@ def _derivatives(grid: Floats) -> tuple[Floats, Floats]:
             gradient[:, i] = (ahead - behind) / 2
             curvature[:, i, i] = ahead - 2 * here + behind
             for j in range(i):
-                along = np.moveaxis(grid, (i + 1, j + 1), (-2, -1))
-                mixed = _mixed_derivative(along[:, 1])
+                planes = np.moveaxis(grid, (i + 1, j + 1), (-2, -1))
+                mixed = _mixed_derivative(planes[:, 1])
                 curvature[:, i, j] = mixed
                 curvature[:, j, i] = mixed
     return gradient, curvature

@@ -58,7 +58,8 @@ def _touching_half_angle(left: Floats, right: Floats, edge: Floats) -> Floats:
     half = _length(chord) / 2
     start, end = edge.swapaxes(0, 1)
     normal = _upwards(end - start)
-    from_edge = (left + right) / 2 - start
+    middle = (left + right) / 2
+    from_edge = middle - start
     a = np.sum(from_edge * normal, axis=1)
     b = np.sum(_upwards(chord) * normal, axis=1)
     square = 1.0 - b * b
@@ -90,8 +91,9 @@ class Search:
         self.rounding = 1e-9 * float(self.along[-1])
         edges = [np.empty((0, 2, 2))]
         for (top,) in self.arrays.tops:
-            both_ends = np.stack([top[:-1], top[1:]], axis=1)
-            edges.append(both_ends)
+            starts = top[:-1]
+            ends = top[1:]
+            edges.append(np.stack([starts, ends], axis=1))
         self.boundary_edges = np.concatenate(edges)
         self.centres: list[Floats] = []
         self.values: list[Floats] = []
@@ -109,10 +111,12 @@ class Search:
         right = self.points(q[:, 1])
         half_chord = _length(right - left) / 2
         greatest = self._greatest_half_angle(left, right)
-        half_angle = q[:, 2] * greatest
-        touching = np.flatnonzero(q[:, 3] != _NONE)
+        share = q[:, 2]
+        touched = q[:, 3]
+        half_angle = share * greatest
+        touching = np.flatnonzero(touched != _NONE)
         if touching.size:
-            number = q[touching, 3].astype(np.int64)
+            number = touched[touching].astype(np.int64)
             edge = self.boundary_edges[number]
             half_angle[touching] = _touching_half_angle(left[touching], right[touching], edge)
         most = greatest * (1 + 1e-9)
@@ -197,19 +201,22 @@ class Search:
         entry = np.where(to_right, left_x, right_x)
         exit = np.where(to_right, right_x, left_x)
         counts &= self._within(entry, exit)
+        factors = np.where(counts, factors, np.nan)
         values = np.full(len(q), np.nan)
-        values[thick] = np.where(counts, factors, np.nan)
+        values[thick] = factors
         self.centres.append(centre)
         self.values.append(values)
         return values
 
     def thickness(self, q: Floats, centre: Floats, radius: Floats) -> Floats:
         """Greatest distance from arc to ground along the radius; -1 where the ground leaves the circle in between."""
-        first, last = q[:, :1], q[:, 1:2]
+        first = q[:, :1]
+        last = q[:, 1:2]
         lengths = np.clip(self.along, first, last)  # repeats the ends beyond them
         ground = self.points(lengths) - centre[:, None]
+        distance = _length(ground)
         most = (1 + 1e-12) * radius[:, None]
-        inside = np.all(_length(ground) <= most, axis=1)
+        inside = np.all(distance <= most, axis=1)
         if not self.depth:
             return np.where(inside, 0.0, -1.0)
         thickness = radius - _distance_from_origin(ground)
@@ -221,7 +228,8 @@ class Search:
         total = vertices[-1]
         if len(vertices) > _MOST_VERTICES:
             even = np.linspace(0.0, total, _MOST_VERTICES)
-            vertices = vertices[np.unique(np.searchsorted(vertices, even))]
+            next_vertex = np.searchsorted(vertices, even)
+            vertices = vertices[np.unique(next_vertex)]
         least = _LEAST_ON_EDGE if len(vertices) <= _FEW_EDGES else 1
         positions = [vertices]
         for low, high in pairwise(vertices.tolist()):
@@ -229,9 +237,12 @@ class Search:
             count = max(least, round(_POSITIONS * share))
             with_ends = np.linspace(low, high, count + 1)
             positions.append(with_ends[1:-1])
-        for limit in filter(None, self.limits.values()):
-            first, last = np.interp(limit, self.ground[:, 0], self.along)
-            positions.append(np.linspace(first, last, _LEAST_ON_EDGE + 1))
+        vertex_x = self.ground[:, 0]
+        for limit in self.limits.values():
+            if limit is not None:
+                first, last = np.interp(limit, vertex_x, self.along)
+                within = np.linspace(first, last, _LEAST_ON_EDGE + 1)
+                positions.append(within)
         return np.unique(np.concatenate(positions))
 
     def coarse_family(self) -> tuple[Floats, Floats]:
@@ -287,7 +298,7 @@ def _distance_from_origin(line: Floats) -> Floats:
     """Least distance of lines (n, V, 2) from the origin, (n,): at the feet of perpendiculars, or at vertices."""
     start = line[:, :-1]
     edge = np.diff(line, axis=1)
-    square = np.sum(edge**2, axis=2)
+    square = np.sum(edge * edge, axis=2)
     to_foot = -np.sum(start * edge, axis=2)
     divisor = np.where(square > 0.0, square, 1.0)
     share = np.clip(to_foot / divisor, 0.0, 1.0)
@@ -298,10 +309,11 @@ def _distance_from_origin(line: Floats) -> Floats:
 def valleys_of(q: Floats, values: Floats, steps: Floats, most: int, most_on_edge: int) -> list[int]:
     """The best circles that are no neighbours of a better one, of those that touch no boundary and those of each."""
     valleys: list[int] = []
+    touched = q[:, 3]
     order = np.argsort(values, kind="stable")
     order = order[np.isfinite(values[order])]
-    for edge in np.unique(q[:, 3]):
-        rest = order[q[order, 3] == edge]
+    for edge in np.unique(touched):
+        rest = order[touched[order] == edge]
         count = most if edge == _NONE else most_on_edge
         while count and rest.size:
             best = rest[0]
