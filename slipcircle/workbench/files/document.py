@@ -45,28 +45,45 @@ class Document:
         self._missing: dict[str, str] = {}
         self._meant: set[str] = set()  # keys that were misspelt
         self._read_table("", content)
-        for path, words in self._missing.items():
-            self._report(path, *([] if path in self._meant else [f"{path}: is missing: {words}"]))
-        known = numbers(tables)  # in the order of samples
-        self.uncertain = {key: self.uncertain[key] for key in known if key in self.uncertain}
-        odd = [sentence for key in known for sentence in self._odd_distributions.get(key, [])]
-        self.mistakes = odd + self.mistakes
+        self._report_missing()
+        self._put_in_order_of_samples()
 
     def _report(self, path: str, *sentences: str) -> None:
         """Store sentences about a path, and mark its table as wrong."""
         self.mistakes.extend(sentences)
         self.wrong.add(path.partition(".")[0])
 
+    def _report_missing(self) -> None:
+        """Report what is missing, but not for a key that was misspelt, which is reported itself."""
+        for path, words in self._missing.items():
+            if path in self._meant:
+                self._report(path)
+            else:
+                self._report(path, f"{path}: is missing: {words}")
+
+    def _put_in_order_of_samples(self) -> None:
+        """Sort the distributions, and put mistakes in them first."""
+        uncertain = {}
+        odd = []
+        for key in numbers(self._tables):
+            if key in self.uncertain:
+                uncertain[key] = self.uncertain[key]
+            odd += self._odd_distributions.get(key, [])
+        self.uncertain = uncertain
+        self.mistakes = odd + self.mistakes
+
     def _read_table(self, path: str, content: Mapping[str, Any]) -> None:
+        """Read a table with those inside it."""
         arguments = self.arguments.setdefault(path, {})
-        table, inner = self._tables[path], self._tables_in(path)
+        table = self._tables[path]
+        inner = self._tables_in(path)
         for name, value in content.items():
             full = _joined(path, name)
             if name in inner and isinstance(value, dict):
                 self._read_table(full, value)
             elif name in inner:
-                table_inside = f"{self._heading(full)}: {self._tables[full].title}"
-                self._report(full, f"{full} = {shown(value)}: must be {table_inside}")
+                title = self._tables[full].title
+                self._report(full, f"{full} = {shown(value)}: must be {self._heading(full)}: {title}")
             elif name in table.keys:
                 key = table.keys[name]
                 self.typed[_joined(path, key.name)] = full
@@ -81,26 +98,34 @@ class Document:
 
     def _tables_in(self, path: str) -> dict[str, str]:
         """Subtables of a table by their names, with their paths."""
-        inside = [t for t in self._tables if t and t.rpartition(".")[0] == path]
-        return {t.removeprefix(f"{path}." if path else ""): t for t in inside}
+        inside = {}
+        for full in self._tables:
+            parent, _, name = full.rpartition(".")
+            if full and parent == path:
+                inside[name] = full
+        return inside
 
     def _heading(self, path: str) -> str:
         """Heading of a table of a file, or of each table in a list."""
-        return f"tables [[{path}]]" if self._tables[path].repeats == "numbered" else f"a table [{path}]"
+        if self._tables[path].repeats == "numbered":
+            return f"tables [[{path}]]"
+        return f"a table [{path}]"
 
     def _argument(self, full: str, key: Key, value: Any, content: Mapping[str, Any], table: Table) -> Any:
         """A value in SI units, the median of a distribution; None if it is wrong, which is reported."""
         if isinstance(value, dict) and key.kind in VARYING:
-            if odd := distribution_mistakes(value, (key.number.low, key.number.high)):
+            limits = key.number.low, key.number.high
+            odd = distribution_mistakes(value, limits)
+            if odd:
                 self._odd_distributions[full] = [f"{full}: {mistake}" for mistake in odd]
                 self._report(full)
                 return None
             self.uncertain[full] = value
             value = float(distribution_of(value).median())
-        wrong = [
-            f"{full}{place} = {shown(entry)}: must be {key.allowed}{_question(key, entry, table)}"
-            for place, entry in key.wrong(value)
-        ]
+        wrong = []
+        for place, entry in key.wrong(value):
+            advice = _question(key, entry, table)
+            wrong.append(f"{full}{place} = {shown(entry)}: must be {key.allowed}{advice}")
         if key.kind == "series" and isinstance(value, list) and "time_s" not in content:
             needs = "is a list, which needs its times beside it, time_s; or give one number"
             wrong.append(f"{full} = {shown(value)}: {needs}")
@@ -115,30 +140,39 @@ class Document:
             if key.required and name not in content:
                 self._missing[_joined(path, name)] = f"{key.title}, {key.allowed}"
         for name, full in self._tables_in(path).items():
-            if self._tables[full].required and name not in content:
-                self._missing[full] = f"{self._tables[full].title}, {self._heading(full)}"
+            table = self._tables[full]
+            if table.required and name not in content:
+                self._missing[full] = f"{table.title}, {self._heading(full)}"
 
     def _check_sets(self, path: str, content: Mapping[str, Any]) -> None:
         """Check that a table has all keys of exactly one of its sets."""
         sets = self._tables[path].sets
         present = {key for keys in sets for key in keys if key in content}
-        misspelt = any(key.startswith(f"{path}." if path else "") for key in self._meant)
+        misspelt = any(key.startswith(_joined(path, "")) for key in self._meant)
         if not sets or present in map(set, sets) or misspelt:
             return
-        fault = f"{' and '.join(sorted(present))} do not go together" if present else "something is missing"
-        self._report(path, f"{path}: {fault}; give {', or '.join(' with '.join(keys) for keys in sets)}")
+        fault = "something is missing"
+        if present:
+            fault = f"{' and '.join(sorted(present))} do not go together"
+        allowed = [" with ".join(keys) for keys in sets]
+        self._report(path, f"{path}: {fault}; give {', or '.join(allowed)}")
 
     def _check_choices(self, path: str, content: Mapping[str, Any]) -> None:
         """Check that a table has exactly one key of a choice, or at least one."""
         table = self._tables[path]
-        for choice in filter(None, (*table.one_of, table.any_of)):
+        for choice in table.one_of:
             present = [key for key in choice if key in content]
-            if choice in table.one_of and len(present) > 1:
+            if len(present) > 1:
                 self._report(path, f"{path}: {' and '.join(present)} exclude each other; remove one")
-            elif not present:
-                misspelt = self._meant & {f"{path}.{key}" for key in choice}
-                words = f"{path}: {' or '.join(choice)} is missing: {table.keys[choice[-1]].title}"
-                self._report(path, *([] if misspelt else [words]))
+        for choice in (*table.one_of, table.any_of):
+            paths = [_joined(path, key) for key in choice]
+            if not choice or any(key in content for key in choice):
+                continue
+            if self._meant.isdisjoint(paths):
+                title = table.keys[choice[-1]].title
+                self._report(path, f"{path}: {' or '.join(choice)} is missing: {title}")
+            else:
+                self._report(path)
 
 
 def shown(value: Any) -> str:
@@ -151,6 +185,7 @@ def shown(value: Any) -> str:
 
 
 def _joined(path: str, name: str) -> str:
+    """The path of a key or a table inside a table."""
     return f"{path}.{name}" if path else name
 
 
@@ -159,8 +194,9 @@ def _question(key: Key, entry: Any, table: Table) -> str:
     title = f": {key.title}"
     if "|" in key.kind or key.name == "law":
         choice = LAWS if key.name == "law" else key.kind.split("|")
-        guesses = get_close_matches(str(entry), choice, 1)
-        return title + "".join(f"; did you mean {word}?" for word in guesses)
+        for word in get_close_matches(str(entry), choice, 1):
+            title += f"; did you mean {word}?"
+        return title
     is_number = isinstance(entry, int | float) and not isinstance(entry, bool)
     if not is_number or not abs(entry) < math.inf:
         return title
@@ -184,17 +220,16 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
 
     In the same table a similar key or the only one with that unit; in other tables only an almost identical one.
     """
-    within = {t: list(tables[t].keys) for t in tables}
+    within = {path: list(table.keys) for path, table in tables.items()}
     for table in filter(None, tables):
         parent, _, key = table.rpartition(".")
         within[parent].append(key)
     here = within[path]
-    laws = []
     if path == "friction":
         laws = [law for law in LAWS if unknown in law_table(law).keys]
-    if laws:
-        law = tables[path].keys["law"].kind
-        return f"{path}.{here[-1]}", f"it belongs to law = {' or '.join(laws)}, and the law is {law}; give law"
+        if laws:
+            law = tables[path].keys["law"].kind
+            return f"{path}.{here[-1]}", f"it belongs to law = {' or '.join(laws)}, and the law is {law}; give law"
     unit = next((u for u in _UNITS if unknown.endswith(u)), "_")
     of_unit = [k for k in here if k.endswith(unit)]
     only_of_unit = of_unit if len(of_unit) == 1 else []
@@ -205,4 +240,6 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
         for key in get_close_matches(unknown, within[table], 1, 0.9):
             place = f" in [{table}]" if table else " above the first table"
             return _joined(table, key), f"did you mean {key}{place}?"
-    return "", f"known are {', '.join(here)}" if here else "this table has no keys"
+    if not here:
+        return "", "this table has no keys"
+    return "", f"known are {', '.join(here)}"

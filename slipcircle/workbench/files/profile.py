@@ -27,8 +27,12 @@ class Profile(NamedTuple):
 
 def numbered(given: Arguments, name: str) -> list[dict[str, Any]]:
     """The tables of a list, in order."""
-    inside = [path for path in given if path.startswith(f"{name}.")]
-    return [given[path] for path in sorted(inside, key=lambda path: int(path.partition(".")[2]))]
+    tables = {}
+    for path, table in given.items():
+        of_list, _, number = path.partition(".")
+        if of_list == name and number:
+            tables[int(number)] = table
+    return [tables[number] for number in sorted(tables)]
 
 
 def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]], list[str]]:
@@ -36,11 +40,16 @@ def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]
     loads = []
     mistakes = []
     for k, load in enumerate(numbered(given, "surcharge"), 1):
-        left, right, pressure = (load.get(name) for name in ("from", "to", "pressure"))
-        if left is not None and right is not None and not left < right:
+        left = load.get("from")
+        right = load.get("to")
+        pressure = load.get("pressure")
+        if left is None or right is None:
+            continue  # it is missing, which is reported
+        if not left < right:
             mistakes.append(f"surcharge.{k}.to_m = {right:g}: must lie to the right of from_m = {left:g}")
-        elif left is not None and right is not None and pressure is not None:
-            loads.append((left, right, *np.broadcast_to(pressure, 2).tolist()))
+        elif pressure is not None:
+            at_left, at_right = np.broadcast_to(pressure, 2).tolist()
+            loads.append((left, right, at_left, at_right))
     return loads, mistakes
 
 
