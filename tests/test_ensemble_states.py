@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Motion, Scene, load, solve
+from slipcircle.core import with_parameter_arrays
 from tests.support import golden, references
 from tests.support.ensembles import EFFECTS, LANES, LAWS, lanes, together
 
@@ -191,3 +192,20 @@ def test_extreme_lanes_among_ordinary_ones() -> None:
             assert found.duration[k] == pytest.approx(alone.duration, rel=error)
         assert set(found.count()) >= {"RESTS", "STAYS", "UPRIGHT"}
         assert 1e-10 < found.error_estimate[5] < 1e-5, "next to the limit rounding of the drive counts"
+
+
+def test_stresses_over_time_are_those_of_each_lane() -> None:
+    """Where each lane has tables of its own: of a law in pieces, and of the rotation of its own circle."""
+    softening = golden.scene({"law": "linear", "peak": 0.3, "residual": 0.1, "length": 4.0}, golden.TURNING)
+    arc = Arc(**softening["arc"])
+    friction = softening["friction"] | {"length": np.array([3.0, 4.0, 5.0])}
+    layered: Scene = load("layered-slope")
+    circles = layered.arc.radius * np.array([0.99, 1.0, 1.01])
+    moved, invalid = with_parameter_arrays(layered, {"radius": circles})
+    for scene, bad in ((Scene(arc, friction, softening["effects"]), False), (moved, invalid)):
+        motion = solve(scene, invalid=bad)
+        times = np.array([0.2, 0.9]) * float(np.min(motion.duration))
+        stress = motion.at(times).normal_stress
+        for k in range(len(motion)):
+            alone = motion[k].at(times).normal_stress
+            assert stress[k] == pytest.approx(alone, rel=1e-9)

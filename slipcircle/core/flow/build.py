@@ -14,7 +14,7 @@ from typing import Any
 from generated.flow import FRAGMENTS
 from generated.layout import CELLS
 from slipcircle.core.flow.declare import Declarations, TableDeclaration
-from slipcircle.core.flow.link import PRIME, ZERO, Operation, named_in, needed, places_of, tangent
+from slipcircle.core.flow.link import PRIME, ZERO, Operation, Operations, Term, named_in, needed, places_of, tangent
 from slipcircle.core.flow.program import OUTPUT_CELLS, READ_REGISTERS, Program, Table, Tangent
 
 
@@ -50,13 +50,16 @@ def build_program(
     -------
     Program
     """
-    fragments = tuple(name for name in outputs if name in FRAGMENTS)
-    registers = tuple(name for name in outputs if name not in FRAGMENTS)
-    builder = _Builder(registers, directions)
+    fragments = list[str]()
+    registers = list[str]()
+    for name in outputs:
+        kind = fragments if name in FRAGMENTS else registers
+        kind.append(name)
+    builder = _Builder(tuple(registers), directions)
     builder.declare_laws(laws)
     builder.declare_effects(effects, moving, absent)
     builder.declare_functions_of_time(moving)
-    builder.declare_balance(effects, laws, fragments, absent)
+    builder.declare_balance(effects, laws, tuple(fragments), absent)
     builder.resolve()
     builder.select()
     builder.allocate()
@@ -88,18 +91,23 @@ class _Builder(Declarations):
         """Find the registers and cells that hold what the integrator reads."""
         self._fix_cells()
         link = self.link
-        self.read = [*self.rates, *self.rates.values(), *READ_REGISTERS]
-        self.read += [table.argument for table in self.tables]
+        rates = self.rates.values()
+        self.read = [*self.rates, *rates, *READ_REGISTERS]
+        for table in self.tables:
+            self.read.append(table.argument)
         tangents = self._in_directions(self.read)
-        roots = dict.fromkeys([*self.read, *self.extra, *tangents])
+        every = [*self.read, *self.extra, *tangents]
+        roots = list(dict.fromkeys(every))
         link.mark_shared(roots)
-        self.registers = {name: link.register(name) for name in roots}
+        self.registers: dict[str, str | None] = {}
+        for name in roots:
+            self.registers[name] = link.register(name)
         self._drop_constants()
-        for name in (*self.states.values(), *self.extra):
-            if self.registers[name] is None:
-                self.registers[name] = link.zero_register(name)
-        names = [*OUTPUT_CELLS.values(), *self._in_directions(["drive"])]
-        self.outputs = {name: link.cell(name) for name in names}
+        self._hold_zeros()
+        self.outputs: dict[str, str] = {}
+        tangents_of_drive = self._in_directions(["drive"])
+        for name in (*OUTPUT_CELLS.values(), *tangents_of_drive):
+            self.outputs[name] = link.cell(name)
 
     def _fix_cells(self) -> None:
         """Name the cells that are set at the start of a lane, in order, and define those that depend on them alone."""
@@ -112,20 +120,21 @@ class _Builder(Declarations):
         tangents = self._in_directions(self.varied)
         fixed = (*CELLS, *self.rates, *self.inputs, *table_cells, *tangents)
         self.fixed = list(dict.fromkeys(fixed))
-        link.cells.update(zip(self.fixed, self.fixed, strict=True))
-        link.registers.update(zip(self.states, self.states, strict=True))
+        for name in self.fixed:
+            link.cells[name] = name
+        for state in self.states:
+            link.registers[state] = state
         for j in self.directions:
             initial_limit = tangent("LIMIT", j)
-            link.cell_definitions[initial_limit] = ("set", tangent("limit_0", j))
-        link.cell_definitions["departed"] = self._departed({*self.states, *table_cells})
+            limit = tangent("limit_0", j)
+            link.cell_definitions[initial_limit] = ("set", limit)
+        moving = {*self.states, *table_cells}
+        link.cell_definitions["departed"] = self._departed(moving)
 
     def _in_directions(self, names: Iterable[str]) -> list[str]:
         """The tangents of names, direction by direction."""
         names = list(names)
-        tangents = list[str]()
-        for j in self.directions:
-            tangents += [tangent(name, j) for name in names]
-        return tangents
+        return [tangent(name, j) for j in self.directions for name in names]
 
     def _departed(self, moving: set[str]) -> Operation:
         """The cell that is zero as long as the limit friction is the initial one, as its arguments have not changed.
@@ -145,23 +154,40 @@ class _Builder(Declarations):
         """A normal force or an overturning moment that is constant during a phase has no events."""
         constant = set[str]()
         for operation, results in self.link.series.items():
+            kind = operation[0]
             terms = operation[-1]
-            if operation[0] == "lin" and not terms:
+            if kind == "lin" and not terms:
                 constant.update(results)
         for name in READ_REGISTERS[1:]:
-            if self.registers[name] in constant and name not in self.extra:
+            register = self.registers[name]
+            if register in constant and name not in self.extra:
                 self.registers[name] = None
+
+    def _hold_zeros(self) -> None:
+        """Rates of states and requested registers need a register even where they are zero."""
+        rates = self.states.values()
+        for name in (*rates, *self.extra):
+            if self.registers[name] is None:
+                zero = self.link.zero_register(name)
+                self.registers[name] = zero
 
     # --- 3. the operations that are needed ---------------------------------------------------------------------------
 
     def select(self) -> None:
         """Keep the operations on series on which outputs depend, and those on cells on which these depend."""
-        outputs = {register for register in self.registers.values() if register}
-        self.series = needed(self.link.series.items(), outputs | {*self.states})
-        self.lasting = {*self.outputs.values()}
+        link = self.link
+        outputs = set(self.states)
+        for register in self.registers.values():
+            if register is not None:
+                outputs.add(register)
+        series = link.series.items()
+        self.series = needed(series, outputs)
+        self.lasting = set(self.outputs.values())
         for operation, _ in self.series:
             self.lasting |= named_in(operation)
-        scalar = [(operation, (result,)) for operation, result in self.link.scalar.items()]
+        scalar = Operations()
+        for operation, result in link.scalar.items():
+            scalar.append((operation, (result,)))
         self.scalar = needed(scalar, self.lasting)
 
     # --- 4. places ---------------------------------------------------------------------------------------------------
@@ -169,17 +195,19 @@ class _Builder(Declarations):
     def allocate(self) -> None:
         """Assign places to lasting cells, then to constants, then to scratch cells, which are reused when free."""
         computed = list[str]()
-        used = {*self.lasting}
+        used = set(self.lasting)
         for operation, (result,) in self.scalar:
             used.update(operation[1:])
             if result in self.lasting:
                 computed.append(result)
-        self.constants = sorted(name for name in used if name.startswith("="))
-        self.held = [*self.fixed, *computed]
-        kept = [*self.held, *self.constants]
+        constants = [name for name in used if name.startswith("=")]
+        self.constants = sorted(constants)
+        self.held = self.fixed + computed
+        kept = self.held + self.constants
         self.place = places_of(self.scalar, kept)
-        count = max(self.place.values()) + 1
-        scratch = [f"scratch{k}" for k in range(count - len(kept))]
+        last = max(self.place.values())
+        count = last + 1 - len(kept)
+        scratch = [f"scratch{k}" for k in range(count)]
         self.cells = (*kept, *scratch)
 
     # --- 5. names to places ------------------------------------------------------------------------------------------
@@ -191,72 +219,97 @@ class _Builder(Declarations):
             registers += results
         self.at = {name: k for k, name in enumerate(registers)}
         self.operand = self.place | self.at
-        states = [(self.place[state], self.at[state], self._register(rate)) for state, rate in self.states.items()]
+        states = list[tuple[int, int, int]]()
+        for state, rate in self.states.items():
+            places = (self.place[state], self.at[state], self._register(rate))
+            states.append(places)
+        scalar = [self._encoded_scalar(operation, result) for operation, (result,) in self.scalar]
+        series = [self._encoded(operation, results) for operation, results in self.series]
+        tables = map(self._table, self.tables)
+        tangents = map(self._tangent, self.directions)
         return Program(
             cells=self.cells,
             given=len(self.fixed),
             lasting=len(self.held),
             registers=tuple(registers),
-            scalar=tuple(self._encoded_scalar(operation, result) for operation, (result,) in self.scalar),
-            series=tuple(self._encoded(operation, results) for operation, results in self.series),
+            scalar=tuple(scalar),
+            series=tuple(series),
             states=tuple(states),
-            tables=tuple(map(self._table, self.tables)),
+            tables=tuple(tables),
             roles=self._roles(),
             constants={name: float(name[1:]) for name in self.constants},
-            tangents=tuple(map(self._tangent, self.directions)),
+            tangents=tuple(tangents),
         )
 
     def _table(self, table: TableDeclaration) -> Table:
         """A table with the places of its argument and of its first cell."""
         argument = self._register(table.argument)
-        first_cell = self.place[f"{table.name}.PIECE"]
-        return Table(table.name, table.kind, argument, first_cell, table.degree)
+        first_cell = f"{table.name}.PIECE"
+        return Table(table.name, table.kind, argument, self.place[first_cell], table.degree)
 
     def _roles(self) -> dict[str, int]:
         """The places of the registers and cells that the integrator reads."""
-        registers = ("x", "omega", *READ_REGISTERS, *self.extra)
-        roles = {name: self._register(name) for name in registers}
+        roles = dict[str, int]()
+        for name in ("x", "omega", *READ_REGISTERS, *self.extra):
+            roles[name] = self._register(name)
         for role, name in OUTPUT_CELLS.items():
-            roles[role] = self.place[self.outputs[name]]
+            cell = self.outputs[name]
+            roles[role] = self.place[cell]
         return roles
-
-    def _encoded_scalar(self, operation: Operation, result: str) -> tuple[Any, ...]:
-        """An operation on cells: its result, then its arguments."""
-        kind, *taken = operation
-        arguments = [self.place[name] for name in taken]
-        return (kind, self.place[result], *arguments)
 
     def _register(self, name: str) -> int:
         """The place of the register that holds a quantity; -1 if there is none."""
-        return self.at.get(str(self.registers.get(name, name)), -1)
+        register = self.registers.get(name, name)
+        if register is None:
+            return -1
+        return self.at.get(register, -1)
+
+    def _encoded_scalar(self, operation: Operation, result: str) -> tuple[Any, ...]:
+        """An operation on cells: its result, then its arguments."""
+        kind, *names = operation
+        arguments = [self.place[name] for name in names]
+        made = self.place[result]
+        return (kind, made, *arguments)
 
     def _encoded(self, operation: Operation, results: tuple[str, ...]) -> tuple[Any, ...]:
         """An operation on series: its results first, then registers, cells or a table."""
         kind, *taken = operation
         made = [self.at[register] for register in results]
         if kind == "lin":
-            constant, terms = taken
-            start = -1 if constant == ZERO else self.place[constant]
-            encoded_terms = tuple((self.place[cell], self.at[register]) for cell, register in terms)
-            return (kind, *made, start, encoded_terms)
+            return (kind, *made, *self._encoded_sum(*taken))
         if kind == "ramp":
             table_arguments = [table.argument for table in self.tables]
-            argument = taken[0].partition(PRIME)[0]
-            return (kind, *made, table_arguments.index(argument))
+            argument, _, _ = taken[0].partition(PRIME)
+            table = table_arguments.index(argument)
+            return (kind, *made, table)
         operands = [self.operand[name] for name in taken]
         return (kind, *made, *operands)
 
+    def _encoded_sum(self, constant: str, terms: Iterable[Term]) -> tuple[Any, ...]:
+        """A sum: the cell of its constant, -1 if that is zero, and its terms."""
+        start = -1
+        if constant != ZERO:
+            start = self.place[constant]
+        encoded = list[tuple[int, int]]()
+        for cell, register in terms:
+            places = (self.place[cell], self.at[register])
+            encoded.append(places)
+        return start, tuple(encoded)
+
     def _tangent(self, direction: int) -> Tangent:
         """Places of the tangents of cells that vary and of registers that are read."""
-        place = self.place
-        drive = self.outputs["drive"]
+        cells = dict[int, int]()
+        for name in self.varied:
+            cell = self.place[name]
+            derivative = tangent(name, direction)
+            cells[cell] = self.place[derivative]
+        drive = self.place[self.outputs["drive"]]
         drive_dot = self.outputs[tangent("drive", direction)]
-        cells = {place[name]: place[tangent(name, direction)] for name in self.varied}
-        cells[place[drive]] = place[drive_dot]
+        cells[drive] = self.place[drive_dot]
         registers = dict[int, int]()
         for name in self.read:
             register = self._register(name)
-            derivative = self._register(tangent(name, direction))
-            if register >= 0 and derivative >= 0:
-                registers[register] = derivative
+            register_dot = self._register(tangent(name, direction))
+            if register >= 0 and register_dot >= 0:
+                registers[register] = register_dot
         return Tangent(cells, registers)

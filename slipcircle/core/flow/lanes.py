@@ -1,8 +1,7 @@
 """Lanes of scenes that share their effects and laws: integrated to their end, and evaluated on the way."""
 
-import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -18,8 +17,6 @@ from slipcircle.core.flow.problem import Problem, build_problem
 from slipcircle.core.flow.program import Log, Samples
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import by_lanes
-from slipcircle.core.scene.layers import LayeredSection
-from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.section import Section
 
 Floats = NDArray[np.float64]
@@ -46,35 +43,45 @@ def integrate_all(
         To start with and to overwrite; by default a copy of the problem's.
     """
     integrator = integrator or engine().integrate
-    while True:
-        state = problem.initial_cells() if cells is None else cells
-        integrator(problem.program, problem.tables, state, samples, log)
-        if cells is None and problem.extend_rotations(state[ix.REACH_ROTATION]):
-            if log is not None:
-                log.clear()
-            continue
-        if state[ix.STATUS].max(initial=0.0) < ix.TOO_LONG:
-            return state
-        _integrate_stiff(problem, state, samples, log)
-        waiting = np.flatnonzero(state[ix.STATUS] == ix.NEED)
-        if not waiting.size:
-            return state
-        # One lane goes on to find how far a Python function is needed; then all start again with the whole table.
-        _extend_to_end(problem, state, waiting[:1])
-        cells = None
-        if log is not None:
-            log.clear()
+    state = cells
+    if cells is None:
+        state = problem.initial_cells()
+    program = problem.program
+    integrator(program, problem.tables, state, samples, log)
+    is_copy = cells is None
+    if is_copy and problem.extend_rotations(state[ix.REACH_ROTATION]):
+        return _integrate_again(problem, samples, log, integrator)
+    last_status = state[ix.STATUS].max(initial=0.0)
+    if last_status < ix.TOO_LONG:
+        return state
+    _integrate_stiff(problem, state, samples, log)
+    (waiting,) = np.nonzero(state[ix.STATUS] == ix.NEED)
+    if not waiting.size:
+        return state
+    # One lane goes on to find how far a Python function is needed; then all start again with the whole table.
+    _extend_to_end(problem, state, waiting[:1])
+    return _integrate_again(problem, samples, log, integrator)
+
+
+def _integrate_again(problem: Problem, samples: Samples | None, log: Log | None, integrator: Any) -> Floats:
+    """All lanes from their start, as tables have been extended."""
+    if log is not None:
+        log.clear()
+    return integrate_all(problem, samples, log, integrator)
 
 
 def _integrate_stiff(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None) -> None:
     """Integrate lanes that took too many explicit steps and still move by implicit ones."""
-    stopped = (cells[ix.STATUS] == ix.TOO_LONG) & (cells[ix.STEPS] > ix.MOST_STEPS)
-    which = np.flatnonzero(stopped & (cells[ix.OMEGA] > 0.0))
+    status = cells[ix.STATUS]
+    many_steps = cells[ix.STEPS] > ix.MOST_STEPS
+    moving = cells[ix.OMEGA] > 0.0
+    which = np.flatnonzero((status == ix.TOO_LONG) & many_steps & moving)
     while which.size:
         from slipcircle.core.flow import implicit  # most scenes never load it
 
         implicit.integrate(problem, cells, samples, log, which)
-        which = which[cells[ix.STATUS, which] == ix.NEED]
+        waiting = status[which] == ix.NEED
+        which = which[waiting]
         if which.size:
             problem.extend_tables(cells[:, which])
 
@@ -82,12 +89,14 @@ def _integrate_stiff(problem: Problem, cells: Floats, samples: Samples | None, l
 def _extend_to_end(problem: Problem, cells: Floats, which: Any) -> None:
     """Extend the tables of Python functions as far as one lane needs them up to its end."""
     one = cells[:, which]
-    while one[ix.STATUS, 0] == ix.NEED:
+    (status,) = one[ix.STATUS]
+    while status == ix.NEED:
         problem.extend_tables(one)
         one[ix.OMEGA] *= one[ix.DIRECTION]
         one[ix.STATUS] = ix.START
         tables = [table.lanes(which) for table in problem.tables]
         engine().integrate(problem.program, tables, one)
+        (status,) = one[ix.STATUS]
 
 
 class _States(NamedTuple):
@@ -135,14 +144,23 @@ class Lanes:
         def select(value: Any, axes: int = 0) -> Any:
             if isinstance(value, Mapping):
                 return {name: select(part) for name, part in value.items()}
-            by_lane = isinstance(value, np.ndarray) and value.ndim == axes + 1 and len(value) == self.count
-            return value[which] if by_lane else value
+            if not isinstance(value, np.ndarray) or value.ndim != axes + 1:
+                return value
+            return value[which] if len(value) == self.count else value
 
-        selected = {f.name: select(getattr(self, f.name)) for f in fields(Lanes)}
-        selected["arc"] = by_lanes(self.arc, select)
-        selected["called"] = selected["arc"].section_effects(selected["called"])
-        selected["count"] = np.arange(self.count)[which].size
-        return Lanes(**selected)
+        arc = by_lanes(self.arc, select)
+        effects = select(self.called)
+        every_lane = np.arange(self.count)
+        return Lanes(
+            arc=arc,
+            called=arc.section_effects(effects),
+            friction=select(self.friction),
+            velocity=select(self.velocity),
+            end_time=select(self.end_time),
+            accuracy=self.accuracy,
+            count=every_lane[which].size,
+            invalid=select(self.invalid),
+        )
 
     def parts(self) -> Iterator[tuple[slice, "Lanes"]]:
         """The lanes in blocks."""
@@ -156,8 +174,9 @@ class Lanes:
         return self._build()
 
     def _build(self) -> Problem:
-        numbers = (self.arc, self.called, self.friction, self.velocity, self.end_time)
-        problem = build_problem(*numbers, self.accuracy, self.count)
+        problem = build_problem(
+            self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count
+        )
         if self.invalid is not False:
             invalid = np.broadcast_to(self.invalid, self.count)
             problem.cells[ix.STATUS, invalid] = ix.FAILED
@@ -178,14 +197,17 @@ class Lanes:
     @property
     def stress_unit(self) -> Any:
         """Pa for one of normal force over Theta*: sigma_ref over lambda/Theta*."""
-        return plain(self.arc.reference_stress / self.arc.moment_coefficients.resistance_factor)
+        coefficients = self.arc.moment_coefficients
+        unit = self.arc.reference_stress / coefficients.resistance_factor
+        return plain(unit)
 
     @property
     def energy_unit(self) -> Any:
         """J for one of omega*^2/2."""
         arc = self.arc
-        weight = np.multiply(arc.width, arc.mean_unit_weight) * np.power(arc.radius, 3.0)
-        return weight * arc.dimensionless.moment_of_inertia
+        weight_of_area = np.multiply(arc.width, arc.mean_unit_weight)
+        weight_times_radius = weight_of_area * np.power(arc.radius, 3.0)
+        return weight_times_radius * arc.dimensionless.moment_of_inertia
 
     # --- the motion ----------------------------------------------------------------------------------------------
 
@@ -194,22 +216,28 @@ class Lanes:
         if self.count == 1:
             return integrate_all(self.problem, log=log)
         problem = self._build()  # copies of many lanes would cost as much as the integration
-        final = integrate_all(problem, log=log, cells=None if problem.functions else problem.cells)
-        if not problem.extend_rotations(final[ix.REACH_ROTATION]):
+        cells = None if problem.functions else problem.cells
+        final = integrate_all(problem, log=log, cells=cells)
+        reach = final[ix.REACH_ROTATION]
+        if not problem.extend_rotations(reach):
             return final
-        farther = self._build()._replace(tables=problem.tables)
+        same_lanes = self._build()
+        farther = same_lanes._replace(tables=problem.tables)
         return integrate_all(farther, log=log)
 
-    def read(self, times: Floats) -> Floats:
-        """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes)."""
-        return self._sampled(self.problem, times)
+    def read(self, times: Floats, problem: Problem | None = None) -> Floats:
+        """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes).
 
-    def _sampled(self, problem: Problem, times: Floats) -> Floats:
-        """As `read`, by any problem of these lanes."""
+        ``problem`` is another problem of these lanes, with further states.
+        """
+        if problem is None:
+            problem = self.problem
         increasing = np.argsort(times, kind="stable")
+        ordered = times[increasing]
         units = np.broadcast_to(problem.time_scale, (1, self.count))
-        dimensionless = times[increasing][:, None] / units
-        rows = np.zeros((2 + len(problem.program.states), times.size, self.count))
+        dimensionless = ordered[:, None] / units
+        outputs = 2 + len(problem.program.states)
+        rows = np.zeros((outputs, times.size, self.count))
         samples = Samples(np.ascontiguousarray(dimensionless), rows)
         integrate_all(problem, samples)
         states = np.empty_like(rows)
@@ -219,51 +247,62 @@ class Lanes:
     def energies(self, times: Floats) -> tuple[dict[str, Floats], Floats]:
         """Kinetic energy, work and dissipation at times in s, (times, lanes), and the first kinetic energy."""
         problem = self.problem.with_outputs(("energy",))
-        states, rows = np.split(self._sampled(problem, times), [4])
-        further = [problem.program.cells[cell] for cell, _, _ in problem.program.states[2:]]
-        energies = {
-            "kinetic": states[1] ** 2 / 2,
-            "work": rows[further.index("work")],
-            "dissipation": np.maximum(rows[further.index("dissipation")], 0.0),
-        }
-        first_kinetic = problem.cells[ix.OMEGA] ** 2 / 2
-        return energies, first_kinetic
+        program = problem.program
+        states = self.read(times, problem)
+        further = [program.cells[cell] for cell, _, _ in program.states[2:]]
+        rows = dict(zip(further, states[4:], strict=True))
+        omega = states[1]
+        energies = {"kinetic": omega**2 / 2, "work": rows["work"], "dissipation": np.maximum(rows["dissipation"], 0.0)}
+        first_omega = problem.cells[ix.OMEGA]
+        return energies, first_omega**2 / 2
 
     # --- forces in given states ----------------------------------------------------------------------------------
 
     def stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         """The mean normal stress, Pa, of each lane in one state; dimensionless numbers."""
         if self.count > BLOCK:
-            parts = [part.stress(time[which], rotation[which], omega[which]) for which, part in self.parts()]
+            parts = list[Floats]()
+            for which, part in self.parts():
+                stress = part.stress(time[which], rotation[which], omega[which])
+                parts.append(stress)
             return np.concatenate(parts)
-        outputs = self._outputs_in(_States(time, rotation, omega))
-        return outputs["pressing"] * self.stress_unit
+        states = _States(time, rotation, omega)
+        pressing = self._outputs_in(states)["pressing"]
+        return pressing * self.stress_unit
 
     def outputs(self, times: Floats, rows: Floats) -> dict[str, Floats]:
         """Total and effective normal force and friction at times in s, of states as `read` returns them."""
-        outputs = self._outputs_in(self._states(times, rows))
-        return {name: values.reshape(rows.shape[1:]).T for name, values in outputs.items()}
+        states = self._states(times, rows)
+        outputs = dict[str, Floats]()
+        for name, values in self._outputs_in(states).items():
+            by_time = values.reshape(rows.shape[1:])
+            outputs[name] = by_time.T
+        return outputs
 
     def holding_friction(self, times: Floats, rows: Floats) -> Floats:
         """Friction coefficient required for equilibrium of the mass in its position at times in s, (lanes, times).
 
         The greater one of both ways, where both are open to it; NaN where nothing presses.
         """
-        at_rest = self._states(times, rows)._replace(omega=0.0)
+        states = self._states(times, rows)
+        at_rest = states._replace(omega=0.0)
         down_slope = self._holding(at_rest, 1.0)
         up_slope = self._holding(at_rest, -1.0)
         greatest = np.fmax(down_slope, up_slope)
-        return greatest.reshape(rows.shape[1:]).T
+        by_time = greatest.reshape(rows.shape[1:])
+        return by_time.T
 
     def _holding(self, at_rest: _States, side: float) -> Floats:
         """Friction required in one direction; NaN without contact, or where a mass cannot start."""
         problem = self._with_outputs
         cells, _ = self._begin(at_rest, side)
         forces = Forces.of(problem.program, cells)
-        free = LaneState(problem.program, problem.tables, cells).may_start()
+        lanes = LaneState(problem.program, problem.tables, cells)
+        excess = forces.driving - forces.resisting
         with np.errstate(all="ignore"):
-            friction = (forces.driving - forces.resisting) / forces.normal
-        known = (forces.normal > 0.0) & free
+            friction = excess / forces.normal
+        contact = forces.normal > 0.0
+        known = contact & lanes.may_start()
         return np.where(known, np.maximum(friction, 0.0), np.nan)
 
     @cached_property
@@ -272,10 +311,12 @@ class Lanes:
 
     def _states(self, times: Floats, rows: Floats) -> _States:
         """States at times in s, as `read` gives them, as lanes of their own."""
-        lane = np.tile(np.arange(self.count), times.size)
+        every_lane = np.arange(self.count)
+        lane = np.tile(every_lane, times.size)
         units = np.broadcast_to(self.time_scale, self.count)
         time = times[:, None] / units
-        rotation, omega, _, *further = rows.reshape(len(rows), -1)
+        flat_rows = rows.reshape(len(rows), -1)
+        rotation, omega, _, *further = flat_rows
         return _States(time.ravel(), rotation, omega, further, lane)
 
     def _outputs_in(self, states: _States) -> dict[str, Floats]:
@@ -297,27 +338,31 @@ class Lanes:
         if states.further is not None:
             slip, *others = states.further
             cells[ix.SLIP] = slip
-            problem.extend_rotations(cells[ix.ROTATION])
+            problem.extend_rotations(states.rotation, states.lane)
             problem.extend_tables(cells)
-            for (cell, _, _), value in zip(problem.program.states[2:], others, strict=True):
+            further_states = problem.program.states[2:]
+            for (cell, _, _), value in zip(further_states, others, strict=True):
                 cells[cell] = value
         tables = [table.lanes(states.lane) for table in problem.tables]
-        return cells, engine().begin_phase(problem.program, tables, cells)
+        registers = engine().begin_phase(problem.program, tables, cells)
+        return cells, registers
 
     # --- at the start --------------------------------------------------------------------------------------------
 
     @property
     def brake(self) -> Floats:
         """q = 2 (lambda A mu + d)/Theta* at the start: twice the decrease of the rate per unit of omega^2."""
-        problem = self.problem
-        roles = problem.program.roles
-        cells = problem.cells.copy()
+        program = self.problem.program
+        tables = self.problem.tables
+        cells = self.problem.cells.copy()
         cells[ix.DIRECTION] = 1.0
-        engine().begin_phase(problem.program, problem.tables, cells)
-        cells[roles["cell_drive"]] = 0.0
+        engine().begin_phase(program, tables, cells)
+        drive = program.roles["cell_drive"]
+        cells[drive] = 0.0
         cells[ix.OMEGA] = 1.0
-        registers = engine().registers(problem.program, problem.tables, cells)
-        return np.asarray(-2.0 * registers[roles["net"]])
+        registers = engine().registers(program, tables, cells)
+        rate = registers[program.roles["net"]]
+        return np.asarray(-2.0 * rate)
 
     @cached_property
     def statics(self) -> dict[str, Floats]:
@@ -340,61 +385,7 @@ class Lanes:
             engine().begin_phase(program, problem.tables, each)
         mu = cells[program.roles["cell_mu"]]
         limit = cells[program.roles["cell_limit"]]
+        at_rest = Forces.of(program, cells)
+        under_shaking = Forces.of(program, shaken)
         with np.errstate(all="ignore"):
-            return equilibrium(Forces.of(program, cells), Forces.of(program, shaken), mu, limit)
-
-
-# --- lanes of a scene ------------------------------------------------------------------------------------------------
-
-
-def lanes_of(scene: Scene, accuracy: float, invalid: Any = False) -> Lanes:
-    """The lanes of a scene, all its arrays with one axis."""
-    arc = scene.arc
-    called = scene.called
-    friction: Any = scene.friction
-    velocity = scene.initial_velocity
-    end_time = np.inf if scene.end_time is None else scene.end_time
-    shape = scene.shape
-    if not shape:
-        return Lanes(arc, called, friction, velocity, end_time, accuracy, 1, invalid)
-    arc = by_lanes(arc, lambda value, axes: _flat(value, shape, axes))
-    assert isinstance(scene.effects, dict)
-    flat_effects = {effect: _flat_numbers(scene, effect, given) for effect, given in scene.effects.items()}
-    called = arc.section_effects(flat_effects)
-    friction = arc.friction if isinstance(arc, LayeredSection) else _flat_friction(scene)
-    count = math.prod(shape)
-    return Lanes(arc, called, friction, _flat(velocity, shape), _flat(end_time, shape), accuracy, count, invalid)
-
-
-def _flat_friction(scene: Scene) -> Any:
-    """Friction with one axis of lanes: a number, or a law's parameters."""
-    friction: Any = scene.friction
-    if callable(friction):
-        return friction
-    if not isinstance(friction, Mapping):
-        return _flat(friction, scene.shape)
-    flat = _flat_numbers(scene, "friction", friction)
-    rate = flat.get("rate")
-    if isinstance(rate, Mapping):
-        flat["rate"] = _flat_numbers(scene, "friction.rate", rate)
-    return flat
-
-
-def _flat(value: Any, shape: tuple[int, ...], axes: int = 0) -> Any:
-    """An array with one axis of lanes before its other axes; a value that all lanes share is unchanged."""
-    if np.ndim(value) <= axes:
-        return value
-    array = np.asarray(value, np.float64)
-    tail = array.shape[array.ndim - axes :]
-    if array.shape == (math.prod(shape), *tail):
-        return array
-    return np.broadcast_to(array, (*shape, *tail)).reshape(-1, *tail)
-
-
-def _flat_numbers(scene: Scene, path: str, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Parameters of an effect or a law; those among the scene's numbers may be arrays."""
-    flat = dict(given)
-    for name, value in given.items():
-        if f"{path}.{name}" in scene.numbers:
-            flat[name] = _flat(value, scene.shape)
-    return flat
+            return equilibrium(at_rest, under_shaking, mu, limit)

@@ -27,6 +27,11 @@ def upright(section: Section) -> Floats:
     return np.ravel(rotation)
 
 
+def first_rotation(last: Floats, upslope: bool) -> Floats:
+    """The rotation from which tables to the last one begin: 0, or half a turn before the last one."""
+    return last - np.pi if upslope else np.zeros_like(last)
+
+
 class RotationTables(NamedTuple):
     """Functions of the rotation as tables.
 
@@ -60,7 +65,7 @@ class RotationTables(NamedTuple):
         if share_geometry:
             last = last.max(keepdims=True)
         last = np.minimum(last, reach)
-        first = last - np.pi if self.upslope else np.zeros_like(last)
+        first = first_rotation(last, self.upslope)
         if share_geometry:
             tables = self._of_shared_parts(first, last)
             if lanes == 1:

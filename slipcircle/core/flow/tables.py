@@ -30,8 +30,11 @@ class Data(NamedTuple):
         """The table of some of the lanes."""
         if self.coefficients.ndim < 3:
             return self
-        breaks = self.breaks[:, which] if self.breaks.ndim == 2 else self.breaks
-        return self._replace(breaks=breaks, coefficients=self.coefficients[..., which])
+        breaks = self.breaks
+        if breaks.ndim == 2:
+            breaks = np.ascontiguousarray(breaks[:, which])
+        coefficients = np.ascontiguousarray(self.coefficients[..., which])
+        return self._replace(breaks=breaks, coefficients=coefficients)
 
     def begins(self, piece: NDArray[np.intp]) -> Floats:
         """The break at which the piece of each lane begins."""

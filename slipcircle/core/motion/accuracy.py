@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from generated import layout as ix
 from slipcircle.base.checks import EPS, choose
 from slipcircle.core.flow.lanes import Lanes, integrate_all
-from slipcircle.core.flow.problem import STEP, Problem
+from slipcircle.core.flow.numbers import STEP
+from slipcircle.core.flow.problem import Problem
 from slipcircle.core.flow.program import Program, Samples
 
 Floats = NDArray[np.float64]

@@ -13,7 +13,8 @@ import numpy as np
 
 from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import BALANCE, COEFFICIENTS, EQUATION_QUANTITIES, LATEX, TERMS
-from slipcircle.core.flow.lanes import Lanes, lanes_of
+from slipcircle.core.flow.lanes import Lanes
+from slipcircle.core.flow.scene_lanes import lanes_of
 from slipcircle.core.scene.friction import OF_SOIL, law_parts, law_paths, soil_number, without_soil
 from slipcircle.core.scene.scene import Scene
 

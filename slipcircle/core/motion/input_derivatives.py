@@ -18,7 +18,7 @@ from generated.growth import arc_growth
 from slipcircle.base.series import Pulse
 from slipcircle.core.flow.interpolation import in_pieces
 from slipcircle.core.flow.lanes import Lanes
-from slipcircle.core.flow.problem import scales_of, symbols_of
+from slipcircle.core.flow.numbers import scales_of, symbols_of
 from slipcircle.core.flow.tables import Data, of_law
 from slipcircle.core.flow.tangents import InputGrowth, TableGrowth
 from slipcircle.core.scene.arc import Arc

@@ -17,7 +17,8 @@ from generated.effects import ALL_EFFECTS
 from generated.layout import MOST_TURNS
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Numbers
-from slipcircle.core.flow.lanes import BLOCK, lanes_of
+from slipcircle.core.flow.lanes import BLOCK
+from slipcircle.core.flow.scene_lanes import lanes_of
 from slipcircle.core.motion.motion import FINAL_ENTRIES, Motion, final_entries
 from slipcircle.core.motion.plan import Plan, plan
 from slipcircle.core.motion.states import Status
