@@ -233,8 +233,11 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
     unit = next((u for u in _UNITS if unknown.endswith(u)), "_")
     of_unit = [k for k in here if k.endswith(unit)]
     only_of_unit = of_unit if len(of_unit) == 1 else []
+    arguments = {k: key.name for k, key in tables[path].keys.items()}
     similar = get_close_matches(unknown, here, 1)
     for key in similar or only_of_unit:
+        same_argument = [k for k in of_unit if arguments.get(k) == arguments.get(key, "")]
+        key = next(iter(same_argument), key)  # for coefficient_deg not coefficient, but angle_deg
         return _joined(path, key), f"did you mean {key}?"
     for table in tables:
         for key in get_close_matches(unknown, within[table], 1, 0.9):
