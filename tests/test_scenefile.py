@@ -209,6 +209,7 @@ MISTAKES = [
      "shaking.amplitude_g = 1e+25: must be a number: greatest k_h of the pulse, positive down-slope; between -1e+12 and"
      " 1e+12"),
     (ARC + "[friction]\nphi_deg = 12\n", "friction.phi_deg = 12: is unknown; did you mean angle_deg?"),
+    (ARC + "[friction]\ncoefficient_deg = 12\n", "friction.coefficient_deg = 12: is unknown; did you mean angle_deg?"),
     (ARC + FRICTION + "peak_deg = 12\n", "friction.peak_deg = 12: is unknown; it belongs to law = exponential or"),
     (ARC + "[friction]\ncoefficient = 10\n",
      "friction.coefficient = 10: must be a number at least 0: friction coefficient, tan(phi); an angle? say angle_deg"),

@@ -230,11 +230,8 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
         if laws:
             law = tables[path].keys["law"].kind
             return f"{path}.{here[-1]}", f"it belongs to law = {' or '.join(laws)}, and the law is {law}; give law"
-    unit = next((u for u in _UNITS if unknown.endswith(u)), "_")
-    of_unit = [k for k in here if k.endswith(unit)]
-    only_of_unit = of_unit if len(of_unit) == 1 else []
-    similar = get_close_matches(unknown, here, 1)
-    for key in similar or only_of_unit:
+    key = _similar(unknown, here, tables[path])
+    if key:
         return _joined(path, key), f"did you mean {key}?"
     for table in tables:
         for key in get_close_matches(unknown, within[table], 1, 0.9):
@@ -243,3 +240,16 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
     if not here:
         return "", "this table has no keys"
     return "", f"known are {', '.join(here)}"
+
+
+def _similar(unknown: str, here: list[str], table: Table) -> str:
+    """The key or table that is most like an unknown key, or the only one with its unit; "" if there is none."""
+    unit = next((u for u in _UNITS if unknown.endswith(u)), "_")
+    of_unit = [key for key in here if key.endswith(unit)]
+    similar = get_close_matches(unknown, here, 1)
+    if not similar:
+        return of_unit[0] if len(of_unit) == 1 else ""
+    arguments = {name: key.name for name, key in table.keys.items()}
+    argument = arguments.get(similar[0], "")
+    same = [key for key in of_unit if arguments.get(key) == argument]
+    return next(iter(same), similar[0])  # for coefficient_deg not coefficient, but angle_deg

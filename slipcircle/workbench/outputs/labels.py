@@ -23,8 +23,9 @@ _NEAR = 15.0  # points, within which a label needs no leader
 _DIRECTIONS = np.linspace(0.0, 2 * math.pi, 16, endpoint=False)
 _SPACING = 4.0  # of the points that stand for lines, in pixels
 _GAP = 2.0  # around labels, in pixels
-# Costs: a covered point, a pixel outside the axis, an overlap with a label or its leader, a pixel of distance.
-_COVERED, _OUTSIDE, _WORDS, _FAR = 2.0, 200.0, 400.0, 0.12
+# Costs: a covered point, a pixel outside the axis, an overlap with a label or its leader, leaders that cross, a pixel
+# of distance.
+_COVERED, _OUTSIDE, _WORDS, _LEADERS, _FAR = 2.0, 200.0, 400.0, 20.0, 0.12
 BACK = 1.5  # `zorder` below which artists may be covered
 _HALO = 2.5  # points of white around a label
 
@@ -117,7 +118,7 @@ class Label(Annotation):
         return np.asarray(cost)
 
     def _leader_cost(self, centres: Floats, anchors: Floats, far: Floats) -> Floats:
-        """Costs of leaders that cross other labels."""
+        """Costs of leaders that cross other labels or their leaders."""
         share = np.linspace(0.1, 0.9, 9)[:, None, None]
         points = anchors + share * (centres - anchors)
         cost = np.zeros(len(centres))
@@ -125,21 +126,49 @@ class Label(Annotation):
             inside = np.all((points > box.min) & (points < box.max), axis=-1)
             crossed = np.any(inside, axis=0) & (far > 0.0)
             cost += _WORDS / 4 * crossed
+        for anchor, centre in self._other_leaders():
+            cost += _LEADERS * _crosses(anchors, centres, anchor, centre)
         return cost
 
-    def _other_words(self, renderer: Any) -> Iterator[Any]:
-        """Boxes of the labels that have been placed."""
+    def _placed(self) -> Iterator[Any]:
+        """The texts that have been placed."""
         for ax in _beside(self.parent):
             for text in ax.texts:
                 if text is self:
                     break
                 if text.get_text() and text.get_visible():
-                    yield Text.get_window_extent(text, renderer)
+                    yield text
+
+    def _other_words(self, renderer: Any) -> Iterator[Any]:
+        """Boxes of the texts that have been placed."""
+        for text in self._placed():
+            yield Text.get_window_extent(text, renderer)
+
+    def _other_leaders(self) -> Iterator[tuple[Floats, Floats]]:
+        """Anchors and centres of the labels with leaders that have been placed, in pixels."""
+        for text in self._placed():
+            if isinstance(text, Label) and text.leader.get_visible():
+                anchor = text.parent.transData.transform(text.xy)
+                yield anchor, anchor + text.get_position()
 
 
 def _beside(ax: Any) -> list[Any]:
     """The axis with its twins."""
     return [other for other in ax.figure.axes if other.bbox.bounds == ax.bbox.bounds]
+
+
+def _crosses(first: Floats, last: Floats, start: Floats, end: Floats) -> Floats:
+    """Which segments from first to last points, (candidates, 2), cross the one from start to end."""
+
+    def side(point: Floats, tail: Floats, tip: Floats) -> Floats:
+        """On which side of the line from a tail to a tip a point lies."""
+        x, y = (point - tail).T
+        along_x, along_y = (tip - tail).T
+        return np.sign(along_x * y - along_y * x)
+
+    divided = side(first, start, end) * side(last, start, end) < 0.0
+    divides = side(start, first, last) * side(end, first, last) < 0.0
+    return np.asarray(divided & divides)
 
 
 def _obstacles(axes: Any) -> Iterator[Floats]:

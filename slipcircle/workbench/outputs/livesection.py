@@ -23,6 +23,7 @@ _MARGIN = 0.08  # of the view
 _TICKS = 6, 4  # of the axes, at most
 _INSET = 12.0  # of names and numbers from the edges
 _COLOURS = 5  # of soils, in `live.css`
+_NAME = 0.11  # of the height, for a name below its line on a narrow screen
 _FREE = 0.08, 0.06  # of an axis, without numbers at its two ends
 _STRAIGHT = 1e-6  # change of slope, below which a line has no vertex
 _STEPS = (1.0, 2.0, 5.0, 10.0)
@@ -80,8 +81,17 @@ def frame_around(motions: Sequence[Motion]) -> Frame:
     missing_width = max(height / _TALLEST - width, 0.0)
     view = view._replace(bottom=view.bottom - missing_height)
     view = view.grown(missing_width / 2, 0.0)
+    view = view._replace(bottom=min(_bottom_below_names(motion.plan.scene.arc, view) for motion in motions))
     scale = WIDTH / (view.right - view.left)
     return Frame(view, scale, scale * (view.top - view.bottom))
+
+
+def _bottom_below_names(soil: Any, view: View) -> float:
+    """The bottom of a view, lowered where the lowest visible soil is too thin for its name."""
+    room = _NAME * (view.top - view.bottom)
+    x = view.left if float(soil.facing) > 0.0 else view.right
+    visible = [height for height, _, _ in _named(soil, view, x) if height > view.bottom]
+    return min([view.bottom, *(height - room for height in visible)])
 
 
 def common_magnification(motions: Sequence[Motion]) -> float:
@@ -241,18 +251,18 @@ def _names(soil: Any, frame: Frame) -> Iterator[str]:
     x = frame.view.left if is_left else frame.view.right
     edge = _INSET if is_left else WIDTH - _INSET
     anchor = "start" if is_left else "end"
-    for height, words, kind in sorted(_named(soil, frame, x), reverse=True):
+    for height, words, kind in sorted(_named(soil, frame.view, x), reverse=True):
         line = frame.depth(height)
         if 0.0 <= line <= frame.height:
             place = f'x="{edge:g}" y="{line:.1f}" dy="1.1em" text-anchor="{anchor}"'
             yield f'<text class="{kind}" data-line="{line:.1f}" {place}>{escaped(words)}</text>'
 
 
-def _named(soil: Any, frame: Frame, x: float) -> Iterator[tuple[float, str, str]]:
+def _named(soil: Any, view: View, x: float) -> Iterator[tuple[float, str, str]]:
     """Heights of named lines at x, their names, and their CSS classes."""
     for top, (layer, _) in zip(_tops(soil), getattr(soil, "layers", ()), strict=True):
         yield float(np.interp(x, *top.T)), layer.name, "name"
-    level = water_line(soil, frame.view)
+    level = water_line(soil, view)
     if level is not None:
         yield float(np.interp(x, *level.T)), "water level", "name of-water"
     base = getattr(soil, "base", None)

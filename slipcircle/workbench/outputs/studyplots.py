@@ -205,6 +205,8 @@ def _curves(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: A
 
 def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any, output: str) -> Any:
     """Map of an output over both numbers of a grid, darkest at its maximum, blank where there is no result."""
+    from matplotlib.ticker import MaxNLocator
+
     first, second = map(np.asarray, levels)
     columns = np.argsort(first)
     rows = np.argsort(second)
@@ -213,8 +215,14 @@ def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any,
     ordered = values[np.ix_(columns, rows)].T
     cells = ax.pcolormesh(across, up, ordered, shading="nearest", cmap="viridis_r", rasterized=True)
     ax.figure.colorbar(cells, ax=ax, label=_label(output))
-    if np.nanmin(ordered) < np.nanmax(ordered):
-        contours = ax.contour(across, up, ordered, 5, colors="white", linewidths=0.8)
+    low = np.nanmin(ordered)
+    high = np.nanmax(ordered)
+    if low < high:
+        ticks = MaxNLocator(5).tick_values(low, high)
+        between = ticks[(low < ticks) & (ticks < high)]
+        on_dark = between > (low + high) / 2
+        colours = np.where(on_dark, "white", "black")
+        contours = ax.contour(across, up, ordered, between, colors=colours, linewidths=0.8)
         ax.clabel(contours, fontsize="small")
     ax.set(xlabel=axis_words(numbers[0]), ylabel=axis_words(numbers[1]))
     return ax
