@@ -200,8 +200,8 @@ def test_stresses_over_time_are_those_of_each_lane() -> None:
     arc = Arc(**softening["arc"])
     friction = softening["friction"] | {"length": np.array([3.0, 4.0, 5.0])}
     layered: Scene = load("layered-slope")
-    circles = layered.arc.radius * np.array([0.99, 1.0, 1.01])
-    moved, invalid = with_parameter_arrays(layered, {"radius": circles})
+    radius = float(np.asarray(layered.arc.radius))
+    moved, invalid = with_parameter_arrays(layered, {"radius": radius * np.array([0.99, 1.0, 1.01])})
     for scene, bad in ((Scene(arc, friction, softening["effects"]), False), (moved, invalid)):
         motion = solve(scene, invalid=bad)
         times = np.array([0.2, 0.9]) * float(np.min(motion.duration))
