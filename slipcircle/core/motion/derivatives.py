@@ -42,19 +42,17 @@ class Sensitivity:
 
     @property
     def elasticities(self) -> Floats:
-        outputs = np.array([self.at[name] for name in self.outputs])
-        parameters = np.array([self.at[name] for name in self.parameters])
-        nonzero = np.where(outputs == 0.0, np.nan, outputs)
-        per_cent = self.values * parameters
-        return np.asarray(per_cent / nonzero[:, None])
+        outputs = [self.at[name] or np.nan for name in self.outputs]
+        parameters = [self.at[name] for name in self.parameters]
+        changes = self.values * parameters
+        elasticities = changes.T / outputs
+        return np.asarray(elasticities.T)
 
     @property
     def distinct(self) -> dict[str, str]:
         """The outputs, without the reach where that is the run-out."""
-        distinct = dict(self.outputs)
-        if "reach" in distinct and self.at["reach"] == self.at["run_out"]:
-            del distinct["reach"]
-        return distinct
+        swings_back = self.at["reach"] != self.at["run_out"]
+        return {name: unit for name, unit in self.outputs.items() if name != "reach" or swings_back}
 
     def derivative(self, output: str, parameter: str) -> float:
         """One of the values."""
@@ -65,20 +63,27 @@ class Sensitivity:
     def __str__(self) -> str:
         titles = [f"d {name} [{unit}] (elasticity)" for name, unit in self.distinct.items()]
         rows = [["by", "value", *titles]]
-        rows += [self._row(k, name, unit) for k, (name, unit) in enumerate(self.parameters.items())]
-        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+        for column, (name, unit) in enumerate(self.parameters.items()):
+            title = f"{name} [{unit}]" if unit else name
+            value = f"{self.at[name]:.6g}"
+            rows.append([title, value, *self._column(column)])
+        widths = []
+        for cells in zip(*rows, strict=True):
+            longest = max(map(len, cells))
+            widths.append(longest)
         lines = []
         for row in rows:
-            padded = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
-            lines.append("  ".join(padded).rstrip())
+            padded = map(str.ljust, row, widths)
+            line = "  ".join(padded)
+            lines.append(line.rstrip())
         return "\n".join(lines)
 
-    def _row(self, column: int, name: str, unit: str) -> list[str]:
-        """A parameter with its value, and the derivatives of the distinct outputs by it."""
+    def _column(self, column: int) -> list[str]:
+        """The derivatives of the distinct outputs by a parameter, with elasticities."""
         elasticities = self.elasticities[:, column]
+        values = self.values[:, column]
         cells = []
-        for row, output in enumerate(self.outputs):
+        for output, value, elasticity in zip(self.outputs, values, elasticities, strict=True):
             if output in self.distinct:
-                cells.append(f"{self.values[row, column]:.6g} ({elasticities[row]:+.3g})")
-        title = f"{name} [{unit}]" if unit else name
-        return [title, f"{self.at[name]:.6g}", *cells]
+                cells.append(f"{value:.6g} ({elasticity:+.3g})")
+        return cells
