@@ -208,4 +208,4 @@ def scales_of(arc: Arc | Section) -> dict[str, Any]:
 
 def rotates(effects: Iterable[str]) -> bool:
     """Whether an effect lets the mass rotate."""
-    return any(ALL_EFFECTS[effect].turns for effect in effects)
+    return any(ALL_EFFECTS[without_soil(effect)].turns for effect in effects)
