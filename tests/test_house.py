@@ -254,8 +254,8 @@ print(*(import_module(name).__file__ for name in sys.argv[2:]), sep="\\n")
 WORKBENCH = sorted((ROOT / "slipcircle" / "workbench").glob("*/__init__.py"))
 DENSITY = {
     "derive": 11.1,
-    "slipcircle/base": 10.7,
-    "slipcircle/core": 11.8,
+    "slipcircle/base": 10.2,
+    "slipcircle/core": 11.3,
     **{str(path.parent.relative_to(ROOT)): 12.0 for path in WORKBENCH},
 }
 
