@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from generated.flow import INPUTS, QUANTITIES
 from generated.layout import TABLE
+from slipcircle.base.kinds import Names
 from slipcircle.core.flow.fragments import fragment_of
 from slipcircle.core.flow.link import ONE, ZERO, Linker, tangent
 from slipcircle.core.scene.friction import OF_SOIL, soil_number
@@ -61,7 +62,7 @@ class Declarations:
         Quantities whose product is the friction coefficient.
     """
 
-    def __init__(self, extra: tuple[str, ...], directions: int) -> None:
+    def __init__(self, extra: Names, directions: int) -> None:
         self.extra = extra
         self.directions = range(directions)
         self.link = Linker()
@@ -69,7 +70,7 @@ class Declarations:
         self.tables: list[TableDeclaration] = []
         self.sums: dict[str, list[Any]] = {}  # addends of each quantity: base, size, terms of its increment
 
-    def declare_effects(self, effects: tuple[str, ...], moving: tuple[str, ...], absent: tuple[str, ...]) -> None:
+    def declare_effects(self, effects: Names, moving: Names, absent: Names) -> None:
         """Take the definitions of gravity and of effects, for each soil also those of its rotating weight."""
         self._take("gravity")
         for effect in effects:
@@ -86,7 +87,7 @@ class Declarations:
                 turning = fragment_of(f"rotation{number}")
                 self.link.define_cells(turning.scalar)
 
-    def _effect_table(self, table: TableDeclaration, moving: tuple[str, ...], absent: tuple[str, ...]) -> None:
+    def _effect_table(self, table: TableDeclaration, moving: Names, absent: Names) -> None:
         """Declare an effect's table if the parameter is a function; otherwise it is a constant, or absent and zero."""
         if table.name in moving:
             self.tables.append(table)
@@ -96,7 +97,7 @@ class Declarations:
         if table.name not in absent:
             self.inputs.append(table.name)
 
-    def declare_laws(self, laws: tuple[str, ...]) -> None:
+    def declare_laws(self, laws: Names) -> None:
         """Take the definitions of the friction law, or of two whose coefficients are factors of friction.
 
         The first factor may be a sum over soils.
@@ -124,7 +125,7 @@ class Declarations:
             table = TableDeclaration(*declared)
             self.tables.append(table)
 
-    def declare_functions_of_time(self, moving: tuple[str, ...]) -> None:
+    def declare_functions_of_time(self, moving: Names) -> None:
         """Define parameters that change with time: the value where the phase begins plus an increment, a ramp."""
         known = {table.name for table in self.tables}
         link = self.link
@@ -138,9 +139,7 @@ class Declarations:
             if table.kind == "time":
                 link.series_definitions[increment] = ("ramp", increment, table.name)
 
-    def declare_balance(
-        self, effects: tuple[str, ...], laws: tuple[str, ...], extra: tuple[str, ...], absent: tuple[str, ...]
-    ) -> None:
+    def declare_balance(self, effects: Names, laws: Names, extra: Names, absent: Names) -> None:
         """Take the balance of momentum, sum the terms of its quantities, and collect the inputs and states."""
         for name in ("balance", *extra):
             self._take(name)
@@ -158,7 +157,7 @@ class Declarations:
         fragments = ("gravity", *effects, *laws, *extra)
         self._collect_inputs(fragments)
 
-    def _collect_inputs(self, names: tuple[str, ...]) -> None:
+    def _collect_inputs(self, names: Names) -> None:
         """Collect the numbers that a scene provides, and the states with their rates."""
         defined = self.link.cell_definitions
         self.inputs = [*INPUTS, *self.inputs]

@@ -10,9 +10,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from generated.flow import CELL_TANGENTS, SERIES_TANGENTS
+from slipcircle.base.kinds import Names
 
 Operation = tuple[Any, ...]  # name and arguments; of series (`Linker.series_definitions`) name, results, arguments
-WithResults = tuple[Operation, tuple[str, ...]]
+WithResults = tuple[Operation, Names]
 Operations = list[WithResults]
 Term = tuple[str, str]  # of a sum: a cell times a register
 RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2, "powers": 6}  # of operations on series that have more than one
@@ -26,7 +27,7 @@ def tangent(name: str, direction: object) -> str:
     return f"{name}{PRIME}{direction}"
 
 
-def results_of(operation: str, names: Sequence[Any]) -> tuple[str, ...]:
+def results_of(operation: str, names: Sequence[Any]) -> Names:
     """The registers that an operation on series computes, of the names of its results and arguments."""
     count = RESULTS.get(operation, 1)
     return tuple(names[:count])
@@ -60,7 +61,7 @@ class Linker:
     cells: dict[str, str] = field(default_factory=dict)
     registers: dict[str, str | None] = field(default_factory=dict)
     scalar: dict[Operation, str] = field(default_factory=dict)
-    series: dict[Operation, tuple[str, ...]] = field(default_factory=dict)
+    series: dict[Operation, Names] = field(default_factory=dict)
 
     def define_cells(self, operations: Iterable[Any]) -> None:
         """Take definitions of cells: name of the operation, result, arguments."""
@@ -125,7 +126,7 @@ class Linker:
         """The inputs from which some cells are computed."""
         inputs = set[str]()
         pending = [self.cell(name) for name in names]
-        taken = dict[str, tuple[str, ...]]()
+        taken = dict[str, Names]()
         for (_, *cells), result in self.scalar.items():
             taken[result] = tuple(cells)
         while pending:

@@ -22,7 +22,7 @@ Final = Mapping[int, Any]  # state entries of lanes at their end, by their place
 RUNS = 8
 _FIRST = (1, 1, 1, -1, 1, -1, -1)
 _ROWS = [np.roll(_FIRST, k) for k in range(7)]
-SIGNS = np.array(_ROWS, dtype=float)
+SIGNS = np.stack(_ROWS).astype(float)
 # Steps over the radius of convergence, of the motion itself and the other runs, which go one order further. Longer ones
 # cost less than shorter ones would, and with that order still truncate less than the motion does.
 ONE_ORDER_MORE = np.ones(RUNS)
@@ -48,7 +48,9 @@ def _signs(program: Program) -> Floats:
     for cell, name in enumerate(program.cells):
         if cell >= first_input and not _is_of_table(name):
             moved.append(cell)
-    moved += [table.cells + ix.SCALED_BY for table in program.tables]
+    for table in program.tables:
+        factor_of_values = table.cells + ix.SCALED_BY
+        moved.append(factor_of_values)
     count = len(program.cells)
     signs = np.zeros((count, RUNS))
     for number, cell in enumerate(moved):
@@ -69,8 +71,8 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Problem:
 
     Of a single lane it may be several runs at once; ``rounding`` is the relative error that an input may have.
     """
-    signs = _signs(problem.program)[:, runs]
-    factors = 1.0 + rounding * signs
+    signs = _signs(problem.program)
+    factors = 1.0 + rounding * signs[:, runs]
     cells = problem.cells * factors
     cells[ix.ORDER] += ONE_ORDER_MORE[runs]
     cells[ix.FACTOR] = FACTORS[runs]
@@ -104,11 +106,13 @@ def _of_ensemble(lanes: Lanes, final: Final) -> tuple[Floats, Any]:
     summary = summary_vector(final)
     spread = np.zeros(lanes.count)
     unlike = np.zeros(lanes.count, dtype=bool)
+    rounding = lanes.arc.rounding
     for run in range(1, RUNS):
         alone = slice(run, run + 1)
-        problem = perturbed_runs(lanes.problem, alone, lanes.arc.rounding)
+        problem = perturbed_runs(lanes.problem, alone, rounding)
         cells = integrate_all(problem)
-        greatest = np.fmax.reduce(_changes(cells, summary))
+        changes = _changes(cells, summary)
+        greatest = np.fmax.reduce(changes)
         spread = np.fmax(spread, greatest)
         unlike |= _ends_otherwise(cells, final)
     return spread, unlike
@@ -119,12 +123,14 @@ def _of_single(lanes: Lanes, final: Final) -> tuple[float, bool]:
     all_runs = slice(None)
     problem = perturbed_runs(lanes.problem, all_runs, lanes.arc.rounding)
     outputs = 2 + len(problem.program.states)
-    states = np.zeros((outputs, *SHARES.shape))
+    shape = (outputs, *SHARES.shape)
+    states = np.zeros(shape)
     summary = summary_vector(final)
     duration = summary[0]
     samples = Samples(duration * SHARES, states)
     cells = integrate_all(problem, samples)
-    spread = np.fmax.reduce(_changes(cells, summary), axis=None)
+    changes = _changes(cells, summary)
+    spread = np.fmax.reduce(changes, axis=None)
     if final[ix.PHASES] > 0.0:
         rotation_and_velocity = states[:2]
         of_motion = rotation_and_velocity[:, :, :1]
@@ -154,14 +160,16 @@ def _ends_otherwise(cells: Floats, final: Final) -> Any:
     status = final[ix.STATUS]
     other_status = cells[ix.STATUS] != status
     moves = cells[ix.PHASES] > 0.0
-    motion_moves = np.greater(final[ix.PHASES], 0.0)
+    phases = final[ix.PHASES]
+    motion_moves = np.greater(phases, 0.0)
     return other_status | (moves != motion_moves)
 
 
 def summary_vector(final: Any) -> Floats:
     """Duration, run-out and peak velocity, dimensionless, (3, lanes), of final cells."""
     ended = final[ix.STATUS] == ix.ENDED
-    duration = choose(ended, final[ix.END_TIME], final[ix.REST_SINCE])
+    rest = final[ix.REST_SINCE]
+    duration = choose(ended, final[ix.END_TIME], rest)
     peak_velocity = np.abs(final[ix.PEAK_OMEGA])
     run_out = final[ix.END_ROTATION]
     summary = np.array([duration, run_out, peak_velocity])

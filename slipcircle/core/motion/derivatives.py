@@ -51,8 +51,10 @@ class Sensitivity:
     @property
     def distinct(self) -> dict[str, str]:
         """The outputs, without the reach where that is the run-out."""
-        swings_back = self.at["reach"] != self.at["run_out"]
-        return {name: unit for name, unit in self.outputs.items() if name != "reach" or swings_back}
+        distinct = dict(self.outputs)
+        if self.at["reach"] == self.at["run_out"]:
+            distinct.pop("reach")
+        return distinct
 
     def derivative(self, output: str, parameter: str) -> float:
         """One of the values."""
@@ -61,12 +63,14 @@ class Sensitivity:
         return float(self.values[row, column])
 
     def __str__(self) -> str:
-        titles = [f"d {name} [{unit}] (elasticity)" for name, unit in self.distinct.items()]
-        rows = [["by", "value", *titles]]
-        for column, (name, unit) in enumerate(self.parameters.items()):
+        head = ["by", "value"]
+        for name, unit in self.distinct.items():
+            head.append(f"d {name} [{unit}] (elasticity)")
+        rows = [head]
+        for name, unit in self.parameters.items():
             title = f"{name} [{unit}]" if unit else name
             value = f"{self.at[name]:.6g}"
-            rows.append([title, value, *self._column(column)])
+            rows.append([title, value, *self._row(name)])
         widths = []
         for cells in zip(*rows, strict=True):
             longest = max(map(len, cells))
@@ -78,12 +82,13 @@ class Sensitivity:
             lines.append(line.rstrip())
         return "\n".join(lines)
 
-    def _column(self, column: int) -> list[str]:
+    def _row(self, parameter: str) -> list[str]:
         """The derivatives of the distinct outputs by a parameter, with elasticities."""
+        column = list(self.parameters).index(parameter)
         elasticities = self.elasticities[:, column]
-        values = self.values[:, column]
         cells = []
-        for output, value, elasticity in zip(self.outputs, values, elasticities, strict=True):
+        for output, elasticity in zip(self.outputs, elasticities, strict=True):
             if output in self.distinct:
+                value = self.derivative(output, parameter)
                 cells.append(f"{value:.6g} ({elasticity:+.3g})")
         return cells

@@ -5,7 +5,7 @@ those that the integrator is given.
 """
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -13,6 +13,7 @@ import numpy as np
 
 from generated.effects import ALL_EFFECTS, LAWS, Parameter
 from generated.flow import BALANCE, COEFFICIENTS, EQUATION_QUANTITIES, LATEX, TERMS
+from slipcircle.base.kinds import Names, Parameters
 from slipcircle.core.flow.lanes import Lanes
 from slipcircle.core.flow.numbers import rotates
 from slipcircle.core.flow.scene_lanes import lanes_of
@@ -158,7 +159,7 @@ def equation_of(scene: Scene, accuracy: float) -> Equation:
     return Equation(balance, tuple(terms), tuple(numbers))
 
 
-def _terms_of_effects(effects: tuple[str, ...], absent: tuple[str, ...]) -> list[EquationTerm]:
+def _terms_of_effects(effects: Names, absent: Names) -> list[EquationTerm]:
     """What gravity and effects add, without what an effect is not given, and how the weight turns or does not."""
     terms = list[EquationTerm]()
     is_frozen = not rotates(effects)
@@ -199,7 +200,7 @@ def _numbered(term: EquationTerm, number: str) -> EquationTerm:
     return term._replace(symbol=symbol, formula=formula, latex=latex)
 
 
-def _terms_of_friction(laws: tuple[str, ...]) -> list[EquationTerm]:
+def _terms_of_friction(laws: Names) -> list[EquationTerm]:
     """The friction coefficient of a law, or the product of a law of slip and one of speed."""
     terms = list[EquationTerm]()
     for law in laws:
@@ -260,7 +261,7 @@ def _place(term: EquationTerm) -> int:
     return len(order)
 
 
-def _numbers(scene: Scene, lanes: Lanes, moving: tuple[str, ...]) -> Iterator[EquationTerm]:
+def _numbers(scene: Scene, lanes: Lanes, moving: Names) -> Iterator[EquationTerm]:
     """Every number that a formula may name, with its value."""
     for symbol, value in _of_the_arc(lanes).items():
         meaning = COEFFICIENTS[symbol]
@@ -284,7 +285,7 @@ def _numbers(scene: Scene, lanes: Lanes, moving: tuple[str, ...]) -> Iterator[Eq
                 yield _numbered(term, number)
 
 
-def _numbers_of_effect(effect: str, scene: Scene, lanes: Lanes, moving: tuple[str, ...]) -> Iterator[EquationTerm]:
+def _numbers_of_effect(effect: str, scene: Scene, lanes: Lanes, moving: Names) -> Iterator[EquationTerm]:
     """The numbers of an effect, and what it gives as functions of time or the rotation."""
     problem = lanes.problem
     places = problem.program.places
@@ -311,7 +312,7 @@ def _definition(effect: str, p: Parameter) -> str:
     return meaning
 
 
-def _of_the_arc(lanes: Lanes) -> Mapping[str, Any]:
+def _of_the_arc(lanes: Lanes) -> Parameters:
     """The numbers in `COEFFICIENTS`, from what the integrator is given, which is over Theta."""
     given = lanes.arc.moment_coefficients
     theta = lanes.arc.dimensionless.moment_of_inertia

@@ -12,6 +12,7 @@ import numpy as np
 
 from generated.effects import EFFECTS, LAWS, Parameter
 from generated.flow import INPUTS, PIECES
+from slipcircle.base.kinds import Parameters
 from slipcircle.base.series import Pulse
 from slipcircle.core.flow.interpolation import in_pieces
 from slipcircle.core.flow.lanes import Lanes
@@ -72,11 +73,9 @@ class InputDerivatives(Directions):
         self.omega = omega * (velocity_growth - self.speed_growth)
 
     def _input(self, cell: str) -> float:
-        """The value of an input of the program; 0 if it has none of that name."""
-        places = self.problem.program.places
-        if cell not in places:
-            return 0.0
-        return float(self.problem.cells[places[cell], 0])
+        """The value of an input of the program."""
+        place = self.problem.program.places[cell]
+        return float(self.problem.cells[place, 0])
 
     # --- geometry ----------------------------------------------------------------------------------------------------
 
@@ -131,7 +130,7 @@ class InputDerivatives(Directions):
         half_angle_dot = derivative(other.half_angle)
         return Geometry(inputs, half_angle_dot, inertia_dot / inertia, self.none)
 
-    def _add_mean_friction(self, mean_friction: Mapping[str, Any]) -> None:
+    def _add_mean_friction(self, mean_friction: Parameters) -> None:
         """Derivatives of the numbers of the mean friction of the soils."""
         friction = dict(mean_friction)
         rate = friction.pop("rate", {})
@@ -148,7 +147,10 @@ class InputDerivatives(Directions):
 
     def _terms_of_soils(self) -> dict[str, Any]:
         """What the soils add to the balance, with derivatives, by symbols of the program."""
-        called = {name: given for name, given in self.lanes.called.items() if name in EFFECTS}
+        called = {}
+        for effect, given in self.lanes.called.items():
+            if effect in EFFECTS:
+                called[effect] = given
         complete = self.with_derivatives.section_effects(called, complete=True)
         terms = {}
         for effect, added in complete.items():
@@ -219,16 +221,17 @@ class InputDerivatives(Directions):
             if effect in EFFECTS:
                 self._add_effect(effect, given, scales)
 
-    def _add_effect(self, effect: str, given: Mapping[str, Any], scales: Mapping[str, float]) -> None:
+    def _add_effect(self, effect: str, given: Parameters, scales: Mapping[str, float]) -> None:
         """Of an effect's parameters, each made dimensionless by powers of the arc's scales and of other numbers."""
         declared = EFFECTS[effect].parameters
         of_scene = dict(scales)
         growths = dict(self.growths)
         for p in declared:
             amount = given.get(p.name, 0.0)
+            parameter = f"{effect}.{p.name}"
             if p.kind == "number" and not callable(amount):
                 of_scene[p.name] = float(amount)
-                growths[p.name] = self.relative(f"{effect}.{p.name}", amount)
+                growths[p.name] = self.relative(parameter, amount)
         for p in declared:
             if not p.symbol:
                 continue
@@ -250,14 +253,17 @@ class InputDerivatives(Directions):
         self, effect: str, p: Parameter, amount: float, scales: Mapping[str, float], growth: Floats
     ) -> None:
         """Of one parameter that is a number; ``growth`` is the relative derivative of its unit."""
-        by_itself = self.one(f"{effect}.{p.name}")
+        parameter = f"{effect}.{p.name}"
+        by_itself = self.one(parameter)
         if not amount:
-            self.inputs[p.symbol] = p.dimensionless(1.0, scales) * by_itself
+            unit = p.dimensionless(1.0, scales)
+            self.inputs[p.symbol] = unit * by_itself
             return
         scaled = p.dimensionless(amount, scales)
         power = dict(p.powers)["value"]
         slope = power * scaled / amount
-        self.inputs[p.symbol] = scaled * growth + slope * by_itself
+        by_unit = scaled * growth
+        self.inputs[p.symbol] = by_unit + slope * by_itself
 
     def _pressures(self, rotation: Floats) -> Floats:
         """Derivatives of a section's mean water pressure by each parameter, (parameters, M, 1) at rotations (M, 1)."""
@@ -267,7 +273,7 @@ class InputDerivatives(Directions):
         slopes = np.asarray(self.geometry.pressure(every_parameter))
         return slopes.T[..., None]
 
-    def _factor(self, effect: str, given: Mapping[str, Any], name: str) -> Floats:
+    def _factor(self, effect: str, given: Parameters, name: str) -> Floats:
         """Relative growth of what a function of time is multiplied by: shaking's amplitude, scale or peak."""
         amount = float(factor(effect, given, name))
         if isinstance(given[name], Pulse):
@@ -285,11 +291,12 @@ class InputDerivatives(Directions):
     def _add_laws(self) -> None:
         """Derivatives of the numbers and tables of all laws of friction."""
         friction = self.lanes.friction
-        laws = zip(law_paths(friction), law_parts(friction), strict=True)
-        for path, (law, given) in laws:
+        paths = law_paths(friction)
+        laws = law_parts(friction)
+        for path, (law, given) in zip(paths, laws, strict=True):
             self._add_law(path, law, given)
 
-    def _add_law(self, path: str, table: str, given: Mapping[str, Any]) -> None:
+    def _add_law(self, path: str, table: str, given: Parameters) -> None:
         """Of a friction law: numbers, or a table, whose argument has a unit of its own."""
         name = without_soil(table)
         if name == "callable":
@@ -303,25 +310,26 @@ class InputDerivatives(Directions):
         else:
             self._add_law_numbers(path, table, given)
 
-    def _add_pieces(self, path: str, table: str, given: Mapping[str, Any]) -> None:
+    def _add_pieces(self, path: str, table: str, given: Parameters) -> None:
         """Of a law of slip in pieces: its length scales the argument, and the pieces are linear in its coefficients."""
         law = without_soil(table)
         length, _, _ = PIECES[law]
         numbers = {name: float(value) for name, value in given.items()}
-        changes = list[Any]([0.0] * len(self.names))
+        pieces = of_law(law, numbers)
+        shape = (len(self.names), *pieces.coefficients.shape)
+        changes = np.zeros(shape)
         for name in numbers:
             if name == length:
                 continue
             unit_change = _by_coefficient(law, numbers, name)
-            for k, dot in enumerate(self.one(f"{path}.{name}")):
-                changes[k] = changes[k] + dot * unit_change
-        pieces = of_law(law, numbers)
+            dots = self.one(f"{path}.{name}")
+            changes += np.multiply.outer(dots, unit_change)
         by_parameter = [pieces._replace(coefficients=change) for change in changes]
         length_growth = self.relative(f"{path}.{length}", given[length])
         argument_growth = self.radius_growth - length_growth
         self._add_table(table, argument_growth, self.none, by_parameter)
 
-    def _add_law_numbers(self, path: str, law: str, given: Mapping[str, Any]) -> None:
+    def _add_law_numbers(self, path: str, law: str, given: Parameters) -> None:
         """Of a law that is a formula of its numbers."""
         growths = {"m": self.radius_growth, "m/s": self.speed_growth, "": self.none}
         name = without_soil(law)
