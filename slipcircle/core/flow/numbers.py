@@ -125,10 +125,9 @@ class Numbers:
             breaks = np.zeros((1, last.size))
             coefficients = np.zeros((1, TERMS, last.size))
             coefficients[0, 0] = pressure(breaks)[0, 0]
-        jumps = np.zeros(len(breaks))
         if section.shape:
-            return Data(breaks, coefficients, jumps)
-        return Data(breaks[:, 0], coefficients[..., 0], jumps)
+            return tables.continuous(breaks, coefficients)
+        return tables.continuous(breaks[:, 0], coefficients[..., 0])
 
     def add_layers(self, called: Mapping[str, Parameters], friction: Any) -> None:
         """Add the functions of the rotation that belong to the soils of a layered section."""

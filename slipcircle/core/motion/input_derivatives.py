@@ -17,7 +17,7 @@ from slipcircle.base.series import Pulse
 from slipcircle.core.flow.interpolation import in_pieces
 from slipcircle.core.flow.lanes import Lanes
 from slipcircle.core.flow.numbers import scales_of, symbols_of
-from slipcircle.core.flow.tables import Data, of_law
+from slipcircle.core.flow.tables import Data, continuous, of_law
 from slipcircle.core.flow.tangents import InputGrowth, TableGrowth
 from slipcircle.core.motion.geometry_derivatives import Directions, Floats, Geometry, arc_geometry, section_geometry
 from slipcircle.core.scene.arc import Arc
@@ -203,11 +203,10 @@ class InputDerivatives(Directions):
         place = names.index(name)
         breaks = self.problem.tables[place].breaks
         coefficients = in_pieces(functions, breaks)
-        jumps = np.zeros(len(breaks))
         tables = list[Data]()
         for of_function in np.moveaxis(coefficients, -1, 0):
-            table = Data(breaks, np.ascontiguousarray(of_function), jumps)
-            tables.append(table)
+            in_order = np.ascontiguousarray(of_function)
+            tables.append(continuous(breaks, in_order))
         return tables
 
     # --- effects -----------------------------------------------------------------------------------------------------
