@@ -8,7 +8,7 @@ import pytest
 
 from derive.approximate import search
 from derive.approximate.programs import variants
-from derive.approximate.shapes import kernels, records
+from derive.approximate.shapes import Kernel, kernels, records
 from derive.check.records import TIERS
 from derive.code import operations
 from tests.support import oracle
@@ -50,25 +50,28 @@ def test_exponent_and_significand_are_exact() -> None:
     assert operations.significand(x).max() < 1.5
 
 
-FACTOR = next(kernel for kernel in kernels() if kernel.name == "resistance_factor")  # which takes least
+@pytest.fixture(scope="module")
+def factor() -> Kernel:
+    """The kernel whose search takes least."""
+    return next(kernel for kernel in kernels() if kernel.name == "resistance_factor")
 
 
-def test_the_recorded_shape_is_what_the_search_finds() -> None:
+def test_the_recorded_shape_is_what_the_search_finds(factor: Kernel) -> None:
     """Nothing in the search is random or timed."""
-    assert search.search(FACTOR) == records()[FACTOR.definition]
+    assert search.search(factor) == records()[factor.definition]
 
 
 @pytest.mark.parametrize(("more", "stays"), [(1, True), (6, False)])
 def test_a_record_stays_unless_another_is_better_by_the_margin(
-    more: int, stays: bool, monkeypatch: pytest.MonkeyPatch
+    factor: Kernel, more: int, stays: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A coefficient more is worth less than the margin, six are worth more; nothing found, it stays in any case."""
-    right = records()[FACTOR.definition]
+    right = records()[factor.definition]
     (piece,) = right.best
     known = (replace(piece, count=piece.count + more),)
-    monkeypatch.setitem(records(), FACTOR.definition, replace(right, best=known))
-    assert (search.price(FACTOR, known) <= search.price(FACTOR, right.best) + search.MARGIN) == stays
+    monkeypatch.setitem(records(), factor.definition, replace(right, best=known))
+    assert (search.price(factor, known) <= search.price(factor, right.best) + search.MARGIN) == stays
     monkeypatch.setattr(search, "refined", lambda *_: right.best)
-    assert search.best(FACTOR) == (known if stays else right.best)
+    assert search.best(factor) == (known if stays else right.best)
     monkeypatch.setattr(search, "refined", lambda *_: None)
-    assert search.best(FACTOR) == known
+    assert search.best(factor) == known

@@ -66,17 +66,21 @@ class Extended(taylor.Problem):
                                     + residual,))  # fmt: skip
 
 
-def check_scene(root: Path, law: str, power: int, centripetal: bool) -> None:
-    """It uses the new law and the new effect."""
+def scene_file(law: str, centripetal: bool) -> str:
+    """A scene with this law and suction."""
     lines = ["[arc]", *(f"{k} = {v}" for k, v in SLOPE.items()), "[friction]", f'law = "{law}"']
     lines += [*(f"{k}{'_m' * (k == 'length')} = {v}" for k, v in SOFTENING.items()), "[rotation]"]
     lines += ["[centripetal]"] * centripetal + ["[suction]", f"suction_kPa = {SUCTION / 1e3}"]
-    (root / "new.toml").write_text("\n".join(lines), "utf-8")
-    (planned,) = json.loads(run(root, "-m", "slipcircle", "plan", "new.toml", "--json"))
+    return "\n".join(lines)
+
+
+def check_scene(plan: str, result: str, law: str, power: int, centripetal: bool) -> None:
+    """It uses the new law and the new effect."""
+    (planned,) = json.loads(plan)
     assert planned["law"] == law
     assert {law, "suction"} <= set(planned["fragments"])
     assert planned["effects"][-1] == "suction"
-    (motion,) = json.loads(run(root, "-m", "slipcircle", "run", "new.toml", "--json"))
+    (motion,) = json.loads(result)
     effects = {"rotation": {}, "pore_pressure": {"pressure": -SUCTION}} | ({"centripetal": {}} if centripetal else {})
     radius, *ends = (SLOPE[k] for k in ("radius_m", "theta_1_deg", "theta_2_deg"))
     first, second = map(math.radians, ends)
@@ -86,32 +90,14 @@ def check_scene(root: Path, law: str, power: int, centripetal: bool) -> None:
         assert found == pytest.approx(float(exact[name]), rel=1e-11)
 
 
-def check_schema(root: Path) -> None:
+def check_schema(schema: str, guide: str) -> None:
     """What is new is checked and described."""
-    schema = json.loads(run(root, "-m", "slipcircle", "schema"))
-    assert schema["$defs"]["suction"]["required"] == ["suction_kPa"]
-    assert "friction_inverse_square" in schema["$defs"]
-    guide = run(root, "-m", "slipcircle", "schema", "--text")
+    definitions = json.loads(schema)["$defs"]
+    assert definitions["suction"]["required"] == ["suction_kPa"]
+    assert "friction_inverse_square" in definitions
     assert "adds -suction* to u" in guide
     assert "suction* = suction/sigma_ref" in guide
     assert 'law = "inverse_square"' in guide
-
-
-def test_a_changed_weight_changes_the_kernel(tmp_path: Path) -> None:
-    """r**2 in the place of r**3: another closed form, another program, another certificate."""
-    all_weights.copy(tmp_path)
-    path = tmp_path / "derive" / "declare" / "quantities.py"
-    path.write_text(path.read_text("utf-8").replace('"3.12", r**3', '"3.12", r**2'), "utf-8")
-    code = (
-        "from derive.approximate import programs, shapes; from derive.approximate.programs import variants; "
-        "shapes.records().setdefault(('r^2', 'r^2'), shapes.records()['r^2 cos u', 'r^3']); "
-        "shapes.records().setdefault(('r^2 cos u', 'r^2'), shapes.records()['r^2 cos u', 'r^3']); "
-        "shapes.records().setdefault(('r^1 cos u', 'r^2'), shapes.records()['r^1 cos u', 'r^3']); "
-        "found = {v.kernel: v for v in variants() if (v.tier, v.form) == ('best', 'fused')}; "
-        "print(found['moment_of_inertia'].program.ops == found['polar_moment'].program.ops, "
-        "*found['moment_of_inertia'].definition)"
-    )
-    assert run(tmp_path, "-c", code).split() == ["True", "r^2"]
 
 
 def check_moment(root: Path) -> None:
@@ -133,10 +119,28 @@ def check_moment(root: Path) -> None:
     assert run(root, "-c", code).split() == ["True", "True"]
 
 
+# Several commands in one interpreter, which print what they said as a list.
+COMMANDS = """
+import contextlib, io, json, sys
+from slipcircle.__main__ import main
+said = []
+for line in sys.argv[1:]:
+    with contextlib.redirect_stdout(io.StringIO()) as printed:
+        main(line.split())
+    said.append(printed.getvalue())
+print(json.dumps(said))
+"""
+
+
 def test_what_is_added_is_everywhere(tmp_path: Path) -> None:
     """In one test, as the copy takes its time."""
     extended(tmp_path)
-    check_scene(tmp_path, "inverse_square", 2, True)
-    check_scene(tmp_path, "exponential", 0, False)
-    check_schema(tmp_path)
+    (tmp_path / "new.toml").write_text(scene_file("inverse_square", True), "utf-8")
+    (tmp_path / "old.toml").write_text(scene_file("exponential", False), "utf-8")
+    lines = ["plan new.toml --json", "run new.toml --json", "plan old.toml --json", "run old.toml --json",
+             "schema", "schema --text"]  # fmt: skip
+    said = json.loads(run(tmp_path, "-c", COMMANDS, *lines))
+    check_scene(*said[:2], "inverse_square", 2, True)
+    check_scene(*said[2:4], "exponential", 0, False)
+    check_schema(*said[4:])
     check_moment(tmp_path)

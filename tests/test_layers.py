@@ -11,6 +11,7 @@ from slipcircle import Scene, Section, solve
 from slipcircle.base.series import Series
 from slipcircle.core import LayeredSection, Soil, stretches
 from slipcircle.core.flow import compiled
+from slipcircle.core.flow.layered import RotationTables
 from slipcircle.core.scene.coordinates import changed_fields, replace_unchecked
 from slipcircle.core.scene.parameters import with_parameter_arrays, with_parameters
 from slipcircle.workbench.files.loaded import SlopeScene
@@ -273,10 +274,30 @@ def test_equal_laws_of_soils_are_one_law(shaking: dict[str, Any]) -> None:
 def test_one_law_in_soils_of_many_names_is_the_homogeneous_section(law: dict[str, Any]) -> None:
     layers = [(Soil(19e3, 0.0, law, name=str(top)), top) for top in (None, 17.0, -1.0)]
     layered = LayeredSection(GROUND, (30, 45), 48.0, layers=layers, strength="mass", level=BELOW_GROUND)
-    one = solve(Scene(Section(GROUND, (30, 45), 48.0, 19e3, level=BELOW_GROUND), law, TURNING))
-    many = solve(Scene(layered, effects=TURNING))
-    for name in ("factor_of_safety", "limit_friction", "run_out", "duration"):
-        assert getattr(many, name) == pytest.approx(getattr(one, name), rel=1e-12)
+    section = Section(GROUND, (30, 45), 48.0, 19e3, level=BELOW_GROUND)
+    for effects, end in ((TURNING, None), ([], 3.0)):
+        one = solve(Scene(section, law, effects, end_time=end))
+        many = solve(Scene(layered, effects=effects, end_time=end))
+        for name in ("factor_of_safety", "limit_friction", "run_out", "duration"):
+            assert getattr(many, name) == pytest.approx(getattr(one, name), rel=1e-12)
+        assert "soil_mu_0 = " in str(many.plan.equation)
+
+
+@pytest.mark.parametrize("strength", ["base", "mass"])
+def test_motions_beyond_their_tables_have_longer_ones(strength: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    section = profile("softening", strength)
+    scenes = [Scene(section, effects=TURNING), Scene(with_radii(section, [48.0, 47.5]), effects=TURNING)]
+    complete = [solve(scene) for scene in scenes]
+    monkeypatch.setattr(RotationTables, "likely_reach", lambda tables, friction: 0.01)
+    for scene, expected in zip(scenes, complete, strict=True):
+        motion = solve(scene)
+        for name in ("run_out", "duration", "error_estimate"):
+            assert getattr(motion, name) == pytest.approx(getattr(expected, name), rel=1e-12, abs=1e-13)
+
+
+def with_radii(section: LayeredSection, radii: list[float]) -> LayeredSection:
+    """Lanes that differ in their circles."""
+    return replace_unchecked(section, changed_fields(section, {"radius": np.array(radii)}))
 
 
 def test_numbers_of_laws_of_soils_vary() -> None:

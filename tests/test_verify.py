@@ -323,24 +323,16 @@ def test_json_is_valid() -> None:
     """And the same from an interpreter that orders its sets otherwise."""
     code = "from derive.judge.report import report; print(report('json'))"
     seed = "1" if os.environ.get("PYTHONHASHSEED") == "2" else "2"
+    environment = os.environ | {"PYTHONHASHSEED": seed}
     done = subprocess.run(
-        [sys.executable, "-c", code],
-        cwd=ROOT,
-        env=os.environ | {"PYTHONHASHSEED": seed},
-        capture_output=True,
-        check=True,
-        text=True,
+        [sys.executable, "-c", code], cwd=ROOT, env=environment, capture_output=True, check=True, text=True
     )
     assert done.stdout.rstrip("\n") == report("json").rstrip("\n")
     found = json.loads(done.stdout)
-    assert len(found) == len(CLAIMS)
-    for entry, claim in zip(found, CLAIMS, strict=True):
-        assert tuple(entry) == KEYS == ("id", "claim", "printed", "computed", "verdict", "cause", "assumes")
-        assert all(isinstance(x, str) for x in entry.values())
-        assert (entry["id"], entry["printed"]) == (claim.id, claim.printed)
-        assert entry["computed"]
-    printed = {entry["id"]: entry["printed"] for entry in found}
-    assert printed["Table 4-1 J_r"] == "0.0870"
+    assert KEYS == ("id", "claim", "printed", "computed", "verdict", "cause", "assumes")
+    assert all(tuple(entry) == KEYS for entry in found)
+    assert all(isinstance(x, str) for entry in found for x in entry.values())
+    assert [(entry["id"], entry["printed"]) for entry in found] == [(claim.id, claim.printed) for claim in CLAIMS]
 
 
 def test_numbers_have_six_digits_or_more(judged: dict[str, Row]) -> None:

@@ -38,14 +38,19 @@ class Message(str):
 
     def within(self, path: str) -> "Message":
         """The sentence about arguments of a table or an effect: the first is named by its path."""
-        first = _ARGUMENT.sub(rf"{{\g<1>{path}.\g<2>}}", self.template, count=1)
-        head, brace, rest = first.partition("}")
-        return Message(head + brace + _ARGUMENT.sub(rf"{{~{path}.\g<2>}}", rest))
+        by_path = rf"{{\g<1>{path}.\g<2>}}"
+        by_last_part = rf"{{~{path}.\g<2>}}"
+        template = _ARGUMENT.sub(by_path, self.template, count=1)
+        head, brace, rest = template.partition("}")
+        others = _ARGUMENT.sub(by_last_part, rest)
+        return Message(head + brace + others)
 
     @classmethod
     def of(cls, text: str) -> "Message":
         """A text as a message."""
-        return text if isinstance(text, Message) else Message(text)
+        if isinstance(text, Message):
+            return text
+        return Message(text)
 
 
 def _worded(template: str, name_of: Callable[[str], str]) -> str:
@@ -54,7 +59,8 @@ def _worded(template: str, name_of: Callable[[str], str]) -> str:
     def name(match: re.Match[str]) -> str:
         short, path = match.groups()
         full = name_of(path)
-        return full.rpartition(".")[2] if short else full
+        _, _, last = full.rpartition(".")
+        return last if short else full
 
     return _ARGUMENT.sub(name, template)
 
@@ -66,21 +72,27 @@ class InputError(ValueError):
         self.what = what
         self.messages = tuple(map(Message.of, messages))
         sentences = "; ".join(self.messages)
-        super().__init__(f"{what}: {sentences}" if what else sentences)
+        if what:
+            sentences = f"{what}: {sentences}"
+        super().__init__(sentences)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return InputError, (self.what, [m.template for m in self.messages])
+        templates = [message.template for message in self.messages]
+        return InputError, (self.what, templates)
 
     def worded(self, name_of: Callable[[str], str]) -> str:
         """The sentences with other names of arguments."""
-        return "; ".join(m.worded(name_of) for m in self.messages)
+        sentences = [message.worded(name_of) for message in self.messages]
+        return "; ".join(sentences)
 
 
 def plain(value: Any) -> Any:
     """Numbers for computation: a float, ten times cheaper than an array of one, or an array."""
     if type(value) is float:
         return value
-    return np.add(value, 0.0) if np.ndim(value) else float(value)
+    if np.ndim(value):
+        return np.add(value, 0.0)
+    return float(value)
 
 
 def choose(mask: Any, one: Any, other: Any) -> Any:
@@ -101,19 +113,24 @@ def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
 
 def shown(value: Any) -> str:
     """A value in one line; for a long one its type and beginning."""
-    text = " ".join(repr(value).split())
-    return text if len(text) <= 80 else f"{type(value).__name__} {text[:60]}..."
+    words = repr(value).split()
+    text = " ".join(words)
+    if len(text) <= 80:
+        return text
+    kind = type(value).__name__
+    return f"{kind} {text[:60]}..."
 
 
 def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> list[str]:
     """A sentence for each field that is not a finite real number within its open bounds, or an array where one number
     is required."""
     sentences = list[str]()
-    for name, (lower, upper, allowed) in bounds.items():
+    for name, allowed in bounds.items():
         value: Any = fields[name]
+        lower, upper, _ = allowed
         plausible = type(value) is float and lower < value < upper  # most are; arrays take twenty times as long
         if not plausible:
-            sentences += _number_mistakes(name, value, (lower, upper, allowed), name in one)
+            sentences += _number_mistakes(name, value, allowed, name in one)
     return [Message(sentence) for sentence in sentences]
 
 
@@ -128,13 +145,14 @@ def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> 
         return [f"{{{name}}} = {shown(value)}: must be one number"]
     if array.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
         return [f"{{{name}}} = {shown(value)}: must be {allowed}"]
-    within = np.isfinite(array) & (array > lower) & (array < upper)
-    outside = ~within
-    if not np.any(outside):
+    above = array > lower
+    below = array < upper
+    outside = array[~(np.isfinite(array) & above & below)]
+    if not outside.size:
         return []
-    first = float(array[outside].flat[0])
-    odd_size = math.isfinite(first) and first > min(lower, 0.0) and first != 0.0  # not an odd sign
-    if odd_size and upper < INFINITY:
+    first = float(outside[0])
+    sign_is_right = first > min(lower, 0.0) and first != 0.0
+    if sign_is_right and math.isfinite(first) and upper < INFINITY:
         least = 0.0 if lower == -5e-324 else lower
         allowed = f"{allowed}, between {least:g} and {upper:g}"
     return [f"{{{name}}} = {first:.10g}: must be {allowed}"]
@@ -154,12 +172,13 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable
     known = {p.name: p for p in parameters if p.kind != "rotation"}
     sentences = list[str]()
     for name, p in known.items():
-        if name not in given and not p.optional:
+        required = not p.optional
+        if required and name not in given:
             sentences.append(f"{path}: {name!r} is missing: {p.help}")
     names = ", ".join(known) or "none"
-    for name in given:
-        if name not in known:
-            sentences.append(f"{path}: {name!r} is unknown; known are {names}")
+    unknown = [name for name in given if name not in known]
+    for name in unknown:
+        sentences.append(f"{path}: {name!r} is unknown; known are {names}")
     for name, p in known.items():
         if name in given:
             sentences += _value_mistakes(path, p, given[name])
@@ -171,16 +190,21 @@ _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
 
 def _value_mistakes(path: str, p: Any, value: Any) -> list[str]:
     """What is wrong with the value of a declared parameter."""
-    if p.kind in ("number", "list", "series") and p.key and not callable(value):
-        sign = _SIGNS.get(min(p.lower, 0.0), "")
+    has_bounds = p.key and p.kind in ("number", "list", "series")
+    if has_bounds and not callable(value):
+        lower = min(p.lower, 0.0)
+        sign = _SIGNS.get(lower, "")
         allowed = f"{p.help}{sign} ({p.unit})"
         bounds = {p.name: (p.lower, p.upper, allowed)}
         sentences = mistakes({p.name: value}, bounds)
-        return [Message.of(sentence).within(path) for sentence in sentences]
+        messages = map(Message.of, sentences)
+        return [message.within(path) for message in messages]
     if _is_of_kind(p.kind, value):
         return []
-    allowed = _KINDS.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
-    return [Message(f"{{{path}.{p.name}}} = {shown(value)}: must be {allowed}: {p.help}")]
+    choices = p.kind.replace("|", ", ")
+    allowed = _KINDS.get(p.kind, f"one of {choices}")
+    sentence = f"{{{path}.{p.name}}} = {shown(value)}: must be {allowed}: {p.help}"
+    return [Message(sentence)]
 
 
 def _is_of_kind(kind: str, value: Any) -> bool:
@@ -199,14 +223,17 @@ def _is_of_kind(kind: str, value: Any) -> bool:
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
     """A sentence if the fields' shapes do not broadcast."""
-    shapes = {name: np.shape(value) for name, value in fields.items() if type(value) is not float}
+    shapes = dict[str, tuple[int, ...]]()
+    for name, value in fields.items():
+        if type(value) is not float and np.ndim(value):
+            shapes[name] = np.shape(value)
     if not shapes:
         return []
     try:
         np.broadcast_shapes(*shapes.values())
     except ValueError:
-        listed = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
-        return [f"shapes do not fit together: {listed}"]
+        listed = [f"{name} {shape}" for name, shape in shapes.items()]
+        return [f"shapes do not fit together: {', '.join(listed)}"]
     return []
 
 
@@ -223,9 +250,10 @@ def complaint(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
         if not bad.any():
             continue
         first = int(bad.argmax())
-        if bad.size == 1:
-            return [Message(sentence(first))]
-        index = np.unravel_index(first, shape)
-        place = ", ".join(map(str, index))
-        return [Message(f"lane [{place}]: {sentence(first)}")]
+        message = sentence(first)
+        if bad.size > 1:
+            index = np.unravel_index(first, shape)
+            place = ", ".join(map(str, index))
+            message = f"lane [{place}]: {message}"
+        return [Message(message)]
     return []

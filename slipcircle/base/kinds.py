@@ -1,8 +1,9 @@
-"""Types of single scenes and ensembles for type checkers: `Motion[float]` or `Motion[Array]`.
+"""Types for type checkers: of single scenes and ensembles, `Motion[float]` or `Motion[Array]`, and of arguments.
 
 What may be either, or is not known before it runs, is ``Scene``, ``Motion`` without brackets, as ``Scene[Any]``.
 """
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,3 +19,5 @@ else:
     Numbers = TypeVar("Numbers", covariant=True)
 
 Array = NDArray[np.float64]
+Names = tuple[str, ...]
+Parameters = Mapping[str, Any]  # of an effect or of a friction law, by their names

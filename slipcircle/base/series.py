@@ -17,17 +17,21 @@ PULSES = ("rectangular", "half-sine", "triangular", "sine")
 def bad_sample(time: Floats, values: Floats) -> tuple[int, str] | None:
     """The first sample that is not finite or not later than the one before, and a sentence about it."""
     for what, unit, of in (("time", " s", time), ("value", "", values)):
-        bad = np.flatnonzero(~np.isfinite(of))
+        (bad,) = np.nonzero(~np.isfinite(of))
         if bad.size:
             k = int(bad[0])
-            return k, f"{what} = {float(of[k])!r}{unit}: must be a finite number; fill it in, or remove the sample"
-    late = np.flatnonzero(np.diff(time) <= 0.0)
+            number = float(of[k])
+            return k, f"{what} = {number!r}{unit}: must be a finite number; fill it in, or remove the sample"
+    steps = np.diff(time)
+    (late,) = np.nonzero(steps <= 0.0)
     if late.size:
-        k = int(late[0]) + 1
-        kind = "repeats" if time[k] == time[k - 1] else "comes before"
-        return k, (
-            f"time = {float(time[k])!r} s {kind} that of the sample before, {float(time[k - 1])!r} s: times must "
-            "increase; remove one of the two, or put the samples in order"
+        k = int(late[0])
+        before = float(time[k])
+        now = float(time[k + 1])
+        kind = "repeats" if now == before else "comes before"
+        return k + 1, (
+            f"time = {now!r} s {kind} that of the sample before, {before!r} s: times must increase; remove one of the "
+            "two, or put the samples in order"
         )
     return None
 

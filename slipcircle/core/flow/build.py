@@ -13,6 +13,7 @@ from typing import Any
 
 from generated.flow import FRAGMENTS
 from generated.layout import CELLS
+from slipcircle.base.kinds import Names
 from slipcircle.core.flow.declare import Declarations, TableDeclaration
 from slipcircle.core.flow.link import PRIME, ZERO, Operation, Operations, Term, named_in, needed, places_of, tangent
 from slipcircle.core.flow.program import OUTPUT_CELLS, READ_REGISTERS, Program, Table, Tangent
@@ -20,12 +21,7 @@ from slipcircle.core.flow.program import OUTPUT_CELLS, READ_REGISTERS, Program, 
 
 @lru_cache(maxsize=256)
 def build_program(
-    effects: tuple[str, ...],
-    laws: tuple[str, ...],
-    moving: tuple[str, ...] = (),
-    absent: tuple[str, ...] = (),
-    outputs: tuple[str, ...] = (),
-    directions: int = 0,
+    effects: Names, laws: Names, moving: Names = (), absent: Names = (), outputs: Names = (), directions: int = 0
 ) -> Program:
     """The program of a scene.
 
@@ -91,13 +87,13 @@ class _Builder(Declarations):
         """Find the registers and cells that hold what the integrator reads."""
         self._fix_cells()
         link = self.link
-        rates = self.rates.values()
-        self.read = [*self.rates, *rates, *READ_REGISTERS]
-        for table in self.tables:
-            self.read.append(table.argument)
-        tangents = self._in_directions(self.read)
-        every = [*self.read, *self.extra, *tangents]
-        roots = list(dict.fromkeys(every))
+        self.read = [*self.rates]
+        self.read += self.rates.values()
+        self.read += READ_REGISTERS
+        self.read += [table.argument for table in self.tables]
+        roots = dict.fromkeys(self.read)
+        roots |= dict.fromkeys(self.extra)
+        roots |= dict.fromkeys(self._in_directions(self.read))
         link.mark_shared(roots)
         self.registers: dict[str, str | None] = {}
         for name in roots:
@@ -223,8 +219,14 @@ class _Builder(Declarations):
         for state, rate in self.states.items():
             places = (self.place[state], self.at[state], self._register(rate))
             states.append(places)
-        scalar = [self._encoded_scalar(operation, result) for operation, (result,) in self.scalar]
-        series = [self._encoded(operation, results) for operation, results in self.series]
+        scalar = list[tuple[Any, ...]]()
+        for operation, (result,) in self.scalar:
+            encoded = self._encoded_scalar(operation, result)
+            scalar.append(encoded)
+        series = list[tuple[Any, ...]]()
+        for operation, results in self.series:
+            encoded = self._encoded(operation, results)
+            series.append(encoded)
         tables = map(self._table, self.tables)
         tangents = map(self._tangent, self.directions)
         return Program(
@@ -243,9 +245,14 @@ class _Builder(Declarations):
 
     def _table(self, table: TableDeclaration) -> Table:
         """A table with the places of its argument and of its first cell."""
-        argument = self._register(table.argument)
         first_cell = f"{table.name}.PIECE"
-        return Table(table.name, table.kind, argument, self.place[first_cell], table.degree)
+        return Table(
+            name=table.name,
+            kind=table.kind,
+            register=self._register(table.argument),
+            cells=self.place[first_cell],
+            degree=table.degree,
+        )
 
     def _roles(self) -> dict[str, int]:
         """The places of the registers and cells that the integrator reads."""
@@ -271,12 +278,13 @@ class _Builder(Declarations):
         made = self.place[result]
         return (kind, made, *arguments)
 
-    def _encoded(self, operation: Operation, results: tuple[str, ...]) -> tuple[Any, ...]:
+    def _encoded(self, operation: Operation, results: Names) -> tuple[Any, ...]:
         """An operation on series: its results first, then registers, cells or a table."""
         kind, *taken = operation
         made = [self.at[register] for register in results]
         if kind == "lin":
-            return (kind, *made, *self._encoded_sum(*taken))
+            constant, terms = taken
+            return (kind, *made, *self._encoded_sum(constant, terms))
         if kind == "ramp":
             table_arguments = [table.argument for table in self.tables]
             argument, _, _ = taken[0].partition(PRIME)

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from generated.flow import INPUTS, QUANTITIES
 from generated.layout import TABLE
+from slipcircle.base.kinds import Names
 from slipcircle.core.flow.fragments import fragment_of
 from slipcircle.core.flow.link import ONE, ZERO, Linker, tangent
 from slipcircle.core.scene.friction import OF_SOIL, soil_number
@@ -24,12 +25,14 @@ class TableDeclaration(NamedTuple):
     @property
     def coefficients(self) -> list[str]:
         """The cells of a piece's coefficients beyond its value."""
-        return [f"{self.name}.Q{k}" for k in range(1, self.degree + 1)]
+        powers = range(1, self.degree + 1)
+        return [f"{self.name}.Q{k}" for k in powers]
 
     @property
     def cells(self) -> list[str]:
         """All its cells, in order; Q1, the last of `TABLE`, is the first coefficient."""
-        return [f"{self.name}.{cell}" for cell in TABLE[:-1]] + self.coefficients
+        before = [f"{self.name}.{cell}" for cell in TABLE[:-1]]
+        return before + self.coefficients
 
     @property
     def varied(self) -> list[str]:
@@ -59,7 +62,7 @@ class Declarations:
         Quantities whose product is the friction coefficient.
     """
 
-    def __init__(self, extra: tuple[str, ...], directions: int) -> None:
+    def __init__(self, extra: Names, directions: int) -> None:
         self.extra = extra
         self.directions = range(directions)
         self.link = Linker()
@@ -67,21 +70,24 @@ class Declarations:
         self.tables: list[TableDeclaration] = []
         self.sums: dict[str, list[Any]] = {}  # addends of each quantity: base, size, terms of its increment
 
-    def declare_effects(self, effects: tuple[str, ...], moving: tuple[str, ...], absent: tuple[str, ...]) -> None:
+    def declare_effects(self, effects: Names, moving: Names, absent: Names) -> None:
         """Take the definitions of gravity and of effects, for each soil also those of its rotating weight."""
         self._take("gravity")
         for effect in effects:
             self._take(effect, self.factors[0])
             for declared in fragment_of(effect).tables:
-                self._effect_table(TableDeclaration(*declared), moving, absent)
+                table = TableDeclaration(*declared)
+                self._effect_table(table, moving, absent)
             number = soil_number(effect)
             if not number:
                 continue
-            self.link.define_cells(fragment_of(f"gravity{number}").scalar)
+            weight = fragment_of(f"gravity{number}")
+            self.link.define_cells(weight.scalar)
             if "rotation" in effects:
-                self.link.define_cells(fragment_of(f"rotation{number}").scalar)
+                turning = fragment_of(f"rotation{number}")
+                self.link.define_cells(turning.scalar)
 
-    def _effect_table(self, table: TableDeclaration, moving: tuple[str, ...], absent: tuple[str, ...]) -> None:
+    def _effect_table(self, table: TableDeclaration, moving: Names, absent: Names) -> None:
         """Declare an effect's table if the parameter is a function; otherwise it is a constant, or absent and zero."""
         if table.name in moving:
             self.tables.append(table)
@@ -91,19 +97,21 @@ class Declarations:
         if table.name not in absent:
             self.inputs.append(table.name)
 
-    def declare_laws(self, laws: tuple[str, ...]) -> None:
+    def declare_laws(self, laws: Names) -> None:
         """Take the definitions of the friction law, or of two whose coefficients are factors of friction.
 
         The first factor may be a sum over soils.
         """
         of_soils = [law for law in laws if OF_SOIL in law]
         shared = [law for law in laws if law not in of_soils]
-        has_rate = len(shared) > (0 if of_soils else 1)
+        laws_of_slip = 0 if of_soils else 1  # among the shared ones
+        has_rate = len(shared) > laws_of_slip
         self.factors = ["slip_mu", "rate_mu"] if has_rate else ["mu"]
         for law in of_soils:
-            self._take_law(law, f"soil_mu{soil_number(law)}")
-        factors = self.factors[-len(shared) :]
-        for law, factor in zip(shared, factors, strict=False):
+            number = soil_number(law)
+            self._take_law(law, f"soil_mu{number}")
+        last_factors = self.factors[-len(shared) :]
+        for law, factor in zip(shared, last_factors, strict=False):
             self._take_law(law, factor)
         if of_soils:
             self._take("soils")
@@ -114,22 +122,24 @@ class Declarations:
         """Take a law's definitions, which add to a friction coefficient, and its tables."""
         self._take(law, coefficient)
         for declared in fragment_of(law).tables:
-            self.tables.append(TableDeclaration(*declared))
+            table = TableDeclaration(*declared)
+            self.tables.append(table)
 
-    def declare_functions_of_time(self, moving: tuple[str, ...]) -> None:
+    def declare_functions_of_time(self, moving: Names) -> None:
         """Define parameters that change with time: the value where the phase begins plus an increment, a ramp."""
         known = {table.name for table in self.tables}
+        link = self.link
         for symbol in moving:
-            self.link.cell_definitions[symbol] = ("set", f"{symbol}.VALUE")
+            link.cell_definitions[symbol] = ("set", f"{symbol}.VALUE")
             if symbol not in known:
-                self.tables.append(TableDeclaration(symbol, "time", f"d{symbol}", 0))
+                of_time = TableDeclaration(symbol, "time", f"d{symbol}", 0)
+                self.tables.append(of_time)
         for table in self.tables:
+            increment = table.argument
             if table.kind == "time":
-                self.link.series_definitions[table.argument] = ("ramp", table.argument, table.name)
+                link.series_definitions[increment] = ("ramp", increment, table.name)
 
-    def declare_balance(
-        self, effects: tuple[str, ...], laws: tuple[str, ...], extra: tuple[str, ...], absent: tuple[str, ...]
-    ) -> None:
+    def declare_balance(self, effects: Names, laws: Names, extra: Names, absent: Names) -> None:
         """Take the balance of momentum, sum the terms of its quantities, and collect the inputs and states."""
         for name in ("balance", *extra):
             self._take(name)
@@ -142,22 +152,27 @@ class Declarations:
             self._sum(quantity)
         if self.factors == ["mu"]:  # without a law of speed the factor that depends on slip is the coefficient
             link.cell_definitions["slip_mu_0"] = ("set", "mu_0")
-            link.series_definitions["dslip_mu"] = ("lin", "dslip_mu", "", ((ONE, "dmu"),))
-        self._collect_inputs(("gravity", *effects, *laws, *extra))
+            terms = ((ONE, "dmu"),)
+            link.series_definitions["dslip_mu"] = ("lin", "dslip_mu", "", terms)
+        fragments = ("gravity", *effects, *laws, *extra)
+        self._collect_inputs(fragments)
 
-    def _collect_inputs(self, names: tuple[str, ...]) -> None:
+    def _collect_inputs(self, names: Names) -> None:
         """Collect the numbers that a scene provides, and the states with their rates."""
         defined = self.link.cell_definitions
         self.inputs = [*INPUTS, *self.inputs]
         self.rates = {"x": "omega", "omega": "net"}
         for name in names:
             fragment = fragment_of(name)
-            self.inputs += [symbol for symbol in fragment.inputs if symbol not in defined]
+            for symbol in fragment.inputs:
+                if symbol not in defined:
+                    self.inputs.append(symbol)
             self.rates.update(fragment.states)
         self.states = dict(self.rates)
         for j in self.directions:
             for state, rate in self.rates.items():
-                self.states[tangent(state, j)] = tangent(rate, j)
+                state_dot = tangent(state, j)
+                self.states[state_dot] = tangent(rate, j)
 
     def _take(self, name: str, friction: str = "mu") -> None:
         """Take a fragment's definitions; ``friction`` is the quantity to which it adds a friction coefficient.
@@ -168,8 +183,10 @@ class Declarations:
         self.link.define_cells(fragment.scalar)
         self.link.define_series(fragment.series)
         for quantity, added in fragment.adds.items():
-            summed = friction if quantity == "mu" else quantity
-            self.sums.setdefault(summed, []).append(added)
+            if quantity == "mu":
+                quantity = friction
+            addends = self.sums.setdefault(quantity, [])
+            addends.append(added)
 
     def _sum(self, quantity: str) -> None:
         """Define a quantity of the balance: initial value, size of its terms, and increment."""

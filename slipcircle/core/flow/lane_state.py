@@ -53,11 +53,16 @@ class LaneState(LaneEntries):
         self.program = program
         self.tables = tables
         self.cells = cells
-        self.lanes = np.arange(cells.shape[1]) if lanes is None else lanes
+        if lanes is None:
+            lanes = np.arange(cells.shape[1])
+        self.lanes = lanes
         self.samples = samples
         self.log = log
         self.tangents = tangents
-        self.pieces = [Piece(self, slot, data) for slot, data in zip(program.tables, tables, strict=True)]
+        self.pieces = list[Piece]()
+        for slot, data in zip(program.tables, tables, strict=True):
+            piece = Piece(self, slot, data)
+            self.pieces.append(piece)
         self.timed = [piece for piece in self.pieces if piece.kind == "time"]
 
     @property
@@ -66,7 +71,8 @@ class LaneState(LaneEntries):
 
     def role(self, name: str) -> Floats:
         """A cell that the prologue of a phase fills, by its role."""
-        return np.asarray(self.cells[self.program.roles[f"cell_{name}"]])
+        cell = self.program.roles[f"cell_{name}"]
+        return np.asarray(self.cells[cell])
 
     def part(self, mask: Any) -> Self:
         """Some of the lanes, as copies; the lanes themselves if all are selected."""
@@ -80,11 +86,13 @@ class LaneState(LaneEntries):
 
     def apply_to(self, mask: Any, method: str, *arguments: Any) -> None:
         """Call a method for some of the lanes, with their part of the arguments, and copy their state back."""
-        if np.any(mask):
-            part = self.part(mask)
-            getattr(part, method)(*(argument[mask] for argument in arguments))
-            if part is not self:
-                self.cells[:, mask] = part.cells
+        if not np.any(mask):
+            return
+        part = self.part(mask)
+        apply = getattr(part, method)
+        apply(*(argument[mask] for argument in arguments))
+        if part is not self:
+            self.cells[:, mask] = part.cells
 
     # --- phases ------------------------------------------------------------------------------------------------------
 
@@ -122,19 +130,23 @@ class LaneState(LaneEntries):
     def pass_breaks(self) -> Any:
         """Enter the next piece of each function of time that breaks now; whether a value jumps there."""
         jumps = np.zeros(self.count, dtype=bool)
-        for k, piece in enumerate(self.timed):
-            breaks = piece.upper <= self.time
+        for k, slot in enumerate(self.timed):
+            breaks = slot.upper <= self.time
             if np.any(breaks):
                 part = self.part(breaks)
-                jumps[breaks] |= part.timed[k].pass_break()
+                piece = part.timed[k]
+                jumps[breaks] |= piece.pass_break()
                 self.cells[:, breaks] = part.cells
         return jumps
 
     def may_start(self) -> Any:
         """Whether a mass at rest may start in its direction: shaking starts a one-way mass only in that of gravity."""
         pull = self.role("driving_moment")
-        down_slope = (pull > 0.0) | ((pull == 0.0) & (self.direction > 0.0))
-        return (self.one_way == 0.0) | down_slope
+        is_level = pull == 0.0
+        goes_down = self.direction > 0.0
+        down_slope = (pull > 0.0) | (is_level & goes_down)
+        both_ways = self.one_way == 0.0
+        return both_ways | down_slope
 
     # --- series ------------------------------------------------------------------------------------------------------
 
@@ -147,11 +159,14 @@ class LaneState(LaneEntries):
     def contact(self) -> Floats:
         """Normal force on the slip surface, over that of reference; contact is lost below zero."""
         normal = self.program.roles["normal"]
-        return self.role("normal0") if normal < 0 else self.registers()[normal]
+        if normal < 0:
+            return self.role("normal0")
+        return self.registers()[normal]
 
     def contact_margin(self, normal: Floats) -> Floats:
         """Series of the normal force, with the sign that makes it positive until contact changes."""
-        sign = np.where(self.lifted > 0.0, -1.0, 1.0)
+        is_lifted = self.lifted > 0.0
+        sign = np.where(is_lifted, -1.0, 1.0)
         return normal * sign
 
     def expand(self, room: Floats, at_rest: bool = False) -> tuple[Floats, Floats]:
@@ -171,44 +186,55 @@ class LaneState(LaneEntries):
         order = self.order.copy()
         highest = int(order.max())
         series = self._started(highest)
-        watched = [roles["net"]] if at_rest else [roles["x"], roles["omega"]]
-        cut = _EarlyEnd(series[watched, 0], room, at_rest)
+        watched = [roles["x"], roles["omega"]]
+        if at_rest:
+            watched = [roles["net"]]
+        first = series[watched, 0]
+        cut = _EarlyEnd(first, room, at_rest)
         for n in range(highest):
             series_ops(program.series, series, self.cells, n)
+            known = n
             if not at_rest:
+                known = n + 1
                 for _, register, rate in program.states:
-                    series[register, n + 1] = np.where(n < order, series[rate, n] / (n + 1), 0.0)
+                    coefficient = series[rate, n] / known
+                    series[register, known] = np.where(n < order, coefficient, 0.0)
             if not self.timed:
                 continue
-            known = n if at_rest else n + 1
             order = cut.shortened(order, n, series[watched, known], known)
             if np.all(order <= n + 1):
                 series = series[:, : n + 2]
                 break
-        orders = np.arange(series.shape[1])
+        powers = np.arange(series.shape[1])
+        within_order = powers[:, None] < order
         for name in ("net", "normal", "upright"):
-            if roles.get(name, -1) >= 0:
-                series[roles[name]] *= orders[:, None] < order
+            register = roles.get(name, -1)
+            if register >= 0:
+                series[register] *= within_order
         return series, order
 
     def _started(self, order: int) -> Floats:
         """Order 0 of the registers of states, and the series of functions of time, as increments since the phase."""
-        series = np.zeros((len(self.program.registers), order + 1, self.count))
+        registers = len(self.program.registers)
+        series = np.zeros((registers, order + 1, self.count))
         for cell, register, _ in self.program.states:
             series[register, 0] = self.cells[cell]
         for piece in self.timed:
+            ramp = series[piece.register]
             if order:
                 terms = piece.taylor(order)
-                series[piece.register, : len(terms)] = terms
-            series[piece.register, 0] = piece.increment
+                ramp[: len(terms)] = terms
+            ramp[0] = piece.increment
         if self.tangents:
             self.tangents.start_series(self, series)
         return series
 
     def advance_functions_of_time(self, tau: Floats) -> None:
         """Advance the increments of functions of time by a step."""
+        highest = int(self.order.max(initial=0.0))
         for piece in self.timed:
-            piece.increment += increment(piece.taylor(int(self.order.max())), tau)
+            terms = piece.taylor(highest)
+            piece.increment += increment(terms, tau)
 
 
 class _EarlyEnd:
@@ -216,17 +242,25 @@ class _EarlyEnd:
 
     def __init__(self, first: Floats, room: Floats, at_rest: bool) -> None:
         self.room = room
-        self.largest = np.zeros(first.shape) if at_rest else np.abs(first)
+        self.largest = np.abs(first)
+        if at_rest:
+            self.largest = np.zeros(first.shape)
         self.in_a_row = np.zeros(room.size)
 
     def shortened(self, order: Floats, n: int, coefficients: Floats, power: int) -> Floats:
         """The orders of lanes, after these coefficients of the watched registers, at a power of the time."""
-        term = np.abs(coefficients) * self.room**power
-        not_comparable = (self.largest == 0.0) | ~np.isfinite(self.largest)
-        counts = (term > NEGLIGIBLE * self.largest) | not_comparable
-        self.largest = np.where(term > self.largest, term, self.largest)
+        size = np.abs(coefficients)
+        term = size * self.room**power
+        largest = self.largest
+        comparable = np.isfinite(largest) & (largest != 0.0)
+        counts = (term > NEGLIGIBLE * largest) | ~comparable
+        larger = term > largest
+        self.largest = np.where(larger, term, largest)
         any_counts = np.any(counts, axis=0)
-        self.in_a_row = np.where(any_counts, 0.0, self.in_a_row + 1.0)
-        ends = (self.in_a_row >= 2.0) & (n < order) & (n >= 2)
+        one_more = self.in_a_row + 1.0
+        self.in_a_row = np.where(any_counts, 0.0, one_more)
+        if n < 2:
+            return order
+        ends = (self.in_a_row >= 2.0) & (n < order)
         shorter = np.minimum(order, n + 1)
         return np.where(ends, shorter, order)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import choose, plain
+from slipcircle.base.kinds import Parameters
 from slipcircle.core.flow.compiled import engine
 from slipcircle.core.flow.equilibrium import Forces, equilibrium
 from slipcircle.core.flow.lane_state import LaneState
@@ -130,7 +131,7 @@ class Lanes:
     """
 
     arc: Arc | Section
-    called: Mapping[str, Mapping[str, Any]]
+    called: Mapping[str, Parameters]
     friction: Any
     velocity: Any
     end_time: Any
@@ -252,7 +253,9 @@ class Lanes:
         further = [program.cells[cell] for cell, _, _ in program.states[2:]]
         rows = dict(zip(further, states[4:], strict=True))
         omega = states[1]
-        energies = {"kinetic": omega**2 / 2, "work": rows["work"], "dissipation": np.maximum(rows["dissipation"], 0.0)}
+        kinetic = omega**2 / 2
+        dissipation = np.maximum(rows["dissipation"], 0.0)
+        energies = {"kinetic": kinetic, "work": rows["work"], "dissipation": dissipation}
         first_omega = problem.cells[ix.OMEGA]
         return energies, first_omega**2 / 2
 

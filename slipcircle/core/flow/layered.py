@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Parameters
 from slipcircle.core.flow.interpolation import between_kinks
 from slipcircle.core.flow.tables import Data
 from slipcircle.core.scene.layers import LayeredSection
@@ -49,7 +50,7 @@ class RotationTables(NamedTuple):
     """
 
     section: LayeredSection
-    terms: Mapping[str, Any]
+    terms: Parameters
     functions: Mapping[str, OfRotation]
     tolerance: float
     upslope: bool
@@ -109,7 +110,7 @@ class RotationTables(NamedTuple):
             tables[name] = Data(breaks[:, 0], combined, jumps)
         return tables
 
-    def likely_reach(self, friction: Mapping[str, Any]) -> float:
+    def likely_reach(self, friction: Parameters) -> float:
         """Estimated rotation of lanes that start from rest: the work of gravity is dissipated by the least strength.
 
         From a sample of many lanes, with a margin; lanes that move farther are integrated again with complete tables.
@@ -126,7 +127,7 @@ class RotationTables(NamedTuple):
         share = _SHARES[stops.max()] * _MARGIN + _SHARES[1]
         return float(share) * farthest
 
-    def _net_moment(self, rotation: Floats, friction: Mapping[str, Any]) -> Floats:
+    def _net_moment(self, rotation: Floats, friction: Parameters) -> Floats:
         """Driving moment less the least strength, over Theta*, of a sample of lanes at rotations, (M, lanes)."""
         moments = self.section.moment_coefficients
         count = max(np.size(moments.normal_load), np.size(self.section.arc_strength.mean_peak))

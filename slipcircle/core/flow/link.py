@@ -10,9 +10,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from generated.flow import CELL_TANGENTS, SERIES_TANGENTS
+from slipcircle.base.kinds import Names
 
 Operation = tuple[Any, ...]  # name and arguments; of series (`Linker.series_definitions`) name, results, arguments
-Operations = list[tuple[Operation, tuple[str, ...]]]  # with their results
+WithResults = tuple[Operation, Names]
+Operations = list[WithResults]
 Term = tuple[str, str]  # of a sum: a cell times a register
 RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2, "powers": 6}  # of operations on series that have more than one
 ZERO, ONE, MINUS_ONE = "=0.0", "=1.0", "=-1.0"
@@ -25,14 +27,24 @@ def tangent(name: str, direction: object) -> str:
     return f"{name}{PRIME}{direction}"
 
 
+def results_of(operation: str, names: Sequence[Any]) -> Names:
+    """The registers that an operation on series computes, of the names of its results and arguments."""
+    count = RESULTS.get(operation, 1)
+    return tuple(names[:count])
+
+
 def arguments(operation: str, names: Sequence[Any]) -> list[str]:
     """The registers that an operation on series takes, of the names of its results and arguments."""
     if operation == "ramp":
         return []
     if operation == "lin":
-        return [register for _, register in names[2]]
-    last = -1 if operation == "pow" else None  # its exponent is a cell
-    return list(names[RESULTS.get(operation, 1) : last])
+        terms = names[2]
+        return [register for _, register in terms]
+    count = RESULTS.get(operation, 1)
+    taken = list(names[count:])
+    if operation == "pow":
+        taken.pop()  # its exponent is a cell
+    return taken
 
 
 @dataclass
@@ -49,7 +61,7 @@ class Linker:
     cells: dict[str, str] = field(default_factory=dict)
     registers: dict[str, str | None] = field(default_factory=dict)
     scalar: dict[Operation, str] = field(default_factory=dict)
-    series: dict[Operation, tuple[str, ...]] = field(default_factory=dict)
+    series: dict[Operation, Names] = field(default_factory=dict)
 
     def define_cells(self, operations: Iterable[Any]) -> None:
         """Take definitions of cells: name of the operation, result, arguments."""
@@ -59,8 +71,9 @@ class Linker:
     def define_series(self, operations: Iterable[Any]) -> None:
         """Take definitions of registers: name of the operation, results, arguments."""
         for operation, *names in operations:
-            for result in names[: RESULTS.get(operation, 1)]:
-                self.series_definitions[result] = (operation, *names)
+            definition = (operation, *names)
+            for result in results_of(operation, names):
+                self.series_definitions[result] = definition
 
     # --- cells ---------------------------------------------------------------------------------------------------
 
@@ -71,9 +84,9 @@ class Linker:
         if name not in self.cells:
             if name not in self.cell_definitions:
                 self._define_cell_tangent(name)
-            operation, *taken = self.cell_definitions[name]
-            cells = [self.cell(argument) for argument in taken]
-            self.cells[name] = self.compute(operation, cells, name)
+            operation, *names = self.cell_definitions[name]
+            taken = [self.cell(argument) for argument in names]
+            self.cells[name] = self.compute(operation, taken, name)
         return self.cells[name]
 
     def _define_cell_tangent(self, name: str) -> None:
@@ -86,42 +99,54 @@ class Linker:
             return
         operation, *taken = self.cell_definitions[base]
         placeholders, rule = CELL_TANGENTS.get(operation, TANGENT_OF_COPY)
-        actual = dict(zip(placeholders, (base, *taken), strict=False))
-        self.define_cells(_instance(rule, actual, base, direction))
+        names = (base, *taken)
+        actual = dict(zip(placeholders, names, strict=False))
+        derivative = _instance(rule, actual, base, direction)
+        self.define_cells(derivative)
 
     def compute(self, operation: str, taken: list[str], name: str = "") -> str:
         """The cell of an operation's result: a new one, or one that holds it already."""
         known = _simplified(operation, taken)
         if known is not None:
             return known
-        if operation == "sub" and taken[0] == ZERO:
-            return self.compute("neg", taken[1:], name)
+        first = taken[0]
+        second = taken[-1]
+        if operation == "sub" and first == ZERO:
+            return self.compute("neg", [second], name)
         if operation == "mul" and MINUS_ONE in taken:
-            factor = taken[1] if taken[0] == MINUS_ONE else taken[0]
+            factor = second if first == MINUS_ONE else first
             return self.compute("neg", [factor], name)
-        result = name or f"cell{len(self.scalar)}"
+        result = name
+        if not name:
+            number = len(self.scalar)
+            result = f"cell{number}"
         return self.scalar.setdefault((operation, *taken), result)
 
     def origins(self, names: Iterable[str]) -> set[str]:
         """The inputs from which some cells are computed."""
-        given = set[str]()
+        inputs = set[str]()
         pending = [self.cell(name) for name in names]
-        operations = {result: operation for operation, result in self.scalar.items()}
+        taken = dict[str, Names]()
+        for (_, *cells), result in self.scalar.items():
+            taken[result] = tuple(cells)
         while pending:
             name = pending.pop()
-            if name in operations:
-                pending += operations.pop(name)[1:]
+            if name in taken:
+                pending += taken.pop(name)
             else:
-                given.add(name)
-        return given
+                inputs.add(name)
+        return inputs
 
     # --- registers -----------------------------------------------------------------------------------------------
 
     def definition(self, name: str) -> Operation:
         """Definition of a register; without one it is an empty sum."""
-        if name not in self.series_definitions and PRIME in name and name not in self.registers:
+        definitions = self.series_definitions
+        is_tangent = PRIME in name and name not in self.registers
+        if is_tangent and name not in definitions:
             self._define_series_tangent(name)
-        return self.series_definitions.get(name, ("lin", name, "", ()))
+        empty_sum = ("lin", name, "", ())
+        return definitions.get(name, empty_sum)
 
     def _define_series_tangent(self, name: str) -> None:
         """Of a sum term by term, (c r)' = c r' + c' r; of other operations by the rules of `generated.flow`."""
@@ -129,9 +154,15 @@ class Linker:
         operation, *names = self.definition(base)
         if operation == "lin":
             _, constant, terms = names
-            by_registers = [(cell, tangent(register, direction)) for cell, register in terms]
-            by_cells = [(tangent(cell, direction), register) for cell, register in terms]
-            constant = constant and tangent(constant, direction)
+            by_registers = list[Term]()
+            by_cells = list[Term]()
+            for cell, register in terms:
+                cell_dot = tangent(cell, direction)
+                register_dot = tangent(register, direction)
+                by_registers.append((cell, register_dot))
+                by_cells.append((cell_dot, register))
+            if constant:
+                constant = tangent(constant, direction)
             self.series_definitions[name] = ("lin", name, constant, (*by_registers, *by_cells))
             return
         if operation == "ramp":
@@ -166,14 +197,19 @@ class Linker:
         operation, *names = self.definition(name)
         if operation == "lin":
             _, constant, terms = names
-            zero = all(self.cell(cell) == ZERO or self.is_zero(register) for cell, register in terms)
+            zero = all(self._is_zero_product(cell, register) for cell, register in terms)
             if zero and constant:
                 zero = self.cell(constant) == ZERO
         else:
-            zero = any(map(self.is_zero, arguments(operation, names)))
+            taken = arguments(operation, names)
+            zero = any(map(self.is_zero, taken))
         if zero:
             self.registers[name] = None
         return zero
+
+    def _is_zero_product(self, cell: str, register: str) -> bool:
+        """Whether a cell or the register that it multiplies is zero."""
+        return self.cell(cell) == ZERO or self.is_zero(register)
 
     def register(self, name: str) -> str | None:
         """The register that a name stands for, with its operations; None where it is zero."""
@@ -190,18 +226,21 @@ class Linker:
 
     def _result(self, name: str, operation: str, names: Sequence[Any]) -> str:
         """The register of one result of an operation, which is shared by equal arguments."""
-        results = tuple(names[: RESULTS.get(operation, 1)])
+        results = results_of(operation, names)
         taken = [self.register(register) for register in arguments(operation, names)]
         if operation == "pow":
-            taken.append(self.cell(names[-1]))
+            exponent = self.cell(names[-1])
+            taken.append(exponent)
         elif operation == "ramp":
             taken.append(name)
-        made = self.series.setdefault((operation, *taken), results)
-        return made[results.index(name)]
+        computed = self.series.setdefault((operation, *taken), results)
+        position = results.index(name)
+        return computed[position]
 
     def zero_register(self, name: str) -> str:
         """A register that holds zero, for a requested quantity that is zero."""
-        return self.series.setdefault(("lin", ZERO, ()), (name,))[0]
+        (zero,) = self.series.setdefault(("lin", ZERO, ()), (name,))
+        return zero
 
     def _sum(self, name: str, constant: str, terms: Iterable[Term]) -> str:
         """A constant and cells times registers, each register once."""
@@ -212,11 +251,15 @@ class Linker:
         for cell, register in self._terms(terms, ONE):
             factor = factors.get(register, ZERO)
             factors[register] = self.compute("add", [factor, cell])
-        if start == ZERO and list(factors.values()) == [ONE]:
-            return next(iter(factors))
-        flat = sorted((cell, register) for register, cell in factors.items())
-        results = self.series.setdefault(("lin", start, tuple(flat)), (name,))
-        return results[0]
+        collected = [(cell, register) for register, cell in factors.items()]
+        if start == ZERO and len(collected) == 1:
+            factor, register = collected[0]
+            if factor == ONE:
+                return register
+        collected.sort()
+        operation = ("lin", start, tuple(collected))
+        (result,) = self.series.setdefault(operation, (name,))
+        return result
 
     def _terms(self, terms: Iterable[Term], factor: str) -> Iterator[Term]:
         """A sum's terms without zeros, times a factor; a sum that only sums take is replaced by its terms."""
@@ -224,17 +267,25 @@ class Linker:
             scaled = self.compute("mul", [factor, self.cell(cell)])
             if scaled == ZERO or self.is_zero(register):
                 continue
-            operation, *names = self.definition(register)
-            alone = register not in self.shared and register not in self.registers
-            if alone and operation == "lin" and not names[1]:
-                yield from self._terms(names[2], scaled)
-            else:
+            inner = self._terms_of_inner_sum(register)
+            if inner is None:
                 yield scaled, str(self.register(register))
+            else:
+                yield from self._terms(inner, scaled)
+
+    def _terms_of_inner_sum(self, register: str) -> Iterable[Term] | None:
+        """The terms of a sum without a constant that only sums take; None of other registers."""
+        operation, *names = self.definition(register)
+        if operation != "lin" or register in self.shared or register in self.registers:
+            return None
+        _, constant, terms = names
+        return None if constant else terms
 
 
 def _simplified(operation: str, taken: Sequence[str]) -> str | None:
     """The cell that the result of an operation on cells equals; None where it has to be computed."""
-    first, second = taken[0], taken[-1]
+    first = taken[0]
+    second = taken[-1]
     match operation:
         case "set":
             return first
@@ -272,8 +323,10 @@ def _instance(rule: Iterable[Any], actual: dict[str, str], base: str, direction:
     def substitute(item: Any) -> Any:
         if not isinstance(item, str):
             return tuple(substitute(x) for x in item)
-        if not item or item.startswith("=") or item in actual:
-            return actual.get(item, item)
+        if item in actual:
+            return actual[item]
+        if not item or item.startswith("="):
+            return item
         placeholder = item.removesuffix(PRIME)
         if placeholder in actual:
             return tangent(actual[placeholder], direction)
@@ -286,7 +339,7 @@ def _instance(rule: Iterable[Any], actual: dict[str, str], base: str, direction:
     return instance
 
 
-# --- operations that a program keeps ---------------------------------------------------------------------
+# --- operations that a program keeps ---------------------------------------------------------------------------------
 
 
 def named_in(operation: Operation) -> set[str]:
@@ -294,12 +347,13 @@ def named_in(operation: Operation) -> set[str]:
     if operation[0] != "lin":
         return {*operation[1:]}
     _, constant, terms = operation
-    return {constant, *(cell for cell, _ in terms)}
+    cells = {cell for cell, _ in terms}
+    return cells | {constant}
 
 
-def needed(operations: Iterable[tuple[Operation, tuple[str, ...]]], wanted: Iterable[str]) -> Operations:
-    """The operations on which the results ``wanted`` depend, in order."""
-    pending = set(wanted)
+def needed(operations: Iterable[WithResults], outputs: Iterable[str]) -> Operations:
+    """The operations on which some results depend, in order."""
+    pending = set(outputs)
     selected = Operations()
     for operation, results in reversed(list(operations)):
         if pending.isdisjoint(results):
@@ -307,7 +361,8 @@ def needed(operations: Iterable[tuple[Operation, tuple[str, ...]]], wanted: Iter
         selected.append((operation, results))
         kind, *taken = operation
         if kind == "lin":
-            taken = [register for _, register in taken[-1]]
+            _, terms = taken
+            taken = [register for _, register in terms]
         pending.update(taken)
     return selected[::-1]
 
@@ -323,9 +378,11 @@ def places_of(operations: Operations, kept: list[str]) -> dict[str, int]:
     end = first_scratch
     free = list[int]()
     for k, (operation, (result,)) in enumerate(operations):
-        done = {place[name] for name in operation[1:] if last_use[name] == k}
-        scratch = [cell for cell in done if cell >= first_scratch]
-        free += sorted(scratch, reverse=True)
+        used_up = set[int]()
+        for name in operation[1:]:
+            if last_use[name] == k and place[name] >= first_scratch:
+                used_up.add(place[name])
+        free += sorted(used_up, reverse=True)
         if result in place:
             continue
         if free:

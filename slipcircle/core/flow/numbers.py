@@ -10,6 +10,7 @@ import numpy as np
 from generated.effects import ALL_EFFECTS, LAWS, Law
 from generated.flow import INPUTS, PIECES
 from slipcircle.base.checks import plain
+from slipcircle.base.kinds import Parameters
 from slipcircle.core.flow import tables
 from slipcircle.core.flow.interpolation import TERMS, between_kinks, sampled
 from slipcircle.core.flow.layered import RotationTables, first_rotation, upright
@@ -79,7 +80,7 @@ class Numbers:
 
     # --- effects -----------------------------------------------------------------------------------------------------
 
-    def add_effect(self, effect: str, given: Mapping[str, Any], rotating: bool) -> None:
+    def add_effect(self, effect: str, given: Parameters, rotating: bool) -> None:
         """Add the parameters of an effect: numbers by their symbols, functions of time or of the rotation as tables."""
         symbols = symbols_of(effect)
         if not symbols:
@@ -129,7 +130,7 @@ class Numbers:
             return Data(breaks, coefficients, jumps)
         return Data(breaks[:, 0], coefficients[..., 0], jumps)
 
-    def add_layers(self, called: Mapping[str, Mapping[str, Any]], friction: Any) -> None:
+    def add_layers(self, called: Mapping[str, Parameters], friction: Any) -> None:
         """Add the functions of the rotation that belong to the soils of a layered section."""
         assert isinstance(self.arc, LayeredSection)
         functions = dict[str, OfRotation]()
@@ -148,7 +149,7 @@ class Numbers:
 
     # --- friction laws -----------------------------------------------------------------------------------------------
 
-    def add_law(self, name: str, given: Mapping[str, Any]) -> None:
+    def add_law(self, name: str, given: Parameters) -> None:
         """Add a friction law: a table, or dimensionless numbers by its name."""
         law = without_soil(name)
         if law == "callable":
@@ -168,7 +169,7 @@ class Numbers:
                 value = given[p.name]
                 self.inputs[f"{name}.{p.name}"] = value / units[p.unit]
 
-    def _listed(self, law: Law, given: Mapping[str, Any]) -> ScaledTable:
+    def _listed(self, law: Law, given: Parameters) -> ScaledTable:
         """A law that lists coefficients at slips, speeds or times."""
         (argument,) = law.depends_on
         places, coefficients = law.parameters
@@ -208,4 +209,4 @@ def scales_of(arc: Arc | Section) -> dict[str, Any]:
 
 def rotates(effects: Iterable[str]) -> bool:
     """Whether an effect lets the mass rotate."""
-    return any(ALL_EFFECTS[effect].turns for effect in effects)
+    return any(ALL_EFFECTS[without_soil(effect)].turns for effect in effects)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from generated import layout as ix
 from generated.effects import ALL_EFFECTS
 from slipcircle.base.checks import choose
+from slipcircle.base.kinds import Names, Parameters
 from slipcircle.core.flow.build import build_program
 from slipcircle.core.flow.interpolation import sampled
 from slipcircle.core.flow.layered import FINEST as FINEST_TABLES
@@ -24,7 +25,7 @@ from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
 
 Floats = NDArray[np.float64]
-Effects = Mapping[str, Mapping[str, Any]]  # by name, each with its parameters
+Effects = Mapping[str, Parameters]  # by name, each with its parameters
 Function = Callable[[Any], Any]
 FINEST = 1e-14  # accuracy to which single scenes are solved
 LOWEST = 5  # order, as the radius of convergence compares the last coefficients with the first five
@@ -35,10 +36,10 @@ UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # beginnings of their names
 class Recipe(NamedTuple):
     """The first arguments of `build_program`."""
 
-    effects: tuple[str, ...]
-    laws: tuple[str, ...]
-    moving: tuple[str, ...]
-    absent: tuple[str, ...]
+    effects: Names
+    laws: Names
+    moving: Names
+    absent: Names
 
 
 class Problem(NamedTuple):
@@ -50,10 +51,10 @@ class Problem(NamedTuple):
     time_scale: Any
     functions: Mapping[int, Function]  # of slip, given in Python, by the place of their table
     recipe: Recipe
-    outputs: tuple[str, ...] = ()  # further ones of the program
+    outputs: Names = ()  # further ones of the program
     rotations: RotationTables | None = None  # tables that may be laid out farther
 
-    def with_outputs(self, outputs: tuple[str, ...] = (), directions: int = 0) -> "Problem":
+    def with_outputs(self, outputs: Names = (), directions: int = 0) -> "Problem":
         """The same lanes with further outputs, or with derivatives in some directions."""
         program = build_program(*self.recipe, outputs, directions)
         return self._with_program(program)._replace(outputs=outputs)
@@ -222,7 +223,7 @@ def _assembled(numbers: Numbers, recipe: Recipe, lanes: int) -> Problem:
     return Problem(program, tables, cells, numbers.time_scale, functions, recipe, rotations=numbers.rotations)
 
 
-def recipe_of(called: Effects, laws: tuple[str, ...]) -> Recipe:
+def recipe_of(called: Effects, laws: Names) -> Recipe:
     """The recipe of scenes with these effects and laws."""
     names = tuple(called)
     effects = in_order(names)
@@ -242,7 +243,7 @@ def recipe_of(called: Effects, laws: tuple[str, ...]) -> Recipe:
 
 
 @lru_cache(maxsize=256)
-def in_order(effects: tuple[str, ...]) -> tuple[str, ...]:
+def in_order(effects: Names) -> Names:
     """Effects by name, each once, in the order in which they are declared."""
     declared = list(ALL_EFFECTS)
 
@@ -253,14 +254,14 @@ def in_order(effects: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(sorted(once, key=place))
 
 
-def _one_way(shaking: Mapping[str, Any]) -> float:
+def _one_way(shaking: Parameters) -> float:
     """1 where shaking may start the mass down-slope only."""
     varies = callable(shaking.get("horizontal"))
     two_way = shaking.get("two_way", False)
     return float(varies and not two_way)
 
 
-def _first_only(terms: Collection[str], laws: Any, inputs: Mapping[str, Any]) -> Any:
+def _first_only(terms: Collection[str], laws: Any, inputs: Parameters) -> Any:
     """1 where nothing brings the mass to rest, 2 where water or heat may lift it: integrated to its first standstill.
 
     ``terms`` are names of effects and symbols of functions.
@@ -279,7 +280,7 @@ def _first_only(terms: Collection[str], laws: Any, inputs: Mapping[str, Any]) ->
     return choose(cohesion > 0.0, 0.0, swings)
 
 
-def _may_lift(terms: Collection[str], inputs: Mapping[str, Any]) -> bool:
+def _may_lift(terms: Collection[str], inputs: Parameters) -> bool:
     """Whether the pressure of water may exceed the normal stress."""
     if not UPLIFT.isdisjoint(terms):
         return True

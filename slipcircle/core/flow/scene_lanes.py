@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Parameters
 from slipcircle.core.flow.lanes import Lanes
 from slipcircle.core.scene.coordinates import by_lanes
 from slipcircle.core.scene.layers import LayeredSection
@@ -60,7 +61,7 @@ def _flat_friction(scene: Scene) -> Any:
     return flat
 
 
-def _flat_numbers(scene: Scene, path: str, given: Mapping[str, Any]) -> dict[str, Any]:
+def _flat_numbers(scene: Scene, path: str, given: Parameters) -> dict[str, Any]:
     """Parameters of an effect or a law; those among the scene's numbers may be arrays."""
     flat = dict(given)
     for name, value in given.items():

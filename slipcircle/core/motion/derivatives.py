@@ -42,18 +42,18 @@ class Sensitivity:
 
     @property
     def elasticities(self) -> Floats:
-        outputs = np.array([self.at[name] for name in self.outputs])
-        parameters = np.array([self.at[name] for name in self.parameters])
-        nonzero = np.where(outputs == 0.0, np.nan, outputs)
-        per_cent = self.values * parameters
-        return np.asarray(per_cent / nonzero[:, None])
+        outputs = [self.at[name] or np.nan for name in self.outputs]
+        parameters = [self.at[name] for name in self.parameters]
+        changes = self.values * parameters
+        elasticities = changes.T / outputs
+        return np.asarray(elasticities.T)
 
     @property
     def distinct(self) -> dict[str, str]:
         """The outputs, without the reach where that is the run-out."""
         distinct = dict(self.outputs)
-        if "reach" in distinct and self.at["reach"] == self.at["run_out"]:
-            del distinct["reach"]
+        if self.at["reach"] == self.at["run_out"]:
+            distinct.pop("reach")
         return distinct
 
     def derivative(self, output: str, parameter: str) -> float:
@@ -63,22 +63,32 @@ class Sensitivity:
         return float(self.values[row, column])
 
     def __str__(self) -> str:
-        titles = [f"d {name} [{unit}] (elasticity)" for name, unit in self.distinct.items()]
-        rows = [["by", "value", *titles]]
-        rows += [self._row(k, name, unit) for k, (name, unit) in enumerate(self.parameters.items())]
-        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+        head = ["by", "value"]
+        for name, unit in self.distinct.items():
+            head.append(f"d {name} [{unit}] (elasticity)")
+        rows = [head]
+        for name, unit in self.parameters.items():
+            title = f"{name} [{unit}]" if unit else name
+            value = f"{self.at[name]:.6g}"
+            rows.append([title, value, *self._row(name)])
+        widths = []
+        for cells in zip(*rows, strict=True):
+            longest = max(map(len, cells))
+            widths.append(longest)
         lines = []
         for row in rows:
-            padded = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
-            lines.append("  ".join(padded).rstrip())
+            padded = map(str.ljust, row, widths)
+            line = "  ".join(padded)
+            lines.append(line.rstrip())
         return "\n".join(lines)
 
-    def _row(self, column: int, name: str, unit: str) -> list[str]:
-        """A parameter with its value, and the derivatives of the distinct outputs by it."""
+    def _row(self, parameter: str) -> list[str]:
+        """The derivatives of the distinct outputs by a parameter, with elasticities."""
+        column = list(self.parameters).index(parameter)
         elasticities = self.elasticities[:, column]
         cells = []
-        for row, output in enumerate(self.outputs):
+        for output, elasticity in zip(self.outputs, elasticities, strict=True):
             if output in self.distinct:
-                cells.append(f"{self.values[row, column]:.6g} ({elasticities[row]:+.3g})")
-        title = f"{name} [{unit}]" if unit else name
-        return [title, f"{self.at[name]:.6g}", *cells]
+                value = self.derivative(output, parameter)
+                cells.append(f"{value:.6g} ({elasticity:+.3g})")
+        return cells

@@ -5,15 +5,17 @@ those that the integrator is given.
 """
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.effects import ALL_EFFECTS, LAWS
+from generated.effects import ALL_EFFECTS, LAWS, Parameter
 from generated.flow import BALANCE, COEFFICIENTS, EQUATION_QUANTITIES, LATEX, TERMS
+from slipcircle.base.kinds import Names, Parameters
 from slipcircle.core.flow.lanes import Lanes
+from slipcircle.core.flow.numbers import rotates
 from slipcircle.core.flow.scene_lanes import lanes_of
 from slipcircle.core.scene.friction import OF_SOIL, law_parts, law_paths, soil_number, without_soil
 from slipcircle.core.scene.scene import Scene
@@ -78,40 +80,51 @@ class Equation:
         return self.sums + self.numbers
 
     def __str__(self) -> str:
-        balance = f"{self.balance.symbol} = {self.balance.formula}"
         used = {"omega", "s"}
         for term in self.sums:
             used.update(_symbols(term.formula))
         variables = [f"{name}: {words}" for name, words in VARIABLES.items() if name in used]
         last = "  " + "; ".join(variables)
-        return "\n".join([balance, *self._lines(), "with", *self._values(), last])
+        lines = [self._balance_in_words, *self._lines(), "with", *self._values(), last]
+        return "\n".join(lines)
+
+    @property
+    def _balance_in_words(self) -> str:
+        return f"{self.balance.symbol} = {self.balance.formula}"
 
     def _lines(self) -> Iterator[str]:
         """A line for each term; a quantity to which nothing adds is 0."""
         last = ""
+        zero = set(EQUATION_QUANTITIES)
         for term in self.sums:
-            start = f"{term.symbol} =" if term.symbol != last else "+"
+            symbol = term.symbol
+            start = f"{symbol} =" if symbol != last else "+"
             yield f"  {start:>14} {term.formula:42} {term.effect}"
-            last = term.symbol
-        for name in sorted(EQUATION_QUANTITIES.keys() - {term.symbol for term in self.sums}):
+            last = symbol
+            zero.discard(symbol)
+        for name in sorted(zero):
             yield f"  {name:>12} = 0"
 
     def _values(self) -> Iterator[str]:
         """A line for each number."""
         for number in self.numbers:
-            text = f"{number.symbol} = {_shown(number.value)} {number.unit}".rstrip()
-            yield f"  {text:34} {number.formula}"
+            value = _shown(number.value)
+            text = f"{number.symbol} = {value} {number.unit}"
+            yield f"  {text.rstrip():34} {number.formula}"
 
     @property
     def latex(self) -> str:
         """The equation in LaTeX, aligned, without the numbers."""
-        rows = [f"{_latex(self.balance.symbol)} &= {self.balance.latex}"]
-        sums: dict[str, list[str]] = {}
+        sums = {self.balance.symbol: [self.balance.latex]}
         for term in self.sums:
-            sums.setdefault(term.symbol, []).append(term.latex)
+            addends = sums.setdefault(term.symbol, [])
+            addends.append(term.latex)
+        rows = list[str]()
         for symbol, addends in sums.items():
-            right = " + ".join(addends).replace("+ - ", "- ")
-            rows.append(f"{_latex(symbol)} &= {right}")
+            left = _latex(symbol)
+            right = " + ".join(addends)
+            right = right.replace("+ - ", "- ")
+            rows.append(f"{left} &= {right}")
         body = " \\\\\n".join(rows)
         return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 
@@ -122,7 +135,7 @@ class Equation:
         """For JSON: the balance, its terms and its numbers."""
         keys = ("symbol", "formula", "effect", "value", "unit")
         return {
-            "balance": f"{self.balance.symbol} = {self.balance.formula}",
+            "balance": self._balance_in_words,
             "terms": [{key: getattr(term, key) for key in keys} for term in self.terms],
             "latex": self.latex,
         }
@@ -131,32 +144,35 @@ class Equation:
 def equation_of(scene: Scene, accuracy: float) -> Equation:
     """The equation of motion of a scene."""
     lanes = lanes_of(scene, accuracy)
-    effects, laws, moving, absent = lanes.problem.recipe
-    terms = _terms_of_effects(effects, absent) + _terms_of_friction(laws)
-    terms = _used(terms)
+    recipe = lanes.problem.recipe
+    of_effects = _terms_of_effects(recipe.effects, recipe.absent)
+    of_friction = _terms_of_friction(recipe.laws)
+    terms = _used(of_effects + of_friction)
     terms.sort(key=_place)
     left, right, latex, _ = BALANCE
     balance = EquationTerm(left, right, "balance", latex=latex)
-    words = {*_symbols(left), *_symbols(right)}
+    symbols = {*_symbols(left), *_symbols(right)}
     for term in terms:
-        words.update(_symbols(term.formula))
-    numbers = [number for number in _numbers(scene, lanes, moving) if number.symbol in words]
+        symbols.update(_symbols(term.formula))
+    every_number = _numbers(scene, lanes, recipe.moving)
+    numbers = [number for number in every_number if number.symbol in symbols]
     return Equation(balance, tuple(terms), tuple(numbers))
 
 
-def _terms_of_effects(effects: tuple[str, ...], absent: tuple[str, ...]) -> list[EquationTerm]:
+def _terms_of_effects(effects: Names, absent: Names) -> list[EquationTerm]:
     """What gravity and effects add, without what an effect is not given, and how the weight turns or does not."""
-    position = next((name for name in effects if ALL_EFFECTS[name].turns), "frozen")
     terms = list[EquationTerm]()
-    for name in dict.fromkeys(("gravity", *effects, position)):
+    is_frozen = not rotates(effects)
+    names = ("gravity", *effects, "frozen") if is_frozen else ("gravity", *effects)
+    for name in names:
         number = soil_number(name)
         missing = {*absent} - {f"soil_turning{number}"}
         for quantity, formula, latex, symbols in TERMS[without_soil(name)]:
             of_soil = {symbol + number for symbol in symbols}
-            if not missing & of_soil.union(symbols):
+            if missing.isdisjoint(symbols) and missing.isdisjoint(of_soil):
                 term = EquationTerm(quantity, formula, name, latex=latex)
                 terms.append(_numbered(term, number))
-        if number and position != "frozen":
+        if number and not is_frozen:
             latex = r"- soil_{slope} \sin\varphi"
             turning = EquationTerm("soil_turning", "-soil_slope sin(phi)", name, latex=latex)
             terms.append(_numbered(turning, number))
@@ -168,9 +184,10 @@ def _numbered(term: EquationTerm, number: str) -> EquationTerm:
     if not number:
         return term
     index = number.replace(OF_SOIL, "_")
+    names = [r"soil_\w+"]
     law = LAWS.get(without_soil(term.effect))
-    parameters = law.parameters if law else ()
-    names = [r"soil_\w+", *(p.name for p in parameters if p.kind == "number")]
+    if law is not None:
+        names += [p.name for p in law.parameters if p.kind == "number"]
     of_soil = "|".join(names)
     symbol = re.sub(rf"^({of_soil})$", rf"\1{index}", term.symbol)
     if term.value is not None:  # of a number the formula is what it is, in words
@@ -183,29 +200,40 @@ def _numbered(term: EquationTerm, number: str) -> EquationTerm:
     return term._replace(symbol=symbol, formula=formula, latex=latex)
 
 
-def _terms_of_friction(laws: tuple[str, ...]) -> list[EquationTerm]:
+def _terms_of_friction(laws: Names) -> list[EquationTerm]:
     """The friction coefficient of a law, or the product of a law of slip and one of speed."""
     terms = list[EquationTerm]()
     for law in laws:
         number = soil_number(law)
         if number:
-            _, formula, latex, _ = TERMS[without_soil(law)][0]
-            term = EquationTerm("soil_mu", formula, law, latex=latex)
+            term = _term_of_law("soil_mu", law)
             terms.append(_numbered(term, number))
-    laws = laws[len(terms) :]
-    if terms and not laws:
+    shared = laws[len(terms) :]
+    if terms and not shared:
         return terms
-    if len(laws) == 1 and not terms:
-        _, formula, latex, _ = TERMS[laws[0]][0]
-        return [EquationTerm("mu", formula, laws[0], latex=latex)]
-    terms.append(EquationTerm("mu", "mu_slip mu_rate", "friction", latex=r"\mu_{slip} \mu_{rate}"))
-    for factor, law in zip(("slip", "rate")[-len(laws) :], laws, strict=True):
-        _, formula, latex, _ = TERMS[law][0]
-        if factor == "rate" and law in LAWS:
-            names = "|".join(p.name for p in LAWS[law].parameters)
-            formula = re.sub(rf"\b({names})\b", r"rate_\1", formula)
-        terms.append(EquationTerm(f"mu_{factor}", formula, law, latex=latex))
+    if len(shared) == 1 and not terms:
+        (law,) = shared
+        return [_term_of_law("mu", law)]
+    product = EquationTerm("mu", "mu_slip mu_rate", "friction", latex=r"\mu_{slip} \mu_{rate}")
+    terms.append(product)
+    rate_law = shared[-1]
+    if len(shared) == 2:
+        term = _term_of_law("mu_slip", shared[0])
+        terms.append(term)
+    term = _term_of_law("mu_rate", rate_law)
+    if rate_law in LAWS:
+        names = "|".join(p.name for p in LAWS[rate_law].parameters)
+        formula = re.sub(rf"\b({names})\b", r"rate_\1", term.formula)
+        term = term._replace(formula=formula)
+    terms.append(term)
     return terms
+
+
+def _term_of_law(symbol: str, law: str) -> EquationTerm:
+    """A friction coefficient by a law."""
+    (term,) = TERMS[without_soil(law)]
+    _, formula, latex, _ = term
+    return EquationTerm(symbol, formula, law, latex=latex)
 
 
 def _symbols(formula: str) -> list[str]:
@@ -215,28 +243,36 @@ def _symbols(formula: str) -> list[str]:
 def _used(terms: list[EquationTerm]) -> list[EquationTerm]:
     """Without components of the weight that no other term takes."""
     taken = set[str]()
+    of_weight = set[str]()
     for term in terms:
-        if not term.symbol.startswith("J_"):
+        if term.symbol.startswith("J_"):
+            of_weight.add(term.symbol)
+        else:
             taken.update(_symbols(term.formula))
-    return [term for term in terms if not term.symbol.startswith("J_") or term.symbol in taken]
+    unused = of_weight - taken
+    return [term for term in terms if term.symbol not in unused]
 
 
 def _place(term: EquationTerm) -> int:
     """Terms in the order of the quantities, then what they are made of."""
     order = [*EQUATION_QUANTITIES, "mu_slip", "mu_rate"]
-    return order.index(term.symbol) if term.symbol in order else len(order)
+    if term.symbol in order:
+        return order.index(term.symbol)
+    return len(order)
 
 
-def _numbers(scene: Scene, lanes: Lanes, moving: tuple[str, ...]) -> Iterator[EquationTerm]:
+def _numbers(scene: Scene, lanes: Lanes, moving: Names) -> Iterator[EquationTerm]:
     """Every number that a formula may name, with its value."""
     for symbol, value in _of_the_arc(lanes).items():
-        yield EquationTerm(symbol, COEFFICIENTS[symbol], "gravity", _per_lane(value, scene))
+        meaning = COEFFICIENTS[symbol]
+        yield EquationTerm(symbol, meaning, "gravity", _per_lane(value, scene))
     for effect in lanes.problem.recipe.effects:
         number = soil_number(effect)
         for term in _numbers_of_effect(effect, scene, lanes, moving):
             yield _numbered(term, number)
-    laws = zip(law_paths(scene.friction), law_parts(scene.friction), strict=True)
-    for path, (name, given) in laws:
+    paths = law_paths(scene.friction)
+    laws = law_parts(scene.friction)
+    for path, (name, given) in zip(paths, laws, strict=True):
         law = LAWS.get(without_soil(name))
         if law is None:
             continue
@@ -244,11 +280,12 @@ def _numbers(scene: Scene, lanes: Lanes, moving: tuple[str, ...]) -> Iterator[Eq
         prefix = "rate_" if path == "friction.rate" else ""
         for p in law.parameters:
             if p.kind == "number":
-                term = EquationTerm(prefix + p.name, p.help, name, given[p.name], p.unit)
+                symbol = prefix + p.name
+                term = EquationTerm(symbol, p.help, name, given[p.name], p.unit)
                 yield _numbered(term, number)
 
 
-def _numbers_of_effect(effect: str, scene: Scene, lanes: Lanes, moving: tuple[str, ...]) -> Iterator[EquationTerm]:
+def _numbers_of_effect(effect: str, scene: Scene, lanes: Lanes, moving: Names) -> Iterator[EquationTerm]:
     """The numbers of an effect, and what it gives as functions of time or the rotation."""
     problem = lanes.problem
     places = problem.program.places
@@ -257,21 +294,25 @@ def _numbers_of_effect(effect: str, scene: Scene, lanes: Lanes, moving: tuple[st
         symbol = p.symbol and p.symbol + number
         if symbol in moving:
             argument = "the rotation" if p.kind == "rotation" else "time"
-            meaning = p.help.partition(",")[0]
+            meaning, _, _ = p.help.partition(",")
             yield EquationTerm(p.symbol, f"{meaning}, a function of {argument}", effect)
         elif symbol in places:
-            value = problem.cells[places[symbol]]
-            yield EquationTerm(p.symbol, _definition(effect, p), effect, _per_lane(value, scene))
+            cell = places[symbol]
+            value = _per_lane(problem.cells[cell], scene)
+            yield EquationTerm(p.symbol, _definition(effect, p), effect, value)
 
 
-def _definition(effect: str, p: Any) -> str:
+def _definition(effect: str, p: Parameter) -> str:
     """How a number is made of the scene's, or what it is."""
     start = f"{p.symbol}* = "
-    made = [text.removeprefix(start) for text in ALL_EFFECTS[without_soil(effect)].formulas if text.startswith(start)]
-    return made[0] if made else str(p.help).partition(",")[0]
+    for formula in ALL_EFFECTS[without_soil(effect)].formulas:
+        if formula.startswith(start):
+            return formula.removeprefix(start)
+    meaning, _, _ = p.help.partition(",")
+    return meaning
 
 
-def _of_the_arc(lanes: Lanes) -> Mapping[str, Any]:
+def _of_the_arc(lanes: Lanes) -> Parameters:
     """The numbers in `COEFFICIENTS`, from what the integrator is given, which is over Theta."""
     given = lanes.arc.moment_coefficients
     theta = lanes.arc.dimensionless.moment_of_inertia
@@ -291,7 +332,8 @@ def _per_lane(value: Any, scene: Scene) -> Any:
     flat = np.ravel(value)
     if scene.shape:
         count = int(np.prod(scene.shape))
-        return np.broadcast_to(flat, (count,)).reshape(scene.shape)
+        every_lane = np.broadcast_to(flat, (count,))
+        return every_lane.reshape(scene.shape)
     return float(flat[0])
 
 
@@ -300,7 +342,9 @@ def _shown(value: Any) -> str:
     if value is None:
         return "..."
     if np.ndim(value):
-        return f"{np.min(value):.6g} to {np.max(value):.6g}"
+        least = np.min(value)
+        greatest = np.max(value)
+        return f"{least:.6g} to {greatest:.6g}"
     return f"{value:.6g}"
 
 
@@ -312,8 +356,14 @@ def _latex(symbol: str) -> str:
         return EQUATION_QUANTITIES[symbol][1]
     if symbol.startswith("soil_"):
         _, name, number = symbol.split("_")
-        return rf"soil_{{{LATEX.get(name, name)},{number}}}".replace("{mu,", r"{\mu,")
+        words = r"\mu" if name == "mu" else LATEX.get(name, name)
+        return rf"soil_{{{words},{number}}}"
     if symbol.endswith("/dphi"):
-        return rf"\frac{{d {_latex(symbol[1:-5])}}}{{d\varphi}}"
+        quantity = symbol.removeprefix("d").removesuffix("/dphi")
+        return rf"\frac{{d {_latex(quantity)}}}{{d\varphi}}"
+    if symbol in LATEX:
+        return LATEX[symbol]
     name, underscore, index = symbol.partition("_")
-    return LATEX.get(symbol, rf"\{name}_{{{index}}}" if underscore and name == "mu" else symbol)
+    if name == "mu" and underscore:
+        return rf"\mu_{{{index}}}"
+    return symbol

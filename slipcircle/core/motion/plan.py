@@ -7,6 +7,7 @@ from typing import Any
 
 from generated.effects import ALL_EFFECTS, EFFECTS
 from slipcircle.base.checks import raise_all
+from slipcircle.base.kinds import Names
 from slipcircle.core.flow.build import build_program
 from slipcircle.core.flow.problem import Recipe, order, recipe_of
 from slipcircle.core.flow.program import Program
@@ -44,12 +45,12 @@ class Plan:
     """
 
     scene: Scene
-    effects: tuple[str, ...]
-    left_out: tuple[str, ...]
+    effects: Names
+    left_out: Names
     law: str
     method: str
     why: str
-    fragments: tuple[str, ...]
+    fragments: Names
     operations: str
     cost: int
     accuracy: float
@@ -85,7 +86,7 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
 
 
 @cache
-def _choice(recipe: Recipe, depends: tuple[str, ...], accuracy: float) -> dict[str, Any]:
+def _choice(recipe: Recipe, depends: Names, accuracy: float) -> dict[str, Any]:
     """What a plan is made of but for the scene's values, so that it is chosen once."""
     program = build_program(*recipe)
     effects = tuple(dict.fromkeys(map(without_soil, recipe.effects)))
@@ -119,7 +120,7 @@ def _choice(recipe: Recipe, depends: tuple[str, ...], accuracy: float) -> dict[s
     }
 
 
-def _law_in_words(laws: tuple[str, ...]) -> str:
+def _law_in_words(laws: Names) -> str:
     """The friction law, or those of soils, times the law of speed."""
     of_soils = [without_soil(law) for law in laws if OF_SOIL in law]
     factors = [law for law in laws if OF_SOIL not in law]
@@ -137,7 +138,7 @@ def _reasons(effect: str, in_time: bool) -> Iterator[str]:
         yield f"{effect} turns the mass" if declared.turns else f"{effect} depends on {WORDS.get(variable, variable)}"
 
 
-def step_operations(effects: tuple[str, ...], laws: tuple[str, ...], moving: tuple[str, ...]) -> str:
+def step_operations(effects: Names, laws: Names, moving: Names) -> str:
     """The operations on series of one step under effects and laws by name; ``moving`` symbols change in time."""
     return counted(build_program(effects, laws, moving))
 

@@ -44,17 +44,24 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     mass starts from rest. Of a mass that nothing brings to rest they are those of its first standstill. Of a section
     they are by every coordinate that the motion depends on: of its ground those of the edges over the mass.
     """
-    if isinstance(scene.arc, LayeredSection):  # with what is 0 and would not be, had its numbers other values
-        lanes = replace(lanes, called=scene.arc.section_effects(lanes.called, complete=True))
+    arc = scene.arc
+    if isinstance(arc, LayeredSection):  # with what is 0 and would not be, had its numbers other values
+        complete = arc.section_effects(lanes.called, complete=True)
+        lanes = replace(lanes, called=complete)
         integrate_all(lanes.problem)  # as far as its tables are needed
     known = parameters(scene)
-    units = {n: known[n].unit for n in _parameters(scene)}
-    values = np.zeros((len(OUTPUTS), len(units)))
+    units = dict[str, str]()
+    at = dict(outputs)
+    for name in _parameters(scene):
+        units[name] = known[name].unit
+        at[name] = float(np.asarray(scene.numbers[name]))
+    warnings = list[str]()
     if any(outputs.values()):
-        values[:] = _derivatives(lanes, list(units))
-    at = dict(outputs) | {n: float(np.asarray(scene.numbers[n])) for n in units}
-    warnings = [] if any(outputs.values()) else ["does not move, so that small changes have no effect"]
-    if isinstance(scene.arc, Section) and through_vertex(scene.arc):
+        values = _derivatives(lanes, list(units))
+    else:
+        values = np.zeros((len(OUTPUTS), len(units)))
+        warnings.append("does not move, so that small changes have no effect")
+    if isinstance(arc, Section) and through_vertex(arc):
         warnings.append(
             "the circle passes through a vertex of the ground: derivatives by its coordinates and the circle's "
             "are those towards the side on which it lies outside the mass"
@@ -64,35 +71,49 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
 
 def _parameters(scene: Scene) -> list[str]:
     """The names of the free parameters."""
-    if isinstance(scene.arc, LayeredSection):
-        of_arc: Sequence[str] = [*active_parameters(scene.arc), *_numbers_of_soils(scene.arc)]
-    elif isinstance(scene.arc, Section):
-        of_arc = active_parameters(scene.arc)
+    arc = scene.arc
+    if isinstance(arc, LayeredSection):
+        of_soils = _numbers_of_soils(arc)
+        of_arc: Sequence[str] = (*active_parameters(arc), *of_soils)
+    elif isinstance(arc, Section):
+        of_arc = active_parameters(arc)
+    elif arc.given is None:
+        of_arc = ARC
     else:
-        of_arc = ARC if scene.arc.given is None else ARC[2:]
-    fixed = {*arc_numbers(scene.arc)} - {*of_arc}
-    of_shaking = [name for name in scene.numbers if name.startswith("shaking.")]
-    for name in ("initial_velocity", *of_shaking):
-        value = scene.numbers.get(name, 0.0)
-        if not float(np.asarray(value)):
+        of_arc = ARC[2:]
+    numbers = scene.numbers
+    fixed = set(arc_numbers(arc)).difference(of_arc)
+    for name, value in numbers.items():
+        matters_if_present = name == "initial_velocity" or name.startswith("shaking.")
+        if matters_if_present and not float(np.asarray(value)):
             fixed.add(name)
-    names = dict.fromkeys(("friction", *of_arc, *scene.numbers))
-    return [name for name in names if name in scene.numbers and name not in fixed]
+    names = dict.fromkeys(("friction", *of_arc, *numbers))
+    return [name for name in names if name in numbers and name not in fixed]
 
 
 def _numbers_of_soils(section: LayeredSection) -> list[str]:
     """Those by which there are derivatives: of a length that all soils share once, and of what is given at all."""
-    first = next((soil.name for soil in section.soils if isinstance(soil.friction, Mapping)), "")
-    numbers = section.other_numbers()
-    depends_on_depth = {s.name for s, datum in zip(section.soils, section.datums, strict=True) if datum is not None}
-    names = []
-    for name, value in numbers.items():
-        start, _, number = name.rpartition(".")
-        soil = start.removeprefix("soils.").removesuffix(".friction")
-        shared = number == "length" and soil != first and share_one_law(section.soils)
-        flat = number == "cohesion_gradient" and soil not in depends_on_depth
-        if not (shared or flat or (number == "pore_ratio" and not value)):
-            names.append(name)
+    with_law = [soil.name for soil in section.soils if isinstance(soil.friction, Mapping)]
+    share_length = share_one_law(section.soils)
+    depends_on_depth = set[str]()
+    for soil, datum in zip(section.soils, section.datums, strict=True):
+        if datum is not None:
+            depends_on_depth.add(soil.name)
+    names = list[str]()
+    for path, value in section.other_numbers().items():
+        start, _, number = path.rpartition(".")
+        name = start.removeprefix("soils.").removesuffix(".friction")
+        match number:
+            case "length":
+                free = not share_length or name == with_law[0]
+            case "cohesion_gradient":
+                free = name in depends_on_depth
+            case "pore_ratio":
+                free = bool(value)
+            case _:
+                free = True
+        if free:
+            names.append(path)
     return names
 
 
@@ -110,13 +131,16 @@ def _derivatives(lanes: Lanes, names: Sequence[str]) -> Floats:
 def _with_directions(problem: Problem, inputs: InputDerivatives) -> Problem:
     """The problem of one lane as one of many, each of which carries the derivatives by one parameter."""
     problem = problem.with_outputs(directions=1)
-    cells = np.repeat(problem.cells, len(inputs.names), axis=1)
+    directions = len(inputs.names)
+    cells = np.repeat(problem.cells, directions, axis=1)
     places = problem.program.places
     (tangent,) = problem.program.tangents
     for name, dot in inputs.inputs.items():
-        if name in places and places[name] in tangent.cells:
-            cells[tangent.cells[places[name]]] = dot
-    cells[tangent.cells[ix.OMEGA]] = inputs.omega * np.sign(cells[ix.OMEGA])  # of |omega|
+        tangent_cell = tangent.cells.get(places.get(name, -1))
+        if tangent_cell is not None:
+            cells[tangent_cell] = dot
+    sign = np.sign(cells[ix.OMEGA])
+    cells[tangent.cells[ix.OMEGA]] = inputs.omega * sign  # of |omega|
     return problem._replace(cells=cells)
 
 
@@ -139,22 +163,24 @@ class _Run:
     ) -> None:
         """Explicitly, as far as that goes."""
         self.tangents = Tangents(program, cells, self.inputs.growth)
-        self.state = Integrator(program, tables, cells, tangents=self.tangents)
-        self.state.stiff_step = self.stiff_step
+        state = Integrator(program, tables, cells, tangents=self.tangents)
+        self.state = state
+        state.stiff_step = self.stiff_step
         with np.errstate(all="ignore"):
-            while self.state.status[0] <= ix.RESTING:
-                self.state.round()
-        if self.state.status[0] == ix.TOO_LONG:
-            breaks_later = np.isfinite(self.state.next_break()[0])
-            self.implicit_from = 0.0 if breaks_later else float(self.state.time[0])
+            while state.status[0] <= ix.RESTING:
+                state.round()
+        if state.status[0] == ix.TOO_LONG:
+            breaks_later = np.isfinite(state.next_break()[0])
+            self.implicit_from = 0.0 if breaks_later else float(state.time[0])
 
     @property
     def is_smooth(self) -> bool:
         """Whether derivatives hold: implicit steps know no jumps of them, and may go on to the end time, not more."""
         if np.isinf(self.implicit_from):
             return True
-        ended = self.state.status[0] == ix.ENDED and not self.later_events
-        return bool(ended and self.state.peak_time[0] <= self.implicit_from)
+        ended = self.state.status[0] == ix.ENDED
+        peak_is_explicit = self.state.peak_time[0] <= self.implicit_from
+        return bool(ended and peak_is_explicit and not self.later_events)
 
 
 def _in_si(lanes: Lanes, inputs: InputDerivatives, run: _Run) -> Floats:
@@ -167,13 +193,17 @@ def _in_si(lanes: Lanes, inputs: InputDerivatives, run: _Run) -> Floats:
     peak = state.peak_omega[0]
     end = state.end_rotation[0]
     reach = state.reach_rotation[0]
-    peak_dot = np.sign(peak) * tangents.peak_dot + peak * inputs.speed_growth
-    run_out_dot = tangents.rotation_dot(state) + end * inputs.radius_growth
+    signed_peak_dot = np.sign(peak) * tangents.peak_dot
+    peak_dot = signed_peak_dot + peak * inputs.speed_growth
+    rotation_dot = tangents.rotation_dot(state)
+    run_out_dot = rotation_dot + end * inputs.radius_growth
     reach_dot = tangents.reach_dot + reach * inputs.radius_growth
     if state.status[0] == ix.ENDED:
         duration_dot = inputs.one("end_time")
     else:
-        rest_dot = tangents.rest_dot + state.rest_since[0] * growth.time
+        rest = state.rest_since[0]
+        rest_dot = tangents.rest_dot + rest * growth.time
         duration_dot = unit_of_time * rest_dot
     unit_of_velocity = radius / unit_of_time
-    return np.array([unit_of_velocity * peak_dot, radius * run_out_dot, duration_dot, radius * reach_dot])
+    rows = [unit_of_velocity * peak_dot, radius * run_out_dot, duration_dot, radius * reach_dot]
+    return np.array(rows)

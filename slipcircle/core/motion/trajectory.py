@@ -7,7 +7,7 @@ asked for. Dimensionless numbers become SI units here: times by sqrt(R/g), lengt
 import math
 from collections.abc import Mapping
 from functools import cached_property, partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,8 +20,19 @@ from slipcircle.core.motion.plan import Plan
 from slipcircle.core.motion.states import STATUS_OF_END, Energy, State, Status
 
 Floats = NDArray[np.float64]
-RESTS, STAYS, TURNED, INVALID = map(int, (Status.RESTS, Status.STAYS, Status.TURNED, Status.INVALID))
+RESTS = int(Status.RESTS)
+STAYS = int(Status.STAYS)
+TURNED = int(Status.TURNED)
+INVALID = int(Status.INVALID)
 ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
+
+
+class Stresses(NamedTuple):
+    """Mean normal stress with the water and without, Pa, and the law's friction, each (times, lanes)."""
+
+    total: Floats
+    effective: Floats
+    friction: Floats
 
 
 class Trajectory:
@@ -29,7 +40,9 @@ class Trajectory:
 
     def __init__(self, plan: Plan, lanes: Lanes, final: Mapping[int, Any], log: Log) -> None:
         self.plan = plan
-        self._lanes, self._final, self._log = lanes, final, log
+        self._lanes = lanes
+        self._final = final
+        self._log = log
         self._last_read: tuple[bytes, Floats] | None = None
 
     @property
@@ -49,7 +62,8 @@ class Trajectory:
     def _rests_at_end(self) -> Any:
         """Whether each lane is at rest at its end, for good or until something changes beyond its end time."""
         status = self._final[ix.STATUS]
-        return (status == ix.ARRESTED) | (status == ix.PAUSED)
+        paused = status == ix.PAUSED
+        return paused | (status == ix.ARRESTED)
 
     @cached_property
     def _status(self) -> Any:
@@ -58,13 +72,17 @@ class Trajectory:
         ended = final[ix.STATUS]
         status: Any
         if self.shape:
-            status = STATUS_OF_END[np.asarray(ended, np.intp)]
+            ends = np.asarray(ended, np.intp)
+            status = STATUS_OF_END[ends]
         else:
             status = int(STATUS_OF_END[int(ended)])
+        rests = status == RESTS
         has_turned = final[ix.TURNS] > 0.0
-        status = choose((status == RESTS) & has_turned, TURNED, status)
-        never_moved = (ended != ix.STOPPED) & (final[ix.PHASES] == 0.0)
-        status = choose((status <= TURNED) & never_moved, STAYS, status)
+        status = choose(rests & has_turned, TURNED, status)
+        answered = status <= TURNED
+        still = final[ix.PHASES] == 0.0
+        stays = still & (ended != ix.STOPPED)
+        status = choose(answered & stays, STAYS, status)
         return choose(self._lanes.invalid, INVALID, status)
 
     @cached_property
@@ -75,9 +93,11 @@ class Trajectory:
     @property
     def is_finite(self) -> bool:
         """Whether a single motion has a result, and that does not overflow."""
-        lanes, final = self._lanes, self._final
-        velocity = lanes.radius * (final[ix.PEAK_OMEGA] / lanes.time_scale)
-        return self._solved and math.isfinite(lanes.radius * final[ix.END_ROTATION] + velocity)
+        radius = self._lanes.radius
+        run_out = radius * self._final[ix.END_ROTATION]
+        angular_velocity = self._final[ix.PEAK_OMEGA] / self._lanes.time_scale
+        velocity = radius * angular_velocity
+        return self._solved and math.isfinite(run_out + velocity)
 
     def _known(self, values: Any) -> Any:
         """Values of lanes with a result, NaN of the others."""
@@ -86,10 +106,11 @@ class Trajectory:
     @cached_property
     def _duration(self) -> Any:
         """Time from the start to the end of each lane, s."""
-        lanes, final = self._lanes, self._final
-        rest = final[ix.REST_SINCE] * lanes.time_scale
-        at_end_time = final[ix.STATUS] == ix.ENDED
-        return self._known(choose(at_end_time, lanes.end_time, rest))
+        lanes = self._lanes
+        rest = self._final[ix.REST_SINCE] * lanes.time_scale
+        status = self._final[ix.STATUS]
+        duration = choose(status == ix.ENDED, lanes.end_time, rest)
+        return self._known(duration)
 
     # --- states ------------------------------------------------------------------------------------------------------
 
@@ -107,8 +128,8 @@ class Trajectory:
             For times before the start, not finite, or after the end of a motion that has not come to rest.
         """
         time = self._checked(times)
-        rotation, omega, rate = self._rows(time)[:3]
-        shape = (*self.shape, *time.shape)
+        rotation, omega, rate, *_ = self._rows(time)
+        shape = self.shape + time.shape
         every_time = np.broadcast_to(time, shape)[()]
         over_time = partial(self._over_time, time)
         stress = partial(self._stress_at, time)
@@ -124,21 +145,25 @@ class Trajectory:
             acceleration = radius * rate / scale**2
             displacement = radius * rotation
         columns = (rotation, angular_velocity, velocity, displacement, acceleration)
-        return State(time, *(shaped(column + 0.0) for column in columns), stress=stress)  # + 0.0: no -0.0
+        positive_zeros = [shaped(column + 0.0) for column in columns]
+        return State(time, *positive_zeros, stress=stress)
 
     def _checked(self, times: ArrayLike) -> Floats:
         """Times as an array, none of them beyond the end of a lane that still moves there."""
-        raise_all("Motion.at", mistakes({"times": times}, {"times": ALLOWED_TIMES}))
+        faults = mistakes({"times": times}, {"times": ALLOWED_TIMES})
+        raise_all("Motion.at", faults)
         time = np.asarray(times, dtype=np.float64)
         status = self._final[ix.STATUS]
         known_until = choose(status == ix.PAUSED, self._lanes.end_time, self._duration)
-        bounded = (status != ix.ARRESTED) & self._solved
-        ends = choose(bounded, known_until, np.inf)
+        moving = status != ix.ARRESTED
+        ends = choose(moving & self._solved, known_until, np.inf)
         last = float(np.min(ends))
         late = time[time > last]
         if late.size:
             asked = float(late.flat[0])
-            end = "the end of this motion" if self.plan.scene.end_time is None else "the scene's end_time"
+            end = "the scene's end_time"
+            if self.plan.scene.end_time is None:
+                end = "the end of this motion"
             raise ValueError(
                 f"Motion.at: times = {asked!r}: must be at most {end}, {last!r} s, unless the mass stays at rest"
             )
@@ -147,14 +172,16 @@ class Trajectory:
     def _rows(self, time: Floats) -> Floats:
         """Rotation, omega, its rate, slip and further states, (rows, times, lanes); kept for the same times again."""
         key = time.tobytes()
-        if self._last_read is not None and self._last_read[0] == key:
-            return self._last_read[1]
+        if self._last_read is not None:
+            last_key, last_rows = self._last_read
+            if last_key == key:
+                return last_rows
         flat_times = np.ravel(time)
         rows = self._lanes.read(flat_times)
         ended = flat_times[:, None] >= self._duration  # whatever rounding makes of the time of the end
         at_end = (ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
-        for row, entry in enumerate(at_end):
-            rows[row] = np.where(ended, self._final[entry], rows[row])
+        for row, entry in zip(rows, at_end, strict=False):
+            row[:] = np.where(ended, self._final[entry], row)
         self._last_read = key, rows
         return rows
 
@@ -163,36 +190,38 @@ class Trajectory:
         shape = self.shape + time.shape
         return values.T.reshape(shape)[()]
 
-    def _stresses(self, time: Floats) -> tuple[Floats, Floats, Floats]:
-        """Mean normal stress with the water and without, Pa, and the law's friction, each (times, lanes)."""
+    def _stresses(self, time: Floats) -> Stresses:
         unit = self._lanes.stress_unit
-        outputs = self._lanes.outputs(np.ravel(time), self._rows(time))
+        flat_times = np.ravel(time)
+        outputs = self._lanes.outputs(flat_times, self._rows(time))
         total = outputs["pressing"].T * unit
         effective = outputs["normal"].T * unit
-        return total, effective, outputs["mu"].T
+        return Stresses(total, effective, outputs["mu"].T)
 
     def _stress_at(self, time: Floats) -> Any:
-        total, _, _ = self._stresses(time)
-        return self._over_time(time, total)
+        stresses = self._stresses(time)
+        return self._over_time(time, stresses.total)
 
     def pore_pressure_at(self, times: ArrayLike) -> Any:
         """The mean pore pressure on the slip surface, with what heat has added, Pa; times as for `at`."""
         time = self._checked(times)
-        total, effective, _ = self._stresses(time)
-        return self._over_time(time, total - effective)
+        stresses = self._stresses(time)
+        pressure = stresses.total - stresses.effective
+        return self._over_time(time, pressure)
 
     def effective_stress_at(self, times: ArrayLike) -> Any:
         """The mean normal stress on the slip surface less the pore pressure, 0 where that is more, Pa; as for `at`."""
         time = self._checked(times)
-        _, effective, _ = self._stresses(time)
-        pressing = np.maximum(effective, 0.0)
+        stresses = self._stresses(time)
+        pressing = np.maximum(stresses.effective, 0.0)
         return self._over_time(time, pressing)
 
     def friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient that the law gives, 0 where contact is lost; times as for `at`."""
         time = self._checked(times)
-        _, effective, friction = self._stresses(time)
-        mobilised = np.where(effective > 0.0, friction, 0.0)
+        stresses = self._stresses(time)
+        contact = stresses.effective > 0.0
+        mobilised = np.where(contact, stresses.friction, 0.0)
         return self._over_time(time, mobilised)
 
     def holding_friction_at(self, times: ArrayLike) -> Any:
@@ -201,14 +230,14 @@ class Trajectory:
         NaN where contact is lost.
         """
         time = self._checked(times)
-        rows = self._rows(time)
-        holding = self._lanes.holding_friction(np.ravel(time), rows)
+        flat_times = np.ravel(time)
+        holding = self._lanes.holding_friction(flat_times, self._rows(time))
         return self._over_time(time, holding.T)
 
     def path_at(self, times: ArrayLike) -> Any:
         """The path travelled from the start, there and back, m; times as for `at`."""
         time = self._checked(times)
-        slip = self._rows(time)[3]
+        _, _, _, slip, *_ = self._rows(time)
         path = self._lanes.radius * slip
         return self._over_time(time, path)
 
@@ -220,8 +249,12 @@ class Trajectory:
         balance, kinetic_start = self._lanes.energies(flat_times)
         ended = flat_times[:, None] >= self._duration
         rests = self._rests_at_end & ended
-        kinetic = np.where(rests, 0.0, balance["kinetic"])
-        terms = (kinetic, balance["work"], balance["dissipation"])
+        balance["kinetic"] = np.where(rests, 0.0, balance["kinetic"])
         start = np.broadcast_to(unit * kinetic_start, self._lanes.count)
-        in_joule = (self._over_time(time, unit * term) for term in terms)
-        return Energy(self._shaped(start), *in_joule)
+        in_joule = {name: self._over_time(time, unit * term) for name, term in balance.items()}
+        return Energy(
+            kinetic_start=self._shaped(start),
+            kinetic_end=in_joule["kinetic"],
+            work=in_joule["work"],
+            dissipation=in_joule["dissipation"],
+        )
