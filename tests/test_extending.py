@@ -139,8 +139,8 @@ def test_what_is_added_is_everywhere(tmp_path: Path) -> None:
     (tmp_path / "old.toml").write_text(scene_file("exponential", False), "utf-8")
     lines = ["plan new.toml --json", "run new.toml --json", "plan old.toml --json", "run old.toml --json",
              "schema", "schema --text"]  # fmt: skip
-    said = json.loads(run(tmp_path, "-c", COMMANDS, *lines))
-    check_scene(*said[:2], "inverse_square", 2, True)
-    check_scene(*said[2:4], "exponential", 0, False)
-    check_schema(*said[4:])
+    plan_new, run_new, plan_old, run_old, schema, guide = json.loads(run(tmp_path, "-c", COMMANDS, *lines))
+    check_scene(plan_new, run_new, "inverse_square", 2, True)
+    check_scene(plan_old, run_old, "exponential", 0, False)
+    check_schema(schema, guide)
     check_moment(tmp_path)

@@ -26,7 +26,7 @@ def masses(ground: Any, centre: Any, radius: Any) -> tuple[Any, Any, Any, Any]:
     """Centres, radii, left and right ends of all stretches that circles cut off."""
     parts = circles.cut(np.asarray(ground, dtype=float)[None], centre, radius)
     lane, number, _ = circles.stretches(parts)
-    left, right = (centre[lane] + radius[lane, None] * end.T for end in circles.ends(parts.only(lane), number))
+    left, right = (centre[lane] + radius[lane, None] * end.points for end in circles.ends(parts.only(lane), number))
     return centre[lane], radius[lane], left, right
 
 

@@ -186,7 +186,7 @@ def computed(section: Any) -> tuple[list[float], list[list[float]]]:
     """The same by the package."""
     radius, facing = float(section.radius), float(section.facing)
     powers, signs = np.array([2, 3, 4, 2, 2, 3, 3]), np.array([1, 1, 1, facing, 1, facing, 1])
-    moments = section._weighted[:, 0] * radius**powers * signs
+    moments = section._moments_of_weight[:, 0] * radius**powers * signs
     still = section.arc_strength.parts(np.zeros((1, 1)), ["normal"])
     by_joint = np.stack([still[name][:, 0, 0] for name in ("normal", "tilt", "inertia")])
     parts = []
@@ -391,14 +391,16 @@ def strength_by_quadrature(section: Any, rotation: float, omega_2: float) -> tup
     """
     arc = AlongTheArc(section)
     expected = arc.resistance(rotation, omega_2)
-    moments, terms = section._per_mean_weight[:, 0], section.arc_strength.terms(True, False)
+    moments = {name: float(values[0]) for name, values in section._weighted_moments.items()}
+    terms = section.arc_strength.terms(True, False)
 
     def term(name: str) -> float:
         value = terms.get(name, 0.0)
         return float(np.ravel(value(np.array([[rotation]])) if callable(value) else value)[0])
 
-    theta = float(moments[2])
-    whole = -moments[4] * np.cos(rotation) - arc.facing * moments[3] * np.sin(rotation) + omega_2 * moments[1]
+    theta = moments["inertia"]
+    slope = arc.facing * moments["radial_x"]
+    whole = -moments["radial_y"] * np.cos(rotation) - slope * np.sin(rotation) + omega_2 * moments["polar"]
     beyond = theta * (term("normal") + omega_2 * term("inertia"))
     if section.strength == "mass":
         beyond += theta * (term("turning") * np.cos(rotation) - term("turning_slope") * np.sin(rotation))

@@ -253,7 +253,7 @@ class Integrator(StickPhase):
     def on_standstill(self, rate: Floats) -> None:
         """At a standstill the lane turns back or rests."""
         if self.tangents:
-            self.tangents.leave_standstill(self)  # t' = -omega'/(d omega/dt)
+            self.tangents.leave_standstill()  # t' = -omega'/(d omega/dt)
         self.advance_origin()
         self.update_reach()
         self.rest_since = self.time
@@ -261,7 +261,7 @@ class Integrator(StickPhase):
         self.direction *= -1.0
         self.resolve_last_direction()
         if self.tangents:
-            self.tangents.enter_or_rest(self)
+            self.tangents.enter_or_rest()
 
     def on_contact_change(self, event: NDArray[np.intp], rate: Floats) -> None:
         """Contact with the slip surface is lost or regained."""
@@ -270,7 +270,7 @@ class Integrator(StickPhase):
         if self.lifted[0] == 0.0:
             self.note(ix.NOTE_LANDS)
         if self.tangents:
-            self.tangents.leave_contact(self)  # t' = -n'/(dn/dt), n the normal force
+            self.tangents.leave_contact()  # t' = -n'/(dn/dt), n the normal force
         self._enter_phase(rate)
         self.passed = ix.LIFT
 
@@ -279,7 +279,7 @@ class Integrator(StickPhase):
         number, lower = np.divmod(event - ix.EVENT_BREAKPOINT, 2)
         if self.tangents:
             piece = self.pieces[number[0]]
-            self.tangents.leave_edge(self, piece, bool(lower[0]), float(rate[0]))
+            self.tangents.leave_edge(piece, bool(lower[0]), float(rate[0]))
         for k in np.unique(number):
             self.apply_to(number == k, "_pass_edge", number, lower)
         self._enter_phase(rate)
@@ -313,7 +313,7 @@ class Integrator(StickPhase):
             scale[piece.number != before] = np.inf  # at a break of a function of time, where it may jump
         self.carry_net_moment(rate, drive, scale)
         if self.tangents:
-            self.tangents.enter(self)
+            self.tangents.enter()
 
     def carry_net_moment(self, rate: Floats, drive: Floats, scale: Floats) -> None:
         """Carry the net moment over an event where its rounding error is less than that of computing the drive anew."""
@@ -331,7 +331,7 @@ class Integrator(StickPhase):
         """A function of time has a break; where its value jumps, contact may change."""
         jumps = self.pass_breaks()
         if self.tangents and np.any(jumps):
-            self.tangents.pass_break(self)
+            self.tangents.pass_break()
         self.apply_to(jumps, "on_discontinuity")
 
     def end(self, rate: Floats, status: Floats) -> None:

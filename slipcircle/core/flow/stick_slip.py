@@ -48,13 +48,13 @@ class StickPhase(Recorder):
         self.face()
         if self.tangents:
             # t' = -drive'/(d drive/dt); a jump comes with a break of what changes with time
-            self.tangents.leave_rest(self, bool(sudden[0]))
+            self.tangents.leave_rest(bool(sudden[0]))
             self.face()
         drive = self.role("drive")
         drive[sudden == 0.0] = 0.0
         self.start_moving(drive)
         if self.tangents:
-            self.tangents.enter_from_rest(self, bool(sudden[0]))
+            self.tangents.enter_from_rest(bool(sudden[0]))
 
     # --- stick or slip at a standstill -------------------------------------------------------------------------------
 
@@ -230,8 +230,8 @@ class StickPhase(Recorder):
         """Restart the phase with the numbers of the present state."""
         moves = self.tangents and self.status[0] == ix.MOVING
         if self.tangents and moves:
-            self.tangents.leave_now(self)
+            self.tangents.leave_now()
         self.advance_origin()
         self.begin_phase()
         if self.tangents and moves:
-            self.tangents.enter(self)
+            self.tangents.enter()

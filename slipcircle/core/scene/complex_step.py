@@ -13,9 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.core.scene.circles import MEASURES
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
 from slipcircle.core.scene.layers import LayeredSection
-from slipcircle.core.scene.profile import MOMENTS
+from slipcircle.core.scene.plane import Vectors
 from slipcircle.core.scene.strips import edge_below, meets_circle
 
 Floats = NDArray[np.float64]
@@ -75,22 +76,23 @@ class _ComplexSection(LayeredSection):
         return np.broadcast_to(self.real._facing, self.shape)
 
     @cached_property
-    def _ends(self) -> tuple[Any, Any]:
+    def _ends(self) -> tuple[Vectors, Vectors]:
         """Where the ground crosses the circle, next to the ends of the real arc."""
         crossings = meets_circle(self._lines_over_radius[0])
         ends = []
+        lane = np.arange(len(crossings))
         for end in self.real._ends:
-            nearest = np.argmin(np.abs(crossings.real - end[0]), axis=1)
-            x = np.take_along_axis(crossings, nearest[:, None], 1)[:, 0]
+            nearest = np.argmin(np.abs(crossings.real - end.x), axis=1)
+            x = crossings[lane, nearest]
             cosine = np.sqrt((1.0 - x) * (1.0 + x))
-            ends.append(np.stack([x, -cosine]))
+            ends.append(Vectors(x, -cosine))
         left, right = ends
         return left, right
 
     @cached_property
     def _angles(self) -> tuple[Floats, Floats]:
         left, right = self._ends
-        return np.arcsin(left[0]), np.arcsin(right[0])
+        return np.arcsin(left.x), np.arcsin(right.x)
 
     @cached_property
     def half_angle(self) -> Any:
@@ -99,7 +101,7 @@ class _ComplexSection(LayeredSection):
 
     @cached_property
     def _moments(self) -> dict[str, Floats]:
-        return dict(zip(MOMENTS, self.profile.whole[:, 0], strict=False))
+        return dict(zip(MEASURES, self.profile.whole[:, 0], strict=False))
 
     @cached_property
     def mean_cover(self) -> Any:
@@ -125,20 +127,19 @@ class _ComplexSection(LayeredSection):
 
 def _raise_if_a_boundary_touches(section: LayeredSection) -> None:
     """A line below the ground that comes next to the arc between its ends, and goes away again."""
-    left, right = (float(end[0][0]) for end in section._ends)
+    left, right = (float(end.x[0]) for end in section._ends)
     for k, line in enumerate(section._lines_over_radius[1 : len(section.layers)], 2):
-        (points,) = line
-        first_y, last_y = points[[0, -1], 1]
-        if len(points) == 2 and first_y == last_y:  # a height
-            points = np.array([[-2.0, first_y], [2.0, first_y]])
+        points = Vectors.of(line[0])
+        first_y, last_y = points.y[[0, -1]]
+        if len(points.x) == 2 and first_y == last_y:  # a height
+            points.x = np.array([-2.0, 2.0])
         start = points[:-1]
-        edge = np.diff(points, axis=0)
-        share = -(start * edge).sum(axis=1) / (edge * edge).sum(axis=1)
-        foot = start + share[:, None] * edge
-        x, y = foot.T
-        near = np.abs(np.hypot(x, y) - 1.0) < _TOUCHES
+        edge = points.edges
+        share = -start.dot(edge) / edge.square
+        foot = start + edge * share
+        near = np.abs(foot.length - 1.0) < _TOUCHES
         on_edge = (share > 0.0) & (share < 1.0)
-        on_arc = (x > left) & (x < right)
+        on_arc = (foot.x > left) & (foot.x < right)
         if np.any(near & on_edge & on_arc):
             raise ValueError(
                 f"sensitivity: layers.{k}.top: touches the slip circle without crossing it, where there are no "

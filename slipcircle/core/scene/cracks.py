@@ -57,10 +57,10 @@ class CrackedSection(Section):
         """
         whole = self._uncracked
         _, centre, radius = whole._circle
-        (left, _), (right, _) = whole._ends
+        left, right = whole._ends
         x = arc_crossings(self._lowered_ground)
-        after_left = x.real > left[:, None].real
-        before_right = x.real < right[:, None].real
+        after_left = x.real > left.x[:, None].real
+        before_right = x.real < right.x[:, None].real
         inside = after_left & before_right
         from_left = np.where(inside, x, np.inf).min(axis=1)
         from_right = np.where(inside, x, -np.inf).max(axis=1)

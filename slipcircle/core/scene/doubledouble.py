@@ -15,11 +15,6 @@ class DoubleDouble:
     high: Any
     low: Any = 0.0
 
-    @classmethod
-    def difference(cls, a: Any, b: Any) -> Self:
-        """Of doubles, without error."""
-        return cls(*two_sum(a, -b))
-
     def __add__(self, other: Self) -> Self:
         high, low = two_sum(self.high, other.high)
         of_low_parts = self.low + other.low

@@ -65,8 +65,10 @@ def _below_ground(section: Any) -> Fault:
 def _below_base(section: Any) -> Fault:
     """Arcs whose lowest point, of the circle or an end, is below the firm layer."""
     _, centre, radius = section._circle
-    (x, y), (x_2, y_2) = section._ends
-    lowest = centre[:, 1] + radius * np.where((x < 0.0) & (x_2 > 0.0), -1.0, np.minimum(y, y_2))
+    left, right = section._ends
+    holds_lowest = (left.x < 0.0) & (right.x > 0.0)
+    lowest_end = np.minimum(left.y, right.y)
+    lowest = centre[:, 1] + radius * np.where(holds_lowest, -1.0, lowest_end)
     base = section.base
     return (
         lowest < base - 1e-9 * radius,

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from generated import slopes
 from slipcircle.core.scene.circles import Cut, Floats, cut
 from slipcircle.core.scene.ground import continued
+from slipcircle.core.scene.plane import Vectors
 
 _TOGETHER = 1 << 14  # arcs times pieces at a time: their arrays stay in the caches
 
@@ -30,6 +31,10 @@ class _Pieces(NamedTuple):
     sine: Floats  # at the low end
     cosine: Floats
     height: Floats
+
+    def only(self, pieces: Any) -> "_Pieces":
+        """Some of them."""
+        return _Pieces._make(column[:, pieces] for column in self)
 
     def turned(self, angle: float) -> "_Pieces":
         """The same a turn further on."""
@@ -51,37 +56,16 @@ class HeightIntegrals(NamedTuple):
 
     def integral(self, first: Floats, last: Floats) -> Floats:
         """Over arcs from one angle to another, (..., n)."""
-        first, last = _first_turn(first, last)
-        first_angle = first[..., None]
-        last_angle = last[..., None]
+        turns = _whole_turns(first)
+        first_angle = (first - turns)[..., None]
+        last_angle = (last - turns)[..., None]
         total = np.zeros(np.shape(first))
         together = max(1, _TOGETHER // np.size(first))
         for k in range(0, len(self.edge), together):
             chosen = slice(k, k + together)
-            by_piece = self._parts(chosen, first_angle, last_angle)
+            by_piece = _over_parts(self.pieces.only(chosen), self.slope[:, chosen], first_angle, last_angle)
             total += by_piece.sum(axis=-1)
         return total
-
-    def _parts(self, chosen: slice, first: Floats, last: Floats) -> Any:
-        """Over the parts of pieces between two angles, each from its own beginning, so that nothing cancels."""
-        low, high, span, sine, cosine, height = (column[:, chosen] for column in self.pieces)
-        start = np.clip(first, low, high)
-        stop = np.clip(last, low, high)
-        slope = self.slope[:, chosen]
-        if np.array_equal(start, stop):
-            return np.zeros(1)
-        is_whole = (start <= low) & (stop >= high)
-        angle = np.where(is_whole, span, stop - start)
-        ahead = start - low
-        along = np.sin(ahead)
-        half_sine = np.sin(ahead / 2)
-        bent = 2 * half_sine**2  # 1 - cos(ahead)
-        more_sine = cosine * along - sine * bent
-        more_cosine = -sine * along - cosine * bent
-        start_sine = sine + more_sine
-        start_cosine = cosine + more_cosine
-        start_height = height + slope * more_sine + more_cosine
-        return slopes.head(angle, start_sine, start_cosine, start_height, slope)
 
     def gradient(self, first: Floats, last: Floats) -> Floats:
         """Derivatives of the integral by the vertices of the line of a single circle, ends held, (..., V, 2).
@@ -107,15 +91,14 @@ class HeightIntegrals(NamedTuple):
 
         That of the second one is (sin - x)/run, x of the first one; both together are 1.
         """
-        first, last = _first_turn(first, last)
+        turns = _whole_turns(first)
         low = self.pieces.low[0]
         high = self.pieces.high[0]
-        start = np.clip(first[..., None], low, high)
-        stop = np.clip(last[..., None], low, high)
+        start = np.clip((first - turns)[..., None], low, high)
+        stop = np.clip((last - turns)[..., None], low, high)
         line_x = self.line[0, :, 0]
         x = line_x[self.edge]
-        runs = np.diff(line_x)
-        run = runs[self.edge]
+        run = line_x[self.edge + 1] - x
         angle = stop - start
         sine_integral = np.cos(start) - np.cos(stop)
         second = (sine_integral - x * angle) / run
@@ -123,32 +106,43 @@ class HeightIntegrals(NamedTuple):
 
     def at(self, angle: Floats) -> Floats:
         """Height above the arc of a single circle at angles, (...,)."""
-        angle, _ = _first_turn(angle, angle)
-        beta = angle[..., None]
-        low = self.pieces.low[0]
-        high = self.pieces.high[0]
-        after_low = low <= beta
-        before_high = beta < high
-        above = after_low & before_high
-        x, y = self.line[0, self.edge].T
-        from_vertex = np.sin(beta) - x
-        height = y + self.slope[0] * from_vertex + np.cos(beta)
+        beta = (angle - _whole_turns(angle))[..., None]
+        above = (self.pieces.low[0] <= beta) & (beta < self.pieces.high[0])
+        vertex = Vectors.of(self.line[0, self.edge])
+        from_vertex = np.sin(beta) - vertex.x
+        height = vertex.y + self.slope[0] * from_vertex + np.cos(beta)
         return np.where(above, height, 0.0).sum(axis=-1)
 
 
-def _first_turn(first: Floats, last: Floats) -> tuple[Floats, Floats]:
-    """Both ends of arcs turned by whole turns until the first one is within a turn from -3 pi/2."""
+def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> Any:
+    """Integrals over the parts of pieces between two angles, each from its own beginning, so that nothing cancels."""
+    low, high, span, sine, cosine, height = pieces
+    start = np.clip(first, low, high)
+    stop = np.clip(last, low, high)
+    if np.array_equal(start, stop):
+        return np.zeros(1)
+    is_whole = (start <= low) & (stop >= high)
+    angle = np.where(is_whole, span, stop - start)
+    ahead = start - low
+    along = np.sin(ahead)
+    bent = 2 * np.sin(ahead / 2) ** 2  # 1 - cos(ahead)
+    more_sine = cosine * along - sine * bent
+    more_cosine = -sine * along - cosine * bent
+    start_height = height + slope * more_sine + more_cosine
+    return slopes.head(angle, sine + more_sine, cosine + more_cosine, start_height, slope)
+
+
+def _whole_turns(angle: Floats) -> Any:
+    """The angle of the whole turns by which an angle is beyond the turn from -3 pi/2."""
     turn = 2 * np.pi
-    ahead = (first + 1.5 * np.pi) / turn
-    turns = turn * np.floor(ahead)
-    return first - turns, last - turns
+    return turn * np.floor((angle + 1.5 * np.pi) / turn)
 
 
 def integral_inside(parts: Cut) -> Floats:
     """Of the heights of the parts of edges inside circles, (n, E), above arcs that do not overhang."""
     pieces = _inside(parts)
-    slope = _slope(parts.e_x, parts.e_y)
-    return np.asarray(slopes.head(pieces.span, pieces.sine, pieces.cosine, pieces.height, slope))
+    integral = slopes.head(pieces.span, pieces.sine, pieces.cosine, pieces.height, _slope(parts.part))
+    return np.asarray(integral)
 
 
 def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIntegrals:
@@ -161,43 +155,35 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     x = centre[:, 0]
     beyond = 2 * radius
     points = continued(of_circles, x - beyond, x + beyond)
-    from_centre = points - centre[:, None]
-    line = from_centre / radius[:, None, None]
-    edges = np.diff(points, axis=1)
-    slope = _slope(edges[..., 0], edges[..., 1])
-    parts = cut(points, centre, radius)
-    lower, upper = _halves(parts, line, slope)
+    line = (points - centre[:, None]) / radius[:, None, None]
+    slope = _slope(Vectors.of(points).edges)
+    lower, upper = _halves(cut(points, centre, radius), Vectors.of(line), slope)
 
     turn = 2 * np.pi
     before = [pieces.turned(-turn) for pieces in upper]
     after = [pieces.turned(turn) for pieces in lower]
     two_turns = [*before, *lower, *upper, *after]
     columns = [np.concatenate(column, axis=1) for column in zip(*two_turns, strict=True)]
-    edges_of_line = np.arange(slope.shape[1])
-    edge = np.tile(edges_of_line, len(two_turns))
-
-    has_width = _Pieces(*columns).span > 0.0
-    used = np.flatnonzero(has_width.any(axis=0))
-    used_columns = [column[:, used] for column in columns]
-    edge = edge[used]
-    return HeightIntegrals(_Pieces(*used_columns), slope[:, edge], edge, line)
+    every = _Pieces(*columns)
+    used = np.flatnonzero(np.any(every.span > 0.0, axis=0))
+    edge = used % slope.shape[1]
+    return HeightIntegrals(every.only(used), slope[:, edge], edge, line)
 
 
-def _halves(parts: Cut, line: Floats, slope: Floats) -> tuple[list[_Pieces], list[_Pieces]]:
+def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[_Pieces], list[_Pieces]]:
     """Pieces over the lower halves of circles, below all three parts of edges, and over the upper halves."""
     start = line[:, :-1]
-    first = start[..., 0]
-    last = line[:, 1:, 0]
-    missed = (parts.e_x == 0.0) & (parts.e_y == 0.0)
-    enters = np.where(missed, last, parts.x)
-    leaves = np.where(missed, last, parts.x + parts.e_x)
-    before, before_upper = _outside(start, slope, first, enters)
+    last = line.x[:, 1:]
+    inside = parts.part.is_nonzero
+    enters = np.where(inside, parts.start.x, last)
+    leaves = np.where(inside, parts.start.x + parts.part.x, last)
+    before, before_upper = _outside(start, slope, start.x, enters)
     after, after_upper = _outside(start, slope, leaves, last)
     return [_inside(parts), before, after], [before_upper, after_upper]
 
 
-def _slope(run: Floats, rise: Floats) -> Floats:
-    return np.divide(rise, run, out=np.zeros(run.shape), where=run > 0.0)
+def _slope(edge: Vectors) -> Floats:
+    return np.divide(edge.y, edge.x, out=np.zeros(edge.x.shape), where=edge.x > 0.0)
 
 
 def _inside(parts: Cut) -> _Pieces:
@@ -206,35 +192,31 @@ def _inside(parts: Cut) -> _Pieces:
     With g = 1 - rho^2 of a point, which does not cancel near the circle, the arc below it has cos = sqrt(y^2 + g), and
     the point's height above it is cos + y = g/(cos - y).
     """
-    x = parts.x
-    y = parts.y
-    x_2 = x + parts.e_x
-    y_2 = y + parts.e_y
+    x, y = parts.start
+    end = parts.start + parts.part
     cosine = np.sqrt(y**2 + parts.first)
-    cosine_2 = np.sqrt(y_2**2 + parts.second)
+    end_cosine = np.sqrt(end.y**2 + parts.second)
     height = np.divide(parts.first, cosine - y, out=cosine + y, where=y < 0.0)
     low = np.arctan2(x, cosine)
-    high = np.arctan2(x_2, cosine_2)
-    span = _span(parts.e_x, cosine, cosine_2)
+    high = np.arctan2(end.x, end_cosine)
+    span = _span(parts.part.x, cosine, end_cosine)
     return _Pieces(low, high, span, x, cosine, height)
 
 
-def _outside(start: Floats, slope: Floats, first: Floats, last: Floats) -> tuple[_Pieces, _Pieces]:
+def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tuple[_Pieces, _Pieces]:
     """Of parts of edges outside circles from one x to another, over the lower and over the upper half."""
     x = np.clip(first, -1.0, 1.0)
-    x_2 = np.clip(last, -1.0, 1.0)
-    start_x = start[..., 0]
-    start_y = start[..., 1]
-    y = start_y + slope * (x - start_x)
-    y_2 = start_y + slope * (x_2 - start_x)
+    end_x = np.clip(last, -1.0, 1.0)
+    y = start.y + slope * (x - start.x)
+    end_y = start.y + slope * (end_x - start.x)
     cosine = _half_width(x)
-    cosine_2 = _half_width(x_2)
-    above = (x_2 > x) & (y + y_2 > 0.0)
-    span = np.where(above, _span(x_2 - x, cosine, cosine_2), 0.0)
+    end_cosine = _half_width(end_x)
+    above = (end_x > x) & (y + end_y > 0.0)
+    span = np.where(above, _span(end_x - x, cosine, end_cosine), 0.0)
     low = np.arctan2(x, cosine)
-    high = np.where(above, np.arctan2(x_2, cosine_2), low)
+    high = np.where(above, np.arctan2(end_x, end_cosine), low)
     lower = _Pieces(low, high, span, x, cosine, y + cosine)
-    upper = _Pieces(np.pi - high, np.pi - low, span, x_2, -cosine_2, y_2 - cosine_2)
+    upper = _Pieces(np.pi - high, np.pi - low, span, end_x, -end_cosine, end_y - end_cosine)
     return lower, upper
 
 
@@ -244,7 +226,7 @@ def _half_width(x: Floats) -> Floats:
     return np.asarray(np.sqrt(square))
 
 
-def _span(run: Floats, cosine: Floats, cosine_2: Floats) -> Floats:
+def _span(run: Floats, cosine: Floats, end_cosine: Floats) -> Floats:
     """Angle from one point of the lower half to another: tan(span/2) = (sin_2 - sin_1)/(cos_1 + cos_2)."""
-    half_span = np.arctan2(run, cosine + cosine_2)
+    half_span = np.arctan2(run, cosine + end_cosine)
     return np.asarray(2 * half_span)

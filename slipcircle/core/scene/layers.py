@@ -8,6 +8,7 @@ friction this is the paper's method; `slipcircle.core.scene.strength` has it.
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
+import operator
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
@@ -17,28 +18,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import mistakes, raise_all
+from slipcircle.core.scene.circles import MEASURES
 from slipcircle.core.scene.cracks import CrackedSection
 from slipcircle.core.scene.friction import rate_mistakes
 from slipcircle.core.scene.ground import FAR
 from slipcircle.core.scene.layered_numbers import LayeredNumbers
-from slipcircle.core.scene.profile import (
-    AREA,
-    HEAD,
-    INERTIA,
-    MOMENT_X,
-    MOMENT_Y,
-    MOMENTS,
-    POLAR,
-    RADIAL_X,
-    RADIAL_Y,
-    Profile,
-    profile_of,
-)
-from slipcircle.core.scene.section import Section
+from slipcircle.core.scene.profile import HEAD, Profile, profile_of
+from slipcircle.core.scene.section import Section, copy_computed
 from slipcircle.core.scene.soils import LANE_NUMBERS, Soil, datum_mistakes, datum_of, layer_mistakes, soil_mistakes
 from slipcircle.core.scene.strength import ArcStrength, MeanFriction, over_circles
 from slipcircle.core.scene.stretches import OF_GEOMETRY
 from slipcircle.core.scene.strips import Floats, Strips, cut_into_strips
+from slipcircle.core.scene.weights import Effects
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +75,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def __post_init__(self) -> None:
         errors = layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland)
         if not errors:
-            for soil, _ in self.layers:
+            for soil, _ in self.layers:  # whose numbers may have been replaced
                 errors += [f"soils.{soil.name}.{mistake}" for mistake in soil_mistakes(soil)]
         if self.rate is not None:
             errors += rate_mistakes(self.rate)
@@ -104,23 +95,26 @@ class LayeredSection(LayeredNumbers, CrackedSection):
             return False
         if self.soils != other.soils:
             return False
-        pairs = [(top, other_top) for (_, top), (_, other_top) in zip(self.layers, other.layers, strict=True)]
-        for f in fields(self):
-            if f.name not in ("layers", "foreland"):
-                pairs.append((getattr(self, f.name), getattr(other, f.name)))
-        return all(np.array_equal(one, another) for one, another in pairs)
+        names = [field.name for field in fields(self) if field.name not in ("layers", "foreland")]
+        values = [*self.tops, *(getattr(self, name) for name in names)]
+        other_values = [*other.tops, *(getattr(other, name) for name in names)]
+        return all(map(np.array_equal, values, other_values))
 
     # --- soils -------------------------------------------------------------------------------------------------------
+
+    @property
+    def tops(self) -> list[Any]:
+        """Of the layers but the first, whose top is the ground."""
+        return [top for _, top in self.layers[1:]]
 
     @cached_property
     def shape(self) -> tuple[int, ...]:
         """Of results that depend on the geometry alone."""
         shapes = [super().shape, np.shape(self.crack)]
-        for _, top in self.layers:
-            if np.ndim(top) > 1:  # lines
-                shapes.append(np.shape(top)[:-2])
-            elif top is not None:
-                shapes.append(np.shape(top))
+        for top in self.tops:
+            shape = np.shape(top)
+            is_line = len(shape) > 1
+            shapes.append(shape[:-2] if is_line else shape)
         return np.broadcast_shapes(*shapes)
 
     @cached_property
@@ -179,7 +173,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         ground, centre, radius = self._circle
         ends = ground[:, [0, -1], 0]
         lines = [ground]
-        for _, top in self.layers[1:]:
+        for top in self.tops:
             height = np.asarray(top)
             if height.ndim > 1:
                 lines.append(self._lines(height))
@@ -187,7 +181,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
             if height.ndim == 1:  # one of each circle
                 height = np.broadcast_to(height, self.shape)
             row = height.reshape(-1, 1)
-            lines.append(np.stack(np.broadcast_arrays(ends, row), axis=-1))
+            line = np.broadcast_arrays(ends, row)
+            lines.append(np.stack(line, axis=-1))
         if self.level is not None:
             lines.append(self._level)
         origin = centre[:, None]
@@ -217,8 +212,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
             loads.append(load)
             cuts += load
         extra = np.concatenate(cuts, axis=1) if cuts else None
-        (left, _), (right, _) = self._ends
-        return cut_into_strips(self._lines_over_radius, surfaces, count, (left, right), extra, loads)
+        ends = [end.x for end in self._ends]
+        return cut_into_strips(self._lines_over_radius, surfaces, count, ends, extra, loads)
 
     @property
     def _datum_crossings_x(self) -> list[Floats]:
@@ -259,53 +254,30 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         return np.concatenate(steps)
 
     @cached_property
-    def _weighted(self) -> Floats:
-        """Moments of the whole mass, each the sum over its surfaces, N/m^3, (7, lanes).
+    def _moments_of_weight(self) -> Floats:
+        """Integrals of `circles.MEASURES` over the mass with its unit weight, sums over surfaces, N/m^3, (7, lanes).
 
         The ground's own are those of a homogeneous mass, so that one soil in many layers gives the numbers of one.
         """
         whole = self.profile.whole[:HEAD].copy()
-        whole[:, 0] = np.stack([self._moments[name] for name in MOMENTS])
+        whole[:, 0] = list(self._moments.values())
         return over_circles(whole.transpose(1, 0, 2), self.weight_steps)
 
     @cached_property
     def _weights_per_area(self) -> Floats:
         """The mean unit weight, N/m^3, (lanes,)."""
-        return np.asarray(self._weighted[AREA] / self._moments["area"])
+        of_area, *_ = self._moments_of_weight
+        return np.asarray(of_area / self._moments["area"])
 
     @cached_property
-    def _per_mean_weight(self) -> Floats:
-        """The moments over the mean unit weight: numbers as a homogeneous mass has them."""
-        return self._weighted / self._weights_per_area
+    def _weighted_moments(self) -> Mapping[str, Floats]:
+        per_mean_weight = self._moments_of_weight / self._weights_per_area
+        return dict(zip(MEASURES, per_mean_weight, strict=True))
 
     @cached_property
     def mean_unit_weight(self) -> Any:
         """The weight of the mass over its area, N/m^3."""
         return self._shaped(self._weights_per_area)
-
-    @cached_property
-    def centroid(self) -> Any:
-        """Of the mass, x and y in m."""
-        _, centre, radius = self._circle
-        m = self._per_mean_weight
-        scale = radius / m[AREA]
-        from_centre = m[[MOMENT_X, MOMENT_Y]].T * scale[:, None]
-        return self._shaped(centre + from_centre)
-
-    @cached_property
-    def moments(self) -> dict[str, Any]:
-        """Theta*, I_p*, J_r, J_theta (3.12), (2.17), (2.23), (3.13), and the derivatives of the last two by the dip."""
-        m = self._per_mean_weight
-        facing = self._facing
-        moments = {
-            "moment_of_inertia": m[INERTIA],
-            "polar_moment": m[POLAR],
-            "radial_weight": -m[RADIAL_Y],
-            "weight_moment": -facing * m[MOMENT_X],
-            "radial_weight_slope": facing * m[RADIAL_X],
-            "weight_moment_slope": -m[MOMENT_Y],
-        }
-        return {name: self._shaped(value) for name, value in moments.items()}
 
     # --- strength ----------------------------------------------------------------------------------------------------
 
@@ -319,9 +291,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         """Friction of the arc as a whole, as a `Scene` takes it."""
         return self.arc_strength.friction
 
-    def section_effects(
-        self, effects: Mapping[str, Mapping[str, Any]], complete: bool = False
-    ) -> Mapping[str, Mapping[str, Any]]:
+    def section_effects(self, effects: Effects, complete: bool = False) -> Effects:
         """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
         strength = self.arc_strength
         rotates = "rotation" in effects
@@ -341,19 +311,15 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         """What another section has computed of a geometry that is the same."""
         super().take_geometry(other)
         if isinstance(other, LayeredSection) and "arc_strength" in vars(other):
-            known = vars(other.arc_strength)
-            vars(self.arc_strength).update((name, known[name]) for name in known if name in OF_GEOMETRY)
+            copy_computed(other.arc_strength, self.arc_strength, OF_GEOMETRY)
 
 
 def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
     """Whether two sections have the same boundaries, crack, places of surcharges, and heights where cohesion grows."""
     if _cut_of(one) != _cut_of(other) or one.crack is not other.crack:
         return False
-    tops = zip(one.layers, other.layers, strict=True)
-    if any(top is not other_top for (_, top), (_, other_top) in tops):
-        return False
-    datums = zip(one.datums, other.datums, strict=True)
-    return all(np.array_equal(datum, other_datum) for datum, other_datum in datums)
+    same_tops = all(map(operator.is_, one.tops, other.tops))
+    return same_tops and all(map(np.array_equal, one.datums, other.datums))
 
 
 def _cut_of(section: LayeredSection) -> tuple[Any, ...]:

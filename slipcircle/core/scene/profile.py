@@ -21,7 +21,6 @@ from slipcircle.core.scene.strips import Strips
 
 Floats = NDArray[np.float64]
 AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y, HEAD = range(8)  # rows; the head is over beta, not x
-MOMENTS = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
 _COUNT = 14  # of the coefficients of a piece
 _NODES = np.cos(np.pi * (np.arange(_COUNT) + 0.5) / _COUNT)
 _ACCURACY = 1e-15

@@ -2,7 +2,7 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import chain
@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, complaint, raise_all
-from slipcircle.core.scene import circles
-from slipcircle.core.scene.circles import Cut, Floats
+from slipcircle.core.scene.circles import Floats
 from slipcircle.core.scene.errors import geometry_errors, motion_errors
+from slipcircle.core.scene.geometry import SectionGeometry
 from slipcircle.core.scene.ground import line_errors, section_errors
-from slipcircle.core.scene.heights import HeightIntegrals, height_integrals, integral_inside
-from slipcircle.core.scene.turning import TurningMass
-from slipcircle.core.scene.weights import Dimensionless, MomentCoefficients, SlidingBody
+from slipcircle.core.scene.heights import HeightIntegrals, height_integrals
+from slipcircle.core.scene.plane import Vectors
+from slipcircle.core.scene.weights import Dimensionless, Effects, MomentCoefficients, SlidingBody
 
 # The fields that the geometry consists of, and what is computed of them alone.
 _GEOMETRY = ("ground", "centre", "radius", "between", "level")
@@ -30,7 +30,7 @@ _OF_GEOMETRY = (
 
 
 @dataclass(frozen=True)
-class Section(SlidingBody, TurningMass):
+class Section(SlidingBody, SectionGeometry):
     """A slip circle through a ground of straight edges, with the mass between ground and arc.
 
     Parameters
@@ -98,9 +98,8 @@ class Section(SlidingBody, TurningMass):
     given: ClassVar[None] = None
 
     def __post_init__(self) -> None:
-        raise_all(
-            "Section", section_errors(vars(self), self.quantities) or complaint(geometry_errors(self), self.shape)
-        )
+        errors = section_errors(vars(self), self.quantities)
+        raise_all("Section", errors or complaint(geometry_errors(self), self.shape))
 
     def takes_geometry(self, other: Section) -> bool:
         """Whether this is another section's circle through the same lines."""
@@ -108,155 +107,37 @@ class Section(SlidingBody, TurningMass):
 
     def take_geometry(self, other: Section) -> None:
         """What another section has computed of a geometry that is the same."""
-        known = vars(other)
-        vars(self).update((name, known[name]) for name in _OF_GEOMETRY if name in known)
+        copy_computed(other, self, _OF_GEOMETRY)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Section) and all(
-            np.array_equal(value, getattr(other, f.name)) for f in fields(self) for value in [getattr(self, f.name)]
-        )
+        if not isinstance(other, Section):
+            return False
+        names = [field.name for field in fields(self)]
+        return all(np.array_equal(getattr(self, name), getattr(other, name)) for name in names)
 
-    # --- the stretch -------------------------------------------------------------------------------------------------
+    # --- mechanics ---------------------------------------------------------------------------------------------------
 
-    @cached_property
-    def shape(self) -> tuple[int, ...]:
-        """Of the results."""
-        leading = []
-        for name in ("radius", "centre", "ground", "level"):
-            shape = np.shape(getattr(self, name))
-            axes = self.quantities[name]
-            leading.append(shape[: len(shape) - axes])
-        return np.broadcast_shapes(*leading)
+    def geometry_errors(self) -> Iterator[Fault]:
+        """Invalid sections, and sections that cannot move."""
+        levels = () if self.level is None else line_errors("level", self._level)
+        return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
 
-    @cached_property
-    def _circle(self) -> tuple[Floats, Floats, Floats]:
-        """Ground, centre and radius with one axis of lanes."""
-        centre = np.broadcast_to(np.add(self.centre, 0.0), (*self.shape, 2))
-        radius = np.broadcast_to(np.add(self.radius, 0.0), self.shape)
-        return self._lines(self.ground), centre.reshape(-1, 2), radius.reshape(-1)
-
-    def _lines(self, points: Any) -> Floats:
-        """Lines with one axis of lanes; of one for all that is 1."""
-        points = np.add(points, 0.0)
-        own = points.shape[-2:]
-        if points.ndim > 2:
-            points = np.broadcast_to(points, (*self.shape, *own))
-        return points.reshape(-1, *own)
+    def section_effects(self, effects: Effects) -> Effects:
+        """Adds the mean pressure below the water level, which stays in place as the mass turns through it."""
+        if self.level is None:
+            return effects
+        ratio_or_pressure = effects.get("pore_pressure", {})
+        return {**effects, "pore_pressure": {**ratio_or_pressure, "level": self.mean_pressure}}
 
     @cached_property
-    def _cut(self) -> Cut:
-        return circles.cut(*self._circle)
-
-    @cached_property
-    def _candidates(self) -> tuple[Any, Any, Any, Any, Any]:
-        """Lane, number and both x of the stretches that may be meant; and which circles hold an end of the ground."""
-        _, centre, radius = self._circle
-        lane, number, held = circles.stretches(self._cut)
-        (left_x, _), (right_x, _) = circles.ends(self._cut.only(lane), number)
-        r = radius[lane]
-        left = centre[lane, 0] + r * left_x
-        right = centre[lane, 0] + r * right_x
-        if self.between is None:
-            return lane, number, left, right, held
-        low, high = self.between
-        rounding = 1e-9 * r
-        keep = (left >= low - rounding) & (right <= high + rounding)
-        kept = np.bincount(lane, keep, len(radius))
-        without = kept[lane] == 0
-        middle = (left + right) / 2
-        middle_between = (middle >= low) & (middle <= high)
-        keep |= without & middle_between
-        return lane[keep], number[keep], left[keep], right[keep], np.zeros_like(held)
-
-    @cached_property
-    def _ends(self) -> tuple[Floats, Floats]:
-        """The left and the right end of the arc from the centre, over R."""
-        return circles.ends(self._cut, self._candidates[1])
-
-    @cached_property
-    def _mine(self) -> Any:
-        return self._cut.stretch == self._candidates[1][:, None]
+    def no_motion(self) -> str | None:
+        """Why the method gives no motion, if so."""
+        return next(iter(complaint(motion_errors(self), self.shape)), None)
 
     @property
-    def _edges_over_mass(self) -> Any:
-        """Which edges of the ground of one section lie over its mass."""
-        return self._mine[0] & ((self._cut.e_x[0] != 0.0) | (self._cut.e_y[0] != 0.0))
-
-    @cached_property
-    def _moments(self) -> dict[str, Floats]:
-        return circles.moments(self._cut, self._mine)
-
-    def _shaped(self, values: Any) -> Any:
-        """Values by lane in the shape of the results; a number where there are no arrays."""
-        values = np.asarray(values)
-        return values.reshape((*self.shape, *values.shape[1:]))[()]
-
-    # --- geometry ----------------------------------------------------------------------------------------------------
-
-    @cached_property
-    def _facing(self) -> Floats:
-        (_, left_y), (_, right_y) = self._ends
-        by_weight = -np.sign(self._moments["moment_x"])
-        by_height = np.where(left_y < right_y, -1.0, 1.0)
-        return np.where(by_weight != 0.0, by_weight, by_height)
-
-    @cached_property
-    def facing(self) -> Any:
-        """1 where gravity turns the mass to the right, -1 to the left."""
-        return self._shaped(self._facing)
-
-    @cached_property
-    def _angles(self) -> tuple[Floats, Floats]:
-        """Of both ends from straight below the centre, left to right."""
-        (x1, y1), (x2, y2) = self._ends
-        return np.arctan2(x1, -y1), np.arctan2(x2, -y2)
-
-    @cached_property
-    def _chord(self) -> Floats:
-        """From the left to the right end, over R, (2, n)."""
-        parts = self._cut.e_x, self._cut.e_y
-        return np.stack([np.where(self._mine, part, 0.0).sum(axis=1) for part in parts])
-
-    @cached_property
-    def chord(self) -> Any:
-        """Its length, m."""
-        return self._shaped(np.hypot(*self._chord)) * self.radius
-
-    @cached_property
-    def half_angle(self) -> Any:
-        """alpha, half the opening angle of the arc, rad."""
-        left, right = self._angles
-        by_ends = (right - left) / 2
-        sine = np.minimum(np.hypot(*self._chord) / 2, 1.0)
-        by_chord = np.where(by_ends <= np.pi / 2, np.arcsin(sine), np.pi - np.arcsin(sine))
-        return self._shaped(np.where(sine > 0.7, by_ends, by_chord))  # each where it keeps its digits
-
-    @cached_property
-    def dip(self) -> Any:
-        """psi, the dip of the chord, rad, positive down-slope."""
-        run, rise = self._chord
-        return self._shaped(np.arctan2(-self._facing * rise, run))
-
-    def _end(self, way: float) -> Any:
-        """The left end where the mass faces this way, else the right."""
-        _, centre, radius = self._circle
-        left, right = (centre + radius[:, None] * end.T for end in self._ends)
-        return self._shaped(np.where((self._facing == way)[:, None], left, right))
-
-    @cached_property
-    def entry(self) -> Any:
-        """Upper end of the slip surface, x and y in m."""
-        return self._end(1.0)
-
-    @cached_property
-    def exit(self) -> Any:
-        """Lower end of the slip surface, the toe at the start, x and y in m."""
-        return self._end(-1.0)
-
-    @cached_property
-    def area(self) -> Any:
-        """Of the section, m^2."""
-        return self._shaped(self._moments["area"]) * np.square(self.radius)
+    def _weighted_moments(self) -> Mapping[str, Floats]:
+        """Integrals of `circles.MEASURES` over the mass, each integrand times the unit weight over its mean."""
+        return self._moments
 
     @cached_property
     def mass_per_metre(self) -> Any:
@@ -267,50 +148,15 @@ class Section(SlidingBody, TurningMass):
     def centroid(self) -> Any:
         """Of the mass, x and y in m."""
         _, centre, radius = self._circle
-        first_moments = np.stack([self._moments["moment_x"], self._moments["moment_y"]], axis=1)
-        from_centre = first_moments * (radius / self._moments["area"])[:, None]
-        return self._shaped(centre + from_centre)
-
-    @cached_property
-    def depth(self) -> Any:
-        """Greatest thickness of the mass along a radius, m."""
-        return self._shaped(circles.thickness(self._cut, self._mine)) * self.radius
-
-    @cached_property
-    def mean_cover(self) -> Any:
-        """Mean height of the ground above the arc, m; times r_u and the unit weight it is a mean pressure.
-
-        Where the arc overhangs, it is the ground outside the mass.
-        """
-        first, last = self._angles
-        integral = np.where(self._mine, integral_inside(self._cut), 0.0).sum(axis=1)
-        overhangs = (first < -np.pi / 2) | (last > np.pi / 2)
-        if overhangs.any():
-            integral = np.where(overhangs, height_integrals(*self._circle).integral(first, last), integral)
-        return self._shaped(integral) / (2 * self.half_angle) * self.radius
-
-    # --- mechanics ---------------------------------------------------------------------------------------------------
-
-    def geometry_errors(self) -> Iterator[Fault]:
-        """Invalid sections, and sections that cannot move."""
-        levels = () if self.level is None else line_errors("level", self._level)
-        return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
-
-    def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:
-        """Adds the mean pressure below the water level, which stays in place as the mass turns through it."""
-        if self.level is None:
-            return effects
-        return {**effects, "pore_pressure": {**effects.get("pore_pressure", {}), "level": self.mean_pressure}}
-
-    @cached_property
-    def no_motion(self) -> str | None:
-        """Why the method gives no motion, if so."""
-        return next(iter(complaint(motion_errors(self), self.shape)), None)
+        m = self._weighted_moments
+        first_moment = Vectors(m["moment_x"], m["moment_y"])
+        from_centre = first_moment * (radius / m["area"])
+        return self._shaped(centre + from_centre.points)
 
     @cached_property
     def moments(self) -> dict[str, Any]:
         """Theta*, I_p*, J_r, J_theta (3.12), (2.17), (2.23), (3.13), and the derivatives of the last two by the dip."""
-        m = self._moments
+        m = self._weighted_moments
         way = self._facing
         moments = {
             "moment_of_inertia": m["inertia"],
@@ -384,11 +230,14 @@ class Section(SlidingBody, TurningMass):
             return 0.0 * np.add(rotation, np.zeros(self.shape))
         turn = np.asarray(rotation, dtype=np.float64)
         shape = np.broadcast_shapes(turn.shape, self.shape)
-        by_lane = np.broadcast_to(turn, shape).reshape(*shape[: len(shape) - len(self.shape)], -1)
+        rotations = shape[: len(shape) - len(self.shape)]
+        by_lane = np.broadcast_to(turn, shape).reshape(*rotations, -1)
         turned = by_lane * self._facing
         first, last = self._angles
-        mean_height = self._water.integral(first + turned, last + turned) / (last - first)
-        return (mean_height.reshape(shape) * np.multiply(self.radius, self.water_unit_weight))[()]
+        integral = self._water.integral(first + turned, last + turned)
+        mean_height = (integral / (last - first)).reshape(shape)
+        pressure = mean_height * np.multiply(self.radius, self.water_unit_weight)
+        return pressure[()]
 
     @cached_property
     def pressure_kinks(self) -> Any:
@@ -396,5 +245,14 @@ class Section(SlidingBody, TurningMass):
         if self.level is None:
             return self._shaped(np.empty((len(self._facing), 0)))
         until_kink = [self._water.kinks - end[:, None] for end in self._angles]
-        turns = np.concatenate(until_kink, axis=1) * self._facing[:, None]
-        return self._shaped(np.sort(turns, axis=1))
+        turns = np.concatenate(until_kink, axis=1)
+        down_slope = turns * self._facing[:, None]
+        return self._shaped(np.sort(down_slope, axis=1))
+
+
+def copy_computed(source: object, target: object, names: Collection[str]) -> None:
+    """Give an object the cached properties of another one, those of these names that have been computed."""
+    computed = vars(source)
+    for name in names:
+        if name in computed:
+            vars(target)[name] = computed[name]

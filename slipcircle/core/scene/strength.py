@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.core.scene.friction import OF_SOIL
-from slipcircle.core.scene.profile import INERTIA, RADIAL_Y, Floats
+from slipcircle.core.scene.profile import Floats
 from slipcircle.core.scene.soils import share_one_law
 from slipcircle.core.scene.stretches import StretchIntegrals
 
@@ -106,7 +106,7 @@ class ArcStrength(StretchIntegrals):
 
     def _mean(self, quantity: Floats) -> Floats:
         """Mean of a friction coefficient over the arc, by the normal forces at the start, (lanes,)."""
-        return self._at_start("normal", quantity) / -self.section._per_mean_weight[RADIAL_Y]
+        return self._at_start("normal", quantity) / -self.section._weighted_moments["radial_y"]
 
     @cached_property
     def _peak(self) -> Floats:
@@ -215,7 +215,7 @@ class ArcStrength(StretchIntegrals):
         """
         if not self._own_laws:
             return {}
-        total = -self.section._per_mean_weight[RADIAL_Y]
+        total = -self.section._weighted_moments["radial_y"]
         terms = {}
         for k, soil in enumerate(self._distinct_soils):
             is_soil = [[float(other is soil)] for other in self.section.soils]
@@ -233,7 +233,7 @@ class ArcStrength(StretchIntegrals):
 
     @property
     def _theta(self) -> Floats:
-        return np.asarray(self.section._per_mean_weight[INERTIA])
+        return np.asarray(self.section._weighted_moments["inertia"])
 
     @property
     def _weight_scale(self) -> Floats:

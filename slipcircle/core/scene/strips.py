@@ -7,7 +7,7 @@ unit weights gamma_i, any moment is the sum over the surfaces of (gamma_i - gamm
 
 Lengths are over R from the centre of the circle, y up; beta is measured from straight below the centre, to the right.
 Arrays have the axes (surfaces, circles, strips) or parts of them. Points may be complex, with a derivative in their
-imaginary part (`slipcircle.core.scene.tangent_section`): NumPy orders complex numbers by their real parts first.
+imaginary part (`slipcircle.core.scene.complex_step`): NumPy orders complex numbers by their real parts first.
 """
 
 from collections.abc import Sequence
@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.core.scene.ground import continued
+from slipcircle.core.scene.plane import Vectors
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -60,7 +61,7 @@ def cut_into_strips(
     lines: Sequence[Floats],
     surfaces: Sequence[Sequence[int]],
     layers: int,
-    ends: tuple[Floats, Floats],
+    ends: Sequence[Floats],
     extra: Floats | None = None,
     loads: Sequence[Sequence[Floats]] = (),
 ) -> Strips:
@@ -144,30 +145,21 @@ def meets_circle(line: Floats) -> Floats:
 
     Lines are (n, V, 2), from the centre, over R.
     """
-    start = line[:, :-1]
-    edge = np.diff(line, axis=1)
-    square = np.sum(edge * edge, axis=2)
-    along = np.sum(start * edge, axis=2)
-    distance_squared = np.sum(start * start, axis=2)
-    outside = distance_squared - 1.0
-    discriminant = along * along - square * outside
+    points = Vectors.of(line)
+    start = points[:, :-1]
+    edge = points.edges
+    square = edge.square
+    along = start.dot(edge)
+    discriminant = along * along - square * (start.square - 1.0)
     crosses = discriminant.real > 0.0
-    positive = np.where(crosses, discriminant, 1.0)
-    root = np.sqrt(positive)
-    has_length = square.real > 0.0
-    divisor = np.where(has_length, square, 1.0)
-    first_x = start[..., 0]
-    run = edge[..., 0]
+    root = np.sqrt(np.where(crosses, discriminant, 1.0))
+    divisor = np.where(square.real > 0.0, square, 1.0)
     crossings = []
-    for sign in (-1.0, 1.0):
-        along_edge = -along + sign * root
-        share = along_edge / divisor
-        after_start = share.real >= 0.0
-        before_end = share.real <= 1.0
-        on_edge = crosses & after_start & before_end
-        at_crossing = first_x + share * run
-        x = np.where(on_edge, at_crossing, first_x)
-        crossings.append(x)
+    for signed_root in (-root, root):
+        share = (signed_root - along) / divisor
+        on_edge = crosses & (share.real >= 0.0) & (share.real <= 1.0)
+        at_crossing = start.x + share * edge.x
+        crossings.append(np.where(on_edge, at_crossing, start.x))
     return np.concatenate(crossings, axis=1)
 
 
@@ -188,21 +180,20 @@ def line_crossings(one: Floats, other: Floats) -> Floats:
 
     The vertex is the second of the first line: the first one may be far outside, where a line is continued.
     """
-    start = one[:, :-1, None]
-    edge = np.diff(one, axis=1)[:, :, None]
-    other_edge = np.diff(other, axis=1)[:, None]
-    apart = other[:, None, :-1] - start
-    across = _cross(edge, other_edge)
+    points = Vectors.of(one)
+    others = Vectors.of(other)
+    start = points[:, :-1, None]
+    edge = points.edges[:, :, None]
+    other_edge = others.edges[:, None]
+    apart = others[:, None, :-1] - start
+    across = edge.cross(other_edge)
     parallel = across.real == 0.0
-    safe = np.where(parallel, 1.0, across)
-    share = _cross(apart, other_edge) / safe
-    other_share = _cross(apart, edge) / safe
-    inside = _within_edge(share) & _within_edge(other_share)
-    crosses = inside & ~parallel
-    start_x = start[..., 0]
-    run = edge[..., 0]
-    at_crossing = start_x + share * run
-    at_vertex = one[:, 1, 0, None, None]
+    divisor = np.where(parallel, 1.0, across)
+    share = apart.cross(other_edge) / divisor
+    other_share = apart.cross(edge) / divisor
+    crosses = _within_edge(share) & _within_edge(other_share) & ~parallel
+    at_crossing = start.x + share * edge.x
+    at_vertex = points.x[:, 1, None, None]
     x = np.where(crosses, at_crossing, at_vertex)
     return x.reshape(len(x), -1)
 
@@ -214,26 +205,18 @@ def _within_edge(share: Floats) -> NDArray[np.bool_]:
     return after_start & before_end
 
 
-def _cross(a: Floats, b: Floats) -> Floats:
-    """The cross product of vectors."""
-    return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])
-
-
 def edge_below(line: Floats, x: Floats, middle: Floats) -> tuple[Floats, Floats]:
     """y of lines (n or 1, V, 2) at x (n, M), and their slopes, of the edges below or above the points ``middle``."""
-    points = np.broadcast_to(line, (len(x), *line.shape[1:]))
-    vertices = points[:, None, :, 0].real
-    behind = vertices <= middle[..., None].real
+    of_points = np.broadcast_to(line, (len(x), *line.shape[1:]))
+    vertices = Vectors.of(of_points)
+    behind = vertices.x[:, None].real <= middle[..., None].real
     passed = np.count_nonzero(behind, axis=-1)
-    last_edge = points.shape[1] - 2
-    edge = np.clip(passed - 1, 0, last_edge)
+    last_edge = line.shape[1] - 2
+    first = np.clip(passed - 1, 0, last_edge)
     circle = np.arange(len(x))[:, None]
-    start_x, start_y = np.moveaxis(points[circle, edge], -1, 0)
-    end_x, end_y = np.moveaxis(points[circle, edge + 1], -1, 0)
-    run = end_x - start_x
-    rise = end_y - start_y
-    upright = run.real <= 0.0
-    divisor = np.where(upright, 1.0, run)
-    slope = np.where(upright, 0.0, rise / divisor)
-    along = x - start_x
-    return start_y + slope * along, slope
+    start = vertices[circle, first]
+    edge = vertices[circle, first + 1] - start
+    upright = edge.x.real <= 0.0
+    divisor = np.where(upright, 1.0, edge.x)
+    slope = np.where(upright, 0.0, edge.y / divisor)
+    return start.y + slope * (x - start.x), slope

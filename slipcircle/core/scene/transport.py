@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from slipcircle.core.scene.coordinates import indices_of
 from slipcircle.core.scene.heights import HeightIntegrals, height_integrals
+from slipcircle.core.scene.plane import Vectors
 from slipcircle.core.scene.section import Section
 
 Floats = NDArray[np.float64]
@@ -35,13 +36,13 @@ class SectionDerivatives(NamedTuple):
 
 
 class _Surface(NamedTuple):
-    """The edges of the ground over the mass, and the parts of them that lie inside the circle, (k, 2), over R."""
+    """The edges of the ground over the mass, and the parts of them that lie inside the circle, (k,), over R."""
 
-    vertex: NDArray[np.int64]  # number of an edge's first vertex, (k,)
-    edge: Floats
-    start: Floats  # of the part inside
-    part: Floats
-    skipped: Floats  # share of the edge before that part, (k,)
+    vertex: NDArray[np.int64]  # number of an edge's first vertex
+    edge: Vectors
+    start: Vectors  # of the part inside
+    part: Vectors
+    skipped: Floats  # share of the edge before that part
     share: Floats  # and of the part
 
 
@@ -85,7 +86,7 @@ def section_derivatives(section: Section, names: Sequence[str]) -> SectionDeriva
     from_centre = points - centre
     ground = from_centre / radius
     vertices = len(ground)
-    surface = _surface(section, np.diff(ground, axis=0))
+    surface = _surface(section, Vectors.of(ground))
     by_vertex = _moments_by_vertex(surface, vertices)
     moments = {name: chain(by, ground, "ground") for name, by in by_vertex.items()}
     angles = np.concatenate(section._angles)
@@ -124,43 +125,33 @@ def _chain_rule(section: Section, names: Sequence[str]) -> _Chain:
     return by_numbers
 
 
-def _surface(section: Section, edges: Floats) -> _Surface:
-    """Of a single section, from the edges of its ground."""
-    cut = section._cut
+def _surface(section: Section, ground: Vectors) -> _Surface:
+    """Of a single section, from the vertices of its ground."""
     (vertex,) = np.nonzero(section._edges_over_mass)
-    edge = edges[vertex]
-    starts = np.stack([cut.x[0], cut.y[0]], axis=1)
-    parts = np.stack([cut.e_x[0], cut.e_y[0]], axis=1)
-    start = starts[vertex]
-    part = parts[vertex]
-    (points,), (centre,), (radius,) = section._circle
-    first_vertex = (points[vertex] - centre) / radius
-    before = start - first_vertex
-    square = (edge**2).sum(axis=1)
-    skipped = (before * edge).sum(axis=1) / square
-    share = (part * edge).sum(axis=1) / square
+    edge = ground.edges[vertex]
+    start = section._cut.start[0, vertex]
+    part = section._cut.part[0, vertex]
+    before = start - ground[vertex]
+    skipped = before.dot(edge) / edge.square
+    share = part.dot(edge) / edge.square
     return _Surface(vertex, edge, start, part, skipped, share)
 
 
 def _moments_by_vertex(surface: _Surface, vertices: int) -> dict[str, Floats]:
     """Derivatives of the integrals over the mass by each vertex, (V, 2): of f (v x ds), with v one hat function."""
-    start_x, start_y = surface.start.T[:, :, None]
-    run, rise = surface.part.T[:, :, None]
-    place, weight = _along(start_x, start_y, run, rise)
-    x = start_x + place * run
-    y = start_y + place * rise
-    r = np.hypot(x, y)
-    square = r * r
-    unit_x = x / r
-    unit_y = y / r
+    start = surface.start[:, None]
+    part = surface.part[:, None]
+    place, weight = _along(start, part)
+    point = start + part * place
+    r = point.length
     names = ("polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
-    integrands = np.stack([r, square, unit_x, unit_y, x, y])
+    integrands = np.stack([r, r * r, point.x / r, point.y / r, *point])
 
     second_hat = surface.skipped[:, None] + place * surface.share[:, None]  # 1 at the second vertex of an edge
     first_hat = 1.0 - second_hat
     hats = np.stack([first_hat, second_hat]) * weight
     along_edges = np.einsum("fkn,hkn->hfk", integrands, hats)
-    normal = np.concatenate([-rise, run], axis=1)
+    normal = Vectors(-surface.part.y, surface.part.x).points
     by_first, by_second = along_edges[..., None] * normal
     by_vertex = np.zeros((len(names), vertices, 2))
     by_vertex[:, surface.vertex] += by_first
@@ -180,27 +171,25 @@ def _ends_by_vertex(surface: _Surface, angles: Floats, vertices: int) -> Floats:
     for end, angle in enumerate(angles):
         part = parts[end]
         share = shares[end]
-        u, v = surface.edge[part]
-        tangent_x = np.cos(angle)
-        tangent_y = np.sin(angle)
-        across = tangent_x * v - tangent_y * u
-        along_arc = np.array([v, -u]) / across
+        edge = surface.edge[part]
+        tangent = Vectors(np.cos(angle), np.sin(angle))
+        along_arc = np.array([edge.y, -edge.x]) / tangent.cross(edge)
         vertex = surface.vertex[part]
         by_vertex[end, vertex] = (1.0 - share) * along_arc
         by_vertex[end, vertex + 1] = share * along_arc
     return by_vertex
 
 
-def _along(x: Floats, y: Floats, run: Floats, rise: Floats) -> tuple[Floats, Floats]:
+def _along(start: Vectors, edge: Vectors) -> tuple[Floats, Floats]:
     """Places on edges and weights, (edges, nodes), that integrate what has its singularity at the centre.
 
     By Gauss in t, the length from the foot of the perpendicular; on an edge longer than its distance p from the centre
-    in asinh(t/p), in which r = p cosh is entire. Edges start at x, y, (edges, 1).
+    in asinh(t/p), in which r = p cosh is entire. Vectors are (edges, 1).
     """
-    length = np.hypot(run, rise)
-    first = (x * run + y * rise) / length
+    length = edge.length
+    first = start.dot(edge) / length
     last = first + length
-    distance = np.abs(x * rise - y * run) / length
+    distance = np.abs(start.cross(edge)) / length
     long = length > distance
     not_zero = np.maximum(distance, 1e-9)
     p = np.where(long, not_zero, 1.0)

@@ -7,6 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+Effects = Mapping[str, Mapping[str, Any]]  # by name, each with its parameters
+
 
 @dataclass(frozen=True)
 class Dimensionless:
@@ -69,7 +71,7 @@ class SlidingBody:
         """The fields that differ once some of these have other values."""
         return {}
 
-    def section_effects(self, effects: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, Any]]:
+    def section_effects(self, effects: Effects) -> Effects:
         """Effects with what the section itself adds to them: its water level, the strengths of its soils."""
         return effects
 
@@ -81,7 +83,8 @@ class SlidingBody:
     @cached_property
     def sagitta(self) -> Any:
         """f, the depth of the arc below its chord (2.12), by which stresses are scaled, m."""
-        return np.multiply(self.radius, 2 * np.sin(self.half_angle / 2) ** 2)
+        versine = 2 * np.sin(self.half_angle / 2) ** 2  # 1 - cos(alpha)
+        return np.multiply(self.radius, versine)
 
     @cached_property
     def time_scale(self) -> Any:

@@ -1,0 +1,185 @@
+"""The geometry of sections: the arc that a circle cuts off a ground, and the mass above it."""
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any, ClassVar
+
+import numpy as np
+
+from slipcircle.core.scene import circles
+from slipcircle.core.scene.circles import Cut, Floats
+from slipcircle.core.scene.heights import height_integrals, integral_inside
+from slipcircle.core.scene.plane import Vectors
+from slipcircle.core.scene.turning import TurningMass
+
+
+class SectionGeometry(TurningMass):
+    """Circles through a ground; arrays have one axis of lanes, results the shape of the fields."""
+
+    radius: Any
+    between: Any
+    quantities: ClassVar[Mapping[str, int]]
+
+    @cached_property
+    def shape(self) -> tuple[int, ...]:
+        """Of the results."""
+        leading = []
+        for name in ("radius", "centre", "ground", "level"):
+            shape = np.shape(getattr(self, name))
+            axes = self.quantities[name]
+            leading.append(shape[: len(shape) - axes])
+        return np.broadcast_shapes(*leading)
+
+    @cached_property
+    def _circle(self) -> tuple[Floats, Floats, Floats]:
+        """Ground, centre and radius with one axis of lanes."""
+        centre = np.broadcast_to(np.add(self.centre, 0.0), (*self.shape, 2))
+        radius = np.broadcast_to(np.add(self.radius, 0.0), self.shape)
+        ground = self._lines(self.ground)
+        return ground, centre.reshape(-1, 2), radius.reshape(-1)
+
+    def _lines(self, points: Any) -> Floats:
+        """Lines with one axis of lanes; of one for all that is 1."""
+        points = np.add(points, 0.0)
+        own = points.shape[-2:]
+        if points.ndim > 2:
+            points = np.broadcast_to(points, (*self.shape, *own))
+        return points.reshape(-1, *own)
+
+    @cached_property
+    def _cut(self) -> Cut:
+        return circles.cut(*self._circle)
+
+    @cached_property
+    def _candidates(self) -> tuple[Any, ...]:
+        """Lane, number and both x of the stretches that may be meant; and which circles hold an end of the ground."""
+        _, centre, radius = self._circle
+        lane, number, held = circles.stretches(self._cut)
+        first, last = circles.ends(self._cut.only(lane), number)
+        r = radius[lane]
+        left = centre[lane, 0] + r * first.x
+        right = centre[lane, 0] + r * last.x
+        if self.between is None:
+            return lane, number, left, right, held
+        low, high = self.between
+        rounding = 1e-9 * r
+        is_between = (left >= low - rounding) & (right <= high + rounding)
+        count = np.bincount(lane, is_between, len(radius))
+        middle = (left + right) / 2
+        middle_between = (middle >= low) & (middle <= high)
+        keep = is_between | ((count[lane] == 0) & middle_between)
+        chosen = [column[keep] for column in (lane, number, left, right)]
+        return *chosen, np.zeros_like(held)
+
+    @cached_property
+    def _ends(self) -> tuple[Vectors, Vectors]:
+        """The left and the right end of the arc from the centre, over R."""
+        return circles.ends(self._cut, self._candidates[1])
+
+    @cached_property
+    def _mine(self) -> Any:
+        return self._cut.stretch == self._candidates[1][:, None]
+
+    @property
+    def _edges_over_mass(self) -> Any:
+        """Which edges of the ground of one section lie over its mass."""
+        return self._mine[0] & self._cut.part[0].is_nonzero
+
+    @cached_property
+    def _moments(self) -> dict[str, Floats]:
+        """Integrals of `circles.MEASURES` over the mass."""
+        return circles.moments(self._cut, self._mine)
+
+    def _shaped(self, values: Any) -> Any:
+        """Values by lane in the shape of the results; a number where there are no arrays."""
+        values = np.asarray(values)
+        return values.reshape((*self.shape, *values.shape[1:]))[()]
+
+    @cached_property
+    def _facing(self) -> Floats:
+        left, right = self._ends
+        by_weight = -np.sign(self._moments["moment_x"])
+        by_height = np.where(left.y < right.y, -1.0, 1.0)
+        return np.where(by_weight != 0.0, by_weight, by_height)
+
+    @cached_property
+    def facing(self) -> Any:
+        """1 where gravity turns the mass to the right, -1 to the left."""
+        return self._shaped(self._facing)
+
+    @cached_property
+    def _angles(self) -> tuple[Floats, Floats]:
+        """Of both ends from straight below the centre, left to right."""
+        left, right = self._ends
+        return np.arctan2(left.x, -left.y), np.arctan2(right.x, -right.y)
+
+    @cached_property
+    def _chord(self) -> Vectors:
+        """From the left to the right end, over R, (n,)."""
+        run, rise = self._cut.part.where(self._mine)
+        return Vectors(run.sum(axis=1), rise.sum(axis=1))
+
+    @cached_property
+    def chord(self) -> Any:
+        """Its length, m."""
+        return self._shaped(self._chord.length) * self.radius
+
+    @cached_property
+    def half_angle(self) -> Any:
+        """alpha, half the opening angle of the arc, rad."""
+        left, right = self._angles
+        by_ends = (right - left) / 2
+        sine = np.minimum(self._chord.length / 2, 1.0)
+        acute = np.arcsin(sine)
+        by_chord = np.where(by_ends <= np.pi / 2, acute, np.pi - acute)
+        accurate = np.where(sine > 0.7, by_ends, by_chord)  # each where it keeps its digits
+        return self._shaped(accurate)
+
+    @cached_property
+    def dip(self) -> Any:
+        """psi, the dip of the chord, rad, positive down-slope."""
+        run, rise = self._chord
+        return self._shaped(np.arctan2(-self._facing * rise, run))
+
+    def _end(self, way: float) -> Any:
+        """The left end where the mass faces this way, else the right."""
+        _, centre, radius = self._circle
+        left, right = (centre + radius[:, None] * end.points for end in self._ends)
+        is_left = self._facing == way
+        return self._shaped(np.where(is_left[:, None], left, right))
+
+    @cached_property
+    def entry(self) -> Any:
+        """Upper end of the slip surface, x and y in m."""
+        return self._end(1.0)
+
+    @cached_property
+    def exit(self) -> Any:
+        """Lower end of the slip surface, the toe at the start, x and y in m."""
+        return self._end(-1.0)
+
+    @cached_property
+    def area(self) -> Any:
+        """Of the section, m^2."""
+        return self._shaped(self._moments["area"]) * np.square(self.radius)
+
+    @cached_property
+    def depth(self) -> Any:
+        """Greatest thickness of the mass along a radius, m."""
+        thickness = circles.thickness(self._cut, self._mine)
+        return self._shaped(thickness) * self.radius
+
+    @cached_property
+    def mean_cover(self) -> Any:
+        """Mean height of the ground above the arc, m; times r_u and the unit weight it is a mean pressure.
+
+        Where the arc overhangs, it is the ground outside the mass.
+        """
+        first, last = self._angles
+        by_edge = np.where(self._mine, integral_inside(self._cut), 0.0)
+        integral = by_edge.sum(axis=1)
+        overhangs = np.maximum(-first, last) > np.pi / 2
+        if overhangs.any():
+            above = height_integrals(*self._circle)
+            integral = np.where(overhangs, above.integral(first, last), integral)
+        return self._shaped(integral) / (2 * self.half_angle) * self.radius

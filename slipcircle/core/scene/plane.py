@@ -1,0 +1,91 @@
+"""Vectors in the plane."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+
+@dataclass(slots=True)
+class Vectors:
+    """Arrays of vectors by their components: real, complex, or each a `DoubleDouble`."""
+
+    x: Any
+    y: Any
+
+    @classmethod
+    def of(cls, points: Any) -> "Vectors":
+        """From an array (..., 2)."""
+        return cls(points[..., 0], points[..., 1])
+
+    @property
+    def points(self) -> Any:
+        """As an array (..., 2)."""
+        return np.stack([self.x, self.y], axis=-1)
+
+    def __iter__(self) -> Iterator[Any]:
+        yield self.x
+        yield self.y
+
+    def __getitem__(self, index: Any) -> "Vectors":
+        return Vectors(self.x[index], self.y[index])
+
+    def __neg__(self) -> "Vectors":
+        return Vectors(-self.x, -self.y)
+
+    def __add__(self, other: "Vectors") -> "Vectors":
+        return Vectors(self.x + other.x, self.y + other.y)
+
+    def __sub__(self, other: "Vectors") -> "Vectors":
+        return Vectors(self.x - other.x, self.y - other.y)
+
+    def __mul__(self, factor: Any) -> "Vectors":
+        return Vectors(self.x * factor, self.y * factor)
+
+    def dot(self, other: "Vectors") -> Any:
+        """Scalar products."""
+        return self.x * other.x + self.y * other.y
+
+    def cross(self, other: "Vectors") -> Any:
+        """Cross products, positive where the other vector points to the left of this one."""
+        return self.x * other.y - self.y * other.x
+
+    @property
+    def square(self) -> Any:
+        """Squares of the lengths."""
+        return self.dot(self)
+
+    @property
+    def length(self) -> Any:
+        """Lengths."""
+        return np.hypot(self.x, self.y)
+
+    @property
+    def largest(self) -> Any:
+        """The greater one of the absolute values of both components."""
+        return np.maximum(np.abs(self.x), np.abs(self.y))
+
+    @property
+    def is_nonzero(self) -> Any:
+        """Whether a component is not 0."""
+        return (self.x != 0.0) | (self.y != 0.0)
+
+    def where(self, mask: Any) -> "Vectors":
+        """The vectors that a mask selects, and 0 for the others."""
+        return Vectors(np.where(mask, self.x, 0.0), np.where(mask, self.y, 0.0))
+
+    @property
+    def starts(self) -> "Vectors":
+        """All points of lines, along the last axis, but the last one."""
+        return self[..., :-1]
+
+    @property
+    def ends(self) -> "Vectors":
+        """All but the first one."""
+        return self[..., 1:]
+
+    @property
+    def edges(self) -> "Vectors":
+        """From each point to the next one."""
+        return self.ends - self.starts
