@@ -128,8 +128,8 @@ def test_six_references_are_derived_again() -> None:
 
 def both(length: float = 3.0, **changes: Any) -> list[Any]:
     """Motions of Vaiont's mass by a law of its name, and by the same as a function."""
-    named = {"law": "exponential", "peak": 0.37, "residual": 0.17, "length": length}
-    free = partial(falling, length=length)
+    named: dict[str, Any] = {"law": "exponential", "peak": 0.37, "residual": 0.17, "length": length}
+    free: Any = partial(falling, length=length)
     return [solve(replace(load("vaiont"), friction=friction, **changes)) for friction in (named, free)]
 
 
