@@ -280,17 +280,17 @@ class _Builder(Declarations):
 
     def _encoded(self, operation: Operation, results: Names) -> tuple[Any, ...]:
         """An operation on series: its results first, then registers, cells or a table."""
-        kind, *taken = operation
+        kind, *names = operation
         made = [self.at[register] for register in results]
         if kind == "lin":
-            constant, terms = taken
+            constant, terms = names
             return (kind, *made, *self._encoded_sum(constant, terms))
         if kind == "ramp":
             table_arguments = [table.argument for table in self.tables]
-            argument, _, _ = taken[0].partition(PRIME)
+            argument, _, _ = names[0].partition(PRIME)
             table = table_arguments.index(argument)
             return (kind, *made, table)
-        operands = [self.operand[name] for name in taken]
+        operands = [self.operand[name] for name in names]
         return (kind, *made, *operands)
 
     def _encoded_sum(self, constant: str, terms: Iterable[Term]) -> tuple[Any, ...]:

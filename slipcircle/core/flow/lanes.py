@@ -35,7 +35,7 @@ def integrate_all(
     ----------
     problem : Problem
     samples : Samples, optional
-        Times at which states are wanted; filled in place.
+        States at times on the way; filled in place.
     log : list, optional
         Takes the events of the first lane.
     integrator : callable, optional
@@ -125,7 +125,7 @@ class Lanes:
         m/s, and s or infinity.
     accuracy : float
     count : int
-        How many there are.
+        Number of lanes.
     invalid : ndarray of bool
         Which are no scenes.
     """
@@ -259,7 +259,7 @@ class Lanes:
         first_omega = problem.cells[ix.OMEGA]
         return energies, first_omega**2 / 2
 
-    # --- forces in given states ----------------------------------------------------------------------------------
+    # --- forces in any states ----------------------------------------------------------------------------------
 
     def stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         """The mean normal stress, Pa, of each lane in one state; dimensionless numbers."""
@@ -313,7 +313,7 @@ class Lanes:
         return self.problem.with_outputs(OUTPUTS)
 
     def _states(self, times: Floats, rows: Floats) -> _States:
-        """States at times in s, as `read` gives them, as lanes of their own."""
+        """States at times in s, as `read` gives them, as separate lanes."""
         every_lane = np.arange(self.count)
         lane = np.tile(every_lane, times.size)
         units = np.broadcast_to(self.time_scale, self.count)

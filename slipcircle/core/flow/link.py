@@ -41,10 +41,10 @@ def arguments(operation: str, names: Sequence[Any]) -> list[str]:
         terms = names[2]
         return [register for _, register in terms]
     count = RESULTS.get(operation, 1)
-    taken = list(names[count:])
+    operands = list(names[count:])
     if operation == "pow":
-        taken.pop()  # its exponent is a cell
-    return taken
+        operands.pop()  # its exponent is a cell
+    return operands
 
 
 @dataclass
@@ -65,8 +65,8 @@ class Linker:
 
     def define_cells(self, operations: Iterable[Any]) -> None:
         """Take definitions of cells: name of the operation, result, arguments."""
-        for operation, result, *taken in operations:
-            self.cell_definitions[result] = (operation, *taken)
+        for operation, result, *operands in operations:
+            self.cell_definitions[result] = (operation, *operands)
 
     def define_series(self, operations: Iterable[Any]) -> None:
         """Take definitions of registers: name of the operation, results, arguments."""
@@ -85,8 +85,8 @@ class Linker:
             if name not in self.cell_definitions:
                 self._define_cell_tangent(name)
             operation, *names = self.cell_definitions[name]
-            taken = [self.cell(argument) for argument in names]
-            self.cells[name] = self.compute(operation, taken, name)
+            operands = [self.cell(argument) for argument in names]
+            self.cells[name] = self.compute(operation, operands, name)
         return self.cells[name]
 
     def _define_cell_tangent(self, name: str) -> None:
@@ -97,42 +97,42 @@ class Linker:
         if base not in self.cell_definitions:
             self.cell_definitions[name] = ("set", ZERO)
             return
-        operation, *taken = self.cell_definitions[base]
+        operation, *operands = self.cell_definitions[base]
         placeholders, rule = CELL_TANGENTS.get(operation, TANGENT_OF_COPY)
-        names = (base, *taken)
+        names = (base, *operands)
         actual = dict(zip(placeholders, names, strict=False))
         derivative = _instance(rule, actual, base, direction)
         self.define_cells(derivative)
 
-    def compute(self, operation: str, taken: list[str], name: str = "") -> str:
+    def compute(self, operation: str, operands: list[str], name: str = "") -> str:
         """The cell of an operation's result: a new one, or one that holds it already."""
-        known = _simplified(operation, taken)
+        known = _simplified(operation, operands)
         if known is not None:
             return known
-        first = taken[0]
-        second = taken[-1]
+        first = operands[0]
+        second = operands[-1]
         if operation == "sub" and first == ZERO:
             return self.compute("neg", [second], name)
-        if operation == "mul" and MINUS_ONE in taken:
+        if operation == "mul" and MINUS_ONE in operands:
             factor = second if first == MINUS_ONE else first
             return self.compute("neg", [factor], name)
         result = name
         if not name:
             number = len(self.scalar)
             result = f"cell{number}"
-        return self.scalar.setdefault((operation, *taken), result)
+        return self.scalar.setdefault((operation, *operands), result)
 
     def origins(self, names: Iterable[str]) -> set[str]:
         """The inputs from which some cells are computed."""
         inputs = set[str]()
         pending = [self.cell(name) for name in names]
-        taken = dict[str, Names]()
+        operands = dict[str, Names]()
         for (_, *cells), result in self.scalar.items():
-            taken[result] = tuple(cells)
+            operands[result] = tuple(cells)
         while pending:
             name = pending.pop()
-            if name in taken:
-                pending += taken.pop(name)
+            if name in operands:
+                pending += operands.pop(name)
             else:
                 inputs.add(name)
         return inputs
@@ -185,10 +185,10 @@ class Linker:
                 continue
             seen.add(name)
             operation, *definition = self.definition(name)
-            taken = arguments(operation, definition)
-            pending += taken
+            operands = arguments(operation, definition)
+            pending += operands
             if operation != "lin":
-                self.shared.update(taken)
+                self.shared.update(operands)
 
     def is_zero(self, name: str) -> bool:
         """Whether a register is identically zero: undefined, a product with zero, or a sum of zeros."""
@@ -201,8 +201,8 @@ class Linker:
             if zero and constant:
                 zero = self.cell(constant) == ZERO
         else:
-            taken = arguments(operation, names)
-            zero = any(map(self.is_zero, taken))
+            operands = arguments(operation, names)
+            zero = any(map(self.is_zero, operands))
         if zero:
             self.registers[name] = None
         return zero
@@ -227,13 +227,13 @@ class Linker:
     def _result(self, name: str, operation: str, names: Sequence[Any]) -> str:
         """The register of one result of an operation, which is shared by equal arguments."""
         results = results_of(operation, names)
-        taken = [self.register(register) for register in arguments(operation, names)]
+        operands = [self.register(register) for register in arguments(operation, names)]
         if operation == "pow":
             exponent = self.cell(names[-1])
-            taken.append(exponent)
+            operands.append(exponent)
         elif operation == "ramp":
-            taken.append(name)
-        computed = self.series.setdefault((operation, *taken), results)
+            operands.append(name)
+        computed = self.series.setdefault((operation, *operands), results)
         position = results.index(name)
         return computed[position]
 
@@ -282,22 +282,22 @@ class Linker:
         return None if constant else terms
 
 
-def _simplified(operation: str, taken: Sequence[str]) -> str | None:
+def _simplified(operation: str, operands: Sequence[str]) -> str | None:
     """The cell that the result of an operation on cells equals; None where it has to be computed."""
-    first = taken[0]
-    second = taken[-1]
+    first = operands[0]
+    second = operands[-1]
     match operation:
         case "set":
             return first
-        case "add" if ZERO in taken:
+        case "add" if ZERO in operands:
             return second if first == ZERO else first
         case "sub" if second == ZERO:
             return first
         case "sub" if first == second:
             return ZERO
-        case "mul" if ZERO in taken:
+        case "mul" if ZERO in operands:
             return ZERO
-        case "mul" if ONE in taken:
+        case "mul" if ONE in operands:
             return second if first == ONE else first
         case "div" if ZERO == first or second == ONE:
             return first
@@ -309,7 +309,7 @@ def _simplified(operation: str, taken: Sequence[str]) -> str | None:
             return ZERO
         case "select" if first == ZERO:
             return second
-        case "select" if taken[1] == second == ZERO:
+        case "select" if operands[1] == second == ZERO:
             return ZERO
     return None
 
@@ -359,11 +359,11 @@ def needed(operations: Iterable[WithResults], outputs: Iterable[str]) -> Operati
         if pending.isdisjoint(results):
             continue
         selected.append((operation, results))
-        kind, *taken = operation
+        kind, *operands = operation
         if kind == "lin":
-            _, terms = taken
-            taken = [register for _, register in terms]
-        pending.update(taken)
+            _, terms = operands
+            operands = [register for _, register in terms]
+        pending.update(operands)
     return selected[::-1]
 
 

@@ -69,7 +69,7 @@ class Numbers:
     def add_start(self, velocity: Any, end_time: Any) -> None:
         """Add the initial velocity, the end time, and initial values of the integrator's records."""
         inputs = self.inputs
-        with np.errstate(over="ignore"):  # what overflows is refused where it is asked for
+        with np.errstate(over="ignore"):  # an overflow is refused where the result is read
             inputs["omega"] = velocity / self.radius * self.time_scale
             inputs["END_TIME"] = end_time / self.time_scale
         limit = self.arc.moment_coefficients.limit_friction
@@ -80,7 +80,7 @@ class Numbers:
 
     # --- effects -----------------------------------------------------------------------------------------------------
 
-    def add_effect(self, effect: str, given: Parameters, rotating: bool) -> None:
+    def add_effect(self, effect: str, parameters: Parameters, rotating: bool) -> None:
         """Add the parameters of an effect: numbers by their symbols, functions of time or of the rotation as tables."""
         symbols = symbols_of(effect)
         if not symbols:
@@ -89,9 +89,9 @@ class Numbers:
         scales = dict(self.scales)
         for p in declared:
             if p.kind == "number":
-                scales[p.name] = given.get(p.name, 0.0)
+                scales[p.name] = parameters.get(p.name, 0.0)
         for p in declared:
-            value = given.get(p.name, 0.0)
+            value = parameters.get(p.name, 0.0)
             if not p.symbol or isinstance(value, OfRotation):
                 continue  # `add_layers` lays out all functions of layers together
             if not callable(value):
@@ -101,7 +101,7 @@ class Numbers:
                 unit = p.dimensionless(1.0, scales)
                 self.tables[p.symbol] = ScaledTable(self._under_water(rotating), factor=unit)
             else:
-                factor = factor_of(effect, given, p.name)
+                factor = factor_of(effect, parameters, p.name)
                 scaled = p.dimensionless(factor, scales)
                 self.tables[p.symbol] = ScaledTable(tables.of_time(value), self.time_scale, scaled)
 
@@ -125,10 +125,9 @@ class Numbers:
             breaks = np.zeros((1, last.size))
             coefficients = np.zeros((1, TERMS, last.size))
             coefficients[0, 0] = pressure(breaks)[0, 0]
-        jumps = np.zeros(len(breaks))
         if section.shape:
-            return Data(breaks, coefficients, jumps)
-        return Data(breaks[:, 0], coefficients[..., 0], jumps)
+            return tables.continuous(breaks, coefficients)
+        return tables.continuous(breaks[:, 0], coefficients[..., 0])
 
     def add_layers(self, called: Mapping[str, Parameters], friction: Any) -> None:
         """Add the functions of the rotation that belong to the soils of a layered section."""
@@ -149,32 +148,32 @@ class Numbers:
 
     # --- friction laws -----------------------------------------------------------------------------------------------
 
-    def add_law(self, name: str, given: Parameters) -> None:
+    def add_law(self, name: str, parameters: Parameters) -> None:
         """Add a friction law: a table, or dimensionless numbers by its name."""
         law = without_soil(name)
         if law == "callable":
-            self.function = given["function"]
+            self.function = parameters["function"]
             first_slip = FIRST_SLIP * float(np.max(self.radius))
             table = sampled(self.function, first_slip)
             self.tables[name] = ScaledTable(table, self.radius)
         elif law in PIECES:
             length, _, _ = PIECES[law]
-            table = tables.of_law(law, given)
-            self.tables[name] = ScaledTable(table, self.radius / given[length])
+            table = tables.of_law(law, parameters)
+            self.tables[name] = ScaledTable(table, self.radius / parameters[length])
         elif LAWS[law].parameters[0].kind == "list":
-            self.tables[name] = self._listed(LAWS[law], given)
+            self.tables[name] = self._listed(LAWS[law], parameters)
         else:
             units = {"m": self.radius, "m/s": self.speed, "": 1.0}
             for p in LAWS[law].parameters:
-                value = given[p.name]
+                value = parameters[p.name]
                 self.inputs[f"{name}.{p.name}"] = value / units[p.unit]
 
-    def _listed(self, law: Law, given: Parameters) -> ScaledTable:
+    def _listed(self, law: Law, parameters: Parameters) -> ScaledTable:
         """A law that lists coefficients at slips, speeds or times."""
         (argument,) = law.depends_on
         places, coefficients = law.parameters
-        x = np.asarray(given[places.name], dtype=np.float64)
-        y = np.asarray(given[coefficients.name], dtype=np.float64)
+        x = np.asarray(parameters[places.name], dtype=np.float64)
+        y = np.asarray(parameters[coefficients.name], dtype=np.float64)
         table = tables.of_list(argument, x, y)
         scales = {"slip": self.radius, "speed": self.speed, "time": self.time_scale}
         return ScaledTable(table, scales[argument])

@@ -120,7 +120,7 @@ class Problem(NamedTuple):
 def _exceeds(table: Data, rotation: Floats, lane: Any) -> bool:
     """Whether a rotation lies beyond the table of its lane."""
     last = table.breaks[-1]
-    if table.breaks.ndim == 2:  # each lane has its own breaks
+    if table.breaks.ndim == 2:  # each lane has other breaks
         last = last[lane]
     beyond = rotation > last + 1e-9
     return bool(np.any(beyond))
@@ -163,7 +163,7 @@ def build_problem(
     velocity, end_time : float or ndarray
         m/s and s; infinite where there is no end.
     accuracy : float
-        Relative error asked for.
+        Requested relative error.
     lanes : int
         Number of scenes.
 
@@ -230,9 +230,9 @@ def recipe_of(called: Effects, laws: Names) -> Recipe:
     moving = list[str]()
     absent = list[str]()
     for effect in effects:
-        given = called[effect]
+        parameters = called[effect]
         for name, symbol in symbols_of(effect).items():
-            value = given.get(name)
+            value = parameters.get(name)
             if value is None:
                 absent.append(symbol)
             elif callable(value):

@@ -29,8 +29,8 @@ def lanes_of(scene: Scene, accuracy: float, invalid: Any = False) -> Lanes:
     arc = by_lanes(scene.arc, flat)
     assert isinstance(scene.effects, dict)
     effects = dict[str, Any]()
-    for effect, given in scene.effects.items():
-        effects[effect] = _flat_numbers(scene, effect, given)
+    for effect, parameters in scene.effects.items():
+        effects[effect] = _flat_numbers(scene, effect, parameters)
     if isinstance(arc, LayeredSection):
         friction = arc.friction
     else:
@@ -61,10 +61,10 @@ def _flat_friction(scene: Scene) -> Any:
     return flat
 
 
-def _flat_numbers(scene: Scene, path: str, given: Parameters) -> dict[str, Any]:
+def _flat_numbers(scene: Scene, path: str, parameters: Parameters) -> dict[str, Any]:
     """Parameters of an effect or a law; those among the scene's numbers may be arrays."""
-    flat = dict(given)
-    for name, value in given.items():
+    flat = dict(parameters)
+    for name, value in parameters.items():
         if f"{path}.{name}" in scene.numbers:
             flat[name] = _flat(value, scene.shape)
     return flat

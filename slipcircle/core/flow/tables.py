@@ -1,6 +1,7 @@
 """Piecewise polynomials of slip, speed, time or rotation: friction laws, records and pulses."""
 
 from collections.abc import Mapping
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -33,8 +34,8 @@ class Data(NamedTuple):
         breaks = self.breaks
         if breaks.ndim == 2:
             breaks = np.ascontiguousarray(breaks[:, which])
-        coefficients = np.ascontiguousarray(self.coefficients[..., which])
-        return self._replace(breaks=breaks, coefficients=coefficients)
+        of_lanes = self.coefficients[..., which]
+        return self._replace(breaks=breaks, coefficients=np.ascontiguousarray(of_lanes))
 
     def begins(self, piece: NDArray[np.intp]) -> Floats:
         """The break at which the piece of each lane begins."""
@@ -45,9 +46,11 @@ class Data(NamedTuple):
 
     def entered(self, places: Floats, upwards: Any) -> NDArray[np.intp]:
         """The number of the piece at each place; at a break, of the piece ahead in the direction of travel."""
-        breaks = self.breaks if self.breaks.ndim == 2 else self.breaks[:, None]
-        at_break = (breaks == places) & upwards
-        passed = (breaks < places) | at_break
+        breaks = self.breaks
+        if breaks.ndim == 1:
+            breaks = breaks[:, None]
+        below = breaks < places
+        passed = below | (breaks == places) & upwards
         begun = np.count_nonzero(passed, axis=0)
         return np.maximum(begun - 1, 0)
 
@@ -59,19 +62,27 @@ class Data(NamedTuple):
         return np.asarray(self.coefficients[piece, :, lane].T)
 
 
+def continuous(breaks: Floats, coefficients: Floats, sine: bool = False) -> Data:
+    """A piecewise polynomial without discontinuities."""
+    jumps = np.zeros(len(breaks))
+    return Data(breaks, coefficients, jumps, sine)
+
+
 # --- friction laws and functions of time -----------------------------------------------------------------------------
 
 
 def of_law(name: str, parameters: Mapping[str, ArrayLike]) -> Data:
     """A friction law that is declared in pieces, of the slip over its scale."""
     _, breaks, polynomials = PIECES[name]
-    arrays = {n: np.asarray(value, dtype=np.float64) for n, value in parameters.items()}
+    arrays = dict[str, Floats]()
+    for key, value in parameters.items():
+        arrays[key] = np.asarray(value, dtype=np.float64)
     pieces = polynomials(**arrays)
-    every = [coefficient for piece in pieces for coefficient in piece]
+    every = chain.from_iterable(pieces)
     values = np.array(np.broadcast_arrays(*every))
-    coefficients = values.reshape(len(pieces), -1, *values.shape[1:])
-    jumps = np.zeros(len(pieces))
-    return Data(np.array(breaks), coefficients, jumps)
+    lanes = values.shape[1:]
+    coefficients = values.reshape(len(pieces), -1, *lanes)
+    return continuous(np.array(breaks), coefficients)
 
 
 def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
@@ -79,8 +90,10 @@ def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
     first = places[0] - 1.0
     breaks = np.concatenate([[first], places])
     heights = np.concatenate([[before], values[:-1], [after]])
-    secant = np.diff(values) / np.diff(places)
-    slopes = np.concatenate([[0.0], secant, [0.0]])
+    rise = np.diff(values)
+    secant = rise / np.diff(places)
+    level = [0.0]
+    slopes = np.concatenate([level, secant, level])
     jumps = np.zeros_like(heights)
     jumps[1] = values[0] - before
     jumps[-1] = after - values[-1]
@@ -90,13 +103,13 @@ def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
 
 def waves(start: float, duration: float, amplitude: float, rate: float) -> Data:
     """A sine between its start and its end, zero elsewhere."""
+    before = start - 1.0
+    end = start + duration
     zero = [0.0, 0.0, 0.0]
     wave = [amplitude, rate, 0.0]
-    end = start + duration
-    breaks = np.array([start - 1.0, start, end])
+    breaks = np.array([before, start, end])
     coefficients = np.array([zero, wave, zero])
-    jumps = np.zeros(3)
-    return Data(breaks, coefficients, jumps, sine=True)
+    return continuous(breaks, coefficients, sine=True)
 
 
 def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data:
@@ -106,44 +119,51 @@ def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data
     three points, limited, or 0 for a smooth start.
     """
     step = np.diff(places)
-    secant = np.diff(values) / step
+    rise = np.diff(values)
+    secant = rise / step
     slope = np.zeros_like(values)
     slope[1:-1] = _interior_slopes(step, secant)
     if not smooth_start:
         slope[0] = _first_slope(step, secant)
     start = slope[:-1]
     end = slope[1:]
-    quadratic = (3 * secant - 2 * start - end) / step
-    cubic = (start + end - 2 * secant) / step**2
-    pieces = np.stack([values[:-1], start, quadratic, cubic], axis=1)
-    beyond = [values[-1], 0.0, 0.0, 0.0]
+    quadratic = 3 * secant - 2 * start - end
+    cubic = start + end - 2 * secant
+    *first_values, last_value = values
+    pieces = np.stack([first_values, start, quadratic / step, cubic / step**2], axis=1)
+    beyond = [last_value, 0.0, 0.0, 0.0]
     coefficients = np.vstack([pieces, beyond])
-    jumps = np.zeros(places.size)
-    return Data(places, coefficients, jumps)
+    return continuous(places, coefficients)
 
 
 def _interior_slopes(step: Floats, secant: Floats) -> Floats:
     """Weighted harmonic means of neighbouring secants; 0 where they differ in sign."""
     before = secant[:-1]
     after = secant[1:]
-    weight_before = 2 * step[1:] + step[:-1]
-    weight_after = step[1:] + 2 * step[:-1]
+    step_before = step[:-1]
+    step_after = step[1:]
+    weight_before = 2 * step_after + step_before
+    weight_after = step_after + 2 * step_before
+    weight = weight_before + weight_after
     with np.errstate(divide="ignore", invalid="ignore"):
-        mean = (weight_before + weight_after) / (weight_before / before + weight_after / after)
-    return np.where(before * after > 0.0, mean, 0.0)
+        reciprocal = weight_before / before + weight_after / after
+        mean = weight / reciprocal
+    same_sign = before * after > 0.0
+    return np.where(same_sign, mean, 0.0)
 
 
 def _first_slope(step: Floats, secant: Floats) -> float:
     """Slope of the parabola through the first three points, limited so that the interpolation is monotone."""
     if step.size == 1:
         return float(secant[0])
-    near, far = step[:2]
-    first, second = secant[:2]
+    near, far, *_ = step
+    first, second, *_ = secant
     weighted = (2 * near + far) * first - near * second
     slope = weighted / (near + far)
     if slope * first <= 0.0:
         return 0.0
-    if first * second <= 0.0:
+    turns = first * second <= 0.0
+    if turns:
         slope = min(slope, 3 * first, key=abs)
     return float(slope)
 
@@ -154,8 +174,7 @@ def of_speed(speeds: Floats, values: Floats) -> Data:
     constant = [values[0], 0.0, 0.0, 0.0]
     breaks = np.concatenate([[0.0], speeds])
     coefficients = np.vstack([constant, cubics.coefficients])
-    jumps = np.zeros(breaks.size)
-    return Data(breaks, coefficients, jumps)
+    return continuous(breaks, coefficients)
 
 
 def of_list(argument: str, places: Floats, values: Floats) -> Data:
@@ -164,6 +183,11 @@ def of_list(argument: str, places: Floats, values: Floats) -> Data:
         return monotone(places, values)
     if argument == "speed":
         return of_speed(places, values)
+    return _held_lines(places, values)
+
+
+def _held_lines(places: Floats, values: Floats) -> Data:
+    """Linear interpolation of samples; the first and the last one continue."""
     first = float(values[0])
     last = float(values[-1])
     return lines(places, values, first, last)
@@ -171,27 +195,24 @@ def of_list(argument: str, places: Floats, values: Floats) -> Data:
 
 def of_time(function: Series | Pulse) -> Data:
     """A function of time."""
-    if isinstance(function, Series):
-        times = function.time
-        values = function.values
-        if not function.held:
-            return lines(times, values, 0.0, 0.0)
-        first = float(values[0])
-        last = float(values[-1])
-        return lines(times, values, first, last)
-    start = function.start
-    duration = function.duration
-    amplitude = function.amplitude
-    end = start + duration
-    if function.name == "rectangular":
-        times = np.array([start, end])
-        values = np.array([amplitude, amplitude])
-        return lines(times, values, 0.0, 0.0)
-    if function.name == "triangular":
-        middle = start + duration / 2
-        times = np.array([start, middle, end])
-        values = np.array([0.0, amplitude, 0.0])
-        return lines(times, values, 0.0, 0.0)
-    half_waves = 2 * function.cycles if function.name == "sine" else 1.0
-    rate = np.pi * half_waves / duration
-    return waves(start, duration, amplitude, rate)
+    if isinstance(function, Pulse):
+        return _of_pulse(function)
+    if function.held:
+        return _held_lines(function.time, function.values)
+    return lines(function.time, function.values, 0.0, 0.0)
+
+
+def _of_pulse(pulse: Pulse) -> Data:
+    amplitude = pulse.amplitude
+    half_waves = 1.0
+    match pulse.name:
+        case "rectangular":
+            values = np.array([amplitude, amplitude])
+            return lines(pulse.kinks, values, 0.0, 0.0)
+        case "triangular":
+            values = np.array([0.0, amplitude, 0.0])
+            return lines(pulse.kinks, values, 0.0, 0.0)
+        case "sine":
+            half_waves = 2 * pulse.cycles
+    rate = np.pi * half_waves / pulse.duration
+    return waves(pulse.start, pulse.duration, amplitude, rate)

@@ -1,7 +1,7 @@
 """The equation of motion of one scene, in plain symbols and in LaTeX, with the numbers of its coefficients.
 
 Its terms come from `generated.flow.TERMS`, which is derived from the declarations of effects and laws; its numbers are
-those that the integrator is given.
+those that the integrator takes.
 """
 
 import re
@@ -160,7 +160,7 @@ def equation_of(scene: Scene, accuracy: float) -> Equation:
 
 
 def _terms_of_effects(effects: Names, absent: Names) -> list[EquationTerm]:
-    """What gravity and effects add, without what an effect is not given, and how the weight turns or does not."""
+    """What gravity and effects add, without those of absent parameters, and how the weight turns or does not."""
     terms = list[EquationTerm]()
     is_frozen = not rotates(effects)
     names = ("gravity", *effects, "frozen") if is_frozen else ("gravity", *effects)
@@ -272,7 +272,7 @@ def _numbers(scene: Scene, lanes: Lanes, moving: Names) -> Iterator[EquationTerm
             yield _numbered(term, number)
     paths = law_paths(scene.friction)
     laws = law_parts(scene.friction)
-    for path, (name, given) in zip(paths, laws, strict=True):
+    for path, (name, parameters) in zip(paths, laws, strict=True):
         law = LAWS.get(without_soil(name))
         if law is None:
             continue
@@ -281,7 +281,7 @@ def _numbers(scene: Scene, lanes: Lanes, moving: Names) -> Iterator[EquationTerm
         for p in law.parameters:
             if p.kind == "number":
                 symbol = prefix + p.name
-                term = EquationTerm(symbol, p.help, name, given[p.name], p.unit)
+                term = EquationTerm(symbol, p.help, name, parameters[p.name], p.unit)
                 yield _numbered(term, number)
 
 
@@ -313,17 +313,17 @@ def _definition(effect: str, p: Parameter) -> str:
 
 
 def _of_the_arc(lanes: Lanes) -> Parameters:
-    """The numbers in `COEFFICIENTS`, from what the integrator is given, which is over Theta."""
-    given = lanes.arc.moment_coefficients
+    """The numbers in `COEFFICIENTS`, from what the integrator takes, whose coefficients are over Theta."""
+    coefficients = lanes.arc.moment_coefficients
     theta = lanes.arc.dimensionless.moment_of_inertia
     return {
         "Theta": theta,
-        "lambda": given.resistance_factor * theta,
-        "A": given.polar_moment / given.resistance_factor,
-        "J_theta0": given.driving_moment * theta,
-        "J_r0": given.normal_load * theta,
-        "J_theta0'": given.driving_moment_slope * theta,
-        "J_r0'": given.normal_load_slope * theta,
+        "lambda": coefficients.resistance_factor * theta,
+        "A": coefficients.polar_moment / coefficients.resistance_factor,
+        "J_theta0": coefficients.driving_moment * theta,
+        "J_r0": coefficients.normal_load * theta,
+        "J_theta0'": coefficients.driving_moment_slope * theta,
+        "J_r0'": coefficients.normal_load_slope * theta,
     }
 
 

@@ -1,4 +1,4 @@
-"""How the numbers that a program is given change with each number of a scene.
+"""Derivatives of the numbers and tables of a program by each number of a scene.
 
 Those of the geometry: `slipcircle.core.motion.geometry_derivatives`; of an effect or a law by the powers that make it
 dimensionless.
@@ -17,7 +17,7 @@ from slipcircle.base.series import Pulse
 from slipcircle.core.flow.interpolation import in_pieces
 from slipcircle.core.flow.lanes import Lanes
 from slipcircle.core.flow.numbers import scales_of, symbols_of
-from slipcircle.core.flow.tables import Data, of_law
+from slipcircle.core.flow.tables import Data, continuous, of_law
 from slipcircle.core.flow.tangents import InputGrowth, TableGrowth
 from slipcircle.core.motion.geometry_derivatives import Directions, Floats, Geometry, arc_geometry, section_geometry
 from slipcircle.core.scene.arc import Arc
@@ -134,7 +134,7 @@ class InputDerivatives(Directions):
         """Derivatives of the numbers of the mean friction of the soils."""
         friction = dict(mean_friction)
         rate = friction.pop("rate", {})
-        friction.pop("soils", None)  # whose laws are by their own numbers
+        friction.pop("soils", None)  # whose laws have numbers of their own
         numbers = {f"friction.{name}": value for name, value in friction.items()}
         for name, value in rate.items():
             numbers[f"friction.rate.{name}"] = value
@@ -148,9 +148,9 @@ class InputDerivatives(Directions):
     def _terms_of_soils(self) -> dict[str, Any]:
         """What the soils add to the balance, with derivatives, by symbols of the program."""
         called = {}
-        for effect, given in self.lanes.called.items():
+        for effect, parameters in self.lanes.called.items():
             if effect in EFFECTS:
-                called[effect] = given
+                called[effect] = parameters
         complete = self.with_derivatives.section_effects(called, complete=True)
         terms = {}
         for effect, added in complete.items():
@@ -203,11 +203,10 @@ class InputDerivatives(Directions):
         place = names.index(name)
         breaks = self.problem.tables[place].breaks
         coefficients = in_pieces(functions, breaks)
-        jumps = np.zeros(len(breaks))
         tables = list[Data]()
         for of_function in np.moveaxis(coefficients, -1, 0):
-            table = Data(breaks, np.ascontiguousarray(of_function), jumps)
-            tables.append(table)
+            in_order = np.ascontiguousarray(of_function)
+            tables.append(continuous(breaks, in_order))
         return tables
 
     # --- effects -----------------------------------------------------------------------------------------------------
@@ -217,17 +216,17 @@ class InputDerivatives(Directions):
         scales = dict[str, float]()
         for name, value in scales_of(self.lanes.arc).items():
             scales[name] = float(value)
-        for effect, given in self.lanes.called.items():
+        for effect, parameters in self.lanes.called.items():
             if effect in EFFECTS:
-                self._add_effect(effect, given, scales)
+                self._add_effect(effect, parameters, scales)
 
-    def _add_effect(self, effect: str, given: Parameters, scales: Mapping[str, float]) -> None:
+    def _add_effect(self, effect: str, parameters: Parameters, scales: Mapping[str, float]) -> None:
         """Of an effect's parameters, each made dimensionless by powers of the arc's scales and of other numbers."""
         declared = EFFECTS[effect].parameters
         of_scene = dict(scales)
         growths = dict(self.growths)
         for p in declared:
-            amount = given.get(p.name, 0.0)
+            amount = parameters.get(p.name, 0.0)
             parameter = f"{effect}.{p.name}"
             if p.kind == "number" and not callable(amount):
                 of_scene[p.name] = float(amount)
@@ -239,14 +238,14 @@ class InputDerivatives(Directions):
             for name, power in p.powers:
                 if name != "value":
                     growth = growth + power * growths[name]
-            amount = given.get(p.name, 0.0)
+            amount = parameters.get(p.name, 0.0)
             if not callable(amount):
                 self._add_number(effect, p, amount, of_scene, growth)
             elif p.kind == "rotation":
                 by_parameter = self._in_pieces_of(p.symbol, self._pressures)
                 self._add_table(p.symbol, self.none, growth, by_parameter)
             else:
-                factor_growth = growth + self._factor(effect, given, p.name)
+                factor_growth = growth + self._factor(effect, parameters, p.name)
                 self._add_table(p.symbol, self.time_growth, factor_growth)
 
     def _add_number(
@@ -273,15 +272,15 @@ class InputDerivatives(Directions):
         slopes = np.asarray(self.geometry.pressure(every_parameter))
         return slopes.T[..., None]
 
-    def _factor(self, effect: str, given: Parameters, name: str) -> Floats:
+    def _factor(self, effect: str, parameters: Parameters, name: str) -> Floats:
         """Relative growth of what a function of time is multiplied by: shaking's amplitude, scale or peak."""
-        amount = float(factor(effect, given, name))
-        if isinstance(given[name], Pulse):
+        amount = float(factor(effect, parameters, name))
+        if isinstance(parameters[name], Pulse):
             amplitude = "vertical_amplitude" if name == "vertical" else "amplitude"
             return self.relative(f"{effect}.{amplitude}", amount)
         greatest = 1.0
         if effect == "shaking":
-            greatest = given["horizontal"].greatest
+            greatest = parameters["horizontal"].greatest
         by_scale = self.relative(f"{effect}.scale", amount)
         by_peak = self.relative(f"{effect}.peak", amount * greatest)
         return by_scale + by_peak
@@ -293,28 +292,28 @@ class InputDerivatives(Directions):
         friction = self.lanes.friction
         paths = law_paths(friction)
         laws = law_parts(friction)
-        for path, (law, given) in zip(paths, laws, strict=True):
-            self._add_law(path, law, given)
+        for path, (law, parameters) in zip(paths, laws, strict=True):
+            self._add_law(path, law, parameters)
 
-    def _add_law(self, path: str, table: str, given: Parameters) -> None:
-        """Of a friction law: numbers, or a table, whose argument has a unit of its own."""
+    def _add_law(self, path: str, table: str, parameters: Parameters) -> None:
+        """Of a friction law: numbers, or a table, whose argument has another unit."""
         name = without_soil(table)
         if name == "callable":
             self._add_table(name, self.radius_growth, self.none)
         elif name in PIECES:
-            self._add_pieces(path, table, given)
+            self._add_pieces(path, table, parameters)
         elif LAWS[name].parameters[0].kind == "list":
             growths = {"slip": self.radius_growth, "speed": self.speed_growth, "time": self.time_growth}
             (argument,) = LAWS[name].depends_on
             self._add_table(table, growths[argument], self.none)
         else:
-            self._add_law_numbers(path, table, given)
+            self._add_law_numbers(path, table, parameters)
 
-    def _add_pieces(self, path: str, table: str, given: Parameters) -> None:
+    def _add_pieces(self, path: str, table: str, parameters: Parameters) -> None:
         """Of a law of slip in pieces: its length scales the argument, and the pieces are linear in its coefficients."""
         law = without_soil(table)
         length, _, _ = PIECES[law]
-        numbers = {name: float(value) for name, value in given.items()}
+        numbers = {name: float(value) for name, value in parameters.items()}
         pieces = of_law(law, numbers)
         shape = (len(self.names), *pieces.coefficients.shape)
         changes = np.zeros(shape)
@@ -325,18 +324,18 @@ class InputDerivatives(Directions):
             dots = self.one(f"{path}.{name}")
             changes += np.multiply.outer(dots, unit_change)
         by_parameter = [pieces._replace(coefficients=change) for change in changes]
-        length_growth = self.relative(f"{path}.{length}", given[length])
+        length_growth = self.relative(f"{path}.{length}", parameters[length])
         argument_growth = self.radius_growth - length_growth
         self._add_table(table, argument_growth, self.none, by_parameter)
 
-    def _add_law_numbers(self, path: str, law: str, given: Parameters) -> None:
+    def _add_law_numbers(self, path: str, law: str, parameters: Parameters) -> None:
         """Of a law that is a formula of its numbers."""
         growths = {"m": self.radius_growth, "m/s": self.speed_growth, "": self.none}
         name = without_soil(law)
         for p in LAWS[name].parameters:
             cell = f"{law}.{p.name}"
             scaled = self._input(cell)
-            value = float(given[p.name])
+            value = float(parameters[p.name])
             by_value = scaled / value if value else 1.0
             parameter = path if name == "constant" else f"{path}.{p.name}"
             by_itself = by_value * self.one(parameter)

@@ -154,7 +154,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @cached_property
     def outcomes(self) -> Mapping[str, Numbers]:
         radius, final = self._lanes.radius, self._final
-        with np.errstate(over="ignore"):  # an overflow is refused where the outcome is asked for
+        with np.errstate(over="ignore"):  # an overflow is refused where the outcome is read
             values = {
                 "reach": radius * final[ix.REACH_ROTATION],
                 "run_out": radius * final[ix.END_ROTATION],

@@ -1,7 +1,7 @@
 """A solved scene over time: states, stresses, friction and energy at any times, of one scene or of an ensemble's lanes.
 
-The integration keeps a few state entries of each lane's end; what happens on the way is integrated again when it is
-asked for. Dimensionless numbers become SI units here: times by sqrt(R/g), lengths along the arc by R.
+The integration keeps a few state entries of each lane's end; what happens on the way is integrated again on request.
+Dimensionless numbers become SI units here: times by sqrt(R/g), lengths along the arc by R.
 """
 
 import math
@@ -139,7 +139,7 @@ class Trajectory:
         """A state in SI units from dimensionless numbers; `shaped` gives them the scene's shape."""
         scale = self._lanes.time_scale
         radius = self._lanes.radius
-        with np.errstate(over="ignore"):  # an overflow is refused where it is asked for
+        with np.errstate(over="ignore"):  # an overflow is refused where the result is read
             angular_velocity = omega / scale
             velocity = radius * angular_velocity
             acceleration = radius * rate / scale**2
@@ -160,12 +160,12 @@ class Trajectory:
         last = float(np.min(ends))
         late = time[time > last]
         if late.size:
-            asked = float(late.flat[0])
+            requested = float(late.flat[0])
             end = "the scene's end_time"
             if self.plan.scene.end_time is None:
                 end = "the end of this motion"
             raise ValueError(
-                f"Motion.at: times = {asked!r}: must be at most {end}, {last!r} s, unless the mass stays at rest"
+                f"Motion.at: times = {requested!r}: must be at most {end}, {last!r} s, unless the mass stays at rest"
             )
         return time
 
@@ -242,7 +242,7 @@ class Trajectory:
         return self._over_time(time, path)
 
     def energy_at(self, times: ArrayLike) -> Energy:
-        """The energy balance from the start to any times, as for `at`; integrated beside the motion when asked for."""
+        """The energy balance from the start to any times, as for `at`; integrated with the motion on request."""
         time = self._checked(times)
         flat_times = np.ravel(time)
         unit = self._lanes.energy_unit

@@ -17,8 +17,8 @@ LISTED, MANY_PHASES = 3, 100  # lift-offs named one by one; phases that many tim
 
 def collect_warnings(motion: Any) -> tuple[str, ...]:
     """Sentences about odd input, lift-off, conditioning, water and swinging back; empty where all is well."""
-    asked = questions(motion.plan.scene)
-    return (*asked, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *_swing(motion))
+    odd_input = questions(motion.plan.scene)
+    return (*odd_input, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *_swing(motion))
 
 
 def _lift_offs(motion: Any) -> Iterator[str]:
@@ -32,7 +32,7 @@ def _lift_offs(motion: Any) -> Iterator[str]:
 
 
 def _conditioning(motion: Any) -> Iterator[str]:
-    """Whether the accuracy asked for is missed, and the likely cause; or else whether energy is not balanced."""
+    """Whether the requested accuracy is missed, and the likely cause; or else whether energy is not balanced."""
     error, accuracy = motion.error_estimate, motion.plan.accuracy
     if error > accuracy:
         limit = motion.limit_friction
