@@ -7,15 +7,13 @@ between it and the arc below. Everything is over R and from the centre; n circle
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import slopes
 from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.core.scene.doubledouble import DoubleDouble
 from slipcircle.core.scene.plane import Vectors
 
-Floats = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(slopes.NODES)
 _GAUSS = list(zip((1.0 + _NODES) / 2, _WEIGHTS / 2, strict=True))  # of integrals from 0 to 1
 MEASURES = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
@@ -29,7 +27,7 @@ class Cut(NamedTuple):
     part: Vectors  # from the first end to the second; 0 where the edge is outside
     first: Floats  # 1 - rho^2 at both ends, 0 on the circle
     second: Floats
-    stretch: NDArray[np.int64]  # number of the stretch that the part belongs to, from 0; -1 before the first crossing
+    stretch: Integers  # number of the stretch that the part belongs to, from 0; -1 before the first crossing
     enters: Flags  # whether the ground enters or leaves the circle here
     leaves: Flags
 
@@ -168,7 +166,7 @@ def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radi
     return start, np.minimum(length, 1.0 - start)
 
 
-def stretches(parts: Cut) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.bool_]]:
+def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
     """Circle and number of every whole stretch; and which circles hold an end of the ground."""
     leaves_first = parts.leaves & (parts.stretch < 0)
     from_start = leaves_first.any(axis=1)  # the ground begins inside the circle
@@ -197,7 +195,7 @@ def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
     return parts.start[first], parts.start[last] + parts.part[last]
 
 
-def moments(parts: Cut, mine: NDArray[np.bool_]) -> dict[str, Floats]:
+def moments(parts: Cut, mine: Flags) -> dict[str, Floats]:
     """Integrals of ``MEASURES`` over the mass under the parts that are meant, (n, E), for each circle.
 
     Source: `generated.slopes`; about 1e-15 of each, of radial and moment: of the vector's length.

@@ -12,10 +12,10 @@ Lengths are over R and from the centre. Angles are from straight below the centr
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import slopes
-from slipcircle.core.scene.circles import Cut, Floats, cut
+from slipcircle.base.kinds import Floats, Integers
+from slipcircle.core.scene.circles import Cut, cut
 from slipcircle.core.scene.ground import continued
 from slipcircle.core.scene.plane import Vectors
 
@@ -46,7 +46,7 @@ class HeightIntegrals(NamedTuple):
 
     pieces: _Pieces
     slope: Floats  # of the edge above each piece, (n, pieces)
-    edge: NDArray[np.int64]  # its number, (pieces,)
+    edge: Integers  # its number, (pieces,)
     line: Floats  # vertices of the line with its continuations, over R from the centre, (n, V, 2)
 
     @property

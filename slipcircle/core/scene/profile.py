@@ -15,11 +15,10 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats, Integers
 from slipcircle.core.scene.strips import Strips
 
-Floats = NDArray[np.float64]
 AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y, HEAD = range(8)  # rows; the head is over beta, not x
 _COUNT = 14  # of the coefficients of a piece
 _NODES = np.cos(np.pi * (np.arange(_COUNT) + 0.5) / _COUNT)
@@ -163,7 +162,7 @@ def _converged(strips: Strips) -> list[_Piece]:
     return done
 
 
-def _integrands(strips: Strips, strip: NDArray[np.intp], beta: Floats) -> Floats:
+def _integrands(strips: Strips, strip: Integers, beta: Floats) -> Floats:
     """What is integrated, at directions (nodes, pieces, circles) in strips: (integrals, surfaces, nodes, ...)."""
     x = np.sin(beta)
     c = np.cos(beta)
@@ -211,7 +210,7 @@ def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
     return np.stack([rows[k] for k in range(len(rows))])
 
 
-def _by_strip(values: Any, strip: NDArray[np.intp]) -> Any:
+def _by_strip(values: Any, strip: Integers) -> Any:
     """Of (surfaces, circles, strips) those of some strips, (surfaces, 1, pieces, circles)."""
     return values[:, :, strip].transpose(0, 2, 1)[:, None]
 

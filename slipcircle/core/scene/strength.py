@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core.scene.friction import OF_SOIL
-from slipcircle.core.scene.profile import Floats
 from slipcircle.core.scene.soils import share_one_law
 from slipcircle.core.scene.stretches import StretchIntegrals
 

@@ -13,9 +13,9 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from slipcircle.core.scene.profile import HEAD, POLAR, RADIAL_X, RADIAL_Y, Floats, Profile
+from slipcircle.base.kinds import Floats, Integers
+from slipcircle.core.scene.profile import HEAD, POLAR, RADIAL_X, RADIAL_Y, Profile
 
 # What sections that differ in numbers of soils alone have in common.
 OF_GEOMETRY = ("stretches", "span", "rotation_kinks", "incidence")
@@ -26,10 +26,10 @@ class Stretches(NamedTuple):
     """Where the soil at the base changes along the arc: (circles, J) directions, and the soils above and below."""
 
     joint: Floats
-    before: NDArray[np.intp]
-    after: NDArray[np.intp]
-    first: NDArray[np.intp]
-    last: NDArray[np.intp]
+    before: Integers
+    after: Integers
+    first: Integers
+    last: Integers
 
     def incidence(self, soils: int) -> Floats:
         """(q_before - q_after) at joints, q_last and -q_first of a quantity q of the soils, (J + 2, soils, circles).
@@ -210,7 +210,7 @@ class StretchIntegrals:
         above_entry = np.maximum(first - entry, 0.0)
         return np.asarray(parts + self._held_value(self.stretches.first, first, above_entry))
 
-    def _held_value(self, soil: NDArray[np.intp], direction: Floats, length: Floats) -> Floats:
+    def _held_value(self, soil: Integers, direction: Floats, length: Floats) -> Floats:
         """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
         levels = self.section.datum_levels
         parts = np.zeros((len(levels), *length.shape), dtype=length.dtype)

@@ -15,13 +15,11 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.core.scene.ground import continued
 from slipcircle.core.scene.plane import Vectors
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.intp]
 _THIN = 1e-14  # narrower strips are rounding
 _ON_ARC = 1e-9
 
@@ -47,7 +45,7 @@ class Strips:
     x: Floats
     y: Floats
     slope: Floats
-    above: NDArray[np.bool_]
+    above: Flags
     base: Integers
     loads: Sequence[Sequence[Floats]] = ()
 
@@ -198,7 +196,7 @@ def line_crossings(one: Floats, other: Floats) -> Floats:
     return x.reshape(len(x), -1)
 
 
-def _within_edge(share: Floats) -> NDArray[np.bool_]:
+def _within_edge(share: Floats) -> Flags:
     """Whether a point lies between the ends of an edge, by its share of it."""
     after_start = share.real > 0.0
     before_end = share.real < 1.0

@@ -14,14 +14,13 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats, Integers
 from slipcircle.core.scene.coordinates import indices_of
 from slipcircle.core.scene.heights import HeightIntegrals, height_integrals
 from slipcircle.core.scene.plane import Vectors
 from slipcircle.core.scene.section import Section
 
-Floats = NDArray[np.float64]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(48)
 _Chain = Callable[[Floats, Floats, str], Floats]  # derivatives by numbers, of those by vertices of a line
 
@@ -38,7 +37,7 @@ class SectionDerivatives(NamedTuple):
 class _Surface(NamedTuple):
     """The edges of the ground over the mass, and the parts of them that lie inside the circle, (k,), over R."""
 
-    vertex: NDArray[np.int64]  # number of an edge's first vertex
+    vertex: Integers  # number of an edge's first vertex
     edge: Vectors
     start: Vectors  # of the part inside
     part: Vectors
