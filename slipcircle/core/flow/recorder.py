@@ -1,5 +1,7 @@
 """Records of a motion: greatest speed and rotation, events, and states at sample times."""
 
+from collections.abc import Mapping
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,6 +22,15 @@ Floats = NDArray[np.float64]
 class Recorder(LaneState):
     """Lanes with records of extremes, events and samples."""
 
+    @property
+    def roles(self) -> Mapping[str, int]:
+        """Cells and registers by the role that they play."""
+        return self.program.roles
+
+    def net_moment(self, series: Floats) -> Floats:
+        """Series of the rate of the speed, as far as it is known."""
+        return series[self.roles["net"], :-1]
+
     # --- the greatest speed and rotation -----------------------------------------------------------------------------
 
     def update_peak(self, rate: Floats) -> None:
@@ -30,8 +41,8 @@ class Recorder(LaneState):
 
     def update_peak_within(self, series: Floats, tau: Floats) -> None:
         """Record the greatest speed within a step, where the net moment falls through zero."""
-        roles = self.program.roles
-        net = series[roles["net"], :-1]
+        roles = self.roles
+        net = self.net_moment(series)
         time = self._peak_time(net, tau)
         peaks = np.isfinite(time)
         if not np.any(peaks):
@@ -122,7 +133,7 @@ class Recorder(LaneState):
 
     def _states_since(self, lane: int, series: Floats, since: Floats) -> list[Floats]:
         """Rotation, angular velocity, its rate, slip and further states of a lane, at times since the step began."""
-        roles = self.program.roles
+        roles = self.roles
         registers = [roles["x"], roles["omega"], roles["net"]]
         registers += [register for _, register, _ in self.program.states[2:]]
         polynomials = series[registers, :, lane].T
@@ -135,10 +146,8 @@ class Recorder(LaneState):
 
 def _root_beyond_hump(net: Floats, tau: Floats) -> Floats:
     """Falling zero of polynomials that are negative at both ends with a maximum between; infinity without one."""
-    slopes = derivative(net)
-    last, last_slope = value_and_slope(net, tau)
     start = np.zeros_like(tau)
-    top = bracketed_root(slopes, start, slopes[0], tau, last_slope)
+    top = bracketed_root(derivative(net), start, tau)
     greatest = value(net, top)
-    root = bracketed_root(net, top, greatest, tau, last)
+    root = bracketed_root(net, top, tau)
     return np.where(greatest > 0.0, root, np.inf)
