@@ -81,7 +81,6 @@ def test_it_says_what_is_assumed_and_how_to_repeat_it() -> None:
     assert cells["arc.radius_m"] == "assumed"  # the source; number and unit before it
     assert cells["arc.unit_weight_kN_m3"] == "assumed, saturated clay"
     assert cells["arc.gravity_m_s2"] == "default"
-    assert cells["rotation"] == "used"
 
 
 def test_it_needs_nothing_else_and_its_figures_are_whole_drawings() -> None:
@@ -139,7 +138,7 @@ def test_inputs_of_a_file_and_of_a_scene_without_one() -> None:
     record = {"horizontal": Series(np.array([0.0, 1.0]), np.array([0.0, 0.1]))}
     scene = Scene(load("vaiont").arc, slip, {"cohesion": {"cohesion": 1e3}, "shaking": record}, end_time=9.0)
     layered = Scene(profile("constant friction"), effects=TURNING)
-    shown = {i.path: i[1:3] for i in (*inputs(scene), *inputs(layered))}
+    shown = {i.path: i[1:3] for i in (*inputs(layered), *inputs(scene))}
     wanted = {"radius": ("1492.6", "m"), "friction.length": ("1.0", "m"), "cohesion.cohesion": ("1000.0", "Pa"),
               "friction": ("linear", ""), "friction.rate.velocity": ("0.1", "m/s"), "end_time": ("9.0", "s"),
               "shaking.horizontal": ("2 samples from 0 to 1 s", "")}  # fmt: skip
