@@ -198,7 +198,10 @@ def _in_si(lanes: Lanes, inputs: InputDerivatives, run: _Run) -> Floats:
     peak_dot = signed_peak_dot + peak * inputs.speed_growth
     rotation_dot = tangents.present_rotation_dot()
     run_out_dot = rotation_dot + end * inputs.radius_growth
-    reach_dot = tangents.reach_dot + reach * inputs.radius_growth
+    if reach == end:  # also where implicit steps, which keep no derivative of the reach, went on to the end
+        reach_dot = run_out_dot
+    else:
+        reach_dot = tangents.reach_dot + reach * inputs.radius_growth
     if state.status[0] == ix.ENDED:
         duration_dot = inputs.one("end_time")
     else:
