@@ -44,7 +44,7 @@ AT, WEIGHTS, TO_LEGENDRE = _radau(POINTS)
 
 
 class Present(NamedTuple):
-    """A time, with the states and all registers there."""
+    """A time, with the states and all registers there, (states, 1) and (registers, 1)."""
 
     time: float
     states: Floats
@@ -72,7 +72,7 @@ def step_through(start: Present, h: float, points: Floats, registers: Floats, ra
     This is the size of its last coefficients, beside rounding, of which that of the time moves every state by as much
     as its rate.
     """
-    values = np.vstack([start.states, points])
+    values = np.vstack([start.states.T, points])
     coefficients = TO_LEGENDRE @ values
     largest_state = np.abs(values).max(axis=0)
     largest_rate = np.abs(rates).max(axis=0)

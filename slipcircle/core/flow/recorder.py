@@ -37,8 +37,8 @@ class Recorder(LaneState):
         return self.program.roles
 
     def net_moment(self, series: Floats) -> Floats:
-        """Series of the rate of the speed, as far as it is known."""
-        return series[self.roles["net"], :-1]
+        """Series of the rate of the speed."""
+        return series[self.roles["net"]]
 
     # --- the greatest speed and rotation -----------------------------------------------------------------------------
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS
+from slipcircle.core.flow.events import Event
 from slipcircle.core.flow.polynomials import divided_by_time, first_root, radius_of_convergence
 from slipcircle.core.flow.recorder import Recorder
 
@@ -181,11 +182,8 @@ class StickPhase(Recorder):
         direction = np.where(sooner, self.direction, before.direction)
         sudden = np.where(sooner, sudden, before.sudden)
         lift = before.lift
-        normal = self.roles["normal"]
-        if normal >= 0:
-            margin = self.contact_margin(series[normal, :-1])
-            later = divided_by_time(margin, self.passed == ix.LIFT)
-            contact_changes = first_root(later, stretch)
+        if self.roles["normal"] >= 0:
+            contact_changes = self.contact_event().time(series, stretch)
             lift = np.minimum(lift, contact_changes)
             stretch = np.minimum(stretch, contact_changes)
         return _Ahead(stretch, start, direction, sudden, lift)
@@ -234,6 +232,13 @@ class StickPhase(Recorder):
     def pass_breaks_at_rest(self) -> None:
         jumps = self.pass_breaks()
         self.apply_to(jumps, "on_discontinuity")
+
+    def contact_event(self) -> Event:
+        """Contact with the slip surface is lost or regained."""
+        is_lifted = self.lifted > 0.0
+        sign = np.where(is_lifted, -1.0, 1.0)
+        just_changed = self.passed == ix.LIFT
+        return Event(ix.EVENT_LIFT_OFF, self.roles["normal"], sign, passed=just_changed)
 
     # --- jumps of what changes with time -----------------------------------------------------------------------------
 
