@@ -7,6 +7,8 @@ coefficients, is the motion to rounding; events and samples are read off it. Pha
 `slipcircle.core.flow.integrate`.
 """
 
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -115,7 +117,7 @@ class _Implicit(Integrator):
     def _follow(self, now: Present) -> tuple[Present, int]:
         """Steps up to the next event or the greatest number of steps: the state there, and the event."""
         h = FIRST * self.explicit
-        while now.time < self.limit and not self._creeps(now):
+        while now.time < self.limit and not self._is_endless(now):
             left = self.limit - now.time
             to_limit = h >= left
             h = min(h, left)
@@ -123,7 +125,7 @@ class _Implicit(Integrator):
             if not to_limit:
                 is_long = h > EXPLICIT * self.explicit
                 self.steps_left -= 1 if is_long else SHORT_STEP
-            if self.steps_left <= 0 or end == now.time or self._is_endless(now):
+            if self.steps_left <= 0 or end == now.time:
                 break
             step = self._newton(now, h)
             if step is None:
@@ -144,16 +146,14 @@ class _Implicit(Integrator):
             h *= min(GROWS, factor)
         return now, ix.EVENT_NONE
 
-    def _creeps(self, now: Present) -> bool:
-        """Whether a mass without an end time has become so slow that it creeps without end."""
-        omega = now.states[1, 0]
-        is_slow = abs(omega) < CREEP * abs(self.peak_omega[0])
-        has_begun = now.time > self.begin
-        return bool(np.isinf(self.limit) and is_slow and has_begun)
-
     def _is_endless(self, now: Present) -> bool:
+        """Whether a mass without an end time has become so slow, or moved so long, that it creeps without end."""
         duration = now.time - self.begin
-        return bool(np.isinf(self.limit) and duration > ENDLESS)
+        if np.isfinite(self.limit) or duration == 0.0:
+            return False
+        omega = abs(now.states[1, 0])
+        peak = abs(self.peak_omega[0])
+        return bool(omega < CREEP * peak or duration > ENDLESS)
 
     # --- one step ----------------------------------------------------------------------------------------------------
 
@@ -197,6 +197,20 @@ class _Implicit(Integrator):
         Tangents that are integrated beside the states have the same; how it changes with the states is neglected, as
         their own equations are linear.
         """
+        count = len(times)
+        registers = self._in_directions_of_states(times, points)
+        states = self.without_tangents
+        jacobian = np.zeros((states, count, states))
+        for j, rate in enumerate(self.rates[:states]):
+            rate_dot = self.tangent.registers.get(rate)
+            if rate_dot is not None:
+                jacobian[:, :, j] = registers[rate_dot]
+        copies = np.eye(self.integrated // states)
+        blocks = np.einsum("ab,ikj->aikbj", copies, jacobian)
+        return blocks.reshape(self.integrated, count, self.integrated)
+
+    def _in_directions_of_states(self, times: Floats, points: Floats) -> Floats:
+        """Registers with the tangents of each state set to 1 in turn, (registers, states, points)."""
         states = self.without_tangents
         count = len(times)
         every_time = np.tile(times, states)
@@ -205,16 +219,10 @@ class _Implicit(Integrator):
         tangent_cells = self.tangent.cells
         cells[list(tangent_cells.values())] = 0.0
         directions = [tangent_cells[cell] for cell in self.state_cells[:states]]
-        cells[directions] = np.repeat(np.eye(states), count, axis=1)
+        unit_directions = np.eye(states)
+        cells[directions] = np.repeat(unit_directions, count, axis=1)
         registers = self._registers_in(cells)
-        jacobian = np.zeros((states, count, states))
-        for j, rate in enumerate(self.rates[:states]):
-            rate_dot = self.tangent.registers.get(rate)
-            if rate_dot is not None:
-                jacobian[:, :, j] = registers[rate_dot].reshape(states, count)
-        copies = np.eye(self.integrated // states)
-        blocks = np.einsum("ab,ikj->aikbj", copies, jacobian)
-        return blocks.reshape(self.integrated, count, self.integrated)
+        return registers.reshape(-1, states, count)
 
     def _newton(self, now: Present, h: float) -> Step | None:
         """A step; none where Newton's iteration does not converge."""
@@ -264,23 +272,22 @@ class _Implicit(Integrator):
             registers = self._within(step, now, time).registers
             return float(event.margin(registers)[0])
 
-        margins = np.concatenate([event.margin(now.registers), event.margin(step.registers)])
-        reached = margins[1:] <= 0.0
-        passes = np.flatnonzero(reached & (margins[:-1] > 0.0))
-        if not passes.size:
-            return np.inf
-        times = (now.time, *step.times)
-        low = passes[0]
-        high = low + 1
-        return falling_zero(margin, times[low], times[high], margins[low], margins[high])
+        times = [now.time, *step.times]
+        margins = [*event.margin(now.registers), *event.margin(step.registers)]
+        for low, high in pairwise(zip(times, margins, strict=True)):
+            if low[1] > 0.0 >= high[1]:
+                return falling_zero(margin, low, high)
+        return np.inf
 
     def _keep_peak(self, step: Step, now: Present, end: float) -> None:
         """Greatest speed within the step, where the net moment passes zero."""
         peak = Event(ix.EVENT_NONE, self.roles["net"])
         time = self._first_time(peak, step, now)
         if time <= end:
-            x, omega, *_ = self._within(step, now, time).states
-            self.keep_faster(np.array([time]), x, omega, np.zeros(1))
+            there = self._within(step, now, time)
+            x, omega, *_ = there.states
+            zero = np.zeros(1)
+            self.keep_faster(zero + time, x, omega, zero)
 
     def _write(self, step: Step, begin: float, end: float) -> None:
         """Evaluate the states at the sample times between two times."""

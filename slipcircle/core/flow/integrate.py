@@ -363,7 +363,7 @@ class Integrator(StickPhase):
     def end(self, rate: Floats, status: Floats) -> None:
         """The integration ends while the lane moves."""
         self.status = status
-        self.end_rotation = self.rotation + self.direction * self.x
+        self.end_rotation = self.rotation_after(self.x)
         self.end_omega = self.direction * self.omega
         self.end_rate = self.direction * rate
         self.update_reach()
