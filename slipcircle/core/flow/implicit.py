@@ -89,7 +89,8 @@ class _Implicit(Integrator):
             self.status = ix.TOO_LONG
             return
         rate = now.registers[self.roles["net"]]
-        self.settle(np.array([event]), rate, np.array([uneventful]))
+        kind = np.array([event])
+        self.settle(kind, rate, kind == ix.EVENT_NONE)
 
     def _prepare(self) -> None:
         """Prepare the quantities that all implicit steps up to the next event share."""
@@ -189,7 +190,8 @@ class _Implicit(Integrator):
     def _within(self, step: Step, start: Present, time: float) -> Present:
         """States and registers at a time within a step."""
         since = np.array([time - start.time])
-        return self._at(time, step.states(since))
+        states = step.states(since)
+        return self._at(time, states)
 
     def _jacobian(self, times: Floats, points: Floats) -> Floats:
         """df_j/dy_i at points (points, states), as (i, points, j), by the program's tangents in the states' directions.
@@ -291,9 +293,11 @@ class _Implicit(Integrator):
 
     def _write(self, step: Step, begin: float, end: float) -> None:
         """Evaluate the states at the sample times between two times."""
-        for sample in self.samples_between(np.array([begin]), np.array([end])):
+        first = np.array([begin])
+        last = np.array([end])
+        for sample in self.samples_between(first, last):
             states = step.states(sample.since)
-            registers = self._registers_at(begin + sample.since, states)
             x, omega, *further = states
+            registers = self._registers_at(first + sample.since, states)
             net = registers[self.roles["net"]]
             self.fill(sample, x, omega, net, *further)

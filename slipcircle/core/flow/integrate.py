@@ -124,8 +124,8 @@ class Integrator(StickPhase):
         if not self.timed:
             too_long |= self.turns > ix.MOST_TURNS
         self.status[active & too_long] = ix.TOO_LONG
-        state = self.time + self.x + self.omega + self.rotation
-        overflow = ~np.isfinite(state)
+        position = self.x + self.rotation
+        overflow = ~np.isfinite(self.time + position + self.omega)
         self.status[active & overflow] = ix.FAILED
 
     def start(self) -> None:
@@ -149,14 +149,15 @@ class Integrator(StickPhase):
         h = self._step_size(series, order, room)
         tau, event = self.find_event(series, h)
         net = self.net_moment(series)
+        change = net[0] * tau
         uneventful = event == ix.EVENT_NONE
-        endless = uneventful & self._endless(net[0] * tau, room)
+        endless = uneventful & self._endless(change, room)
         tau = np.where(endless, 0.0, tau)
         at_limit = uneventful & (h >= room) & ~endless
         until = np.where(at_limit, limit, self.time + tau)
         self.update_peak_within(series, tau)
         self.read_samples(self.time, until, series)
-        self._count(uneventful, at_limit, net[0] * tau)
+        self._count(uneventful, at_limit, change)
         if self.tangents:
             self.tangents.end_step(series, tau)
         self._advance(series, tau)
@@ -227,6 +228,7 @@ class Integrator(StickPhase):
     def possible_events(self) -> list[Event]:
         """The events beside a standstill, in the order in which they are searched."""
         roles = self.roles
+        omega = roles["omega"]
         upright = roles["upright"]
         events = []
         if upright >= 0:
@@ -243,8 +245,8 @@ class Integrator(StickPhase):
             lower = np.where(varies, piece.lower, -FAR)
             slower = self.passed == ix.SLOWER
             faster = self.passed == ix.FASTER
-            events.append(Event(kind, roles["omega"], -1.0, upper, slower))
-            events.append(Event(kind + 1, roles["omega"], 1.0, lower, faster))
+            events.append(Event(kind, omega, -1.0, upper, slower))
+            events.append(Event(kind + 1, omega, 1.0, lower, faster))
         if roles["normal"] >= 0:
             # Water may change faster than the motion for which the step was chosen: the normal force is a function of
             # the position until the first other event only, and may pass zero twice beyond it.
@@ -319,7 +321,8 @@ class Integrator(StickPhase):
             return
         piece.number += 1.0 - 2.0 * is_lower
         if piece.kind == "slip":
-            self.slip = piece.data.breaks[piece.index] / piece.scale
+            begin = piece.data.breaks[piece.index]
+            self.slip = begin / piece.scale
         else:
             self.omega = edge
             self.passed = np.where(is_lower, ix.SLOWER, ix.FASTER)
@@ -346,8 +349,8 @@ class Integrator(StickPhase):
         fresh = self.role("drive")
         fresh_scale = self.role("drive_scale")
         other_terms = np.abs(net - fresh)
-        terms = np.abs(rate) + other_terms + np.abs(drive)
-        carried_scale = scale + EPS * terms
+        all_terms = np.abs(rate) + other_terms + np.abs(drive)
+        carried_scale = scale + EPS * all_terms
         better = carried_scale < fresh_scale
         correction = rate - net
         fresh[better] += correction[better]
