@@ -24,8 +24,8 @@ def _names(field: str, shape: tuple[int, ...]) -> dict[str, Index]:
     names = {}
     for index in np.ndindex(shape):
         *point, axis = index
-        parts = [field, *map(str, point), "xy"[axis]]
-        name = ".".join(parts)
+        coordinate = "xy"[axis]
+        name = ".".join([field, *map(str, point), coordinate])
         names[name] = index
     return names
 
@@ -65,7 +65,7 @@ def changed_fields(arc: Any, values: Values) -> dict[str, Any]:
     changed: dict[str, Any] = {}
     for field, axes in arc.quantities.items():
         indices = indices_of(arc, field)
-        replaced = {name: index for name, index in indices.items() if name in values}
+        replaced = {name: indices[name] for name in indices if name in values}
         if not replaced:
             continue
         if not axes:
@@ -74,7 +74,7 @@ def changed_fields(arc: Any, values: Values) -> dict[str, Any]:
         points = np.asarray(getattr(arc, field), dtype=np.float64)
         changed[field] = _with_coordinates(points, axes, replaced, values)
     known = arc.other_numbers()
-    others = {name: value for name, value in values.items() if name in known}
+    others = {name: values[name] for name in values if name in known}
     return changed | arc.fields_with(others)
 
 
@@ -95,7 +95,8 @@ def _with_coordinates(points: Any, axes: int, replaced: Mapping[str, Index], val
     lanes_of_numbers = map(np.shape, numbers)
     lanes = np.broadcast_shapes(lanes_of_the_rest, *lanes_of_numbers)
     kind = np.result_type(points, *numbers)
-    changed: Any = np.empty((*lanes, *shape), dtype=kind)
+    new_shape = (*lanes, *shape)
+    changed: Any = np.empty(new_shape, dtype=kind)
     if some_stay:
         changed[...] = points
     for index, number in zip(replaced.values(), numbers, strict=True):
@@ -105,13 +106,14 @@ def _with_coordinates(points: Any, axes: int, replaced: Mapping[str, Index], val
 
 def replace_unchecked(instance: Any, values: Values) -> Any:
     """A frozen dataclass with other field values that its constructor does not see: they were checked, or will be."""
-    if all(value is getattr(instance, name) for name, value in values.items()):
+    changes = [name for name in values if values[name] is not getattr(instance, name)]
+    if not changes:
         return instance
     other = object.__new__(type(instance))
     for field in fields(instance):
-        name = field.name
-        value = values.get(name, getattr(instance, name))
-        object.__setattr__(other, name, value)
+        known = getattr(instance, field.name)
+        value = values.get(field.name, known)
+        object.__setattr__(other, field.name, value)
     if hasattr(other, "takes_geometry") and other.takes_geometry(instance):
         other.take_geometry(instance)
     return other
