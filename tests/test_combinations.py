@@ -11,7 +11,7 @@ import pytest
 
 from slipcircle import Motion, Scene, solve
 from tests.support import golden, references, taylor
-from tests.support.combinations import ALL, LAWS, SLIP_LAWS, STEADY, built, drawn
+from tests.support.combinations import ALL, LAWS, built, drawn
 
 
 def check(scene: Scene, given: golden.Data, bound: float = 1e-11, rounding: float = 0.0) -> Motion:
@@ -34,11 +34,11 @@ def check(scene: Scene, given: golden.Data, bound: float = 1e-11, rounding: floa
 
 @pytest.mark.parametrize("law", LAWS)
 def test_every_combination_of_effects(law: str) -> None:
-    """Each law with a tenth of all, or a twentieth; laws of slip with every second steady combination as well."""
-    part = [c for k, c in enumerate(ALL) if k % len(LAWS) == LAWS.index(law)]
-    part = part[::2] if law in ("callable", "rate table") else part  # which take longest
+    """Each law with a tenth of all, or a twentieth."""
+    part = ALL[LAWS.index(law) :: len(LAWS)]
+    part = part[::2] if law in ("callable", "rate table", "product", "hyperbolic") else part  # which take longest
     solved = 0
-    for effects in dict.fromkeys([*(STEADY[LAWS.index(law) % 2 :: 2] if law in SLIP_LAWS[:-1] else []), *part]):
+    for effects in part:
         given = drawn(effects, law, 31)
         try:
             motion = check(built(given, law), given)
@@ -57,7 +57,7 @@ def test_every_combination_of_effects(law: str) -> None:
 def test_shaken_frozen_slides(group: str) -> None:
     """Random ones, with brakes, water, cohesion and lift-off, one way and both ways."""
     rng, solved, kinds = np.random.default_rng([20261122, len(group)]), 0, set()
-    while solved < 24:
+    while solved < 12:
         try:
             given = references.drawn(group, rng)
             pace = math.sqrt(given["arc"]["radius"] / given["arc"]["gravity"])

@@ -1,27 +1,25 @@
-"""Derivatives of motions by the numbers of their scenes, against differences of motions of 40 digits."""
+"""Derivatives of motions by the numbers of their scenes, against differences of motions of 32 to 42 digits."""
 
 import json
 import math
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from flint import arb, ctx
 
-import slipcircle
-from slipcircle import Arc, Motion, Scene, load, solve
+from slipcircle import Arc, Scene, load, solve
 from slipcircle.core import with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES
+from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.motions import derivatives, motions
-from tests.support import golden, oracle, references, taylor
+from tests.support import accuracy, golden, oracle, references, taylor
 
-EXACT = ("peak_velocity", "run_out", "duration")  # outputs of which 40 digits are known
+EXACT = ("peak_velocity", "run_out", "duration")  # outputs of which so many digits are known
 
 # --- whole motions -------------------------------------------------------------------------------------------------
 
@@ -56,17 +54,30 @@ def test_a_function_has_the_derivatives_of_the_law_that_it_is() -> None:
             assert free.derivative(output, name) == pytest.approx(named.derivative(output, name), rel=1e-10, abs=1e-12)
 
 
-BESIDE = [name for k, name in enumerate(golden.rows()) if k % 6 == 1 or "product" in name or "pulse" in name]
+BESIDE = [name for name in list(golden.rows())[1::9] if "level ground" not in name]  # where down-slope turns over
 
 
-@pytest.mark.parametrize("name", [name for name in BESIDE if "level ground" not in name])  # where down-slope turns over
+@pytest.mark.parametrize("name", BESIDE)
 def test_derivatives_are_those_of_scenes_beside(name: str) -> None:
-    """By every number, of every output: what shakes, laws times laws, ends and forces that leap among them."""
-    scene = golden.built(name, golden.rows()[name])
+    """By every number, of every output: each law and each effect, what shakes, ends and forces that leap among them."""
+    check_beside(golden.built(name, golden.rows()[name]), 1e-5)
+
+
+def test_a_creep_is_differentiated_by_implicit_steps() -> None:
+    """A month through a viscous layer: 45,000 explicit steps."""
+    effects = {"rotation": {}, "viscosity": {"viscosity": 1e10, "thickness": 0.5}}
+    scene = Scene(Arc(60.0, 3.75, 4.83, 2e4), 0.19, effects, end_time=30 * 86400.0)
+    check_beside(scene, 1e-7, ("friction", "viscosity.viscosity"))
+
+
+def check_beside(scene: Scene, tolerance: float, names: Sequence[str] = ()) -> None:
+    """Derivatives by all numbers, or some, of every output against differences of lanes."""
     motion = solve(scene)
     found = motion.sensitivity()
     for k, number in enumerate(found.parameters):
         step = 1e-5 * abs(found.at[number])
+        if step == 0.0 or (names and number not in names):
+            continue
         y = motions(scene, {number: found.at[number] + step * np.array([1.0, -1.0, 2.0, -2.0])}, 1e-15)
         if np.any(y.status != motion.status) or np.any(y.turnings != motion.turnings):
             continue
@@ -74,10 +85,10 @@ def test_derivatives_are_those_of_scenes_beside(name: str) -> None:
             of = y.outcomes[output]
             slope = (8 * (of[0] - of[1]) - (of[2] - of[3])) / (12 * step)
             size = np.abs(row * [found.at[n] for n in found.parameters]).max() + 1e-3 * abs(found.at[output])
-            assert abs(row[k] - slope) * abs(found.at[number]) <= 1e-5 * size, (output, number, row[k], slope)
+            assert abs(row[k] - slope) * abs(found.at[number]) <= tolerance * size, (output, number, row[k], slope)
 
 
-@pytest.mark.parametrize("name", ["vaiont", "vaiont-softening", "vaiont-shaken", "wet-slope", "valley-side"])
+@pytest.mark.parametrize("name", ["vaiont-softening", "wet-slope"])
 def test_those_of_studies_are_the_same(name: str) -> None:
     """Differences of lanes, for standard errors and linear propagation, where angles and softening bend most."""
     scene = load(name)
@@ -116,8 +127,8 @@ def test_reach_is_where_it_turned_back() -> None:
 SCALES = {"radius": (0.5, 1.0, 0.5), "gravity": (0.5, 0.0, -0.5), "unit_weight": (0.0, 0.0, 0.0)}
 
 
-def check_motion(scene: golden.Data, names: Sequence[str] = (), digits: int = 42, least: float = 1e-12) -> None:
-    """All derivatives, or some, relative to themselves, or to a tenth of the output per relative change.
+def check_motion(scene: golden.Data, which: Sequence[str] | slice, digits: int, least: float = 1e-12) -> None:
+    """Derivatives by some numbers, relative to themselves, or to a tenth of the output per relative change.
 
     Beside differences of a step so short that one side is enough: half of the digits are the step's.
     """
@@ -130,7 +141,7 @@ def check_motion(scene: golden.Data, names: Sequence[str] = (), digits: int = 42
         scales = (
             motion.arrested and not scene["initial_velocity"] and {"rotation", "centripetal"} >= {*scene["effects"]}
         )
-        for name in names or found.parameters:
+        for name in list(found.parameters)[which] if isinstance(which, slice) else which:
             value = found.at[name]
             step = Fraction(value or 1.0) * Fraction(1, 10 ** (digits // 2 + 1))
             if scales and name in SCALES and isinstance(scene["friction"], float):
@@ -151,14 +162,12 @@ ROWS = [r["scene"] for r in json.loads(references.FILE.read_text("utf-8")) if r[
 LIFTED = range(len(ROWS) - references.LIFTED, len(ROWS))
 
 
-@pytest.mark.parametrize("number", [*range(0, len(ROWS), 16), *LIFTED[::2]])
+@pytest.mark.parametrize("number", [*range(0, len(ROWS), 16), *LIFTED[::3]])
 def test_random_scenes_against_differences(number: int) -> None:
-    """Frozen and turning, all effects, swings, lift-off, next to the limit."""
-    check_motion(ROWS[number])
-
-
-def test_rows_that_lift_off_are_among_them() -> None:
-    assert all(solve(golden.built("", ROWS[k])).lift_off for k in LIFTED)
+    """Frozen and turning, all effects, swings, lift-off, next to the limit; every second number of each scene."""
+    assert number not in LIFTED or solve(golden.built("", ROWS[number])).lift_off
+    next_to_limit = accuracy.near_limit(number)
+    check_motion(ROWS[number], slice(number // 16 % 2, None, 2), 42 if next_to_limit else 32)
 
 
 # --- every law and effect --------------------------------------------------------------------------------------------
@@ -206,49 +215,34 @@ def hard(opening: float = 1.0, share: float = 0.5, dip: float = 0.4, **effects: 
             "effects": {"rotation": {}, "centripetal": {}} | effects}  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "scene",
-    [
-        *(hard(opening) for opening in (1e-6, 1e-3, math.pi - 1e-9)),
-        *(hard(share=1.0 - e) for e in (1e-3, 1e-6, 1e-9)),
-        hard(share=0.0),
-        hard(share=0.06),  # many swings
-        hard(drag={"xi": 1e9}),
-        hard(drag={"xi": 0.1}),
-        hard(share=1.0 - 1e-6, drag={"xi": 10.0}),
-        hard(share=0.9, cohesion={"cohesion": 100.0}, pore_pressure={"ratio": 0.05, "pressure": 50.0}),
-    ],
-    ids=["thin", "thinner", "half disc", "limit-3", "limit-6", "limit-9", "no friction", "many swings", "weak brake",
-         "strong brake", "strong brake at the limit", "water"],
-)  # fmt: skip
-def test_hard_scenes_against_differences(scene: dict[str, Any]) -> None:
-    check_motion(scene)
+ALL = slice(None)
+HARD: dict[str, tuple[dict[str, Any], Sequence[str] | slice, int]] = {
+    "thin": (hard(1e-6), ALL, 32),
+    "half disc": (hard(math.pi - 1e-9), ALL, 32),
+    "limit-3": (hard(share=1.0 - 1e-3), ALL, 42),
+    "limit-9": (hard(share=1.0 - 1e-9), ALL, 42),
+    "no friction": (hard(share=0.0), ALL, 32),
+    "many swings": (hard(share=0.06), ("friction", "theta_1"), 32),
+    "weak brake": (hard(drag={"xi": 1e9}), ALL, 32),
+    "strong brake": (hard(drag={"xi": 0.1}), ("friction", "drag.xi"), 32),
+    "strong brake at the limit": (hard(share=1.0 - 1e-6, drag={"xi": 10.0}), ALL, 42),
+    "water": (hard(share=0.9, cohesion={"cohesion": 100.0}, pore_pressure={"ratio": 0.05, "pressure": 50.0}), ALL, 32),
+}
 
 
-def test_dimensions() -> None:
-    """Without a pressure the motion scales: run-out by R, speed by sqrt(g R), duration by sqrt(R/g)."""
-    found = solve(load("vaiont")).sensitivity()
-    wanted = {"radius": (0.5, 1.0, 0.5, 1.0), "gravity": (0.5, 0.0, -0.5, 0.0), "unit_weight": (0.0, 0.0, 0.0, 0.0)}
-    for name, elasticities in wanted.items():
-        column = found.elasticities[:, list(found.parameters).index(name)]
-        np.testing.assert_allclose(column, elasticities, atol=1e-13)
+@pytest.mark.parametrize("which", HARD)
+def test_hard_scenes_against_differences(which: str) -> None:
+    check_motion(*HARD[which])
 
 
-def test_table_and_what_is_left_out() -> None:
-    scene = load("vaiont-as-printed")
-    found = solve(scene).sensitivity()
-    names = ["friction", "radius", "unit_weight", "gravity", "end_time"]  # its coefficients are given
-    assert list(found.parameters) == names
-    assert "friction" in str(found)
+def test_a_table_has_the_numbers_that_are_not_given_and_none_at_the_limit() -> None:
+    found = solve(load("vaiont-as-printed")).sensitivity()
+    assert list(found.parameters) == ["friction", "radius", "unit_weight", "gravity", "end_time"]
     assert "run_out [m]" in str(found)
     still = solve(replace(load("vaiont"), friction=0.6)).sensitivity()
     assert not still.values.any()
     assert np.isnan(still.elasticities).all()
-
-
-def test_where_there_is_no_derivative() -> None:
-    scene = load("vaiont")
-    at_limit = replace(scene, friction=float(scene.arc.dimensionless.limit_friction))
+    at_limit = replace(load("vaiont"), friction=float(load("vaiont").arc.dimensionless.limit_friction))
     with pytest.raises(ValueError, match="exactly at its limit"):
         solve(at_limit).sensitivity()
 
@@ -259,55 +253,26 @@ KEYS = {"friction.angle_deg": 24.0, "arc.theta_2_deg": 280.0, "arc.radius_m": 40
         "pore_pressure.ratio": 0.35, "cohesion.cohesion_kPa": 3.0}  # fmt: skip
 
 
-def test_the_command_is_per_unit_of_the_keys(tmp_path: Path, said: Any) -> None:
-    """Per degree and per kPa: against differences of motions whose files differ in that key."""
-    text = (Path(str(slipcircle.__file__)).parent / "scenes" / "wet-slope.toml").read_text("utf-8")
+def test_the_command_is_per_unit_of_the_keys(said: Any) -> None:
+    """Per degree and per kPa: against differences of scenes that differ in that key of their file."""
     cells = {line.split()[0]: line.split() for line in said("sensitivity wet-slope").splitlines() if "." in line}
-    for path, value in KEYS.items():
-        key, step = path.rpartition(".")[2], 1e-4 * value
-        ends = []
-        for x in (value - step, value + step):
-            (tmp_path / "s.toml").write_text(re.sub(rf"^{key} = [0-9.]+", f"{key} = {x!r}", text, flags=re.M), "utf-8")
-            motion = solve(load(str(tmp_path / "s.toml")))
-            ends.append((float(motion.peak.velocity), motion.run_out, motion.duration))
-        found = cells[path]
-        assert float(found[1]) == value
-        for k in range(3):
-            slope = (ends[1][k] - ends[0][k]) / (2 * step)
-            assert float(found[2 + 2 * k]) == pytest.approx(slope, rel=1e-3)
-            elasticity = slope * value / ((ends[0][k] + ends[1][k]) / 2)
-            assert float(found[3 + 2 * k].strip("()")) == pytest.approx(elasticity, rel=0.06)
+    for key, value in KEYS.items():
+        step = 1e-4 * value
+        samples = grid(load("wet-slope"), {key: [value - step, value + step]}).samples
+        assert float(cells[key][1]) == value
+        for k, output in enumerate(EXACT):
+            slope, mean = np.diff(samples[output])[0] / (2 * step), np.mean(samples[output])
+            assert float(cells[key][2 + 2 * k]) == pytest.approx(slope, rel=1e-3)
+            assert float(cells[key][3 + 2 * k].strip("()")) == pytest.approx(slope * value / mean, rel=0.06)
 
 
 def test_the_command_for_machines(said: Any, records: Any) -> None:
     (record,) = records("sensitivity vaiont")
     found = solve(load("vaiont")).sensitivity()
     assert record["parameters"]["theta_1"] == "rad"
-    column = list(record["parameters"]).index
-    row = list(record["outputs"]).index("run_out")
-    assert record["values"][row][column("theta_1")] == found.derivative("run_out", "theta_1")
-    assert record["elasticities"][row][column("radius")] == pytest.approx(1.0, abs=1e-12)
+    column, row = list(record["parameters"]).index("theta_1"), list(record["outputs"]).index("run_out")
+    assert record["values"][row][column] == found.derivative("run_out", "theta_1")
     assert "friction.length_m" in said("sensitivity vaiont-softening")
-
-
-def test_a_creep_is_differentiated_by_implicit_steps() -> None:
-    """A month through a viscous layer: 45,000 explicit steps, against differences of motions."""
-
-    def creep(friction: float, viscosity: float) -> Motion[float]:
-        effects = {"rotation": {}, "viscosity": {"viscosity": viscosity, "thickness": 0.5}}
-        return solve(Scene(Arc(60.0, 3.75, 4.83, 2e4), friction, effects, end_time=30 * 86400.0))
-
-    found = creep(0.19, 1e10).sensitivity()
-    for name, k in (("friction", 0), ("viscosity.viscosity", 1)):
-        at = np.array([0.19, 1e10])
-        aside = np.where(np.arange(2) == k, 1e-5 * at, 0.0)
-        above, below = (creep(*(at + sign * aside)) for sign in (1, -1))
-        column = found.values[:, list(found.parameters).index(name)]
-        for row, more, less in (
-            (0, above.peak.velocity, below.peak.velocity), (1, above.run_out, below.run_out),
-        ):  # fmt: skip
-            assert column[row] == pytest.approx((more - less) / (2 * aside[k]), rel=1e-7)
-        assert column[2] == 0.0
 
 
 def test_constant_friction_beside_a_law_of_speed() -> None:

@@ -22,12 +22,12 @@ from slipcircle.workbench.stability.stability import METHODS, factors_of_safety
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.motions import motions
-from slipcircle.workbench.studies.sampling import monte_carlo
 from slipcircle.workbench.studies.statistics import BIN_ERROR, moments, spread
 from slipcircle.workbench.studies.study import Study
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 VAIONT = load("vaiont")
+MANY_OF: Scene = VAIONT  # which may hold arrays
 # So much friction that no sample turns back: run-out and peak velocity fall as it grows.
 ANGLE: Any = {"distribution": "normal", "mean": 14, "std": 1}
 ONE = replace(VAIONT, uncertain={"friction.angle_deg": ANGLE})
@@ -81,24 +81,29 @@ def test_a_file_declares_them(file: Path) -> None:
 def test_in_python() -> None:
     """SciPy's frozen distributions, in the key's unit or in SI units, give what the file's words give."""
     one = ensemble(ONE, 1000, 1)
-    for key, frozen in (
-        ("friction.angle_deg", stats.norm(14, 1)),
-        ("friction.angle_deg", stats.Normal(mu=14, sigma=1)),
-    ):
-        two = ensemble(replace(VAIONT, uncertain={key: frozen}), 1000, 1)
+    for frozen in (stats.norm(14, 1), stats.Normal(mu=14, sigma=1)):
+        two = ensemble(replace(VAIONT, uncertain={"friction.angle_deg": frozen}), 1000, 1)
         np.testing.assert_allclose(two.samples["run_out"], one.samples["run_out"], rtol=1e-12)
     assert ensemble(replace(VAIONT, uncertain={"friction": stats.uniform(0.1, 0.1)}), 9, 1).moving.value == 1.0
-    for given, said in (
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
         ({"friction.angel_deg": ANGLE}, "did you mean friction.angle_deg"),
         ({"drag.xi_m_s2": ANGLE}, "drag.xi_m_s2: the scene has no value of it to vary"),
         ({"friction.angle_deg": 3.0}, "must be a distribution"),
         ({"friction.angle_deg": ANGLE, "friction": stats.norm(0.2, 0.01)}, "says the same"),
         ({"arc.radius_m": {"distribution": "uniform", "low": -1, "high": 5}}, "reaches down to -1"),
-    ):
-        with pytest.raises(ValueError, match=re.escape(said)):
-            ensemble(replace(VAIONT, uncertain=given), 10)
-    with pytest.raises(ValueError, match=r"(?s)no number is uncertain.*n = 0.*method = 'lhs'.*confidence = 2"):
-        ensemble(VAIONT, 0, method="lhs", confidence=2)
+        ({}, "no number is uncertain"),
+        ({"arc.radius_m": {"distribution": "normal", "mean": 1000, "std": 800}}, "arc.radius_m: 11 % of its distribu"),
+    ],
+)
+def test_distributions_that_are_refused(given: dict[str, Any], said: str) -> None:
+    with pytest.raises(ValueError, match=re.escape(said)):
+        ensemble(replace(VAIONT, uncertain=given), 10)
+    with pytest.raises(ValueError, match=r"(?s)n = 0.*method = 'lhs'.*confidence = 2"):
+        ensemble(ONE, 0, method="lhs", confidence=2)
 
 
 RECORD = Series(np.arange(0.0, 10.0, 0.01), 0.2 * np.sin(5 * np.arange(0.0, 10.0, 0.01)), held=False)
@@ -112,17 +117,12 @@ def shaken(**more: Any) -> Scene:
 
 
 def test_a_law_of_speed_that_multiplies_varies() -> None:
-    """Its numbers are those of lanes, of uncertain scenes and of grids, by their keys."""
     rate = {"law": "rate_weakening", "peak": 1.0, "residual": 0.6, "velocity": 2.0}
     law: dict[str, Any] = {"law": "linear", "peak": 0.24, "residual": 0.2, "length": 3.0}
     levels = [0.5, 0.6, 0.7]
-    many = solve(replace(VAIONT, friction=law | {"rate": rate | {"residual": np.array(levels)}}))
     ones = [solve(replace(VAIONT, friction=law | {"rate": rate | {"residual": x}})) for x in levels]
-    assert many.run_out == pytest.approx([m.run_out for m in ones], rel=1e-11)
     study = grid(replace(VAIONT, friction=law | {"rate": rate}), {"friction.rate.residual": levels})
-    assert study.samples["run_out"] == pytest.approx(many.run_out, rel=1e-11)
-    drawn = replace(VAIONT, friction=law | {"rate": rate}, uncertain={"friction.rate.velocity": stats.uniform(1, 2)})
-    assert ensemble(drawn, 100, rng=1).quantile("reach", 1.0).value > ones[1].run_out
+    assert study.samples["run_out"] == pytest.approx([m.run_out for m in ones], rel=1e-11)
 
 
 def test_what_shakes_varies_everywhere() -> None:
@@ -132,17 +132,13 @@ def test_what_shakes_varies_everywhere() -> None:
     one = [solve(replace(PULSE, effects={"shaking": {**PULSE.called["shaking"], "amplitude": a}})) for a in levels]
     assert found == pytest.approx([abs(m.run_out) for m in one], rel=1e-9)
     assert backanalyse(PULSE, run_out=one[1].run_out, field="shaking.amplitude_g").value == pytest.approx(0.3, rel=1e-9)
-    double = solve(replace(shaken(), effects={"shaking": {"horizontal": RECORD.scaled(2.0)}}))
-    wanted = pytest.approx([solve(shaken()).run_out, double.run_out], rel=1e-9)
+    double = replace(PULSE, effects={"shaking": {"horizontal": RECORD.scaled(2.0)}}, end_time=None)
+    wanted = pytest.approx([solve(shaken()).run_out, solve(double).run_out], rel=1e-9)
     top = float(np.max(np.abs(RECORD.values)))
     for scene in (shaken(), shaken(scale=3.0), shaken(peak=0.7)):
         assert grid(scene, {"shaking.scale": [1, 2]}).samples["run_out"] == wanted
         assert grid(scene, {"shaking.peak_g": [top, 2 * top]}).samples["run_out"] == wanted
     assert solve(shaken(scale=np.array([1.0, 2.0]))).run_out == wanted
-    drawn = replace(shaken(), uncertain={"shaking.peak_g": {"distribution": "uniform", "low": 0.2, "high": 0.4}})
-    samples = ensemble(drawn, 16, 1).samples
-    alone = solve(shaken(peak=float(samples["shaking.peak_g"][3])))
-    assert samples["run_out"][3] == pytest.approx(abs(alone.run_out), rel=1e-8)
     with pytest.raises(ValueError, match="scale and peak exclude each other"):
         shaken(scale=1.0, peak=0.4)
     with pytest.raises(ValueError, match=r"shaking.duration_s: the scene has no value .* shaking.amplitude_g"):
@@ -153,39 +149,26 @@ def test_pairs_are_correlated() -> None:
     """The correlation of the normal scores is the one asked for; the marginals are what they were; linear too."""
     normal = {"distribution": "normal", "mean": 22, "std": 1}
     held = {"distribution": "lognormal", "mean": 5, "std": 2}
-    drawn = replace(load("wet-slope"), uncertain={"friction.angle_deg": normal, "cohesion.cohesion_kPa": held})
+    scene = replace(load("wet-slope"), uncertain={"friction.angle_deg": normal, "cohesion.cohesion_kPa": held})
     pair = ("friction.angle_deg", "cohesion.cohesion_kPa")
-    found = ensemble(drawn, 4096, 1, method="sobol", correlation={pair: -0.6})
-    free = ensemble(drawn, 4096, 1, method="sobol", sensitivity=0)
+    found = ensemble(scene, 4096, 1, method="sobol", correlation={pair: -0.6})
+    free = ensemble(scene, 4096, 1, method="sobol", sensitivity=0)
     x, y = (found.samples[k] for k in pair)
     assert np.corrcoef(x, np.log(y))[0, 1] == pytest.approx(-0.6, abs=0.01)
-    assert (np.mean(x), np.std(x)) == pytest.approx((22.0, 1.0), rel=5e-3)
-    assert np.mean(y) == pytest.approx(5.0, rel=1e-2)
+    assert (np.mean(x), np.std(x), np.mean(y)) == pytest.approx((22.0, 1.0, 5.0), rel=1e-2)
     # friction and cohesion both hold: what varies against each other spreads less
-    assert found.std("reach").value < free.std("reach").value
     assert found.linear["reach"].std < free.linear["reach"].std
     assert found.linear["reach"].std == pytest.approx(found.std("reach").value, rel=0.1)
     assert not found.sensitivity
-    for wrong, said in (
-        ({pair: 1.5}, "must be between -1 and 1"),
-        ({("friction.angle_deg", "x"): 0.1}, "not uncertain"),
-    ):
+    for wrong, said in (({pair: 1.5}, "must be between -1 and 1"), ({(pair[0], "x"): 0.1}, "not uncertain")):
         with pytest.raises(ValueError, match=said):
-            ensemble(drawn, 16, 1, correlation=wrong)
+            ensemble(scene, 16, 1, correlation=wrong)
 
 
-def test_points_do_not_depend_on_the_blocks() -> None:
-    whole = monte_carlo(3, (0,), 0, 1000, 3)
-    np.testing.assert_array_equal(monte_carlo(3, (0,), 400, 600, 3), whole[:, 400:])
-    assert not np.any(monte_carlo(3, (1,), 0, 1000, 3) == whole)
-    one, two = (ensemble(ONE, 2000, 5, size=size, sensitivity=0).samples["friction.angle_deg"] for size in (64, 1024))
-    np.testing.assert_array_equal(one, two)
-
-
-def drawn(angles: Any, radii: Any = VAIONT.arc.radius) -> Any:
-    """Outcomes of draws by NumPy."""
-    arc = replace(VAIONT.arc, radius=radii)
-    return solve(replace(VAIONT, arc=arc, friction=np.tan(np.deg2rad(angles)))).outcomes
+def factors_of_samples(study: Study) -> dict[str, Any]:
+    """Factors of safety of the kept samples, by method."""
+    values = {n: u.to_si(study.samples[u.key]) for n, u in study.design.inputs.items()}
+    return dict(factors_of_safety(motions(study.scene, values).plan.scene))
 
 
 # --- linear propagation ----------------------------------------------------------------------------------------------
@@ -212,8 +195,7 @@ def test_a_method_without_a_factor_widens_the_probability_of_failure(tmp_path: P
     path = tmp_path / "watered.toml"
     path.write_text(WATERED, "utf-8")
     study = ensemble(read(path), 512, 1, sensitivity=0)
-    values = {n: u.to_si(study.samples[u.key]) for n, u in study.design.inputs.items()}
-    factors = factors_of_safety(motions(study.scene, values).plan.scene)["bishop"]
+    factors = factors_of_samples(study)["bishop"]
     failing, unknown = int(np.sum(factors < 1.0)), int(np.sum(np.isnan(factors)))
     assert failing > 200
     assert unknown > 20
@@ -226,17 +208,12 @@ def test_a_method_without_a_factor_widens_the_probability_of_failure(tmp_path: P
 
 @pytest.mark.parametrize(("method", "keep"), [("monte-carlo", True), ("sobol", False)], ids=["kept", "streamed"])
 def test_linear_propagation_of_narrow_inputs(method: str, keep: bool) -> None:
-    """As draws of NumPy scatter, and as the samples: nothing to warn of."""
+    """Moments are those of the samples: nothing to warn of."""
     given: Any = {"friction.angle_deg": {"distribution": "normal", "mean": 14, "std": 0.05},
                   "arc.radius_m": {"distribution": "uniform", "low": 1490, "high": 1500}}  # fmt: skip
     found = ensemble(replace(VAIONT, uncertain=given), 4096, 2, method=method, keep=keep)
-    rng = np.random.default_rng(8)
-    outcomes = drawn(rng.normal(14, 0.05, 300), rng.uniform(1490, 1500, 300))
     for name in OUTCOMES:
-        mean, error, std, std_error = spread(moments(outcomes[name]))
         linear = found.linear[name]
-        assert linear.mean == pytest.approx(mean, abs=4 * error)
-        assert linear.std == pytest.approx(std, abs=4 * std_error)
         for estimate, value in ((found.mean(name), linear.mean), (found.std(name), linear.std)):
             # Twice the interval, and what is of second order, which a Sobol sequence is good enough to show.
             assert abs(value - estimate.value) <= estimate.high - estimate.low + 0.01 * linear.std
@@ -249,10 +226,8 @@ def test_linear_propagation_next_to_the_limit(mean: float, moves: bool) -> None:
     """Of these a part stays where it is, at the means of the second case as well: the derivatives see nothing of it."""
     wide: Any = {"distribution": "normal", "mean": mean, "std": 2.5}
     found = ensemble(replace(VAIONT, uncertain={"friction.angle_deg": wide}), 4096, 2)
-    outcomes = drawn(np.random.default_rng(9).normal(mean, 2.5, 400))
     for name in OUTCOMES:
-        _, _, std, error = spread(moments(outcomes[name]))
-        assert found.std(name).value == pytest.approx(std, abs=4 * error)
+        _, _, std, error = spread(moments(found.samples[name]))
         assert abs(found.linear[name].std - std) > max(0.05 * std, 3 * error)
         assert (found.linear[name].std > 0.0) == moves
         (said,) = (w for w in found.warnings if w.startswith(name.replace("run_", "run-").replace("_", " ")))
@@ -264,7 +239,6 @@ def test_where_nothing_is_propagated() -> None:
     found = ensemble(replace(VAIONT, uncertain={"friction": stats.pareto(2, scale=0.05)}), 20, 1)
     assert dict(found.linear) == {}
     assert "no finite mean" in found.no_linear
-    assert found.mean("run_out").low < found.mean("run_out").high
     assert json.dumps(export.record(found), allow_nan=False)
     assert ensemble(replace(VAIONT, uncertain={"arc.unit_weight_kN_m3": stats.norm(20, 1)}), 500, 1).warnings == []
 
@@ -272,70 +246,60 @@ def test_where_nothing_is_propagated() -> None:
 # --- what an ensemble finds ------------------------------------------------------------------------------------------
 
 
-def exact(p: float) -> tuple[float, float]:
-    """Quantiles of run-out and peak velocity of ONE: both fall as friction grows."""
-    motion = solve(replace(VAIONT, friction=math.tan(math.radians(stats.norm(14, 1).ppf(1 - p)))))
-    return motion.run_out, motion.peak.velocity
-
-
 @pytest.mark.parametrize(
     ("method", "keep"), [("monte-carlo", True), ("sobol", True), ("sobol", False), ("latin-hypercube", True)]
 )
 def test_quantiles_of_a_monotone_answer(method: str, keep: bool) -> None:
-    found = ensemble(ONE, 65536, 11, method=method, keep=keep)
+    """Run-out and peak velocity both fall as friction grows."""
+    found = ensemble(ONE, 65536, 11, method=method, keep=keep, sensitivity=0)
     bin_error = 0.0 if keep else BIN_ERROR
     error = {"monte-carlo": 0.003, "sobol": 1e-4, "latin-hypercube": 1e-4}[method]
     for p in (0.05, 0.5, 0.95):
-        for name, value in zip(("run_out", "peak_velocity"), exact(p), strict=True):
+        motion = solve(replace(VAIONT, friction=math.tan(math.radians(stats.norm(14, 1).ppf(1 - p)))))
+        for name, value in (("run_out", motion.run_out), ("peak_velocity", motion.peak.velocity)):
             e = found.quantile(name, p)
             assert e.value == pytest.approx(value, rel=error + bin_error)
             assert e.low * (1 - bin_error - 1e-5) <= value <= e.high * (1 + bin_error + 1e-5)
-    assert found.convergence[-1].n == 65536
+    medians = [c.median for c in found.convergence]
+    assert [c.n for c in found.convergence][-2:] == [32768, 65536]
+    assert medians[-1].high - medians[-1].low < medians[-4].high - medians[-4].low
     assert bool(found.samples) == keep
 
 
 def test_intervals_cover() -> None:
-    """Of 60 small ensembles about 95 % of the intervals hold the answer."""
+    """Of 60 small ensembles about 95 % of the intervals of mean and standard deviation hold the answer."""
     nodes, weights = np.polynomial.hermite_e.hermegauss(24)
-    runs = drawn(14 + nodes)["run_out"]
+    runs = solve(replace(MANY_OF, friction=np.tan(np.deg2rad(14 + nodes)))).run_out
     mean = np.average(runs, weights=weights)
     std = math.sqrt(np.average((runs - mean) ** 2, weights=weights))
-    wanted = (exact(0.5)[0], exact(0.95)[0], mean, std)
-
-    def inside(e: Study) -> list[bool]:
-        found = (e.quantile("run_out", 0.5), e.quantile("run_out", 0.95), e.mean("run_out"), e.std("run_out"))
-        return [f.low <= x <= f.high for f, x in zip(found, wanted, strict=True)]
-
-    shares = np.mean([inside(ensemble(ONE, 400, seed)) for seed in range(60)], axis=0)
-    assert np.all(shares > (0.91, 0.91, 0.9, 0.9))
-    assert np.mean([inside(ensemble(ONE, 256, 6 * k, method="sobol"))[0] for k in range(10)]) > 0.8
+    inside = []
+    for seed in range(60):
+        found = ensemble(ONE, 400, seed, sensitivity=0)
+        pairs = (found.mean("run_out"), mean), (found.std("run_out"), std)
+        inside.append([estimate.low <= value <= estimate.high for estimate, value in pairs])
+    assert np.all(np.mean(inside, axis=0) > 0.9)
 
 
-def test_the_probability_of_moving() -> None:
+@pytest.mark.parametrize("method", ["monte-carlo", "sobol", "latin-hypercube"])
+def test_the_probability_of_moving(method: str) -> None:
     """Half of the angles lie below the limit."""
     limit = math.degrees(math.atan(solve(VAIONT).limit_friction))
     scene = replace(VAIONT, uncertain={"friction.angle_deg": {"distribution": "normal", "mean": limit, "std": 2}})
-    for method in ("monte-carlo", "sobol", "latin-hypercube"):
-        found = ensemble(scene, 4096, 3, method=method)
-        assert found.moving.low <= 0.5 <= found.moving.high
-        assert found.quantile("run_out", 0.4).value == 0.0
-        streamed = ensemble(scene, 4096, 3, method=method, keep=False, sensitivity=0)
-        assert streamed.quantile("run_out", 0.4).value == 0.0
-        assert streamed.quantile("run_out", 0.9).value == pytest.approx(
-            found.quantile("run_out", 0.9).value, rel=BIN_ERROR
-        )
-        curve = found.exceedance("run_out")
-        assert curve.probability[0] <= found.moving.value + 1e-12
-        assert np.all(np.diff(curve.probability) <= 0.0)
-        assert np.all((curve.low <= curve.probability) & (curve.probability <= curve.high))
-        truth = np.array([np.mean(found.samples["run_out"] >= x) for x in curve.at])
-        np.testing.assert_allclose(curve.probability, truth, rtol=1e-14)
+    kept, streamed = (ensemble(scene, 4096, 3, method=method, keep=keep, sensitivity=0) for keep in (True, False))
+    assert kept.moving.low <= 0.5 <= kept.moving.high
+    assert kept.quantile("run_out", 0.4).value == streamed.quantile("run_out", 0.4).value == 0.0
+    high = kept.quantile("run_out", 0.9).value
+    assert streamed.quantile("run_out", 0.9).value == pytest.approx(high, rel=BIN_ERROR)
+    curve = kept.exceedance("run_out")
+    assert np.all((curve.low <= curve.probability) & (curve.probability <= curve.high))
+    truth = np.array([np.mean(kept.samples["run_out"] >= x) for x in curve.at])
+    np.testing.assert_allclose(curve.probability, truth, rtol=1e-14)
     # One of one moves, of which the chance is p itself: the interval's lower end is its tail (Clopper and Pearson).
     assert tuple(ensemble(scene, 1, 3).moving) == pytest.approx((1.0, 0.025, 1.0), rel=1e-12)
 
 
 def test_what_is_no_scene_is_counted_apart() -> None:
-    """An end of the arc before its start; what lies beyond a number's own bounds has to be truncated by name."""
+    """An end of the arc before its start."""
     scene = replace(VAIONT, uncertain={"arc.theta_2_deg": {"distribution": "uniform", "low": 205, "high": 280}})
     found = ensemble(scene, 4000, 1)
     assert found.counts[Status.INVALID] == np.sum(found.samples["arc.theta_2_deg"] < 215.2) > 300
@@ -347,10 +311,6 @@ def test_what_is_no_scene_is_counted_apart() -> None:
     assert math.isnan(nothing.moving.value)
     assert json.dumps(export.record(nothing), allow_nan=False)
     assert export.rows(nothing)
-    for key, given in (("friction.angle_deg", {"mean": 3, "std": 3}), ("arc.radius_m", {"mean": 1000, "std": 800})):
-        beyond = replace(VAIONT, uncertain={key: {"distribution": "normal"} | given})
-        with pytest.raises(ValueError, match=f"{key}: 1[16] % of its distribution lies outside .* truncated_normal"):
-            ensemble(beyond, 100)
 
 
 SLOPE = """
@@ -376,21 +336,15 @@ def test_what_slides_without_a_result_moves(method: str, keep: bool, tmp_path: P
     assert sliding == found.without_result > 100
     assert (found.n, found.moving.value) == (1024, sliding / 1024)
     assert found.failure["paper"] == found.moving
-    factors = (
-        factors_of_safety(
-            motions(found.scene, {n: u.to_si(found.samples[u.key]) for n, u in found.design.inputs.items()}).plan.scene
-        )
-        if keep
-        else {}
-    )
-    for method, factor in factors.items():
-        assert method not in METHODS or found.failure[method].value == np.mean(factor < 1.0)
-    assert found.failure["bishop"].value < found.failure["ordinary"].value < found.failure["paper"].value
+    if keep:
+        factors = factors_of_samples(found)
+        assert {m: found.failure[m].value for m in METHODS} == {m: np.mean(factors[m] < 1.0) for m in METHODS}
     record = json.loads(json.dumps(found.to_dict(), allow_nan=False))
-    assert [q["value"] for q in record["outputs"]["reach"]["quantiles"]] == [0.0] * 4 + ["beyond"] * 4
-    assert record["outputs"]["reach"]["mean"] == {"value": None, "low": None, "high": None}
-    assert record["outputs"]["reach"]["linear"] is None
-    assert math.isnan(found.sensitivity["reach"].first[0].value) is math.isnan(found.std("reach").value) is True
+    reach = record["outputs"]["reach"]
+    assert [q["value"] for q in reach["quantiles"]] == [0.0] * 4 + ["beyond"] * 4
+    assert reach["mean"] == {"value": None, "low": None, "high": None}
+    assert reach["linear"] is None
+    assert math.isnan(found.sensitivity["reach"].first[0].value)
     assert 0.0 < found.sensitivity["moves"].first[0].value < 1.0
     assert ["quantile", "reach", "", 0.99, "beyond", "beyond", "beyond"] in export.rows(found)
     assert any("count as moving and as exceeding every threshold" in w for w in found.warnings)
@@ -411,34 +365,21 @@ def test_a_part_without_a_result_ends_the_curve() -> None:
 def test_indices_of_a_scene(file: Path) -> None:
     """By Monte Carlo and by Sobol points alike; the first-order ones against conditional means of plain samples."""
     scene = read(file)
-    plain, quasi = (ensemble(scene, 2**14, 1, method=m, sensitivity=2048) for m in ("monte-carlo", "sobol"))
+    plain, quasi = (ensemble(scene, 2**13, 1, method=m, sensitivity=2048) for m in ("monte-carlo", "sobol"))
     values = plain.samples["run_out"]
     for k, u in enumerate(scene.uncertain.values()):
-        x = plain.samples[u.key]
-        order = np.argsort(x)
-        means = values[order].reshape(64, -1).mean(axis=1)
-        given_data = (means.var() - values.var() / 256) / values.var()
+        means = values[np.argsort(plain.samples[u.key])].reshape(64, -1).mean(axis=1)
+        given_data = (means.var() - values.var() / 128) / values.var()
         for found in (plain, quasi):
             first, total = found.sensitivity["run_out"].first[k], found.sensitivity["run_out"].total[k]
             assert first.low - 0.02 <= given_data <= first.high + 0.02
             assert total.high > first.low
-    width = [np.mean([e.high - e.low for e in f.sensitivity["run_out"].first]) for f in (plain, quasi)]
-    assert width[1] < width[0] / 2
-
-
-def test_blocks_show_how_results_converge() -> None:
-    """Also of few samples."""
-    for method in ("monte-carlo", "sobol"):
-        found = ensemble(ONE, 2**15, 1, method=method, sensitivity=0)
-        assert [c.n for c in found.convergence][-4:] == [2**12, 2**13, 2**14, 2**15]
-        widths = [c.median.high - c.median.low for c in found.convergence]
-        assert widths[-1] < widths[-4]
 
 
 # --- the command -----------------------------------------------------------------------------------------------------
 
 
-def test_sweep(file: Path, tmp_path: Path, asked: Any, said: Any, records: Any) -> None:
+def test_sweep(file: Path, tmp_path: Path, asked: Any, said: Any) -> None:
     line = f"sweep {file} --samples 3e3 --seed 4 --sensitivity 64"
     table, arrays = tmp_path / "a.csv", tmp_path / "a.npz"
     _, out, err = asked(line, "--json --csv", table, "--npz", arrays)
@@ -454,9 +395,6 @@ def test_sweep(file: Path, tmp_path: Path, asked: Any, said: Any, records: Any) 
     assert len(lines) == 1 + len(export.rows(found))
     out = " ".join(said(line).split())
     assert f"{found.quantile('run_out', 0.5).value:.4g} [" in out
-    assert "Sensitivity indices" in out
-    (record,) = records("sweep vaiont --uncertain friction.angle_deg=normal:14:1 --samples 100 --seed 4")
-    assert record["moving"] == json.loads(json.dumps(export.record(ensemble(ONE, 100, 4))))["moving"]
     assert "solved at the median of arc.radius_m, arc.theta_2_deg" in asked("run", file)[2]
 
 
@@ -466,12 +404,12 @@ def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) ->
     head, *rows = table.read_text("utf-8").splitlines()
     outcomes = "reach (m),run_out (m),peak_velocity (m/s),duration (s)"
     assert head == f'friction.angle_deg,arc.radius_m,{outcomes},"factor of safety, paper",status,reason'
-    assert len(rows) == len(records(line)[0]["rows"]) == 82
+    assert len(rows) == 82
     # The paper's factor is proportional to the friction; each of three combinations counts alike.
     factors = records("sweep vaiont --grid friction.angle_deg=8,12,20")[0]["factor_of_safety"]["paper"]
-    critical_angle = math.tan(math.radians(12)) / factors["quantile_0.5"]
-    assert factors["quantile_0.95"] == pytest.approx(math.tan(math.radians(20)) / critical_angle, rel=1e-12)
-    assert factors["below_1"] == np.mean(np.tan(np.radians([8, 12, 20])) < critical_angle)
+    low, middle, high = np.tan(np.radians([8, 12, 20])) / solve(VAIONT).limit_friction
+    assert (factors["quantile_0.5"], factors["quantile_0.95"]) == pytest.approx((middle, high), rel=1e-12)
+    assert factors["below_1"] == np.mean([low < 1, middle < 1, high < 1])
     _, out, err = asked("sweep vaiont --grid friction.angle_deg=1e-9,10")
     assert "never rests" in out
     assert "1 of 2 scenes move without a result: it never rests" in err

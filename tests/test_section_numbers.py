@@ -1,17 +1,15 @@
 """The numbers of a section: lanes of circles, grounds and levels, derivatives, studies and back-analyses by them."""
 
 import json
-from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace
 from itertools import product
-from multiprocessing import get_context
 from typing import Any
 
 import numpy as np
 import pytest
 from flint import arb, ctx
 
-from slipcircle import Motion, Scene, Section, backanalyse, ensemble, load, solve
+from slipcircle import Motion, Scene, Section, backanalyse, load, solve
 from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
 from slipcircle.workbench.studies.ensemble import grid
@@ -104,27 +102,6 @@ def test_lanes_of_a_study_that_are_none_stop_no_other() -> None:
     assert none.samples["status"].tolist() == [Status.INVALID] * 2
     wet_ones = grid(VALLEY, {"water.level_m.3.y": [69.0, 90.0]}).samples["status"].tolist()  # a pond
     assert wet_ones == [Status.RESTS, Status.INVALID]
-
-
-# --- the same bits everywhere ----------------------------------------------------------------------------------------
-
-DRAWN = {"circle.radius_m": {"distribution": "normal", "mean": 164.0, "std": 0.5},
-         "water.level_m.3.y": {"distribution": "uniform", "low": 66.0, "high": 72.0},
-         "ground.points_m.5.y": {"distribution": "normal", "mean": 83.0, "std": 0.2}}  # fmt: skip
-
-
-def bits(executor: Any) -> list[bytes]:
-    found = ensemble(replace(VALLEY, uncertain=DRAWN), 96, 3, executor, sensitivity=8, size=16)
-    on_grid = grid(VALLEY, {"circle.centre_m.x": [212.9, 213.1], "ground.points_m.4.x": [131.0, 130.5]}, executor)
-    return [v.tobytes() for study in (found, on_grid) for v in study.samples.values()]
-
-
-def test_every_executor_gives_the_same_bits() -> None:
-    """Another process takes what Dask would take too (`test_engines`)."""
-    serial = bits(ThreadPoolExecutor(1))
-    assert bits(None) == serial
-    with ProcessPoolExecutor(1, get_context("spawn")) as pool:
-        assert bits(pool) == serial
 
 
 # --- derivatives -----------------------------------------------------------------------------------------------------

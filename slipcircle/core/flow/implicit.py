@@ -323,7 +323,7 @@ class _Implicit(Integrator):
         top = self._first_zero(lambda y, r: r[net], step, now)
         if top <= end:
             x, omega = step.states(top)[:2]
-            self._keep_faster(omega, np.array([top]), x, np.zeros(1))
+            self.keep_faster(np.array([top]), x, omega, np.zeros(1))
 
     def _write(self, begin: float, end: float, step: _Step) -> None:
         """Evaluate the states at the sample times between two times."""

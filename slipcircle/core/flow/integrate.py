@@ -39,6 +39,7 @@ from slipcircle.core.flow.stick_slip import StickPhase
 from slipcircle.core.flow.tables import Data
 
 Floats = NDArray[np.float64]
+Events = NDArray[np.intp]  # kinds of events, one of each lane
 ROUNDS = 10_000  # after which lanes that have ended make room at the latest
 FAR = 1e300  # a bound that is never reached
 
@@ -63,13 +64,14 @@ def integrate(
     live = np.flatnonzero(cells[ix.STATUS] <= ix.RESTING)
     with np.errstate(all="ignore"):
         while live.size:
-            tables_here = [table.lanes(live) for table in tables]
-            cells_here = np.ascontiguousarray(cells[:, live])
-            lanes = Integrator(program, tables_here, cells_here, live, samples, log)
+            tables_of_live = [table.lanes(live) for table in tables]
+            cells_of_live = np.ascontiguousarray(cells[:, live])
+            lanes = Integrator(program, tables_of_live, cells_of_live, live, samples, log)
             for _ in range(ROUNDS):
                 lanes.round()
                 active = lanes.status <= ix.RESTING
-                if np.count_nonzero(active) <= live.size // 2:
+                left = np.count_nonzero(active)
+                if left <= live.size // 2:
                     break  # those that have ended make room
             cells[:, live] = lanes.cells
             live = live[active]
@@ -117,16 +119,20 @@ class Integrator(StickPhase):
     def _stop_endless(self) -> None:
         """Stop lanes that take too many steps or reversals, or overflow."""
         active = self.status <= ix.RESTING
-        most_steps = np.where(self.omega > 0.0, ix.MOST_STEPS, 2 * ix.MOST_STEPS)  # at rest it can wait
-        many_steps = self.steps > most_steps
-        many_turns = (self.turns > ix.MOST_TURNS) & (not self.timed)
-        self.status[active & (many_steps | many_turns)] = ix.TOO_LONG
+        moves = self.omega > 0.0
+        most_steps = np.where(moves, ix.MOST_STEPS, 2 * ix.MOST_STEPS)  # at rest it can wait
+        too_long = self.steps > most_steps
+        if not self.timed:
+            too_long |= self.turns > ix.MOST_TURNS
+        self.status[active & too_long] = ix.TOO_LONG
         state = self.time + self.x + self.omega + self.rotation
-        self.status[active & ~np.isfinite(state)] = ix.FAILED
+        overflow = ~np.isfinite(state)
+        self.status[active & overflow] = ix.FAILED
 
     def start(self) -> None:
         """Begin the first phase of a lane with a velocity; resolve stick or slip of one at rest."""
-        self.direction = np.where(self.omega < 0.0, -1.0, 1.0)
+        goes_up = self.omega < 0.0
+        self.direction = np.where(goes_up, -1.0, 1.0)
         self.omega = np.abs(self.omega)
         self.x = self.lifted = 0.0
         self.find_pieces()
@@ -138,47 +144,52 @@ class Integrator(StickPhase):
 
     def step(self) -> None:
         """One step of lanes that move, up to their next event."""
-        roles = self.program.roles
         limit = np.minimum(self.next_break(), self.end_time)
         room = limit - self.time
         series, order = self.expand(room)
-        net = series[roles["net"], :-1]
-        omega = series[roles["omega"]]
         h = self._step_size(series, order, room)
         tau, event = self.find_event(series, h)
+        net = self.net_moment(series)
         uneventful = event == ix.EVENT_NONE
-        endless = uneventful & self._endless(net, omega, tau, room)
+        endless = uneventful & self._endless(net[0] * tau, room)
         tau = np.where(endless, 0.0, tau)
         at_limit = uneventful & (h >= room) & ~endless
         until = np.where(at_limit, limit, self.time + tau)
         self.update_peak_within(series, tau)
         self.read_samples(self.time, until, series)
-        change = np.abs(net[0]) * tau
-        stiff = uneventful & (change < ix.STIFF_CHANGE * omega[0])
-        counted = np.where(stiff, self.stiff_step, 1.0)
-        self.steps += np.where(at_limit, 0.0, counted)
+        self._count(uneventful, at_limit, net[0] * tau)
         if self.tangents:
             self.tangents.end_step(series, tau)
         self._advance(series, tau)
         self.time = until
         self.status[endless] = ix.TOO_LONG
-        self.settle(event, value(net, tau), at_limit)
+        rate = value(net, tau)
+        self.settle(event, rate, at_limit)
 
     def _step_size(self, series: Floats, order: Floats, room: Floats) -> Floats:
         """A fraction of the least radius of convergence of the states, or all of the room where series end early."""
-        radius = np.full(self.count, np.inf)
-        for _, register, _ in self.program.states:
-            of_state = radius_of_convergence(series[register], order)
-            radius = np.minimum(radius, of_state)
+        registers = [register for _, register, _ in self.program.states]
+        radii = [radius_of_convergence(series[register], order) for register in registers]
+        radius = np.min(radii, axis=0)
         if self.tangents:
-            radius = np.full(self.count, radius.min())  # directions go together
+            radius = radius.min()  # directions go together
         step = np.minimum(self.factor * radius, room)
-        return np.where(order < self.order, room, step)
+        ends_early = order < self.order
+        return np.where(ends_early, room, step)
 
-    def _endless(self, net: Floats, omega: Floats, tau: Floats, room: Floats) -> Any:
+    def _endless(self, change: Floats, room: Floats) -> Any:
         """Lanes that never stop: a rate that depends on the speed only never becomes negative again."""
-        settled = net[0] * tau >= -ix.SETTLED * omega[0]
-        return self.program.autonomous & settled & np.isinf(room) & (self.lifted == 0.0)
+        settled = change >= -ix.SETTLED * self.omega
+        unlimited = np.isinf(room)
+        in_contact = self.lifted == 0.0
+        return settled & unlimited & in_contact & self.program.autonomous
+
+    def _count(self, uneventful: Any, at_limit: Any, change: Floats) -> None:
+        """Count the step; one in which the speed hardly changes by ``change`` may count for several, as it is stiff."""
+        is_steady = np.abs(change) < ix.STIFF_CHANGE * self.omega
+        steps = np.where(uneventful & is_steady, self.stiff_step, 1.0)
+        steps[at_limit] = 0.0
+        self.steps += steps
 
     def _advance(self, series: Floats, tau: Floats) -> None:
         """Advance the states and the functions of time by the step."""
@@ -187,73 +198,83 @@ class Integrator(StickPhase):
         for piece in self.timed:
             piece.increment += increment(series[piece.register], tau)
 
-    def settle(self, event: NDArray[np.intp], rate: Floats, at_limit: Any) -> None:
+    def settle(self, event: Events, rate: Floats, at_limit: Any) -> None:
         """Handle the end of a step: an event, a break of a function of time, or the end time."""
         self.passed = ix.NOTHING
         self.update_peak(rate)
-        self.apply_to(event == ix.EVENT_STANDSTILL, "on_standstill", rate)
-        self.apply_to(event == ix.EVENT_LIFT_OFF, "on_contact_change", event, rate)
+        upright = np.full(self.count, ix.UPRIGHT)
+        ended = np.full(self.count, ix.ENDED)
+        at_end = at_limit & (self.time >= self.end_time)
+        at_break = at_limit & ~at_end
+        self.apply_to(event == ix.EVENT_STANDSTILL, "on_standstill")
+        self.apply_to(event == ix.EVENT_LIFT_OFF, "on_contact_change", rate)
         self.apply_to(event >= ix.EVENT_BREAKPOINT, "on_breakpoint", event, rate)
-        self.apply_to(event == ix.EVENT_CHORD_UPRIGHT, "end", rate, np.full(self.count, ix.UPRIGHT))
-        ended = at_limit & (self.time >= self.end_time)
-        self.apply_to(ended, "end", rate, np.full(self.count, ix.ENDED))
-        self.apply_to(at_limit & ~ended, "on_break_in_time")
+        self.apply_to(event == ix.EVENT_CHORD_UPRIGHT, "end", rate, upright)
+        self.apply_to(at_end, "end", rate, ended)
+        self.apply_to(at_break, "on_break_in_time")
 
     # --- events ------------------------------------------------------------------------------------------------------
 
-    def find_event(self, series: Floats, h: Floats) -> tuple[Floats, NDArray[np.intp]]:
+    def find_event(self, series: Floats, h: Floats) -> tuple[Floats, Events]:
         """Time and kind of the first event of the step; of equal times the event that is searched last."""
         first = _FirstEvent(h)
-        first.consider(ix.EVENT_STANDSTILL, self._standstill(series, h))
-        upright = self.program.roles["upright"]
+        standstill = self._standstill(series, h)
+        first.consider(ix.EVENT_STANDSTILL, standstill)
+        upright = self.roles["upright"]
         if upright >= 0:
             first.consider_root(ix.EVENT_CHORD_UPRIGHT, series[upright, :-1])
         for number, piece in enumerate(self.pieces):
-            if piece.kind != "time":
-                self._find_edges(first, ix.EVENT_BREAKPOINT + 2 * number, piece, series)
-        normal = self.program.roles["normal"]
+            event = ix.EVENT_BREAKPOINT + 2 * number
+            if piece.kind == "speed":
+                self._find_edges_of_speed(first, event, piece, series)
+            elif piece.kind != "time":
+                x = series[self.roles["x"]]
+                first.consider_root(event, _distance_to(piece.upper, x))
+        normal = self.roles["normal"]
         if normal >= 0:
             # Water may change faster than the motion for which the step was chosen: the normal force is a function of
             # the position until the first other event only, and may pass zero twice beyond it.
-            first.consider_root(ix.EVENT_LIFT_OFF, self.contact_margin(series[normal, :-1]), self.passed == ix.LIFT)
+            margin = self.contact_margin(series[normal, :-1])
+            first.consider_root(ix.EVENT_LIFT_OFF, margin, self.passed == ix.LIFT)
         return first.time, first.event
 
     def _standstill(self, series: Floats, h: Floats) -> Floats:
         """When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding."""
-        roles = self.program.roles
-        omega = series[roles["omega"]]
-        net = series[roles["net"], :-1]
+        omega = series[self.roles["omega"]]
+        rate, rate_slope = self.net_moment(series)[:2]
         last, slope = value_and_slope(omega, h)
         from_rest = omega[0] == 0.0
-        falls_first = (net[0] < 0.0) | ((net[0] == 0.0) & (net[1] <= 0.0))
-        dips = (net[0] < 0.0) & (slope > 0.0)
-        possible = (last <= 0.0) | dips | (from_rest & falls_first)
-        speed = divided_by_time(omega, from_rest)  # from rest it is zero at first: remove that root
-        for _ in range(2):
-            speed = divided_by_time(speed, from_rest & (speed[0] == 0.0))
+        decelerates = rate < 0.0
+        has_no_drive = (rate == 0.0) & (rate_slope <= 0.0)
+        falls_from_rest = from_rest & (decelerates | has_no_drive)
+        dips = decelerates & (slope > 0.0)
+        possible = (last <= 0.0) | dips | falls_from_rest
+        speed = omega
+        for _ in range(3):  # from rest it is zero at first: remove that root
+            still_zero = from_rest & (speed[0] == 0.0)
+            speed = divided_by_time(speed, still_zero)
         vanishes = from_rest & (speed[0] == 0.0) & (last == 0.0)
-        at_once = (speed[0] < 0.0) | vanishes
-        root = np.where(at_once, 0.0, first_root(speed, h))
-        return np.where(possible, root, np.inf)
+        at_once = vanishes | (speed[0] < 0.0)
+        root = first_root(speed, h)
+        root[at_once] = 0.0
+        root[~possible] = np.inf
+        return root
 
-    def _find_edges(self, first: "_FirstEvent", event: int, piece: Piece, series: Floats) -> None:
-        """Times at which slip, speed or rotation passes the upper edge of a piece, or the speed its lower edge."""
-        of_speed = piece.kind == "speed"
-        argument = series[self.program.roles["omega" if of_speed else "x"]]
-        below = -argument
-        below[0] += np.minimum(piece.upper, FAR)
-        slower = of_speed & (self.passed == ix.SLOWER)
-        first.consider_root(event, below, slower)
-        if of_speed:
-            above = argument.copy()
-            above[0] = np.where(piece.lower > 0.0, above[0] - piece.lower, FAR)
-            faster = self.passed == ix.FASTER
-            first.consider_root(event + 1, above, faster)
+    def _find_edges_of_speed(self, first: "_FirstEvent", event: int, piece: Piece, series: Floats) -> None:
+        """Times at which the speed passes the upper or the lower edge of a piece."""
+        omega = series[self.roles["omega"]]
+        slower = self.passed == ix.SLOWER
+        first.consider_root(event, _distance_to(piece.upper, omega), slower)
+        above = omega.copy()
+        varies = piece.lower > 0.0
+        above[0] = np.where(varies, above[0] - piece.lower, FAR)
+        faster = self.passed == ix.FASTER
+        first.consider_root(event + 1, above, faster)
 
-    def on_standstill(self, rate: Floats) -> None:
+    def on_standstill(self) -> None:
         """At a standstill the lane turns back or rests."""
         if self.tangents:
-            self.tangents.leave_standstill(self)  # t' = -omega'/(d omega/dt)
+            self.tangents.leave_standstill()  # t' = -omega'/(d omega/dt)
         self.advance_origin()
         self.update_reach()
         self.rest_since = self.time
@@ -261,46 +282,48 @@ class Integrator(StickPhase):
         self.direction *= -1.0
         self.resolve_last_direction()
         if self.tangents:
-            self.tangents.enter_or_rest(self)
+            self.tangents.enter_or_rest()
 
-    def on_contact_change(self, event: NDArray[np.intp], rate: Floats) -> None:
+    def on_contact_change(self, rate: Floats) -> None:
         """Contact with the slip surface is lost or regained."""
         self.lifted = 1.0 - self.lifted
         self.apply_to(self.lifted > 0.0, "note_lift_off")
-        if self.lifted[0] == 0.0:
+        if not self.lifted[0]:
             self.note(ix.NOTE_LANDS)
         if self.tangents:
-            self.tangents.leave_contact(self)  # t' = -n'/(dn/dt), n the normal force
+            self.tangents.leave_contact()  # t' = -n'/(dn/dt), n the normal force
         self._enter_phase(rate)
         self.passed = ix.LIFT
 
-    def on_breakpoint(self, event: NDArray[np.intp], rate: Floats) -> None:
+    def on_breakpoint(self, event: Events, rate: Floats) -> None:
         """An edge of a table of slip, speed or rotation is passed."""
-        number, lower = np.divmod(event - ix.EVENT_BREAKPOINT, 2)
+        number, is_lower = np.divmod(event - ix.EVENT_BREAKPOINT, 2)
         if self.tangents:
             piece = self.pieces[number[0]]
-            self.tangents.leave_edge(self, piece, bool(lower[0]), float(rate[0]))
+            at_lower = bool(is_lower[0])
+            self.tangents.leave_edge(piece, at_lower, float(rate[0]))
         for k in np.unique(number):
-            self.apply_to(number == k, "_pass_edge", number, lower)
+            self.apply_to(number == k, "_pass_edge", number, is_lower)
         self._enter_phase(rate)
 
-    def _pass_edge(self, number: NDArray[np.intp], lower: NDArray[np.intp]) -> None:
+    def _pass_edge(self, number: Events, is_lower: Events) -> None:
         """Lanes pass an edge of the same table: set them exactly there, in the next piece."""
         piece = self.pieces[number[0]]
-        edge = np.where(lower, piece.lower, piece.upper)
+        edge = np.where(is_lower, piece.lower, piece.upper)
         self.advance_origin()
         if piece.kind == "rotation":
-            self.rotation = piece.data.begins(piece.index + (self.direction > 0.0))
+            down_slope = self.direction > 0.0
+            self.rotation = piece.data.begins(piece.index + down_slope)
             return
-        piece.number += 1.0 - 2.0 * lower
+        piece.number += 1.0 - 2.0 * is_lower
         if piece.kind == "slip":
             self.slip = piece.data.breaks[piece.index] / piece.scale
         else:
             self.omega = edge
-            self.passed = np.where(lower, ix.SLOWER, ix.FASTER)
+            self.passed = np.where(is_lower, ix.SLOWER, ix.FASTER)
         if piece.data.open:
-            at_last = (piece.number == piece.last) & (lower == 0)
-            self.status[at_last] = ix.NEED
+            at_last = piece.number == piece.last
+            self.status[at_last & (is_lower == 0)] = ix.NEED
 
     def _enter_phase(self, rate: Floats) -> None:
         """Begin another phase in motion; its drive is computed anew or carried over, whichever is more accurate."""
@@ -313,14 +336,15 @@ class Integrator(StickPhase):
             scale[piece.number != before] = np.inf  # at a break of a function of time, where it may jump
         self.carry_net_moment(rate, drive, scale)
         if self.tangents:
-            self.tangents.enter(self)
+            self.tangents.enter()
 
     def carry_net_moment(self, rate: Floats, drive: Floats, scale: Floats) -> None:
         """Carry the net moment over an event where its rounding error is less than that of computing the drive anew."""
-        net = self.registers()[self.program.roles["net"]]
+        net = self.registers()[self.roles["net"]]
         fresh = self.role("drive")
         fresh_scale = self.role("drive_scale")
-        terms = np.abs(rate) + np.abs(net - fresh) + np.abs(drive)
+        other_terms = np.abs(net - fresh)
+        terms = np.abs(rate) + other_terms + np.abs(drive)
         carried_scale = scale + EPS * terms
         better = carried_scale < fresh_scale
         correction = rate - net
@@ -331,7 +355,7 @@ class Integrator(StickPhase):
         """A function of time has a break; where its value jumps, contact may change."""
         jumps = self.pass_breaks()
         if self.tangents and np.any(jumps):
-            self.tangents.pass_break(self)
+            self.tangents.pass_break()
         self.apply_to(jumps, "on_discontinuity")
 
     def end(self, rate: Floats, status: Floats) -> None:
@@ -352,8 +376,17 @@ class _FirstEvent:
 
     def consider(self, event: int, at: Floats) -> None:
         self.event = np.where(at <= self.time, event, self.event)
-        self.time = np.minimum(at, self.time)
+        self.time = np.minimum(self.time, at)
 
     def consider_root(self, event: int, series: Floats, passed: Any = False) -> None:
         """An event where a series that is positive at first falls to zero, except a root at the start."""
-        self.consider(event, first_root(divided_by_time(series, passed), self.time))
+        later = divided_by_time(series, passed)
+        root = first_root(later, self.time)
+        self.consider(event, root)
+
+
+def _distance_to(upper: Floats, argument: Floats) -> Floats:
+    """Series of how far an argument is below the upper edge of a piece."""
+    below = -argument
+    below[0] += np.minimum(upper, FAR)
+    return below

@@ -64,19 +64,23 @@ def between_kinks(
     scale = 0.0
     while len(first):
         chebyshev = _chebyshev(function, first, last)
-        greatest = float(np.abs(chebyshev).max(initial=0.0))
-        scale = max(scale, greatest)
+        greatest = np.abs(chebyshev).max(initial=0.0)
+        scale = max(scale, float(greatest))
         width = last - first
-        neglected = _next_coefficients(chebyshev).max(axis=(1, 2))
-        rough = (neglected > tolerance * scale) & (width.max(axis=1) > _SHORTEST)
+        is_wide = width.max(axis=1) > _SHORTEST
+        neglected = _next_coefficients(chebyshev)
+        rough = is_wide & (neglected > tolerance * scale)
         smooth = ~rough
+        powers = _in_powers(chebyshev[smooth], width[smooth])
         starts.append(first[smooth])
-        coefficients.append(_in_powers(chebyshev[smooth], width[smooth]))
-        middle = (first[rough] + last[rough]) / 2
-        first, last = np.concatenate([first[rough], middle]), np.concatenate([middle, last[rough]])
-    end = np.broadcast_to(most, starts[0].shape[1:])[None]
-    value_at_end = function(end)[:, 0]
-    return _in_order(np.concatenate(starts), np.concatenate(coefficients), end, value_at_end)
+        coefficients.append(powers)
+        first, last = _halves(first[rough], last[rough])
+    end = np.broadcast_to(most, starts[0].shape[1:])
+    constant = _constant(function, end)
+    start = np.concatenate(starts)
+    order = np.argsort(start.sum(axis=1), kind="stable")
+    powers = np.concatenate(coefficients)[order]
+    return np.vstack([start[order], end]), np.concatenate([powers, constant])
 
 
 def _widest(tolerance: float) -> float:
@@ -89,56 +93,67 @@ def _first_pieces(kinks: Floats, least: Floats, most: Floats, widest: float) -> 
     """Both ends of the pieces to begin with, (pieces, n): between kinks, none wider than some."""
     inside = np.clip(kinks, least, most)
     edges = np.concatenate([[least], inside, [most]])
-    width = np.diff(edges, axis=0)
-    greatest = width.max(axis=1)
-    count = np.ceil(greatest / widest - 1e-9).astype(np.intp)
-    count[greatest <= _SAME] = 0
-    between = np.repeat(np.arange(len(width)), count)
-    before = np.cumsum(count) - count
-    number = np.arange(len(between)) - np.repeat(before, count)
-    share = number / count[between]
-    next_share = (number + 1) / count[between]
-    start = edges[between]
-    first = start + width[between] * share[:, None]
-    last = start + width[between] * next_share[:, None]
-    at_end = number + 1 == count[between]
-    last[at_end] = edges[1:][between[at_end]]
+    greatest_width = np.diff(edges, axis=0).max(axis=1)
+    pieces = np.ceil(greatest_width / widest - 1e-9)
+    pieces[greatest_width <= _SAME] = 0
+    count = pieces.astype(np.intp)
+    number = np.concatenate([np.arange(1, n + 1) for n in count])  # of a piece between its kinks
+    of = np.repeat(count, count)
+    start = np.repeat(edges[:-1], count, axis=0)
+    end = np.repeat(edges[1:], count, axis=0)
+    width = end - start
+    share_before = (number - 1) / of
+    share_after = number / of
+    first = start + width * share_before[:, None]
+    last = start + width * share_after[:, None]
+    at_end = number == of
+    last[at_end] = end[at_end]
     return first, last
+
+
+def _halves(first: Floats, last: Floats) -> tuple[Floats, Floats]:
+    """Both ends of the two halves of each piece."""
+    middle = (first + last) / 2
+    return np.concatenate([first, middle]), np.concatenate([middle, last])
 
 
 def _chebyshev(function: Callable[[Any], Any], first: Floats, last: Floats) -> Floats:
     """Chebyshev coefficients of functions on pieces (pieces, n): (pieces, TERMS, functions, n)."""
     half = (last - first) / 2
-    rotation = first[:, None] + half[:, None] * (1.0 + _NODES[:, None])  # pieces, nodes, n
+    from_first = 1.0 + _NODES[:, None]
+    rotation = first[:, None] + half[:, None] * from_first  # pieces, nodes, n
     lanes = rotation.shape[-1]
     values = function(rotation.reshape(-1, lanes))
-    by_piece = values.reshape(len(values), *rotation.shape)
+    by_piece = values.reshape(-1, *rotation.shape)
     return np.einsum("kj,fpjn->pkfn", _TO_CHEBYSHEV, by_piece)
 
 
 def _next_coefficients(chebyshev: Floats) -> Floats:
-    """Size of the coefficients that follow, if they fall like the last two pairs of them, (pieces, functions, n)."""
-    last = np.abs(chebyshev[:, -2:]).max(axis=1)
-    before = np.abs(chebyshev[:, -4:-2]).max(axis=1)
-    ratio = last / np.where(before > 0.0, before, 1.0)
-    return np.asarray(last * np.minimum(ratio, 1.0))
+    """Size of the coefficients that follow, if they fall like the last two pairs of them; the largest of a piece."""
+    size = np.abs(chebyshev)
+    last = size[:, -2:].max(axis=1)
+    before = size[:, -4:-2].max(axis=1)
+    divisor = np.where(before > 0.0, before, 1.0)
+    ratio = np.minimum(last / divisor, 1.0)
+    following = last * ratio
+    return np.asarray(following.max(axis=(1, 2)))
 
 
 def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
     """The same polynomials in powers of the distance to the beginning of each piece."""
     powers = np.einsum("tk,pkfn->ptfn", _POWERS, chebyshev)
     half = np.where(width > 0.0, width / 2, np.inf)
-    units = half[:, None, None] ** _ORDERS[:, None, None]
+    exponents = _ORDERS[:, None, None]
+    units = half[:, None, None] ** exponents
     return np.asarray(powers / units)
 
 
-def _in_order(starts: Floats, coefficients: Floats, end: Floats, value_at_end: Floats) -> tuple[Floats, Floats]:
-    """Breaks and coefficients of pieces from the least rotation on; a constant beyond the end."""
-    constant = np.zeros((1, *coefficients.shape[1:]))
-    constant[0, 0] = value_at_end
-    order = np.argsort(starts.sum(axis=1), kind="stable")
-    breaks = np.concatenate([starts[order], end])
-    return breaks, np.concatenate([coefficients[order], constant])
+def _constant(function: Callable[[Any], Any], end: Floats) -> Floats:
+    """Coefficients of the values at the end, (1, TERMS, functions, n)."""
+    value = function(end[None])[:, 0]
+    coefficients = np.zeros((1, TERMS, *value.shape))
+    coefficients[0, 0] = value
+    return coefficients
 
 
 def in_pieces(function: Callable[[Any], Any], breaks: Floats) -> Floats:
@@ -146,15 +161,14 @@ def in_pieces(function: Callable[[Any], Any], breaks: Floats) -> Floats:
 
     The functions take rotations (M, 1) and return values (functions, M, 1); ``breaks`` are (pieces,).
     """
-    value_at_end = function(breaks[-1:, None])
-    constant = np.zeros((1, TERMS, len(value_at_end)))
-    constant[0, 0] = value_at_end[:, 0, 0]
+    constant = _constant(function, breaks[-1:])
     if len(breaks) == 1:
-        return constant
+        return constant[..., 0]
     first = breaks[:-1, None]
     last = breaks[1:, None]
-    coefficients = _in_powers(_chebyshev(function, first, last), last - first)
-    return np.concatenate([coefficients[..., 0], constant])
+    chebyshev = _chebyshev(function, first, last)
+    coefficients = _in_powers(chebyshev, last - first)
+    return np.concatenate([coefficients, constant])[..., 0]
 
 
 # --- friction as a Python function of slip ---------------------------------------------------------------------------
@@ -205,12 +219,16 @@ def _piece(function: Callable[[Any], Any], left: float, width: float) -> Floats 
     half = width / 2
     values = _values(function, left + half * _PLACES)
     chebyshev = chebfit(_NODES, values[:TERMS], TERMS - 1)
-    error = np.abs(chebval(_CHECKED, chebyshev) - values[TERMS:]).max()
-    if error > CLOSE * np.abs(values).max():
+    between_nodes = chebval(_CHECKED, chebyshev)
+    error = np.abs(between_nodes - values[TERMS:])
+    greatest = np.abs(values).max()
+    if error.max() > CLOSE * greatest:
         return None
-    centred = Polynomial(cheb2poly(chebyshev))
-    coefficients = centred(Polynomial([-1.0, 1.0 / half])).coef
-    return np.pad(coefficients, (0, TERMS - coefficients.size))
+    about_middle = Polynomial(cheb2poly(chebyshev))
+    place = Polynomial([-1.0, 1.0 / half])
+    coefficients = about_middle(place).coef
+    missing = TERMS - coefficients.size
+    return np.pad(coefficients, (0, missing))
 
 
 def _values(function: Callable[[Any], Any], slip: Floats) -> Floats:

@@ -107,7 +107,7 @@ class LaneState(LaneEntries):
         for piece in self.pieces:
             piece.begin()
         if self.tangents:
-            self.tangents.begin_pieces(self)
+            self.tangents.begin_pieces()
         scalar_ops(self.program.scalar, self.cells)
 
     def advance_origin(self) -> None:
@@ -226,7 +226,7 @@ class LaneState(LaneEntries):
                 ramp[: len(terms)] = terms
             ramp[0] = piece.increment
         if self.tangents:
-            self.tangents.start_series(self, series)
+            self.tangents.start_series(series)
         return series
 
     def advance_functions_of_time(self, tau: Floats) -> None:

@@ -4,7 +4,7 @@ A table is a function in pieces of slip, speed, rotation or time (`slipcircle.co
 phase holds the coefficients in powers of what is beyond its start; of time the increment since.
 """
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,11 +12,19 @@ from numpy.typing import NDArray
 from generated import layout as ix
 from slipcircle.base.checks import EPS
 from slipcircle.core.flow.entries import Entry, LaneEntries
-from slipcircle.core.flow.polynomials import shifted
+from slipcircle.core.flow.polynomials import increment, shifted
 from slipcircle.core.flow.program import Table
 from slipcircle.core.flow.tables import Data
 
 Floats = NDArray[np.float64]
+
+
+class _Sine(NamedTuple):
+    """A sin(angle), of which the angle changes with the rate."""
+
+    amplitude: Floats
+    rate: Floats
+    angle: Floats
 
 
 class Piece:
@@ -55,10 +63,14 @@ class Piece:
 
     def find(self) -> None:
         """The piece in which the lane's slip or speed lies."""
-        if self.kind in ("slip", "speed"):
-            argument = self.state.slip if self.kind == "slip" else self.state.omega
-            begun = np.searchsorted(self.data.breaks, argument * self.scale, side="right")
-            self.number = np.maximum(begun - 1, 0)
+        if self.kind == "slip":
+            argument = self.state.slip
+        elif self.kind == "speed":
+            argument = self.state.omega
+        else:
+            return
+        begun = np.searchsorted(self.data.breaks, argument * self.scale, side="right")
+        self.number = np.maximum(begun - 1, 0)
 
     def begin(self) -> None:
         """Begin a phase: the bounds of the piece, its value, and the coefficients about the start."""
@@ -72,19 +84,22 @@ class Piece:
         else:
             local, unit = self._enter_speed()
         polynomial = self.data.polynomial(self.index)
-        terms = shifted(polynomial, local)
-        self.value = self.factor * terms[0]
+        terms = shifted(polynomial, local) * self.factor
+        self.value = terms[0]
         degree = self.slot.degree
         coefficients = self.cells[ix.Q1 : ix.Q1 + degree]
         coefficients[:] = 0.0
-        for power in range(1, min(len(terms), degree + 1)):
-            coefficients[power - 1] = self.factor * terms[power] * unit**power
+        known = terms[1 : degree + 1]
+        for power, term in enumerate(known, start=1):
+            coefficients[power - 1] = term * unit**power
 
     def _edges(self) -> tuple[Floats, Floats]:
         """The breaks at which the piece and the next one begin; infinity after the last."""
+        edge = self.data.begins(self.index)
+        is_last = self.number >= self.last
         next_piece = np.minimum(self.index + 1, self.last)
         next_edge = self.data.begins(next_piece)
-        return self.data.begins(self.index), np.where(self.number < self.last, next_edge, np.inf)
+        return edge, np.where(is_last, np.inf, next_edge)
 
     def _enter_rotation(self) -> tuple[Floats, Floats]:
         """The piece ahead, in the direction of travel, of a function of the rotation, which goes either way."""
@@ -108,20 +123,24 @@ class Piece:
     def _enter_speed(self) -> tuple[Floats, Floats]:
         """Polynomials of the logarithm of the speed; piece 0, below the first speed, is constant."""
         edge, next_edge = self._edges()
-        speed = self.state.omega * self.scale
         varies = self.number > 0
         self.upper = next_edge / self.scale
         self.lower = np.where(varies, edge / self.scale, 0.0)
-        divisor = np.where(varies, edge, 1.0)
-        ratio = np.where(varies & (speed > 0.0), speed / divisor, 1.0)
-        return np.log(ratio), np.ones_like(ratio)
+        speed = self.state.omega * self.scale
+        beyond_edge = varies & (speed > 0.0)
+        divisor = np.where(beyond_edge, edge, 1.0)
+        ratio = np.where(beyond_edge, speed, 1.0) / divisor
+        unit = np.ones_like(ratio)
+        return np.log(ratio), unit
 
     # --- functions of time -------------------------------------------------------------------------------------------
 
     def _begin_time(self) -> None:
-        now = self.state.time * self.scale
-        begun = np.searchsorted(self.data.breaks, now * (1.0 + 2 * EPS), side="right")
-        self.number = np.maximum(np.maximum(begun - 1, self.number), 0)
+        time = self.state.time * self.scale
+        slightly_later = time * (1.0 + 2 * EPS)
+        begun = np.searchsorted(self.data.breaks, slightly_later, side="right")
+        piece = np.maximum(begun - 1, self.number)
+        self.number = np.maximum(piece, 0)
         self.increment = 0.0
         self.way = 0.0
         self.value = self.taylor(1)[0]
@@ -131,49 +150,53 @@ class Piece:
         """The end of the piece and the increment there, with one rounding error whatever the number of steps."""
         _, next_edge = self._edges()
         self.upper = next_edge / self.scale
-        past = np.where(self.number < self.last, self.upper - self.state.time, 0.0)
-        rise = self._rise_of_sine(past) if self.data.sine else self._rise_of_polynomial(past)
+        is_last = np.isinf(next_edge)
+        time_left = np.where(is_last, 0.0, self.upper - self.state.time)
+        if self.data.sine:
+            rise = self._rise_of_sine(time_left)
+        else:
+            rise = increment(self.taylor(1), time_left)
         self.lower = self.increment + rise
         self.way += np.abs(rise)
 
-    def _rise_of_sine(self, past: Floats) -> Floats:
+    def _rise_of_sine(self, time_left: Floats) -> Floats:
         """A (sin(angle + r) - sin(angle)) = 2 A sin(r/2) cos(angle + r/2)."""
-        amplitude, rate, phase = self.data.polynomial(self.index)
-        half = 0.5 * rate * past * self.scale
-        angle = rate * self._local() + phase
-        return np.asarray(2.0 * self.factor * amplitude * np.sin(half) * np.cos(angle + half))
+        sine = self._sine()
+        half = 0.5 * sine.rate * time_left * self.scale
+        doubled = 2.0 * sine.amplitude * np.sin(half)
+        return np.asarray(doubled * np.cos(sine.angle + half))
 
-    def _rise_of_polynomial(self, past: Floats) -> Floats:
-        rise = np.zeros_like(past)
-        for term in self.taylor(1)[:0:-1]:
-            rise = (rise + term) * past
-        return rise
+    def _sine(self) -> _Sine:
+        """A sine at the present."""
+        amplitude, rate, phase = self.data.polynomial(self.index)
+        angle = rate * self._local() + phase
+        return _Sine(self.factor * amplitude, rate, angle)
 
     def _local(self) -> Floats:
         """The time since the piece began, in its own unit."""
-        return np.asarray(self.state.time * self.scale - self.data.breaks[self.index])
+        time = self.state.time * self.scale
+        return np.asarray(time - self.data.breaks[self.index])
 
     def taylor(self, order: int) -> Floats:
         """Taylor coefficients of a function of time about the present, in the dimensionless time."""
-        polynomial = self.data.polynomial(self.index)
-        local = self._local()
         if self.data.sine:
-            return self._taylor_of_sine(polynomial, local, order)
+            return self._taylor_of_sine(order)
+        polynomial = self.data.polynomial(self.index)
         powers = np.arange(len(polynomial))
         units = self.scale ** powers[:, None]
-        return shifted(polynomial, local) * units * self.factor
+        return shifted(polynomial, self._local()) * units * self.factor
 
-    def _taylor_of_sine(self, polynomial: Floats, local: Floats, order: int) -> Floats:
-        amplitude, rate, phase = polynomial
-        angle = rate * local + phase
-        sine = np.sin(angle)
-        cosine = np.cos(angle)
-        derivatives = (sine, cosine, -sine, -cosine)
-        size = amplitude * self.factor
+    def _taylor_of_sine(self, order: int) -> Floats:
+        sine = self._sine()
+        value = np.sin(sine.angle)
+        slope = np.cos(sine.angle)
+        derivatives = (value, slope, -value, -slope)
+        rate = sine.rate * self.scale
+        size = sine.amplitude
         terms = []
         for power in range(order + 1):
             terms.append(size * derivatives[power % 4])
-            size = size * (rate * self.scale / (power + 1))
+            size = size * (rate / (power + 1))
         return np.array(terms)
 
     def pass_break(self) -> Any:
@@ -189,8 +212,9 @@ class Piece:
             value = value * np.sin(terms[2])
         rounding = np.abs(value) + np.abs(self.value)
         way = self.way + np.abs(jump)
-        long = way > rounding
-        self.increment = np.where(long, value - self.value, self.lower + jump)
-        self.way = np.where(long, rounding, way)
+        is_long = way > rounding
+        difference = value - self.value
+        self.increment = np.where(is_long, difference, self.lower + jump)
+        self.way = np.minimum(way, rounding)
         self._find_end()
         return jump != 0.0

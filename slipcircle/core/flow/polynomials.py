@@ -74,41 +74,40 @@ def first_root(series: Floats, h: Floats) -> Floats:
     ends_at_zero = (last == 0.0) & (series[0] > 0.0)  # a polynomial that is zero has no root
     crosses = (last < 0.0) | ends_at_zero
     falls_and_rises = (series[1] < 0.0) & (slope > 0.0)
-    dips = np.flatnonzero(~crosses & falls_and_rises)
+    dips = np.flatnonzero(falls_and_rises & ~crosses)
     if dips.size:
-        lowest, least = _lowest(series[:, dips], h[dips], slope[dips])
-        below = least < 0.0
-        crossing = dips[below]
-        crosses[crossing] = True
-        end[crossing] = lowest[below]
-        last[crossing] = least[below]
+        lowest, least = _lowest(series[:, dips], h[dips])
+        end[dips] = lowest
+        crosses[dips] = least < 0.0
     root = np.full(h.shape, np.inf)
-    k = np.flatnonzero(crosses)
-    if k.size:
-        start = np.zeros(k.size)
-        root[k] = bracketed_root(series[:, k], start, series[0, k], end[k], last[k])
+    crossing = np.flatnonzero(crosses)
+    if crossing.size:
+        start = np.zeros(crossing.size)
+        root[crossing] = bracketed_root(series[:, crossing], start, end[crossing])
     return root
 
 
-def _lowest(series: Floats, h: Floats, slope: Floats) -> tuple[Floats, Floats]:
+def _lowest(series: Floats, h: Floats) -> tuple[Floats, Floats]:
     """Minimum of polynomials that fall at first and rise at h: its place and value, 0 within rounding.
 
     A polynomial that only touches zero does not cross it.
     """
-    slopes = derivative(series)
-    start = np.zeros(h.size)
-    lowest = bracketed_root(slopes, start, slopes[0], h, slope)
+    start = np.zeros_like(h)
+    lowest = bracketed_root(derivative(series), start, h)
     least = value(series, lowest)
-    rounding = 4 * EPS * value(np.abs(series), h)
+    size = value(np.abs(series), h)
+    rounding = 4 * EPS * size
     return lowest, np.where(least < -rounding, least, 0.0)
 
 
-def bracketed_root(series: Floats, low: Floats, at_low: Floats, high: Floats, at_high: Floats) -> Floats:
+def bracketed_root(series: Floats, low: Floats, high: Floats) -> Floats:
     """A root between bounds at which values have opposite signs, by Newton's method.
 
     It starts where the chord crosses zero and halves where a step leaves the bounds. A step below 2^-30 of its place is
     the last, as the next one would be below rounding.
     """
+    at_low = value(series, low)
+    at_high = value(series, high)
     falls = at_low > 0.0
     share = at_low / (at_low - at_high)
     chord = low + (high - low) * share
@@ -124,7 +123,8 @@ def bracketed_root(series: Floats, low: Floats, at_low: Floats, high: Floats, at
         next_root = np.where(residual == 0.0, root, next_root)
         step = np.abs(next_root - root)
         root = np.where(active, next_root, root)
-        active &= step > LAST_STEP * np.abs(next_root)
+        least_step = LAST_STEP * np.abs(next_root)
+        active &= step > least_step
         if not np.any(active):
             break
     return root
@@ -150,19 +150,21 @@ def radius_of_convergence(series: Floats, order: Floats) -> Floats:
 
     |c_k/c_n|^(1/(n - k)), k < 5, n the last four orders of a lane; 2^1000 where these are zero.
     """
-    first = _log2(series[:COMPARED])
-    comparable = np.any(series[:COMPARED] != 0.0, axis=0)
-    powers = np.arange(COMPARED)
-    least = np.full(order.shape, LARGEST)
+    first = series[:COMPARED]
+    comparable = np.any(first != 0.0, axis=0)
+    log_first = _log2(first)
+    powers = np.arange(COMPARED)[:, None]
+    log_radius = np.full(order.shape, LARGEST)
     lowest_order = int(order.min()) - LAST + 1
     for n in range(max(COMPARED, lowest_order), len(series)):
+        log_ratio = log_first - _log2(series[n])
         per_order = 1.0 / (n - powers)
-        radii = (first - _log2(series[n])) * per_order[:, None]
-        suggested = radii.max(axis=0)
+        suggested = (log_ratio * per_order).max(axis=0)
         among_last = (order >= n) & (order < n + LAST)
-        counts = comparable & among_last & (series[n] != 0.0)
-        least = np.where(counts & (suggested < least), suggested, least)
-    return _power_of_two(least)
+        counts = among_last & comparable & (series[n] != 0.0)
+        suggested[~counts] = LARGEST
+        log_radius = np.minimum(log_radius, suggested)
+    return _power_of_two(log_radius)
 
 
 def _log2(x: Floats) -> Floats:

@@ -3,7 +3,7 @@
 At rest the net moment is a series of time alone. Its root, in the direction faced, is where slip begins.
 """
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,8 +15,18 @@ from slipcircle.core.flow.recorder import Recorder
 
 Floats = NDArray[np.float64]
 TOUCHES = 2.0  # units of rounding of the drive, within which the net moment at rest is zero
+SMALLEST = 1e-300  # size of the terms of a drive, in units of rounding, if all are zero
 TOGETHER = 1e-9  # relative times of lift-off and start that are the same
-STRETCH, STARTS, DIRECTION, SUDDEN, LIFTS = range(5)  # rows of what lies ahead of a mass at rest
+
+
+class _Ahead(NamedTuple):
+    """What lies ahead of a mass at rest, from now on; infinite where there is no such event."""
+
+    stretch: Floats  # time for which the series hold
+    start: Floats  # time until slip begins
+    direction: Floats  # of this slip
+    sudden: Floats  # whether it begins as the forces have jumped
+    lift: Floats  # time until contact is lost or regained
 
 
 class StickPhase(Recorder):
@@ -41,20 +51,22 @@ class StickPhase(Recorder):
         self.begin_phase()
         self.lifted = self.contact() < 0.0
         self.apply_to(self.lifted > 0.0, "begin_phase")
-        self.start_moving(self.registers()[self.program.roles["net"]])
+        registers = self.registers()
+        self.start_moving(registers[self.roles["net"]])
 
     def start_again(self, sudden: Floats) -> None:
         """Begin slip where the net moment at rest passes zero; the drive is zero there except after a jump."""
         self.face()
         if self.tangents:
             # t' = -drive'/(d drive/dt); a jump comes with a break of what changes with time
-            self.tangents.leave_rest(self, bool(sudden[0]))
+            has_jumped = bool(sudden[0])
+            self.tangents.leave_rest(has_jumped)
             self.face()
         drive = self.role("drive")
         drive[sudden == 0.0] = 0.0
         self.start_moving(drive)
         if self.tangents:
-            self.tangents.enter_from_rest(self, bool(sudden[0]))
+            self.tangents.enter_from_rest(has_jumped)
 
     # --- stick or slip at a standstill -------------------------------------------------------------------------------
 
@@ -99,10 +111,11 @@ class StickPhase(Recorder):
         self.apply_to(never, "stay", np.full(self.count, ix.STOPPED))
         allowed = self.may_start() & ~never
         drive = self.role("drive")
-        moments = np.abs(self.role("driving")) + self.role("resisting")
         friction = self.role("mu") * np.abs(self.role("normal0"))
-        rounding = EPS * (moments + friction)
-        margin = np.abs(drive) / np.maximum(rounding, 1e-300)
+        driving = np.abs(self.role("driving"))
+        terms = driving + self.role("resisting") + friction
+        rounding = np.maximum(EPS * terms, SMALLEST)
+        margin = np.abs(drive) / rounding
         closest = np.fmin(self.close, margin)
         self.close = np.where(allowed, closest, self.close)
         return allowed & (drive > 0.0)
@@ -113,12 +126,14 @@ class StickPhase(Recorder):
         greatest_load = np.hypot(load, self.role("normal_load_slope"))
         greatest_normal = self.role("normal0") + (greatest_load - load)
         carried = greatest_normal <= ix.CARRIED * greatest_load
-        return (self.first_only == 1.0) | (carried & ~self.still_changes())
+        swings = carried & ~self.still_changes()
+        return swings | (self.first_only == 1.0)
 
     def stick(self) -> None:
         """The lane sticks: it waits for a change of the forces, or stays for good."""
         changes = self.still_changes()
-        self.apply_to(~changes, "stay", np.full(self.count, ix.ARRESTED))
+        arrested = np.full(self.count, ix.ARRESTED)
+        self.apply_to(~changes, "stay", arrested)
         self.status[changes] = ix.RESTING
         self.apply_to(changes & (self.lifted > 0.0), "note_lift_off")
         self.apply_to(changes & ~self.may_start(), "reverse")
@@ -131,66 +146,68 @@ class StickPhase(Recorder):
         self.end_rate = 0.0
         self.direction = 0.0
         self.rest_since = np.minimum(self.rest_since, self.end_time)  # later by rounding at most
-        self.read_samples(self.time, np.full(self.count, np.inf))
+        ever_after = np.full(self.count, np.inf)
+        self.read_samples(self.time, ever_after)
 
     # --- at rest -----------------------------------------------------------------------------------------------------
 
     def wait(self) -> None:
         """One step of lanes at rest: to the next break of a function of time, or to the start of slip."""
         limit = self.next_break()
-        room = np.where(np.isfinite(limit), limit - self.time, 1.0)
-        ahead = np.zeros((5, self.count))
-        ahead[STRETCH] = room
-        ahead[[STARTS, LIFTS]] = np.inf
-        self._look_ahead(room, ahead)
+        room = np.where(np.isinf(limit), 1.0, limit - self.time)
+        never = np.full(self.count, np.inf)
+        nothing = _Ahead(room, never, never, never, never)
+        ahead = self._look_ahead(room, nothing)
         both_ways = self.one_way == 0.0
         if np.any(both_ways):
             self.apply_to(both_ways, "reverse")
-            part = self.part(both_ways)
-            part_ahead = ahead[:, both_ways]
-            part._look_ahead(room[both_ways], part_ahead)
-            ahead[:, both_ways] = part_ahead
-        self.advance_functions_of_time(ahead[STRETCH])
+            ahead_both_ways = self._look_ahead(room, ahead)
+            ahead = _Ahead(*np.where(both_ways, ahead_both_ways, ahead))
+        self.advance_functions_of_time(ahead.stretch)
         self._go_on(limit, room, ahead)
 
-    def _look_ahead(self, room: Floats, ahead: Floats) -> None:
-        """Times at which slip begins in the present direction, and at which contact changes, if earlier."""
+    def _look_ahead(self, room: Floats, before: _Ahead) -> _Ahead:
+        """What lies ahead in the present direction, where it comes before other events."""
         series, order = self.expand(room, at_rest=True)
-        net = series[self.program.roles["net"], :-1]
-        self._look_for_start(net, order, room, ahead)
-        normal = self.program.roles["normal"]
-        if normal < 0:
-            return
-        contact = divided_by_time(self.contact_margin(series[normal, :-1]), self.passed == ix.LIFT)
-        at = first_root(contact, ahead[STRETCH])
-        for row in (LIFTS, STRETCH):
-            ahead[row] = np.minimum(at, ahead[row])
+        net = self.net_moment(series)
+        radius = radius_of_convergence(net, order - 1.0)
+        step = np.minimum(self.factor * radius, room)
+        ends_early = order < self.order
+        stretch = np.where(ends_early, room, step)
+        stretch = np.minimum(stretch, before.stretch)
+        start, sudden = self._find_start(net, stretch)
+        sooner = start < before.start
+        start = np.where(sooner, start, before.start)
+        direction = np.where(sooner, self.direction, before.direction)
+        sudden = np.where(sooner, sudden, before.sudden)
+        lift = before.lift
+        normal = self.roles["normal"]
+        if normal >= 0:
+            margin = self.contact_margin(series[normal, :-1])
+            later = divided_by_time(margin, self.passed == ix.LIFT)
+            contact_changes = first_root(later, stretch)
+            lift = np.minimum(lift, contact_changes)
+            stretch = np.minimum(stretch, contact_changes)
+        return _Ahead(stretch, start, direction, sudden, lift)
 
-    def _look_for_start(self, net: Floats, order: Floats, room: Floats, ahead: Floats) -> None:
+    def _find_start(self, net: Floats, stretch: Floats) -> tuple[Floats, Floats]:
         """Time at which the net moment passes zero: immediately if it is zero and rises, or has jumped above it."""
         touches = np.abs(net[0]) <= TOUCHES * self.role("drive_scale")
         sudden = ~touches & (net[0] > 0.0)
-        ends_early = order < self.order
-        radius = radius_of_convergence(net, order - 1.0)
-        step = np.minimum(self.factor * radius, room)
-        stretch = np.where(ends_early, room, step)
-        ahead[STRETCH] = np.minimum(stretch, ahead[STRETCH])
         resistance = divided_by_time(-net, touches)
         rises = touches & (resistance[0] < 0.0)
-        root = first_root(resistance, ahead[STRETCH])
-        at = np.where(sudden | rises, 0.0, root)
-        sooner = at < ahead[STARTS]
-        for row, values in ((STARTS, at), (DIRECTION, self.direction), (SUDDEN, sudden)):
-            ahead[row] = np.where(sooner, values, ahead[row])
+        start = first_root(resistance, stretch)
+        start[sudden | rises] = 0.0
+        return start, sudden
 
-    def _go_on(self, limit: Floats, room: Floats, ahead: Floats) -> None:
+    def _go_on(self, limit: Floats, room: Floats, ahead: _Ahead) -> None:
         """Advance lanes at rest to the first event: start of slip, change of contact, break, or none."""
         stretch, start, direction, sudden, lift = ahead
         lifts = (lift <= stretch) & (lift <= start * (1.0 + TOGETHER))  # where both pass zero it does not start
         starts = ~lifts & (start <= stretch)
         breaks = ~lifts & ~starts & (stretch >= room)
-        waits_until = np.where(breaks, limit, self.time + stretch)
-        until = np.where(starts, self.time + start, waits_until)
+        until = self.time + np.where(starts, start, stretch)
+        until = np.where(breaks, limit, until)
         for_ever = ~starts & np.isinf(until)
         paused = ~for_ever & (until >= self.end_time)  # events after the end time do not count
         until = np.minimum(until, self.end_time)
@@ -199,12 +216,13 @@ class StickPhase(Recorder):
         self.passed = ix.NOTHING
         self.time = np.where(for_ever, self.time, until)
         stays = for_ever | paused
-        self.apply_to(stays, "stay", np.where(paused, ix.PAUSED, ix.ARRESTED))
-        starts, lifts, breaks = (mask & ~stays for mask in (starts, lifts, breaks))
+        final_status = np.where(paused, ix.PAUSED, ix.ARRESTED)
+        self.apply_to(stays, "stay", final_status)
+        starts &= ~stays
         self.direction[starts] = direction[starts]
         self.apply_to(starts, "start_again", sudden)
-        self.apply_to(lifts, "change_contact_at_rest")
-        self.apply_to(breaks, "pass_breaks_at_rest")
+        self.apply_to(lifts & ~stays, "change_contact_at_rest")
+        self.apply_to(breaks & ~stays, "pass_breaks_at_rest")
 
     def change_contact_at_rest(self) -> None:
         """Contact is lost or regained while the mass rests."""
@@ -214,7 +232,8 @@ class StickPhase(Recorder):
         self.begin_phase()
 
     def pass_breaks_at_rest(self) -> None:
-        self.apply_to(self.pass_breaks(), "on_discontinuity")
+        jumps = self.pass_breaks()
+        self.apply_to(jumps, "on_discontinuity")
 
     # --- jumps of what changes with time -----------------------------------------------------------------------------
 
@@ -228,10 +247,10 @@ class StickPhase(Recorder):
 
     def restart_phase(self) -> None:
         """Restart the phase with the numbers of the present state."""
-        moves = self.tangents and self.status[0] == ix.MOVING
-        if self.tangents and moves:
-            self.tangents.leave_now(self)
+        carried = self.tangents if self.status[0] == ix.MOVING else None
+        if carried:
+            carried.leave_now()
         self.advance_origin()
         self.begin_phase()
-        if self.tangents and moves:
-            self.tangents.enter(self)
+        if carried:
+            carried.enter()

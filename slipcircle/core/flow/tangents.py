@@ -20,7 +20,6 @@ from generated import layout as ix
 from slipcircle.core.flow.lane_state import LaneState
 from slipcircle.core.flow.pieces import Piece
 from slipcircle.core.flow.polynomials import derivative, shifted, value
-from slipcircle.core.flow.program import Program
 from slipcircle.core.flow.tables import Data
 
 Floats = NDArray[np.float64]
@@ -46,250 +45,308 @@ class InputGrowth(NamedTuple):
     tables: dict[str, TableGrowth]
 
 
+class _Dot:
+    """Derivatives of an entry of the state as an attribute; assigning sets them, if the program carries them."""
+
+    def __init__(self, cell: int) -> None:
+        self.cell = cell
+
+    def __get__(self, tangents: "Tangents", owner: object = None) -> Floats:
+        return tangents.dot(self.cell)
+
+    def __set__(self, tangents: "Tangents", dots: Any) -> None:
+        tangents.put(self.cell, dots)
+
+
+class _Argument(NamedTuple):
+    """The argument of a table within its piece, its derivatives, and the unit of the program's argument."""
+
+    local: float
+    dot: Floats
+    unit: float
+
+
 class Tangents:
     """Derivatives of one motion; each lane carries one direction."""
 
-    def __init__(self, program: Program, cells: Floats, growth: InputGrowth) -> None:
+    rotation_dot = _Dot(ix.ROTATION)
+    slip_dot = _Dot(ix.SLIP)
+    x_dot = _Dot(ix.X)
+    omega_dot = _Dot(ix.OMEGA)
+
+    def __init__(self, state: LaneState, growth: InputGrowth) -> None:
+        program = state.program
         (tangent,) = program.tangents
         count = len(program.states) // 2
+        self.state = state
+        self.growth = growth
+        self.roles = program.roles
         self.cells_of = tangent.cells
         self.registers_of = tangent.registers
-        self.states = program.states[:count]
-        self.growth = growth
-        self.none = np.zeros(cells.shape[1])
-        self.event_dot = self.none  # of the time at which the phase that is being begun begins
-        self.peak_dot = self.rest_dot = self.reach_dot = self.none
-        end = cells[ix.END_TIME, 0]
-        self.end_dot = growth.end - end * growth.time if np.isfinite(end) else self.none
-        self.rates = [0.0] * count  # of the states, before the event
+        self.rate_registers = {cell: rate for cell, _, rate in program.states[1:count]}  # of all states but x
+        self.rates = dict.fromkeys(self.rate_registers, 0.0)  # before the event
         self.totals: dict[int, Floats] = {}
+        self.none = np.zeros(state.count)
+        self.event_dot = self.none  # of the time at which the phase that is being begun begins
+        self.peak_dot = self.none
+        self.rest_dot = self.none
+        self.reach_dot = self.none
         self.series = np.zeros((0, 0, 0))
         self.tau = 0.0
 
-    def dot(self, state: LaneState, cell: int) -> Floats:
+    def dot(self, cell: int) -> Floats:
         """Derivatives of a cell."""
         tangent = self.cells_of.get(cell)
-        return self.none if tangent is None else state.cells[tangent].copy()
+        if tangent is None:
+            return self.none
+        return self.state.cells[tangent].copy()
 
-    def put(self, state: LaneState, cell: int, dots: Any) -> None:
+    def put(self, cell: int, dots: Any) -> None:
         """Set the derivatives of a cell, if the program carries them."""
         tangent = self.cells_of.get(cell)
         if tangent is not None:
-            state.cells[tangent] = dots
+            self.state.cells[tangent] = dots
 
-    def along(self, register: int, series: Floats, tau: float) -> Floats:
+    def along(self, role: str, series: Floats, tau: float) -> Floats:
         """Derivatives of a register at a time since the step began."""
+        register = self.roles[role]
         tangent = self.registers_of.get(register)
-        return self.none if tangent is None else value(series[tangent], tau + self.none)
+        if tangent is None:
+            return self.none
+        return value(series[tangent], tau + self.none)
 
     # --- what a phase begins with ------------------------------------------------------------------------------------
 
-    def begin_pieces(self, state: LaneState) -> None:
+    def begin_pieces(self) -> None:
         """Derivatives of the values and coefficients of tables where a phase begins."""
-        for piece in state.pieces:
-            if piece.kind != "time":
-                self._begin_piece(state, piece)
-                continue
-            dots = self._taylor_dots(state, piece, 1)
-            slope = piece.taylor(1)[1:, 0].sum()
-            value_dot = dots[0] + slope * self.event_dot
-            self.put(state, piece.slot.cells + ix.VALUE, value_dot)
+        for piece in self.state.pieces:
+            if piece.kind == "time":
+                self._begin_time(piece)
+            else:
+                self._begin_piece(piece)
 
-    def _begin_piece(self, state: LaneState, piece: Piece) -> None:
+    def _begin_time(self, piece: Piece) -> None:
+        """Of the value of a function of time, which begins at the time of the event."""
+        at_fixed_time = self._taylor_dots(piece, 1)[0]
+        slope = piece.taylor(1)[1:, 0].sum()
+        value_dot = at_fixed_time + slope * self.event_dot
+        self.put(piece.slot.cells + ix.VALUE, value_dot)
+
+    def _begin_piece(self, piece: Piece) -> None:
         """Of the coefficients f c_j(u) p^j: f the factor, u the argument within the piece, p its unit.
 
         Their derivative is f p^j (c_j (f'/f + j p'/p) + (j + 1) c_(j+1) u' + c_j'), c_j' those of the table itself.
         """
-        scale_growth, factor_growth, by_parameter = self.growth.tables[piece.slot.name]
-        unit_growth = scale_growth if piece.kind == "slip" else self.none
-        local, local_dot, unit = self._argument(state, piece)
+        growth = self.growth.tables[piece.slot.name]
+        unit_growth = growth.scale if piece.kind == "slip" else self.none
+        local, local_dot, unit = self._argument(piece)
         number = piece.index[:1]
         degree = piece.slot.degree
-        terms = _about(piece.data, number, local, degree + 2)
-        by_table = None if by_parameter is None else _of_table(by_parameter, number, local)
+        polynomial = piece.data.polynomial(number)
+        about_local = shifted(polynomial, np.array([local]))
+        terms = _padded(about_local[:, 0], degree + 2)
+        by_table = _of_table(growth.by_parameter, number, local)
         factor = piece.factor[0]
+        first_cell = piece.slot.cells
         for power in range(degree + 1):
-            by_units = terms[power] * (factor_growth + power * unit_growth)
-            by_place = (power + 1) * terms[power + 1] * local_dot
-            dots = by_units + by_place
-            if by_table is not None and power < len(by_table):
+            relative = growth.factor + power * unit_growth
+            slope = (power + 1) * terms[power + 1]
+            dots = terms[power] * relative + slope * local_dot
+            if power < len(by_table):
                 dots = dots + by_table[power]
             cell = ix.VALUE if power == 0 else ix.Q1 + power - 1
-            self.put(state, piece.slot.cells + cell, factor * unit**power * dots)
+            self.put(first_cell + cell, factor * unit**power * dots)
 
-    def _argument(self, state: LaneState, piece: Piece) -> tuple[float, Floats, float]:
-        """The argument of a table within its piece, its derivatives, and the unit of the program's argument."""
+    def _argument(self, piece: Piece) -> _Argument:
+        state = self.state
         edge = float(piece.data.begins(piece.index)[0])
         if piece.kind == "rotation":
             rotation = float(state.rotation[0])
-            return rotation - edge, self.dot(state, ix.ROTATION), float(state.direction[0])
+            direction = float(state.direction[0])
+            return _Argument(rotation - edge, self.rotation_dot, direction)
         scale = float(piece.scale[0])
         growth = self.growth.tables[piece.slot.name].scale
         if piece.kind == "slip":
             slip = float(state.slip[0]) * scale
-            slip_dot = self.dot(state, ix.SLIP) * scale + slip * growth
-            return max(slip - edge, 0.0), slip_dot, scale
+            slip_dot = self.slip_dot * scale + slip * growth
+            beyond_edge = max(slip - edge, 0.0)
+            return _Argument(beyond_edge, slip_dot, scale)
         if piece.number[0] == 0.0:  # constant, below the first speed
-            return 0.0, self.none, 1.0
+            return _Argument(0.0, self.none, 1.0)
         omega = float(state.omega[0])
         logarithm = math.log(omega * scale / edge)
-        logarithm_dot = self.dot(state, ix.OMEGA) / omega + growth
-        return logarithm, logarithm_dot, 1.0
+        logarithm_dot = self.omega_dot / omega + growth
+        return _Argument(logarithm, logarithm_dot, 1.0)
 
-    def _taylor_dots(self, state: LaneState, piece: Piece, order: int) -> Floats:
-        """Derivatives of a function of time's Taylor coefficients about now, at a fixed time, (terms, directions)."""
+    def _taylor_dots(self, piece: Piece, order: int) -> Floats:
+        """Derivatives of a function of time's Taylor coefficients about now, at a fixed time, (terms, directions).
+
+        The coefficients are f c_n(s t) s^n: f the factor, s the scale of the time.
+        """
         growth = self.growth.tables[piece.slot.name]
-        every = _padded(piece.taylor(order + 1)[:, 0], order + 2)
+        known = piece.taylor(order + 1)
+        every = _padded(known[:, 0], order + 2)
         terms = every[:-1]
         n = np.arange(order + 1)
         slopes = (n + 1) * every[1:]
-        time = state.time[0]
-        by_factor = terms[:, None] * growth.factor
-        by_scale = time * slopes + n * terms
-        return by_factor + by_scale[:, None] * growth.scale
+        by_scale = self.state.time[0] * slopes + n * terms
+        return np.outer(terms, growth.factor) + np.outer(by_scale, growth.scale)
 
-    def start_series(self, state: LaneState, series: Floats) -> None:
+    def start_series(self, series: Floats) -> None:
         """The tangents of functions of time, as increments since the phase began."""
-        for piece in state.timed:
-            if piece.register in self.registers_of:
-                dots = self._taylor_dots(state, piece, series.shape[1] - 1)
-                dots[0] -= self.dot(state, piece.slot.cells + ix.VALUE)
-                series[self.registers_of[piece.register]] = dots
+        order = series.shape[1] - 1
+        for piece in self.state.timed:
+            tangent = self.registers_of.get(piece.register)
+            if tangent is not None:
+                dots = self._taylor_dots(piece, order)
+                dots[0] -= self.dot(piece.slot.cells + ix.VALUE)
+                series[tangent] = dots
 
     # --- events ------------------------------------------------------------------------------------------------------
+
+    @property
+    def break_dot(self) -> Floats:
+        """Of the present time where it is a time in s, which is an input."""
+        return -self.state.time[0] * self.growth.time
 
     def end_step(self, series: Floats, tau: Floats) -> None:
         """Keep the series of a step, and the rates of the states at its end, before anything jumps."""
         self.series = series
         self.tau = float(tau[0])
-        self.rates = [float(value(series[rate][:, 0], self.tau)) for _, _, rate in self.states]
+        for cell, register in self.rate_registers.items():
+            rate = series[register, :, 0]
+            self.rates[cell] = float(value(rate, self.tau))
 
-    def leave_standstill(self, state: LaneState) -> None:
+    def leave_standstill(self) -> None:
         """g = omega."""
-        self.rest_dot = -self.dot(state, ix.OMEGA) / self.rates[1]
-        state.omega = 0.0
-        self._leave(state, self.rest_dot)
+        self.rest_dot = -self.omega_dot / self.rates[ix.OMEGA]
+        self.state.omega = 0.0
+        self._leave(self.rest_dot)
 
-    def leave_contact(self, state: LaneState) -> None:
+    def leave_contact(self) -> None:
         """g = n, the normal force."""
-        register = state.program.roles["normal"]
-        slope = float(value(derivative(self.series[register])[:, 0], self.tau))
-        self._leave(state, -self.along(register, self.series, self.tau) / slope)
+        normal = self.series[self.roles["normal"]]
+        slope = value(derivative(normal)[:, 0], self.tau)
+        normal_dot = self.along("normal", self.series, self.tau)
+        self._leave(-normal_dot / float(slope))
 
-    def leave_edge(self, state: LaneState, piece: Piece, lower: bool, rate: float) -> None:
+    def leave_edge(self, piece: Piece, lower: bool, rate: float) -> None:
         """g = the argument of a table less its edge, which varies with the table's scale."""
         if piece.kind == "rotation":  # a function of the rotation and its derivatives are continuous
-            self._leave(state, self.none)
+            self._leave(self.none)
             return
         next_piece = piece.index[0] + (not lower)
-        edge = float(piece.data.breaks[next_piece].flat[0]) / float(piece.scale[0])
-        edge_growth = edge * self.growth.tables[piece.slot.name].scale
+        edge = float(piece.data.breaks[next_piece]) / float(piece.scale[0])
+        scale_growth = self.growth.tables[piece.slot.name].scale
         if piece.kind == "slip":
-            slip_dot = self.dot(state, ix.SLIP) + self.dot(state, ix.X)
-            event_dot = -(edge_growth + slip_dot) / state.omega[0]
+            slip_dot = self.slip_dot + self.x_dot
+            event_dot = -(edge * scale_growth + slip_dot) / self.state.omega[0]
         else:
-            event_dot = -(edge_growth + self.dot(state, ix.OMEGA)) / rate
-        self._leave(state, event_dot)
+            event_dot = -(edge * scale_growth + self.omega_dot) / rate
+        self._leave(event_dot)
 
-    def leave_rest(self, state: LaneState, sudden: bool) -> None:
-        """g = the drive at rest; after a jump the time of the break in s, which is an input."""
+    def leave_rest(self, sudden: bool) -> None:
+        """g = the drive at rest; after a jump the time of the break in s."""
         self.event_dot = self.none
-        drive = state.program.roles["cell_drive"]
-        net = state.program.roles["net"]
         if sudden:
-            event_dot = -state.time[0] * self.growth.time
+            event_dot = self.break_dot
         else:
-            at_rest, _ = state.expand(np.ones(state.count), at_rest=True)
-            event_dot = -self.dot(state, drive) / at_rest[net, 1, 0]
-        self.rates = [0.0 for _ in self.states]
-        self._leave(state, event_dot)
+            time = np.ones(self.state.count)
+            series, _ = self.state.expand(time, at_rest=True)
+            drive_rate = series[self.roles["net"], 1, 0]
+            event_dot = -self.dot(self.roles["cell_drive"]) / drive_rate
+        self.rates = dict.fromkeys(self.rates, 0.0)
+        self._leave(event_dot)
 
-    def leave_now(self, state: LaneState) -> None:
-        """g = a time in s, which is an input."""
-        self.rates = self._rates_now(state)
-        self._leave(state, -state.time[0] * self.growth.time)
+    def leave_now(self) -> None:
+        """g = a time in s."""
+        self.rates = self._rates_now()
+        self._leave(self.break_dot)
 
-    def _rates_now(self, state: LaneState) -> list[float]:
-        registers = state.registers()
-        return [float(registers[rate, 0]) for _, _, rate in self.states]
+    def _rates_now(self) -> dict[int, float]:
+        registers = self.state.registers()
+        return {cell: float(registers[rate, 0]) for cell, rate in self.rate_registers.items()}
 
-    def _leave(self, state: LaneState, event_dot: Floats) -> None:
+    def _leave(self, event_dot: Floats) -> None:
         """Total derivatives in the present state, for a phase that begins here."""
-        omega = state.omega[0]
-        moved = self.dot(state, ix.X) + omega * event_dot
-        rotation_dot = self.dot(state, ix.ROTATION) + state.direction[0] * moved
-        slip_dot = self.dot(state, ix.SLIP) + moved
-        self.put(state, ix.ROTATION, rotation_dot)
-        self.put(state, ix.SLIP, slip_dot)
-        self.put(state, ix.X, -omega * event_dot)
-        self.totals = {}
-        for (cell, _, _), rate in zip(self.states[1:], self.rates[1:], strict=True):
-            self.totals[cell] = self.dot(state, cell) + rate * event_dot
+        travelled = self.state.omega[0] * event_dot
+        moved = self.x_dot + travelled
+        turned = self.state.direction[0] * moved
+        self.rotation_dot = self.rotation_dot + turned
+        self.slip_dot = self.slip_dot + moved
+        self.x_dot = -travelled
+        for cell, rate in self.rates.items():
+            self.totals[cell] = self.dot(cell) + rate * event_dot
         self.event_dot = event_dot
 
-    def enter(self, state: LaneState) -> None:
+    def enter(self) -> None:
         """Convert total derivatives to those at fixed times, with the rates of the new phase."""
-        rates = self._rates_now(state)
-        for (cell, _, _), rate in zip(self.states[1:], rates[1:], strict=True):
+        for cell, rate in self._rates_now().items():
             at_fixed_time = self.totals[cell] - rate * self.event_dot
-            self.put(state, cell, at_fixed_time)
+            self.put(cell, at_fixed_time)
         self.event_dot = self.none
 
-    def enter_or_rest(self, state: LaneState) -> None:
-        if state.status[0] == ix.MOVING:
-            self.enter(state)
-        else:
-            self.put(state, ix.OMEGA, 0.0)
-            self.event_dot = self.none
+    def _enter_rest(self) -> None:
+        """The speed is zero, whatever the inputs."""
+        self.omega_dot = 0.0
+        self.event_dot = self.none
 
-    def enter_from_rest(self, state: LaneState, sudden: bool) -> None:
+    def enter_or_rest(self) -> None:
+        """Begin what follows a standstill."""
+        if self.state.status[0] == ix.MOVING:
+            self.enter()
+        else:
+            self._enter_rest()
+
+    def enter_from_rest(self, sudden: bool) -> None:
         """Begin slip; where the drive passes zero smoothly, its derivatives are zero."""
         if sudden:
-            self.enter(state)
+            self.enter()
         else:
-            self.put(state, state.program.roles["cell_drive"], 0.0)
-            self.put(state, ix.OMEGA, 0.0)
-            self.event_dot = self.none
+            self.put(self.roles["cell_drive"], 0.0)
+            self._enter_rest()
 
-    def pass_break(self, state: LaneState) -> None:
-        """A function of time has jumped, at a time in s which is an input, and the phase continues."""
-        event_dot = -state.time[0] * self.growth.time
-        rates = self._rates_now(state)
-        for (cell, _, _), before, after in zip(self.states[1:], self.rates[1:], rates[1:], strict=True):
-            jump = (before - after) * event_dot
-            self.put(state, cell, self.dot(state, cell) + jump)
+    def pass_break(self) -> None:
+        """A function of time has jumped, at a time in s, and the phase continues."""
+        for cell, rate in self._rates_now().items():
+            jump = (self.rates[cell] - rate) * self.break_dot
+            self.put(cell, self.dot(cell) + jump)
 
     # --- outcomes ----------------------------------------------------------------------------------------------------
 
-    def rotation_dot(self, state: LaneState) -> Floats:
+    @property
+    def end_dot(self) -> Floats:
+        """Of the end time."""
+        end = self.state.end_time[0]
+        if np.isinf(end):
+            return self.none
+        return self.growth.end - end * self.growth.time
+
+    def present_rotation_dot(self) -> Floats:
         """Derivatives of the present rotation, or of that at the end time."""
-        travelled = self.dot(state, ix.X) + state.omega[0] * self.end_dot
-        return self.dot(state, ix.ROTATION) + state.direction[0] * travelled
+        travelled = self.x_dot + self.state.omega[0] * self.end_dot
+        return self.rotation_dot + self.state.direction[0] * travelled
 
-    def keep_reach(self, state: LaneState) -> None:
-        self.reach_dot = self.rotation_dot(state)
+    def keep_reach(self) -> None:
+        """Derivatives of the greatest rotation."""
+        self.reach_dot = self.present_rotation_dot()
 
-    def keep_peak(self, state: LaneState, time: float, rate: float, series: Floats | None) -> None:
-        """Derivatives of the greatest speed: within a step, at the end, at a jump, or at the start of a phase."""
-        if series is not None:
-            since = time - float(state.time[0])
-            self.peak_dot = self.along(state.program.roles["omega"], series, since)
-            return
+    def keep_peak_within(self, series: Floats, tau: float) -> None:
+        """Derivatives of the greatest speed within a step."""
+        self.peak_dot = self.along("omega", series, tau)
+
+    def keep_peak(self, rate: float) -> None:
+        """Derivatives of the greatest speed at the start of a phase, at the end or at a jump."""
         if np.any(self.event_dot):
             self.peak_dot = self.totals[ix.OMEGA]
             return
+        time = self.state.time[0]
         time_dot = self.none
-        if time >= state.end_time[0]:
+        if time >= self.state.end_time[0]:
             time_dot = self.end_dot
-        elif time >= state.next_break()[0]:
-            time_dot = -time * self.growth.time
-        self.peak_dot = self.dot(state, ix.OMEGA) + rate * time_dot
-
-
-def _about(data: Data, piece: NDArray[np.intp], local: float, count: int) -> Floats:
-    """Coefficients of a piece of a table about a place within it."""
-    terms = shifted(data.polynomial(piece), np.array([local]))
-    return _padded(terms[:, 0], count)
+        elif time >= self.state.next_break()[0]:
+            time_dot = self.break_dot
+        self.peak_dot = self.omega_dot + rate * time_dot
 
 
 def _padded(terms: Floats, count: int) -> Floats:
@@ -299,8 +356,10 @@ def _padded(terms: Floats, count: int) -> Floats:
     return padded
 
 
-def _of_table(by_parameter: list[Data], piece: NDArray[np.intp], local: float) -> Floats:
+def _of_table(by_parameter: list[Data] | None, piece: NDArray[np.intp], local: float) -> Floats:
     """Coefficients of the derivatives of a table by each parameter, about a place within a piece, (terms, ...)."""
-    polynomials = np.concatenate([data.polynomial(piece) for data in by_parameter], axis=1)
+    if by_parameter is None:
+        return np.zeros((0, 0))
+    polynomials = [data.polynomial(piece) for data in by_parameter]
     places = np.full(len(by_parameter), local)
-    return np.asarray(shifted(polynomials, places))
+    return shifted(np.concatenate(polynomials, axis=1), places)

@@ -163,8 +163,9 @@ class _Run:
         self, program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None, log: Log | None
     ) -> None:
         """Explicitly, as far as that goes."""
-        self.tangents = Tangents(program, cells, self.inputs.growth)
-        state = Integrator(program, tables, cells, tangents=self.tangents)
+        state = Integrator(program, tables, cells)
+        self.tangents = Tangents(state, self.inputs.growth)
+        state.tangents = self.tangents
         self.state = state
         state.stiff_step = self.stiff_step
         with np.errstate(all="ignore"):
@@ -196,9 +197,12 @@ def _in_si(lanes: Lanes, inputs: InputDerivatives, run: _Run) -> Floats:
     reach = state.reach_rotation[0]
     signed_peak_dot = np.sign(peak) * tangents.peak_dot
     peak_dot = signed_peak_dot + peak * inputs.speed_growth
-    rotation_dot = tangents.rotation_dot(state)
+    rotation_dot = tangents.present_rotation_dot()
     run_out_dot = rotation_dot + end * inputs.radius_growth
-    reach_dot = tangents.reach_dot + reach * inputs.radius_growth
+    if reach == end:  # also where implicit steps, which keep no derivative of the reach, went on to the end
+        reach_dot = run_out_dot
+    else:
+        reach_dot = tangents.reach_dot + reach * inputs.radius_growth
     if state.status[0] == ix.ENDED:
         duration_dot = inputs.one("end_time")
     else:

@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Values
+
 Index = tuple[int, ...]
 
 
@@ -28,15 +30,20 @@ def _names(field: str, shape: tuple[int, ...]) -> dict[str, Index]:
     return names
 
 
+def leading_shape(value: Any, axes: int) -> tuple[int, ...]:
+    """The shape of an array of lanes, without the last axes, which one section has."""
+    shape = np.shape(value)
+    return shape[: len(shape) - axes]
+
+
 def indices_of(arc: Any, field: str) -> dict[str, Index]:
     """The numbers of one field of an arc or a section: each by its name, with its index in the axes of one section."""
     value = getattr(arc, field)
     if value is None:
         return {}
-    axes = arc.quantities[field]
     shape = np.shape(value)
-    first_axis = len(shape) - axes
-    return _names(field, shape[first_axis:])
+    lanes = leading_shape(value, arc.quantities[field])
+    return _names(field, shape[len(lanes) :])
 
 
 def arc_numbers(arc: Any) -> dict[str, Any]:
@@ -53,7 +60,7 @@ def arc_numbers(arc: Any) -> dict[str, Any]:
     return numbers | arc.other_numbers()
 
 
-def changed_fields(arc: Any, values: Mapping[str, Any]) -> dict[str, Any]:
+def changed_fields(arc: Any, values: Values) -> dict[str, Any]:
     """The fields of an arc or a section that differ once some of its numbers have other values."""
     changed: dict[str, Any] = {}
     for field, axes in arc.quantities.items():
@@ -79,7 +86,7 @@ def by_lanes(arc: Any, select: Callable[[Any, int], Any]) -> Any:
     return replace_unchecked(arc, changed)
 
 
-def _with_coordinates(points: Any, axes: int, replaced: Mapping[str, Index], values: Mapping[str, Any]) -> Any:
+def _with_coordinates(points: Any, axes: int, replaced: Mapping[str, Index], values: Values) -> Any:
     """An array of points in which the coordinates at some indices are replaced by numbers, or by one a lane."""
     shape = points.shape[-axes:]  # of one section
     some_stay = len(replaced) < np.prod(shape)
@@ -96,7 +103,7 @@ def _with_coordinates(points: Any, axes: int, replaced: Mapping[str, Index], val
     return changed
 
 
-def replace_unchecked(instance: Any, values: Mapping[str, Any]) -> Any:
+def replace_unchecked(instance: Any, values: Values) -> Any:
     """A frozen dataclass with other field values that its constructor does not see: they were checked, or will be."""
     if all(value is getattr(instance, name) for name, value in values.items()):
         return instance

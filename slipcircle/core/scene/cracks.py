@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.checks import Fault, complaint, raise_all
-from slipcircle.base.series import Floats
+from slipcircle.base.kinds import Floats
 from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.errors import geometry_errors
 from slipcircle.core.scene.section import Section

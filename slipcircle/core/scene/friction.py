@@ -8,6 +8,7 @@ import numpy as np
 
 from generated.effects import LAWS
 from slipcircle.base.checks import mistakes, parameter_mistakes, shown
+from slipcircle.base.kinds import Parameters
 
 OF_SOIL = "#"  # before the number of a soil, in the name of its law
 RATE_LAWS = tuple(name for name, law in LAWS.items() if law.depends_on == ("speed",))
@@ -40,7 +41,7 @@ def may_have_rate(law: str) -> bool:
     return {"speed", "time"}.isdisjoint(LAWS[law].depends_on)
 
 
-def _named_faults(given: Mapping[str, Any], path: str, known: tuple[str, ...]) -> list[str]:
+def _named_faults(given: Parameters, path: str, known: tuple[str, ...]) -> list[str]:
     """A sentence for each mistake in a law by name."""
     name = given.get("law")
     if name not in known:
@@ -56,7 +57,7 @@ def _named_faults(given: Mapping[str, Any], path: str, known: tuple[str, ...]) -
     return _table_faults(path, name, parameters)
 
 
-def _table_faults(path: str, name: str, parameters: Mapping[str, Any]) -> list[str]:
+def _table_faults(path: str, name: str, parameters: Parameters) -> list[str]:
     """What is wrong with a law that is a table: its slips, speeds or times, and the coefficients there."""
     argument = LAWS[name].parameters[0].name
     places = np.asarray(parameters[argument], dtype=float)
@@ -73,7 +74,7 @@ def _table_faults(path: str, name: str, parameters: Mapping[str, Any]) -> list[s
     return []
 
 
-def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:
+def law_parts(friction: Any) -> tuple[tuple[str, Parameters], ...]:
     """The laws that a scene's friction is a product of: each by name, with its parameters.
 
     The laws of soils, of which it is a sum, are by names with the number of the soil, ``linear#0``.
@@ -135,7 +136,7 @@ def friction_at_rest(friction: Any) -> Any:
     return math.prod(factors)
 
 
-def _at_rest(name: str, parameters: Mapping[str, Any]) -> Any:
+def _at_rest(name: str, parameters: Parameters) -> Any:
     """The coefficient of one law before any slip; a table begins with it."""
     if name == "callable":
         coefficient = parameters["function"](0.0)

@@ -6,8 +6,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core.scene import circles
-from slipcircle.core.scene.circles import Cut, Floats
+from slipcircle.core.scene.circles import Cut
+from slipcircle.core.scene.coordinates import leading_shape
 from slipcircle.core.scene.heights import height_integrals, integral_inside
 from slipcircle.core.scene.plane import Vectors
 from slipcircle.core.scene.turning import TurningMass
@@ -23,11 +25,8 @@ class SectionGeometry(TurningMass):
     @cached_property
     def shape(self) -> tuple[int, ...]:
         """Of the results."""
-        leading = []
-        for name in ("radius", "centre", "ground", "level"):
-            shape = np.shape(getattr(self, name))
-            axes = self.quantities[name]
-            leading.append(shape[: len(shape) - axes])
+        names = ("radius", "centre", "ground", "level")
+        leading = [leading_shape(getattr(self, name), self.quantities[name]) for name in names]
         return np.broadcast_shapes(*leading)
 
     @cached_property

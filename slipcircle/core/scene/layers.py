@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import mistakes, raise_all
+from slipcircle.base.kinds import Effects, Floats, Values
 from slipcircle.core.scene.circles import MEASURES
 from slipcircle.core.scene.cracks import CrackedSection
 from slipcircle.core.scene.friction import rate_mistakes
@@ -28,8 +29,7 @@ from slipcircle.core.scene.section import Section, copy_computed
 from slipcircle.core.scene.soils import LANE_NUMBERS, Soil, datum_mistakes, datum_of, layer_mistakes, soil_mistakes
 from slipcircle.core.scene.strength import ArcStrength, MeanFriction, over_circles
 from slipcircle.core.scene.stretches import OF_GEOMETRY
-from slipcircle.core.scene.strips import Floats, Strips, cut_into_strips
-from slipcircle.core.scene.weights import Effects
+from slipcircle.core.scene.strips import Strips, cut_into_strips
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +68,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     strength: str = "base"
     foreland: Soil | None = None
     surcharge: Sequence[tuple[float, float, Any, Any]] = ()
-    rate: Mapping[str, Any] | None = None
+    rate: Values | None = None
     crack: Any = 0.0
     quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
 

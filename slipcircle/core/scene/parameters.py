@@ -14,10 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import effects as declared
+from slipcircle.base.kinds import Flags, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
 from slipcircle.core.scene.friction import law_parts, law_paths, without_soil
-from slipcircle.core.scene.ground import FAR
+from slipcircle.core.scene.ground import BOUNDS, FAR
 from slipcircle.core.scene.scene import Scene
 
 ARC_UNITS = {
@@ -28,21 +29,23 @@ ARC_UNITS = {
     "gravity": "m/s^2",
     "width": "m",
 }
-_STRESS = (-5e-324, 1e12)
+_SOIL_UNITS = {
+    "unit_weight": "N/m^3",
+    "saturated_unit_weight": "N/m^3",
+    "cohesion": "Pa",
+    "cohesion_gradient": "Pa/m",
+    "pore_ratio": "",
+    "top": "m",
+    "pressure": "Pa",
+}
 _COEFFICIENT = ("", -5e-324, declared.LIMITS[""][1])
-SOIL_BOUNDS: dict[str, tuple[str, float, float]] = {
-    "unit_weight": ("N/m^3", 0.0, 1e6),
-    "saturated_unit_weight": ("N/m^3", 0.0, 1e6),
-    "cohesion": ("Pa", *_STRESS),
-    "cohesion_gradient": ("Pa/m", *_STRESS),
-    "pore_ratio": ("", -5e-324, 1.0),
-    "top": ("m", -FAR, FAR),
+SOIL_BOUNDS: dict[str, tuple[str, float, float]] = {  # units, and open bounds
+    **{name: (unit, *BOUNDS[name][:2]) for name, unit in _SOIL_UNITS.items()},
     "friction": _COEFFICIENT,
     "peak": _COEFFICIENT,
     "residual": _COEFFICIENT,
     "length": ("m", *declared.LIMITS["m"]),
     "velocity": ("m/s", *declared.LIMITS["m/s"]),
-    "pressure": ("Pa", *_STRESS),
     "crack": ("m", 0.0, FAR),
 }
 SMALLEST = 5e-324  # a lower bound of minus this allows zero, as all bounds are open
@@ -118,7 +121,7 @@ def parameter_value(scene: Scene, name: str) -> float | None:
     return None if value is None else float(np.asarray(value))
 
 
-def with_parameters(scene: Scene, values: Mapping[str, Any]) -> Scene:
+def with_parameters(scene: Scene, values: Values) -> Scene:
     """A scene with other values of its numbers, SI: of each one number, or an array of them.
 
     Nothing of it is uncertain any more.
@@ -134,7 +137,7 @@ def with_parameters(scene: Scene, values: Mapping[str, Any]) -> Scene:
     return Scene(**_fields_of(scene) | changed | {"arc": arc})
 
 
-def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, NDArray[np.bool_]]:
+def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, Flags]:
     """A scene of arrays of numbers, SI, and which of its lanes are no scenes: `solve` takes both.
 
     A value out of bounds or an impossible section makes its lane invalid, not the call an error. In such lanes the
@@ -167,7 +170,7 @@ def _fields_of(scene: Scene) -> dict[str, Any]:
     return {f.name: getattr(scene, f.name) for f in fields(Scene)}
 
 
-def _fields_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
+def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
     """The fields of a scene, and under "arc" those of its arc that change, with other values of numbers; unchecked."""
     arc = changed_fields(scene.arc, values)
     if DIP.name in values:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import mistakes, raise_all
 from slipcircle.core.scene.friction import friction_at_rest, law_mistakes, least_friction
-from slipcircle.core.scene.ground import FAR, points_errors
+from slipcircle.core.scene.ground import BOUNDS, points_errors
 
 # The numbers of a soil that vary beside its friction, and all of them as one a lane.
 SOIL_NUMBERS = ("unit_weight", "cohesion", "saturated_unit_weight", "cohesion_gradient", "pore_ratio")
@@ -73,19 +73,10 @@ class Soil:
 
 def soil_mistakes(soil: Soil) -> list[str]:
     """A sentence for each number of a soil that no soil has."""
-    positive = (0.0, 1e6, "a positive unit weight in N/m^3")
-    stress = (-5e-324, 1e12, "a stress of at least 0 in Pa")
-    bounds = {
-        "unit_weight": positive,
-        "saturated_unit_weight": positive,
-        "cohesion": stress,
-        "cohesion_gradient": (-5e-324, 1e12, "a growth of at least 0 in Pa/m"),
-        "pore_ratio": (-5e-324, 1.0, "at least 0 and below 1"),
-    }
+    bounds = {name: BOUNDS[name] for name in SOIL_NUMBERS}
     if soil.saturated_unit_weight is None:
         del bounds["saturated_unit_weight"]
-    numbers = {name: getattr(soil, name) for name in bounds}
-    found = mistakes(numbers, bounds)
+    found = mistakes(vars(soil), bounds)
     found += law_mistakes(soil.friction)
     if callable(soil.friction):
         found.append("friction: must be a number or a law by name")
@@ -172,7 +163,7 @@ def _top_mistakes(k: int, top: Any) -> list[str]:
     if np.ndim(top) > 1:
         return points_errors(f"layers.{k + 1}.top", top, True)
     name = f"layers.{k + 1}.top"
-    return mistakes({name: top}, {name: (-FAR, FAR, "a height in m, or points from left to right")})
+    return mistakes({name: top}, {name: BOUNDS["top"]})
 
 
 def share_one_law(soils: Iterable[Soil]) -> bool:

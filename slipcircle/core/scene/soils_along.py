@@ -9,8 +9,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core.scene.layers import LayeredSection
-from slipcircle.core.scene.profile import AREA, HEAD, RADIAL_Y, Floats
+from slipcircle.core.scene.profile import AREA, HEAD, RADIAL_Y
 from slipcircle.core.scene.soils import Soil
 
 _SHORT = 1e-9  # rad: shorter stretches are rounding

@@ -4,9 +4,8 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from slipcircle.base.kinds import Floats
 
 
 class Journey(NamedTuple):
