@@ -19,7 +19,7 @@ from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.complex_step import STEP, derivative, with_derivatives
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.transport import section_derivatives
+from slipcircle.core.scene.transport import SectionDerivatives, section_derivatives
 from slipcircle.core.scene.weights import MomentCoefficients, SlidingBody
 
 Floats = NDArray[np.float64]
@@ -157,13 +157,7 @@ def _section(section: Section, at: Mapping[str, float], directions: Directions) 
     resistance = at["resistance_factor"]
     resistance_growth = lambda_growth - inertia_growth
     coefficients["resistance_factor"] = with_parts(resistance, resistance * resistance_growth)
-    mean_height = float(section.mean_cover / section.radius)
-    heights = 2 * alpha * mean_height
-    heights_growth = section_dot.heights / heights
-    weight_growth = integrals_dot["radial_y"] / integrals["radial_weight"]
-    cover = float(section.moment_coefficients.cover)
-    cover_growth = heights_growth + weight_growth
-    coefficients["cover"] = with_parts(cover, cover * cover_growth)
+    coefficients["cover"] = _cover(section, section_dot)
     result = ArcWithDerivatives(
         section,
         directions,
@@ -173,3 +167,15 @@ def _section(section: Section, at: Mapping[str, float], directions: Directions) 
     )
     result.pressure = section_dot.pressure
     return result
+
+
+def _cover(section: Section, section_dot: SectionDerivatives) -> Any:
+    """The mean cover of a section over its radius, relative to the static normal stress."""
+    alpha = float(section.half_angle)
+    mean_height = float(section.mean_cover / section.radius)
+    heights = 2 * alpha * mean_height
+    heights_growth = section_dot.heights / heights
+    weight_growth = section_dot.moments["radial_y"] / section.moments["radial_weight"]
+    cover = float(section.moment_coefficients.cover)
+    growth = heights_growth + weight_growth
+    return with_parts(cover, cover * growth)
