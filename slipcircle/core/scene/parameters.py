@@ -203,7 +203,8 @@ def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
 def _friction_with(friction: Any, number: str, value: Any) -> Any:
     """A friction with another value of one number: "" is a constant's, "rate.peak" of the law of speed beside it."""
     if not number:
-        return value
+        beside_rate = isinstance(friction, Mapping) and friction["law"] == "constant"
+        return {**friction, "coefficient": value} if beside_rate else value
     assert isinstance(friction, Mapping)
     rate, _, name = number.rpartition(".")
     if not rate:
