@@ -37,7 +37,8 @@ def test_vaiont() -> None:
 )  # fmt: skip
 def test_round_trip_of_friction(scene: str, name: str) -> None:
     """Newmark's block would stand: its friction is above the limit at rest."""
-    found = backanalyse(load(scene), **{name: solve(load(scene)).outcomes[name]}, field="friction")
+    observed: dict[str, Any] = {name: solve(load(scene)).outcomes[name]}
+    found = backanalyse(load(scene), **observed, field="friction")
     wanted = float(np.asarray(load(scene).friction))
     assert min(abs(s.value / wanted - 1) for s in found.solutions) < (1e-10 if name != "duration" else 1e-9)
 
@@ -158,6 +159,7 @@ def test_all_minima() -> None:
     assert [len(s.motion.phases) for s in found.solutions] == [1, 2]
     for s in found.solutions:
         turn = DIP - s.values["dip"]
+        assert isinstance(VAIONT.arc, Arc)
         arc = replace(VAIONT.arc, theta_1=VAIONT.arc.theta_1 + turn, theta_2=VAIONT.arc.theta_2 + turn)
         motion = solve(replace(VAIONT, arc=arc, friction=s.values["friction"]))
         assert [motion.run_out, motion.peak.velocity] == pytest.approx([400.0, 17.0], rel=1e-7)
