@@ -191,7 +191,7 @@ def test_friction_where_a_phase_begins_keeps_its_digits(law: str, peak: float, r
     slips = np.concatenate([[0.0], np.geomspace(1e-18, 40.0, 200)])
     c = np.zeros((len(program.cells), slips.size))
     law_numbers = {f"{law}.peak": peak, f"{law}.residual": residual, f"{law}.length": 0.7}
-    cells = law_numbers | {"DIRECTION": 1.0, "normal_load": 1.0, "SLIP": slips, **program.constants}
+    cells: dict[str, Any] = law_numbers | {"DIRECTION": 1.0, "normal_load": 1.0, "SLIP": slips, **program.constants}
     for name, value in cells.items():
         c[program.cells.index(name)] = value
     series.scalar_ops(program.scalar, c)
