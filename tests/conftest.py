@@ -11,12 +11,14 @@ from flint import ctx
 
 from slipcircle.__main__ import main
 
-# What takes longest goes first, so that no worker is left alone with it; and what the paper's notebook shows has the
-# claims judged that `test_verify` judges, beside which it is done in the same process.
+# What takes longest goes first, so that no worker is left alone with it; and what shares its intermediate results, the
+# derivation, the judgement of the paper and the notebooks on both, follows in the same process.
 LONGEST = (
     "test_mypy",
+    "test_generated_is_up_to_date",
     "test_verify",
     "2_the_paper",
+    "1_derivation",
     "fresh_run",
     "test_ctrl_c",
     "test_it_builds",
@@ -37,9 +39,16 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=place)
 
 
+def pytest_configure() -> None:
+    """Imports create hardly any garbage, but looking for it among them takes a fifth of their time."""
+    gc.disable()
+
+
 def pytest_collection_finish() -> None:
-    """What is imported by now stays: no later collection looks at all of it again."""
+    """Modules stay until the end, so no later collection examines them; and collections are rare."""
     gc.freeze()
+    gc.set_threshold(100_000, 20, 20)
+    gc.enable()
     gc.enable()
 
 

@@ -56,7 +56,7 @@ def test_ruff_is_silent() -> None:
     succeed(sys.executable, "-m", "ruff", "check", *PACKAGES, "tests")
 
 
-# Its garbage collections take a fourth of its time, and a cache is of no use to a single run.
+# Garbage collections take a fourth of mypy's time. Its cache makes the next run a hundred times as fast.
 MYPY = """
 import gc
 gc.set_threshold = lambda *_: None
@@ -68,7 +68,7 @@ console_entry()
 
 
 def test_mypy_is_silent() -> None:
-    succeed(sys.executable, "-c", MYPY, "--cache-dir", os.devnull, *PACKAGES, "tests")
+    succeed(sys.executable, "-c", MYPY, *PACKAGES, "tests")
 
 
 def test_no_test_module_imports_another() -> None:
@@ -255,7 +255,7 @@ WORKBENCH = sorted((ROOT / "slipcircle" / "workbench").glob("*/__init__.py"))
 DENSITY = {
     "derive": 11.1,
     "slipcircle/base": 10.2,
-    "slipcircle/core": 11.2,
+    "slipcircle/core": 10.8,
     **{str(path.parent.relative_to(ROOT)): 12.0 for path in WORKBENCH},
 }
 

@@ -18,6 +18,11 @@ else:
 
     Numbers = TypeVar("Numbers", covariant=True)
 
-Array = NDArray[np.float64]
+Floats = NDArray[np.float64]
+Array = Floats
+Integers = NDArray[np.intp]
+Flags = NDArray[np.bool_]
 Names = tuple[str, ...]
-Parameters = Mapping[str, Any]  # of an effect or of a friction law, by their names
+Values = Mapping[str, Any]  # by name
+Parameters = Values  # of an effect or of a friction law
+Effects = Mapping[str, Parameters]

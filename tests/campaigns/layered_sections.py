@@ -191,7 +191,7 @@ def computed(section: Any) -> tuple[list[float], list[list[float]]]:
     by_joint = np.stack([still[name][:, 0, 0] for name in ("normal", "tilt", "inertia")])
     parts = []
     for k in range(len(section.layers)):
-        sums = by_joint @ section.arc_strength.stretches.incidence(len(section.soils))[:-1, k, 0]
+        sums = by_joint @ section.arc_strength.incidence[:-1, k, 0]
         parts.append((sums * radius ** np.array([2, 2, 3])).tolist())
     return moments.tolist(), parts
 

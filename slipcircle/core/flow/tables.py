@@ -76,7 +76,7 @@ def of_law(name: str, parameters: Mapping[str, ArrayLike]) -> Data:
     _, breaks, polynomials = PIECES[name]
     arrays = dict[str, Floats]()
     for key, value in parameters.items():
-        arrays[key] = np.asarray(value, dtype=np.float64)
+        arrays[key] = np.add(value, 0.0)
     pieces = polynomials(**arrays)
     every = chain.from_iterable(pieces)
     values = np.array(np.broadcast_arrays(*every))

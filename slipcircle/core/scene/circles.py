@@ -7,17 +7,16 @@ between it and the arc below. Everything is over R and from the centre; n circle
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import slopes
 from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.core.scene.doubledouble import DoubleDouble
 from slipcircle.core.scene.plane import Vectors
 
-Floats = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(slopes.NODES)
-_GAUSS = list(zip((1.0 + _NODES) / 2, _WEIGHTS / 2, strict=True))  # of integrals from 0 to 1
+_PLACES = (1.0 + _NODES) / 2  # for integrals from 0 to 1
+_GAUSS = list(zip(_PLACES, _WEIGHTS / 2, strict=True))
 MEASURES = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
 _BLOCK = 1 << 14  # edges at a time: their arrays stay in the cache
 
@@ -29,7 +28,7 @@ class Cut(NamedTuple):
     part: Vectors  # from the first end to the second; 0 where the edge is outside
     first: Floats  # 1 - rho^2 at both ends, 0 on the circle
     second: Floats
-    stretch: NDArray[np.int64]  # number of the stretch that the part belongs to, from 0; -1 before the first crossing
+    stretch: Integers  # number of the stretch that the part belongs to, from 0; -1 before the first crossing
     enters: Flags  # whether the ground enters or leaves the circle here
     leaves: Flags
 
@@ -66,12 +65,16 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
     middle = Vectors.of(centre)
     from_centre = line - middle[:, None]
     clear = _clearances(line, from_centre, middle, radius)
-    edges = _Edges(from_centre.starts, from_centre.ends, line.edges, clear[:, :-1], clear[:, 1:])
+    first_clear = clear[:, :-1]
+    last_clear = clear[:, 1:]
+    edges = _Edges(from_centre.starts, from_centre.ends, line.edges, first_clear, last_clear)
     start, share = _with_an_end_inside(edges)
     at = np.nonzero(_may_pass_through(edges))
     lane, _ = at
     if lane.size:
-        start[at], share[at] = _with_both_ends_outside(line.starts[at], line.ends[at], middle[lane], radius[lane])
+        first = line.starts[at]
+        last = line.ends[at]
+        start[at], share[at] = _with_both_ends_outside(first, last, middle[lane], radius[lane])
 
     has_part_inside = share > 0.0
     enters = has_part_inside & (edges.first_clear == 0.0)
@@ -149,8 +152,9 @@ def _may_pass_through(edges: _Edges) -> Flags:
     """Edges with both ends outside and the foot of the perpendicular from the centre between them."""
     to_foot = -edges.first.dot(edges.edge)
     foot_on_edge = (to_foot > 0.0) & (to_foot < edges.edge.square)
-    both_outside = (edges.first_clear == 0.0) & (edges.last_clear == 0.0)
-    passes: Flags = foot_on_edge & both_outside
+    first_outside = edges.first_clear == 0.0
+    last_outside = edges.last_clear == 0.0
+    passes: Flags = foot_on_edge & first_outside & last_outside
     return passes
 
 
@@ -163,19 +167,24 @@ def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radi
     d = edge.square
     discriminant = b * b + d * _clearance(from_centre, radius)
     root = np.sqrt(np.maximum(discriminant.high, 0.0))
-    start = np.maximum((-b.high - root) / d.high, 0.0)
-    length = 2 * root / d.high
-    return start, np.minimum(length, 1.0 - start)
+    square = d.high
+    entry = (-b.high - root) / square
+    start = np.maximum(entry, 0.0)
+    length = 2 * root / square
+    share = np.minimum(length, 1.0 - start)
+    return start, share
 
 
-def stretches(parts: Cut) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.bool_]]:
+def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
     """Circle and number of every whole stretch; and which circles hold an end of the ground."""
     leaves_first = parts.leaves & (parts.stretch < 0)
     from_start = leaves_first.any(axis=1)  # the ground begins inside the circle
     count = parts.leaves.sum(axis=1) - from_start
     to_end = parts.enters.sum(axis=1) > count
-    begins_inside = parts.first[:, 0] > 0.0
-    ends_inside = parts.second[:, -1] > 0.0
+    first_clear = parts.first[:, 0]
+    last_clear = parts.second[:, -1]
+    begins_inside = first_clear > 0.0
+    ends_inside = last_clear > 0.0
     never_leaves = ~parts.leaves.any(axis=1)
     all_inside = begins_inside & ends_inside & never_leaves
     circles = np.arange(len(count))
@@ -192,12 +201,15 @@ def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
     of_circles = np.asarray(number)
     mine = parts.stretch == of_circles[:, None]
     lane = np.arange(len(mine))
-    first = lane, np.argmax(parts.enters & mine, axis=1)
-    last = lane, np.argmax(parts.leaves & mine, axis=1)
-    return parts.start[first], parts.start[last] + parts.part[last]
+    enters = parts.enters & mine
+    leaves = parts.leaves & mine
+    first = lane, enters.argmax(axis=1)
+    last = lane, leaves.argmax(axis=1)
+    all_ends = parts.start + parts.part
+    return parts.start[first], all_ends[last]
 
 
-def moments(parts: Cut, mine: NDArray[np.bool_]) -> dict[str, Floats]:
+def moments(parts: Cut, mine: Flags) -> dict[str, Floats]:
     """Integrals of ``MEASURES`` over the mass under the parts that are meant, (n, E), for each circle.
 
     Source: `generated.slopes`; about 1e-15 of each, of radial and moment: of the vector's length.
@@ -207,7 +219,8 @@ def moments(parts: Cut, mine: NDArray[np.bool_]) -> dict[str, Floats]:
     rows = max(1, _BLOCK // max(count, 1))
     for k in range(0, n, rows):
         some = slice(k, k + rows)
-        out[:, some] = _moments(parts.only(some), mine[some])
+        block = parts.only(some)
+        out[:, some] = _moments(block, mine[some])
     return dict(zip(MEASURES, out, strict=True))
 
 
@@ -216,9 +229,11 @@ def _moments(parts: Cut, mine: Flags) -> Floats:
     start = parts.start
     edge = parts.part.where(mine)
     end = start + edge
-    reach = slopes.REACH * (start.length + end.length)
+    distances = start.length + end.length
+    reach = slopes.REACH * distances
     is_long = edge.square > reach**2
-    total = _ring_moments(parts, edge.where(~is_long))
+    short = edge.where(~is_long)
+    total = _ring_moments(parts, short)
     at = np.nonzero(is_long)
     lane, _ = at
     if lane.size:
@@ -228,7 +243,8 @@ def _moments(parts: Cut, mine: Flags) -> Floats:
 
 def _sector_moments(start: Vectors, edge: Vectors, lane: Any, count: int) -> Floats:
     """Of edges, each of a circle, by the closed forms of sectors and triangles; sums by circle."""
-    angle = np.arctan2(start.cross(edge), start.dot(start + edge))
+    end = start + edge
+    angle = np.arctan2(start.cross(edge), start.dot(end))
     by_edge = slopes.closed(start.x, start.y, edge.x, edge.y, angle)
     return np.array([np.bincount(lane, values, count) for values in by_edge])
 
@@ -242,10 +258,12 @@ def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
     totals = np.zeros((len(MEASURES), *square.shape))
     for s, weight in _GAUSS:
         rest = 1.0 - s
-        gap = rest * first + s * second + s * rest * square
+        along_chord = rest * first + s * second
+        gap = along_chord + s * rest * square
         rings = np.array(slopes.rings(gap))
         totals[:5] += weight * rings
-        totals[5:] += weight * s * rings[3:]
+        vectors = rings[3:]
+        totals[5:] += weight * s * vectors
     area, polar, inertia, radial, moment, radial_s, moment_s = totals
     start = parts.start
     of_radial = start * radial + edge * radial_s
@@ -260,13 +278,14 @@ def thickness(parts: Cut, mine: Flags) -> Floats:
     square = parts.part.square
     to_foot = -parts.start.dot(parts.part)  # of the perpendicular from the centre
     on_edge = (to_foot > 0.0) & (to_foot < square)
-    share = np.divide(to_foot, square, out=np.zeros(square.shape), where=on_edge)
+    share = np.divide(to_foot, square, out=np.zeros_like(square), where=on_edge)
     rest = 1.0 - share
-    at_foot = rest * parts.first + share * parts.second + share * rest * square
+    along_chord = rest * parts.first + share * parts.second
+    at_foot = along_chord + share * rest * square
     at_ends = np.maximum(parts.first, parts.second)
     gap = np.maximum(at_ends, at_foot)  # 1 - rho^2
-    greatest = np.where(mine, gap, 0.0).max(axis=1)
-    greatest = np.minimum(greatest, 1.0)
+    gap_of_mine = np.where(mine, gap, 0.0)
+    greatest = np.minimum(gap_of_mine.max(axis=1), 1.0)
     least_distance = np.sqrt(1.0 - greatest)
     return greatest / (1.0 + least_distance)
 
@@ -275,7 +294,10 @@ def below_ground(parts: Cut, mine: Flags) -> Flags:
     """Which circles have their centre below the ground of the stretch."""
     left = parts.start
     right = left + parts.part
-    around_centre = (left.x <= 0.0) & (right.x >= 0.0) & (parts.part.x > 0.0)
+    from_left = left.x <= 0.0
+    to_right = right.x >= 0.0
+    is_upright = parts.part.x <= 0.0
+    around_centre = from_left & to_right & ~is_upright
     above_centre = left.cross(parts.part) <= 0.0
     is_below = mine & around_centre & above_centre
     return np.any(is_below, axis=1)

@@ -11,15 +11,14 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core.scene.circles import MEASURES
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.plane import Vectors
 from slipcircle.core.scene.strips import edge_below, meets_circle
 
-Floats = NDArray[np.float64]
 STEP = 1e-50
 _TOUCHES = 1e-9  # how near to the arc a boundary's foot touches it, or a crack to a vertex, over R
 _PARALLEL = 1e-6  # difference of slopes below which a crack is deep where the mass is deepest

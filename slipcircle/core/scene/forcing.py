@@ -1,11 +1,11 @@
 """Effects as a scene is given them, made of what was given: functions of time from pulses and lists."""
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from slipcircle.base.checks import InputError
+from slipcircle.base.kinds import Effects, Parameters
 from slipcircle.base.series import Pulse, Series
 
 _FACTORS = ("amplitude", "vertical_amplitude", "scale", "peak")
@@ -18,7 +18,7 @@ _OF_RECORDS = ("record", "units", "column", "step", "start", "gaps")
 _IN_FILES = "{{record}}: file names are for scene files; in Python use {} = slipcircle.Record.read(path, ...)"
 
 
-def resolved(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
+def resolved(name: str, given: Parameters) -> dict[str, Any]:
     """An effect's parameters, with functions of time in the place of what they are made of.
 
     Raises
@@ -38,7 +38,7 @@ def resolved(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
     return dict(given)
 
 
-def factor(effect: str, given: Mapping[str, Any], name: str) -> Any:
+def factor(effect: str, given: Parameters, name: str) -> Any:
     """What a parameter of a resolved effect is multiplied by: shaking has an amplitude, a scale or a peak."""
     if effect != "shaking":
         return 1.0
@@ -50,7 +50,7 @@ def factor(effect: str, given: Mapping[str, Any], name: str) -> Any:
     return given["peak"] / recorded_peak
 
 
-def in_time(called: Mapping[str, Mapping[str, Any]]) -> dict[str, Series | Pulse]:
+def in_time(called: Effects) -> dict[str, Series | Pulse]:
     """What changes with time in the effects of a single scene, with its factors, by ``effect.parameter``."""
     functions = {}
     for effect, given in called.items():
@@ -61,7 +61,7 @@ def in_time(called: Mapping[str, Mapping[str, Any]]) -> dict[str, Series | Pulse
     return functions
 
 
-def _water(given: Mapping[str, Any]) -> dict[str, Any]:
+def _water(given: Parameters) -> dict[str, Any]:
     """A ratio and a pressure: numbers, or functions of time from lists with their times."""
     rest = {k: v for k, v in given.items() if k != "time"}
     if "record" in given:
@@ -81,14 +81,14 @@ def _water(given: Mapping[str, Any]) -> dict[str, Any]:
     return rest
 
 
-def _shaking(given: Mapping[str, Any]) -> dict[str, Any]:
+def _shaking(given: Parameters) -> dict[str, Any]:
     """k_h(t) and k_v(t) from a pulse, or as they are, if the ground can shake like that."""
     made = _as_series(given)
     _check_strength(made)
     return made
 
 
-def _as_series(given: Mapping[str, Any]) -> dict[str, Any]:
+def _as_series(given: Parameters) -> dict[str, Any]:
     if "record" in given:
         raise InputError("", [_IN_FILES.format("horizontal")])
     ways = [way for way in _FITTING if way in given]
@@ -118,7 +118,7 @@ def _as_series(given: Mapping[str, Any]) -> dict[str, Any]:
     return made | {name: given[name] for name in kept if name in given}
 
 
-def _check_strength(given: Mapping[str, Any]) -> None:
+def _check_strength(given: Parameters) -> None:
     """Refuse a record beyond what any ground has done: its values were in another unit, or have a scale factor."""
     for name in ("horizontal", "vertical"):
         record = given.get(name)

@@ -8,9 +8,11 @@ import numpy as np
 
 from generated.effects import LAWS
 from slipcircle.base.checks import mistakes, parameter_mistakes, shown
+from slipcircle.base.kinds import Parameters
 
 OF_SOIL = "#"  # before the number of a soil, in the name of its law
-RATE_LAWS = tuple(name for name, law in LAWS.items() if law.depends_on == ("speed",))
+RATE_LAWS = tuple(name for name in LAWS if LAWS[name].depends_on == ("speed",))
+Law = tuple[str, Parameters]  # by name, with its parameters
 
 
 def law_mistakes(given: Any) -> list[str]:
@@ -40,7 +42,7 @@ def may_have_rate(law: str) -> bool:
     return {"speed", "time"}.isdisjoint(LAWS[law].depends_on)
 
 
-def _named_faults(given: Mapping[str, Any], path: str, known: tuple[str, ...]) -> list[str]:
+def _named_faults(given: Parameters, path: str, known: tuple[str, ...]) -> list[str]:
     """A sentence for each mistake in a law by name."""
     name = given.get("law")
     if name not in known:
@@ -56,24 +58,23 @@ def _named_faults(given: Mapping[str, Any], path: str, known: tuple[str, ...]) -
     return _table_faults(path, name, parameters)
 
 
-def _table_faults(path: str, name: str, parameters: Mapping[str, Any]) -> list[str]:
+def _table_faults(path: str, name: str, parameters: Parameters) -> list[str]:
     """What is wrong with a law that is a table: its slips, speeds or times, and the coefficients there."""
     argument = LAWS[name].parameters[0].name
     places = np.asarray(parameters[argument], dtype=float)
     coefficients = np.asarray(parameters["coefficient"], dtype=float)
     key = f"{{{path}.{argument}}}"
-    if places.ndim != 1 or places.shape != coefficients.shape or places.size < 2:
+    is_list = places.ndim == 1 and places.size > 1
+    if not is_list or places.shape != coefficients.shape:
         return [f"{key} and {{{path}.coefficient}}: must be two lists of equal length, at least two values"]
-    steps = np.diff(places)
-    increases = bool(np.all(steps > 0.0))
-    if name == "tabulated" and not (increases and places[0] == 0.0):
+    increases = np.all(np.diff(places) > 0.0)
+    starts_at_0 = places[0] == 0.0
+    if name == "tabulated" and not (increases and starts_at_0):
         return [f"{key}: must start at 0 and increase"]
-    if not increases:
-        return [f"{key}: must increase"]
-    return []
+    return [] if increases else [f"{key}: must increase"]
 
 
-def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:
+def law_parts(friction: Any) -> tuple[Law, ...]:
     """The laws that a scene's friction is a product of: each by name, with its parameters.
 
     The laws of soils, of which it is a sum, are by names with the number of the soil, ``linear#0``.
@@ -89,8 +90,10 @@ def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:
             name, parameters = law_parts(law)[0]
             of_soils.append((f"{name}{OF_SOIL}{k}", parameters))
         return (*of_soils, *rate)
-    parameters = {name: value for name, value in friction.items() if name not in ("law", "rate")}
-    return ((friction["law"], parameters), *rate)
+    parameters = dict(friction)
+    name = parameters.pop("law")
+    parameters.pop("rate", None)
+    return ((name, parameters), *rate)
 
 
 def law_paths(friction: Any) -> tuple[str, ...]:
@@ -98,7 +101,9 @@ def law_paths(friction: Any) -> tuple[str, ...]:
     first: tuple[str, ...] = ("friction",)
     if isinstance(friction, Mapping) and "soils" in friction:
         first = tuple(f"soils.{soil}.friction" for soil in friction["soils"])
-    return (*first, "friction.rate")[: len(law_parts(friction))]
+    with_rate = (*first, "friction.rate")
+    count = len(law_parts(friction))
+    return with_rate[:count]
 
 
 def without_soil(name: str) -> str:
@@ -131,11 +136,10 @@ def friction_at_rest(friction: Any) -> Any:
     if isinstance(friction, Mapping) and "soils" in friction:  # with the mean of the whole arc
         friction = {**friction, "law": "constant"}
         del friction["soils"]
-    factors = [_at_rest(name, parameters) for name, parameters in law_parts(friction)]
-    return math.prod(factors)
+    return math.prod(_at_rest(*law) for law in law_parts(friction))
 
 
-def _at_rest(name: str, parameters: Mapping[str, Any]) -> Any:
+def _at_rest(name: str, parameters: Parameters) -> Any:
     """The coefficient of one law before any slip; a table begins with it."""
     if name == "callable":
         coefficient = parameters["function"](0.0)
@@ -150,5 +154,6 @@ def _at_rest(name: str, parameters: Mapping[str, Any]) -> Any:
 def least_friction(friction: Any) -> float:
     """The least coefficient of a law without a law of speed beside it, of any lane."""
     _, given = law_parts(friction)[0]
-    coefficients = [given[name] for name in ("coefficient", "peak", "residual") if name in given]
-    return min(float(np.min(values)) for values in coefficients)
+    names = {"coefficient", "peak", "residual"} & given.keys()
+    least = [np.min(given[name]) for name in names]
+    return float(min(least))

@@ -4,18 +4,21 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import INFINITY, Bounds, Fault, complaint, mistakes, raise_all, shape_mistakes
+from slipcircle.base.kinds import Floats, Values
+from slipcircle.core.scene.coordinates import leading_shape
+from slipcircle.core.scene.plane import Vectors
 
 FAR = 1e9  # m; coordinates are smaller
-Floats = NDArray[np.float64]
 
 
 def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
     """Which of many lines (n, V, 2) do not lead from left to right."""
     with np.errstate(invalid="ignore"):
-        step = np.diff(lines, axis=1, prepend=lines[:, :1] - 1.0)
+        before_first = lines[:, :1] - 1.0
+        step = np.diff(lines, axis=1, prepend=before_first)
 
     def at(bad: Any, words: str) -> Fault:
         places = np.argmax(bad, axis=1)
@@ -27,11 +30,12 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
 
         return bad.any(axis=1), sentence
 
-    is_near = (np.abs(lines) < FAR).all(axis=2)
-    yield at(~is_near, "must be two finite numbers within 1e9 m")
+    is_near = np.abs(lines) < FAR
+    yield at(~is_near.all(axis=2), "must be two finite numbers within 1e9 m")
     yield at(~step.any(axis=2), "is equal to the point before it; remove one")
     yield at(step[..., 0] < 0.0, "lies left of the point before it; order them by x")
-    is_upright = lines[:, -1, 0] == lines[:, 0, 0]
+    x = lines[..., 0]
+    is_upright = x[:, -1] == x[:, 0]
     yield is_upright, lambda _: f"{{{name}}}: all points have the same x; it must extend from left to right"
 
 
@@ -43,54 +47,52 @@ def points_errors(name: str, given: Any, many: bool) -> list[str]:
         points = np.asarray(None)
     most_axes = 15 if many else 2
     shape = points.shape
+    are_numbers = points.dtype.kind in "iuf"
     has_axes = 2 <= points.ndim <= most_axes
-    if points.dtype.kind not in "iuf" or not has_axes or shape[-1] != 2 or shape[-2] < 2:
+    if not are_numbers or not has_axes or shape[-1] != 2 or shape[-2] < 2:
         return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
-    one_axis = points.reshape(-1, *shape[-2:])
+    *lanes, count, _ = shape
+    one_axis = points.reshape(-1, count, 2)
     lines = one_axis.astype(np.float64)
     faults = line_errors(name, lines)
-    return complaint(faults, shape[:-2])
+    return complaint(faults, tuple(lanes))
 
 
 def continued(lines: Floats, left: Any, right: Any) -> Floats:
     """Lines (n, V, 2) with a horizontal edge at either end that leads at least to an x, (n, V + 2, 2)."""
-    first = lines[:, :1].copy()
-    last = lines[:, -1:].copy()
-    first_x = first[:, 0, 0]
-    last_x = last[:, 0, 0]
-    first[:, 0, 0] = np.minimum(left, first_x - 1.0)
-    last[:, 0, 0] = np.maximum(right, last_x + 1.0)
-    return np.concatenate([first, lines, last], axis=1)
+    first = lines[:, :1]
+    last = lines[:, -1:]
+    longer = np.concatenate([first, lines, last], axis=1)
+    x = longer[..., 0].T
+    x[0] = np.minimum(left, x[0] - 1.0)
+    x[-1] = np.maximum(right, x[-1] + 1.0)
+    return longer
 
 
 def _upper(lines: Floats, x: Floats) -> Floats:
     """Heights of lines (n, V, 2) at x (n, M), the upper one on a scarp; -inf beyond their ends."""
-    every_line = lines[:, None]
-    first_ends = every_line[:, :, :-1]
-    second_ends = every_line[:, :, 1:]
-    x_1, y_1 = np.moveaxis(first_ends, -1, 0)
-    x_2, y_2 = np.moveaxis(second_ends, -1, 0)
+    line = Vectors.of(lines[:, None])
+    start = line.starts
+    edge = line.edges
     at = x[..., None]
-    run = x_2 - x_1
-    rise = y_2 - y_1
+    beyond = at - start.x
     with np.errstate(divide="ignore", invalid="ignore"):
-        share = (at - x_1) / run
-    upper_end = y_2 > y_1  # of a scarp
-    share = np.where(x_2 > x_1, share, upper_end)
-    heights = y_1 + share * rise
-    after_first = x_1 <= at
-    before_second = at <= x_2
-    on_edge = after_first & before_second
+        share = beyond / edge.x
+    is_scarp = edge.x <= 0.0
+    share = np.where(is_scarp, edge.y > 0.0, share)
+    heights = start.y + share * edge.y
+    on_edge = (beyond >= 0.0) & (at <= line.ends.x)
     of_edges = np.where(on_edge, heights, -np.inf)
     return np.asarray(of_edges.max(axis=-1))
 
 
 def pond_errors(grounds: Floats, levels: Floats) -> Fault:
     """Where water levels (n or 1, W, 2) stand above grounds (n or 1, V, 2), or beside them; and what to say of one."""
-    n = max(len(grounds), len(levels))
-    of_ground = np.broadcast_to(grounds[..., 0], (n, grounds.shape[1]))
-    of_level = np.broadcast_to(levels[..., 0], (n, levels.shape[1]))
-    x = np.concatenate([of_ground, of_level], axis=1)
+    lanes = max(len(grounds), len(levels))
+    of_grounds = np.broadcast_to(grounds, (lanes, *grounds.shape[1:]))
+    of_levels = np.broadcast_to(levels, (lanes, *levels.shape[1:]))
+    vertices = np.concatenate([of_grounds, of_levels], axis=1)
+    x = vertices[..., 0]
     ground = _upper(grounds, x)
     level = _upper(levels, x)
     both = np.isfinite(ground) & np.isfinite(level)
@@ -102,43 +104,46 @@ def pond_errors(grounds: Floats, levels: Floats) -> Fault:
     def sentence(k: int) -> str:
         if not both[k].any():
             return "{level}: lies beside the ground; it must extend over it"
-        at = int(np.argmax(excess[k]))
-        return (
-            f"{{level}}: stands {excess[k, at]:.4g} m above the ground at x = {x[k, at]:.10g}; standing water needs "
-            "{pond}, which factors of safety know and motions do not"
-        )
+        above = excess[k]
+        highest = np.argmax(above)
+        water = f"{{level}}: stands {above[highest]:.4g} m above the ground at x = {x[k, highest]:.10g}"
+        return f"{water}; standing water needs {{pond}}, which factors of safety know and motions do not"
 
     lies_beside = ~both.any(axis=1)
     stands_above = excess.max(axis=1) > 1e-9 * size
     return lies_beside | stands_above, sentence
 
 
-_WEIGHT = "a positive unit weight in N/m^3"
-_STRESS = "a stress of at least 0 in Pa"
-_BOUNDS: Mapping[str, Bounds] = {
+_WEIGHT = (0.0, 1e6, "a positive unit weight in N/m^3")
+_STRESS = (-5e-324, 1e12, "a stress of at least 0 in Pa")
+BOUNDS: Mapping[str, Bounds] = {  # of the numbers of sections and their soils, and of slopes
     "radius": (0.0, FAR, "a positive length below 1e9 m"),
-    "unit_weight": (0.0, 1e6, _WEIGHT),
+    "unit_weight": _WEIGHT,
+    "saturated_unit_weight": _WEIGHT,
+    "water_unit_weight": _WEIGHT,
     "width": (0.0, INFINITY, "a positive length in m"),
     "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
-    "water_unit_weight": (0.0, 1e6, _WEIGHT),
     "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"),
     "base": (-FAR, FAR, "one finite number in m"),
     "between": (-FAR, FAR, "two x in m, from left to right"),
-    "cohesion": (-5e-324, INFINITY, _STRESS),
-    "pressure": (-5e-324, INFINITY, _STRESS),
+    "cohesion": _STRESS,
+    "cohesion_gradient": (-5e-324, 1e12, "a growth of at least 0 in Pa/m"),
+    "pressure": _STRESS,
     "friction": (-5e-324, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
     "pore_ratio": (-5e-324, 1.0, "at least 0 and below 1"),
     "k_h": (-1.0, 1.0, "between -1 and 1"),
+    "top": (-FAR, FAR, "a height in m, or points from left to right"),
 }
 
 
-def slope_errors(given: Mapping[str, Any]) -> list[str]:
+def slope_errors(given: Values) -> list[str]:
     """What is wrong with the fields of one slope, all numbers but for its lines."""
     bounds = _bounds_of(given)
-    return mistakes(given, bounds, one=bounds) + _lines_errors(given, many=False)
+    errors = mistakes(given, bounds, one=bounds)
+    return errors + _lines_errors(given, many=False)
 
 
-def section_errors(given: Mapping[str, Any], axes: Mapping[str, int]) -> list[str]:
+def section_errors(given: Values, axes: Mapping[str, int]) -> list[str]:
     """What is wrong with the fields of sections, also as shapes in front of the axes of one."""
     bounds = _bounds_of(given)
     errors = mistakes(given, bounds, one=("base", "water_unit_weight"))
@@ -147,35 +152,43 @@ def section_errors(given: Mapping[str, Any], axes: Mapping[str, int]) -> list[st
     errors += _lines_errors(given, many=True)
     if errors:
         return errors
-    leading = {}
+    of_lanes = {}
     for name, own_axes in axes.items():
-        if given[name] is not None:
-            shape = np.shape(given[name])
-            leading[name] = np.empty(shape[: len(shape) - own_axes])
-    empty = [f"{{{name}}}: is empty" for name, lanes in leading.items() if not np.size(lanes)]
-    return shape_mistakes(leading) or empty
+        value = given[name]
+        if value is not None:
+            shape = leading_shape(value, own_axes)
+            of_lanes[name] = np.empty(shape)
+            if 0 in shape:
+                errors.append(f"{{{name}}}: is empty")
+    return shape_mistakes(of_lanes) or errors
 
 
-def _pair_errors(given: Mapping[str, Any], bounds: Mapping[str, Bounds]) -> list[str]:
+def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
     """Of the centre, which is two numbers, and of the range of x, which is an increasing pair."""
-    has_two = np.shape(given["centre"])[-1:] == (2,)
+    wrong = []
+    *_, coordinates = np.atleast_1d(given["centre"]).shape
+    if coordinates != 2:
+        wrong.append("centre")
     pair = given["between"]
-    is_pair = pair is None or (np.shape(pair) == (2,) and pair[0] < pair[1])
+    if (pair is not None and np.shape(pair) != (2,)) or (pair is not None and pair[0] >= pair[1]):
+        wrong.append("between")
     errors = []
-    for name, is_right in (("centre", has_two), ("between", is_pair)):
-        if not is_right:
-            _, _, allowed = bounds[name]
-            errors.append(f"{{{name}}} = {given[name]!r}: must be {allowed}")
+    for name in wrong:
+        _, _, allowed = bounds[name]
+        errors.append(f"{{{name}}} = {given[name]!r}: must be {allowed}")
     return errors
 
 
-def _bounds_of(given: Mapping[str, Any]) -> dict[str, Bounds]:
+def _bounds_of(given: Values) -> dict[str, Bounds]:
     """Bounds of the fields that are given."""
-    left_out = {name for name in ("base", "between") if given.get(name) is None}
-    return {name: bounds for name, bounds in _BOUNDS.items() if name in given and name not in left_out}
+    bounds = {name: BOUNDS[name] for name in BOUNDS if name in given}
+    for optional in ("base", "between"):
+        if optional in given and given[optional] is None:
+            del bounds[optional]
+    return bounds
 
 
-def _lines_errors(given: Mapping[str, Any], many: bool) -> list[str]:
+def _lines_errors(given: Values, many: bool) -> list[str]:
     """Of the ground, and of a level if there is one."""
     errors = points_errors("ground", given["ground"], many)
     if given["level"] is not None:
@@ -195,31 +208,34 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
     angle, run : float
         Of the slope in rad, up to upright, or its horizontal length in m; one of them.
     """
-    bounds = {
-        "height": (0.0, INFINITY, "a positive length in m"),
-        "run": (-5e-324, INFINITY, "a length of at least 0 in m"),
-        "angle": (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)"),
-    }
-    fields = {"height": height, "run": run, "angle": angle}
-    given = {name: value for name, value in fields.items() if value is not None}
-    bounds_of_given = {name: bounds[name] for name in given}
-    errors = mistakes(given, bounds_of_given)
-    if len(given) != 2:
+    bounds = {"height": (0.0, INFINITY, "a positive length in m")}
+    if run is not None:
+        bounds["run"] = (-5e-324, INFINITY, "a length of at least 0 in m")
+    if angle is not None:
+        bounds["angle"] = (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)")
+    fields: dict[str, Any] = {"height": height, "run": run, "angle": angle}
+    errors = mistakes(fields, bounds)
+    if (run is None) == (angle is None):
         errors.append("{angle} or {run}: give one of them")
     raise_all("simple_slope", errors)
     if angle is not None:
-        run = 0.0 if angle > 1.5707963 else height / float(np.tan(angle))
+        is_upright = angle > 1.5707963
+        run = 0.0 if is_upright else height / float(np.tan(angle))
     assert run is not None
     flat = 4 * height + run
-    return np.array([[-run - flat, height], [-run, height], [0.0, 0.0], [flat, 0.0]])
+    x = [-run - flat, -run, 0.0, flat]
+    y = [height, height, 0.0, 0.0]
+    return np.stack([x, y], axis=1)
 
 
-def _from_left(first: ArrayLike, second: ArrayLike) -> tuple[Floats, Floats]:
+def _from_left(first: ArrayLike, second: ArrayLike) -> tuple[Vectors, Vectors]:
     """Two points, or many pairs of them, each from left to right."""
     p = np.asarray(first, dtype=np.float64)
     q = np.asarray(second, dtype=np.float64)
     swap = p[..., :1] > q[..., :1]
-    return np.where(swap, q, p), np.where(swap, p, q)
+    left = np.where(swap, q, p)
+    right = np.where(swap, p, q)
+    return Vectors.of(left), Vectors.of(right)
 
 
 def circle_through(
@@ -234,30 +250,32 @@ def circle_through(
     """
     p, q = _from_left(first, second)
     chord = q - p
-    run, rise = np.moveaxis(chord, -1, 0)
-    half = np.hypot(run, rise) / 2
+    half = chord.length / 2
     raise_all("circle_through", _through_errors(chord, half, radius, depth))
     if depth is not None:
         below = np.asarray(depth)
         radius = (half**2 + np.square(below)) / (2 * below)
     size = np.asarray(radius)
-    above_chord = np.sqrt((size - half) * (size + half))
+    square = (size - half) * (size + half)
+    above_chord = np.sqrt(square)
     length = 2 * half
-    normal = np.stack([-rise, run], axis=-1) / length[..., None]
-    middle = (p + q) / 2
-    return middle + normal * above_chord[..., None], size[()]
+    upwards = Vectors(-chord.y, chord.x)
+    normal = Vectors(upwards.x / length, upwards.y / length)
+    middle = (p + q) * 0.5
+    centre = middle + normal * above_chord
+    return centre.points, size[()]
 
 
-def _through_errors(chord: Floats, half: Floats, radius: Any, depth: Any) -> list[str]:
+def _through_errors(chord: Vectors, half: Floats, radius: Any, depth: Any) -> list[str]:
     errors = []
     if (radius is None) == (depth is None):
         errors.append("{radius} or {depth}: give one of them")
-    if np.any(chord[..., 0] == 0.0):
+    if np.any(chord.x == 0.0):
         errors.append("the two points have the same x; a slip circle connects two sides")
-    elif radius is not None and np.any(np.asarray(radius) < half):
+    elif radius is not None and np.any(np.less(radius, half)):
         least = f"at least half the distance of the points, {np.max(half):.10g}"
         errors.append(f"{{radius}} = {np.min(radius):.10g}: must be {least}")
-    elif depth is not None and np.any((np.asarray(depth) <= 0.0) | (np.asarray(depth) > half)):
+    elif depth is not None and np.any(np.less_equal(depth, 0.0) | np.greater(depth, half)):
         most = f"at most half the distance of the points, {np.min(half):.10g}"
         errors.append(f"{{depth}} = {np.max(depth):.10g}: must be above 0 and {most}")
     return errors
@@ -278,11 +296,11 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     """
     p, q = _from_left(first, second)
     base = np.asarray(level, dtype=np.float64)
-    from_left = p[..., 1] - base
-    from_right = q[..., 1] - base
-    run = (q - p)[..., 0]
-    high = np.maximum(from_left, from_right)
-    low = np.minimum(from_left, from_right)
+    run = q.x - p.x
+    left_height = p.y - base
+    right_height = q.y - base
+    high = np.maximum(left_height, right_height)
+    low = np.minimum(left_height, right_height)
     too_high = (low < 0.0) | (high <= 0.0)
     if np.any(too_high) or np.any(run == 0.0):
         raise ValueError(
@@ -292,12 +310,12 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     rise = high - low
     square = run**2 + rise**2
     root = np.sqrt(high * low * square)
-    numerator = high * (run**2 - low * rise)
+    difference = run**2 - low * rise
+    numerator = high * difference
     denominator = high * run + root
     away = numerator / denominator
     radius = (away**2 + high**2) / (2 * high)
-    from_left_end = p[..., 0] + away
-    from_right_end = q[..., 0] - away
-    x = np.where(from_left >= from_right, from_left_end, from_right_end)
-    centre = np.stack([x, base + radius], axis=-1)
-    return centre, radius[()]
+    left_is_higher = left_height >= right_height
+    x = np.where(left_is_higher, p.x + away, q.x - away)
+    centre = Vectors(x, base + radius)
+    return centre.points, radius[()]

@@ -12,10 +12,10 @@ Lengths are over R and from the centre. Angles are from straight below the centr
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import slopes
-from slipcircle.core.scene.circles import Cut, Floats, cut
+from slipcircle.base.kinds import Floats, Integers
+from slipcircle.core.scene.circles import Cut, cut
 from slipcircle.core.scene.ground import continued
 from slipcircle.core.scene.plane import Vectors
 
@@ -46,7 +46,7 @@ class HeightIntegrals(NamedTuple):
 
     pieces: _Pieces
     slope: Floats  # of the edge above each piece, (n, pieces)
-    edge: NDArray[np.int64]  # its number, (pieces,)
+    edge: Integers  # its number, (pieces,)
     line: Floats  # vertices of the line with its continuations, over R from the centre, (n, V, 2)
 
     @property
@@ -56,14 +56,14 @@ class HeightIntegrals(NamedTuple):
 
     def integral(self, first: Floats, last: Floats) -> Floats:
         """Over arcs from one angle to another, (..., n)."""
-        turns = _whole_turns(first)
-        first_angle = (first - turns)[..., None]
-        last_angle = (last - turns)[..., None]
+        first_angle, last_angle = _in_first_turn(first, last)
         total = np.zeros(np.shape(first))
         together = max(1, _TOGETHER // np.size(first))
         for k in range(0, len(self.edge), together):
             chosen = slice(k, k + together)
-            by_piece = _over_parts(self.pieces.only(chosen), self.slope[:, chosen], first_angle, last_angle)
+            pieces = self.pieces.only(chosen)
+            slope = self.slope[:, chosen]
+            by_piece = _over_parts(pieces, slope, first_angle, last_angle)
             total += by_piece.sum(axis=-1)
         return total
 
@@ -77,25 +77,25 @@ class HeightIntegrals(NamedTuple):
         slope = self.slope[0]
         upwards = np.ones_like(slope)
         direction = np.stack([-slope, upwards], axis=1)
-        by_vertex = np.zeros((*first.shape, *self.line.shape[1:]))
-        for k, hat in enumerate(hats):
-            vertex: Any = (..., self.edge + k, slice(None))
+        last_vertex = self.line.shape[1] - 3
+        by_vertex = np.zeros((*first.shape, last_vertex + 1, 2))
+        for k, hat in enumerate(hats, -1):
+            vertex = np.clip(self.edge + k, 0, last_vertex)
+            at_vertex: Any = (..., vertex, slice(None))
             moved = hat[..., None] * direction
-            np.add.at(by_vertex, vertex, moved)
-        by_vertex[..., 1, :] += by_vertex[..., 0, :]
-        by_vertex[..., -2, :] += by_vertex[..., -1, :]
-        return by_vertex[..., 1:-1, :]
+            np.add.at(by_vertex, at_vertex, moved)
+        return by_vertex
 
     def _hat_integrals(self, first: Floats, last: Floats) -> tuple[Floats, Floats]:
         """Of the hat functions of both vertices of the edge above each piece, over arcs of a single circle.
 
         That of the second one is (sin - x)/run, x of the first one; both together are 1.
         """
-        turns = _whole_turns(first)
+        first_angle, last_angle = _in_first_turn(first, last)
         low = self.pieces.low[0]
         high = self.pieces.high[0]
-        start = np.clip((first - turns)[..., None], low, high)
-        stop = np.clip((last - turns)[..., None], low, high)
+        start = np.clip(first_angle, low, high)
+        stop = np.clip(last_angle, low, high)
         line_x = self.line[0, :, 0]
         x = line_x[self.edge]
         run = line_x[self.edge + 1] - x
@@ -106,12 +106,15 @@ class HeightIntegrals(NamedTuple):
 
     def at(self, angle: Floats) -> Floats:
         """Height above the arc of a single circle at angles, (...,)."""
-        beta = (angle - _whole_turns(angle))[..., None]
-        above = (self.pieces.low[0] <= beta) & (beta < self.pieces.high[0])
+        beta, _ = _in_first_turn(angle, angle)
+        is_behind = self.pieces.low[0] <= beta
+        is_ahead = self.pieces.high[0] > beta
         vertex = Vectors.of(self.line[0, self.edge])
         from_vertex = np.sin(beta) - vertex.x
-        height = vertex.y + self.slope[0] * from_vertex + np.cos(beta)
-        return np.where(above, height, 0.0).sum(axis=-1)
+        arc_depth = np.cos(beta)
+        height = vertex.y + self.slope[0] * from_vertex + arc_depth
+        by_piece = np.where(is_behind & is_ahead, height, 0.0)
+        return by_piece.sum(axis=-1)
 
 
 def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> Any:
@@ -121,7 +124,9 @@ def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> 
     stop = np.clip(last, low, high)
     if np.array_equal(start, stop):
         return np.zeros(1)
-    is_whole = (start <= low) & (stop >= high)
+    from_low = start <= low
+    to_high = stop >= high
+    is_whole = from_low & to_high
     angle = np.where(is_whole, span, stop - start)
     ahead = start - low
     along = np.sin(ahead)
@@ -129,19 +134,26 @@ def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> 
     more_sine = cosine * along - sine * bent
     more_cosine = -sine * along - cosine * bent
     start_height = height + slope * more_sine + more_cosine
-    return slopes.head(angle, sine + more_sine, cosine + more_cosine, start_height, slope)
+    start_sine = sine + more_sine
+    start_cosine = cosine + more_cosine
+    return slopes.head(angle, start_sine, start_cosine, start_height, slope)
 
 
-def _whole_turns(angle: Floats) -> Any:
-    """The angle of the whole turns by which an angle is beyond the turn from -3 pi/2."""
+def _in_first_turn(first: Floats, last: Floats) -> tuple[Floats, Floats]:
+    """Both ends of arcs, (..., n, 1), after whole turns that bring the first one within a turn from -3 pi/2."""
     turn = 2 * np.pi
-    return turn * np.floor((angle + 1.5 * np.pi) / turn)
+    ahead = (first + 1.5 * np.pi) / turn
+    turns = turn * np.floor(ahead)
+    new_first = first - turns
+    new_last = last - turns
+    return new_first[..., None], new_last[..., None]
 
 
 def integral_inside(parts: Cut) -> Floats:
     """Of the heights of the parts of edges inside circles, (n, E), above arcs that do not overhang."""
     pieces = _inside(parts)
-    integral = slopes.head(pieces.span, pieces.sine, pieces.cosine, pieces.height, _slope(parts.part))
+    slope = _slope(parts.part)
+    integral = slopes.head(pieces.span, pieces.sine, pieces.cosine, pieces.height, slope)
     return np.asarray(integral)
 
 
@@ -155,9 +167,12 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     x = centre[:, 0]
     beyond = 2 * radius
     points = continued(of_circles, x - beyond, x + beyond)
-    line = (points - centre[:, None]) / radius[:, None, None]
-    slope = _slope(Vectors.of(points).edges)
-    lower, upper = _halves(cut(points, centre, radius), Vectors.of(line), slope)
+    from_centre = points - centre[:, None]
+    line = from_centre / radius[:, None, None]
+    edges = Vectors.of(points).edges
+    slope = _slope(edges)
+    parts = cut(points, centre, radius)
+    lower, upper = _halves(parts, Vectors.of(line), slope)
 
     turn = 2 * np.pi
     before = [pieces.turned(-turn) for pieces in upper]
@@ -165,25 +180,31 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     two_turns = [*before, *lower, *upper, *after]
     columns = [np.concatenate(column, axis=1) for column in zip(*two_turns, strict=True)]
     every = _Pieces(*columns)
-    used = np.flatnonzero(np.any(every.span > 0.0, axis=0))
+    has_width = every.span > 0.0
+    used = np.flatnonzero(has_width.any(axis=0))
+    pieces = every.only(used)
     edge = used % slope.shape[1]
-    return HeightIntegrals(every.only(used), slope[:, edge], edge, line)
+    return HeightIntegrals(pieces, slope[:, edge], edge, line)
 
 
 def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[_Pieces], list[_Pieces]]:
     """Pieces over the lower halves of circles, below all three parts of edges, and over the upper halves."""
-    start = line[:, :-1]
-    last = line.x[:, 1:]
-    inside = parts.part.is_nonzero
-    enters = np.where(inside, parts.start.x, last)
-    leaves = np.where(inside, parts.start.x + parts.part.x, last)
+    start = line.starts
+    last = line.ends.x
+    has_part_inside = parts.part.is_nonzero
+    entry = parts.start
+    exit_ = entry + parts.part
+    enters = np.where(has_part_inside, entry.x, last)
+    leaves = np.where(has_part_inside, exit_.x, last)
     before, before_upper = _outside(start, slope, start.x, enters)
     after, after_upper = _outside(start, slope, leaves, last)
-    return [_inside(parts), before, after], [before_upper, after_upper]
+    inside = _inside(parts)
+    return [inside, before, after], [before_upper, after_upper]
 
 
 def _slope(edge: Vectors) -> Floats:
-    return np.divide(edge.y, edge.x, out=np.zeros(edge.x.shape), where=edge.x > 0.0)
+    of_scarps = np.zeros_like(edge.x)
+    return np.divide(edge.y, edge.x, out=of_scarps, where=edge.x > 0.0)
 
 
 def _inside(parts: Cut) -> _Pieces:
@@ -196,7 +217,9 @@ def _inside(parts: Cut) -> _Pieces:
     end = parts.start + parts.part
     cosine = np.sqrt(y**2 + parts.first)
     end_cosine = np.sqrt(end.y**2 + parts.second)
-    height = np.divide(parts.first, cosine - y, out=cosine + y, where=y < 0.0)
+    difference = cosine - y
+    total = cosine + y
+    height = np.divide(parts.first, difference, out=total, where=y < 0.0)
     low = np.arctan2(x, cosine)
     high = np.arctan2(end.x, end_cosine)
     span = _span(parts.part.x, cosine, end_cosine)
@@ -211,12 +234,17 @@ def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tupl
     end_y = start.y + slope * (end_x - start.x)
     cosine = _half_width(x)
     end_cosine = _half_width(end_x)
-    above = (end_x > x) & (y + end_y > 0.0)
-    span = np.where(above, _span(end_x - x, cosine, end_cosine), 0.0)
+    run = end_x - x
+    is_above = (run > 0.0) & (y + end_y > 0.0)
+    full_span = _span(run, cosine, end_cosine)
+    span = np.where(is_above, full_span, 0.0)
     low = np.arctan2(x, cosine)
-    high = np.where(above, np.arctan2(end_x, end_cosine), low)
-    lower = _Pieces(low, high, span, x, cosine, y + cosine)
-    upper = _Pieces(np.pi - high, np.pi - low, span, end_x, -end_cosine, end_y - end_cosine)
+    end_angle = np.arctan2(end_x, end_cosine)
+    high = np.where(is_above, end_angle, low)
+    above_lower = y + cosine
+    above_upper = end_y - end_cosine
+    lower = _Pieces(low, high, span, x, cosine, above_lower)
+    upper = _Pieces(np.pi - high, np.pi - low, span, end_x, -end_cosine, above_upper)
     return lower, upper
 
 

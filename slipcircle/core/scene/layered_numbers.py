@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from generated.effects import LAWS
+from slipcircle.base.kinds import Values
 from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.soils import SOIL_NUMBERS, Soil, share_one_law
 
@@ -23,7 +24,7 @@ class LayeredNumbers:
     layers: Sequence[tuple[Soil, Any]]
     foreland: Soil | None
     surcharge: Sequence[Load]
-    rate: Mapping[str, Any] | None
+    rate: Values | None
     crack: Any
 
     @cached_property
@@ -50,10 +51,10 @@ class LayeredNumbers:
             numbers["crack"] = self.crack
         return numbers
 
-    def fields_with(self, values: Mapping[str, Any]) -> dict[str, Any]:
+    def fields_with(self, values: Values) -> dict[str, Any]:
         """The fields that these numbers are of, with other values."""
         known = self.other_numbers()
-        changed = {name: value for name, value in values.items() if value is not known[name]}
+        changed = {name: values[name] for name in values if values[name] is not known[name]}
         if not changed:
             return {}
         if share_one_law(self.soils):
@@ -95,7 +96,7 @@ def _numbers_of_soil(soil: Soil) -> dict[str, Any]:
     return numbers
 
 
-def _numbers_of_law(start: str, law: Mapping[str, Any]) -> dict[str, Any]:
+def _numbers_of_law(start: str, law: Values) -> dict[str, Any]:
     """The numbers of a law by name; a table has none."""
     numbers = {}
     for parameter in LAWS[law["law"]].parameters:
@@ -112,7 +113,7 @@ def _height(top: Any) -> Any:
     return heights[..., 0]
 
 
-def _share_length(changed: dict[str, Any], known: Mapping[str, Any]) -> None:
+def _share_length(changed: dict[str, Any], known: Values) -> None:
     """Give the slip length of one soil to all, as a law that they share has one."""
     lengths = [name for name in known if name.endswith(".friction.length")]
     given = [changed[name] for name in changed if name in lengths]
@@ -121,12 +122,16 @@ def _share_length(changed: dict[str, Any], known: Mapping[str, Any]) -> None:
             changed.setdefault(name, given[0])
 
 
-def _within(start: str, values: Mapping[str, Any]) -> dict[str, Any]:
+def _within(start: str, values: Values) -> dict[str, Any]:
     """The values whose names begin so, by the rest of their names."""
-    return {name.removeprefix(start): value for name, value in values.items() if name.startswith(start)}
+    within = {}
+    for name, value in values.items():
+        if name.startswith(start):
+            within[name.removeprefix(start)] = value
+    return within
 
 
-def _soil_with(soil: Soil, values: Mapping[str, Any]) -> Soil:
+def _soil_with(soil: Soil, values: Values) -> Soil:
     """A soil with other values of its numbers, by their names in the section."""
     changed = _within(f"soils.{soil.name}.", values)
     law = _within("friction.", changed)
@@ -158,5 +163,5 @@ def _moved(top: Any, height: Any) -> Any:
         line = lines[0]
     first_height = line[0, 1]
     rise = np.asarray(height - first_height)[..., None]
-    shift = np.stack(np.broadcast_arrays(0.0, rise), axis=-1)
-    return line + shift
+    shift = np.broadcast_arrays(0.0, rise)
+    return line + np.stack(shift, axis=-1)

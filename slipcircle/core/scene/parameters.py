@@ -7,17 +7,18 @@ all replace values by these names; how a scene file calls them is the file reade
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from generated import effects as declared
+from slipcircle.base.kinds import Flags, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
 from slipcircle.core.scene.friction import law_parts, law_paths, without_soil
-from slipcircle.core.scene.ground import FAR
+from slipcircle.core.scene.ground import BOUNDS, FAR
 from slipcircle.core.scene.scene import Scene
 
 ARC_UNITS = {
@@ -28,21 +29,23 @@ ARC_UNITS = {
     "gravity": "m/s^2",
     "width": "m",
 }
-_STRESS = (-5e-324, 1e12)
+_SOIL_UNITS = {
+    "unit_weight": "N/m^3",
+    "saturated_unit_weight": "N/m^3",
+    "cohesion": "Pa",
+    "cohesion_gradient": "Pa/m",
+    "pore_ratio": "",
+    "top": "m",
+    "pressure": "Pa",
+}
 _COEFFICIENT = ("", -5e-324, declared.LIMITS[""][1])
-SOIL_BOUNDS: dict[str, tuple[str, float, float]] = {
-    "unit_weight": ("N/m^3", 0.0, 1e6),
-    "saturated_unit_weight": ("N/m^3", 0.0, 1e6),
-    "cohesion": ("Pa", *_STRESS),
-    "cohesion_gradient": ("Pa/m", *_STRESS),
-    "pore_ratio": ("", -5e-324, 1.0),
-    "top": ("m", -FAR, FAR),
+SOIL_BOUNDS: dict[str, tuple[str, float, float]] = {  # units, and open bounds
+    **{name: (unit, *BOUNDS[name][:2]) for name, unit in _SOIL_UNITS.items()},
     "friction": _COEFFICIENT,
     "peak": _COEFFICIENT,
     "residual": _COEFFICIENT,
     "length": ("m", *declared.LIMITS["m"]),
     "velocity": ("m/s", *declared.LIMITS["m/s"]),
-    "pressure": ("Pa", *_STRESS),
     "crack": ("m", 0.0, FAR),
 }
 SMALLEST = 5e-324  # a lower bound of minus this allows zero, as all bounds are open
@@ -61,20 +64,23 @@ class Parameter:
 
     def allows(self, values: Any) -> Any:
         """Which values lie within the bounds; never what is infinite or NaN."""
-        return (values > self.lower) & (values < self.upper) & (abs(values) < math.inf)
+        is_finite = abs(values) < math.inf
+        return is_finite & (values > self.lower) & (values < self.upper)
 
 
 DIP = Parameter("dip", "rad", -SMALLEST, math.pi / 2)
+_, _GREATEST_SPEED = declared.LIMITS["m/s"]
 _MOTION = (
-    Parameter("initial_velocity", "m/s", -declared.LIMITS["m/s"][1], declared.LIMITS["m/s"][1]),
+    Parameter("initial_velocity", "m/s", -_GREATEST_SPEED, _GREATEST_SPEED),
     Parameter("end_time", "s", *declared.LIMITS["s"]),
 )
 
 
 def parameters(scene: Scene) -> dict[str, Parameter]:
     """Every number that a scene with this arc and friction law may have, whether it has a value of it or not."""
-    of_effects = [p for name, effect in declared.EFFECTS.items() for p in _scalars(name, effect.parameters)]
-    every = (*_MOTION, *_parameters_of_arc(scene.arc), *_parameters_of_friction(scene.friction), *of_effects)
+    every = [*_MOTION, *_parameters_of_arc(scene.arc), *_parameters_of_friction(scene.friction)]
+    for name, effect in declared.EFFECTS.items():
+        every += _scalars(name, effect.parameters)
     return {parameter.name: parameter for parameter in every}
 
 
@@ -118,7 +124,7 @@ def parameter_value(scene: Scene, name: str) -> float | None:
     return None if value is None else float(np.asarray(value))
 
 
-def with_parameters(scene: Scene, values: Mapping[str, Any]) -> Scene:
+def with_parameters(scene: Scene, values: Values) -> Scene:
     """A scene with other values of its numbers, SI: of each one number, or an array of them.
 
     Nothing of it is uncertain any more.
@@ -130,18 +136,20 @@ def with_parameters(scene: Scene, values: Mapping[str, Any]) -> Scene:
     """
     numbers = {name: value if np.ndim(value) else float(value) for name, value in values.items()}
     changed = _fields_with(scene, numbers)
-    arc = replace(scene.arc, **changed["arc"]) if changed["arc"] else scene.arc
-    return Scene(**_fields_of(scene) | changed | {"arc": arc})
+    of_arc = changed.pop("arc")
+    arc = replace(scene.arc, **of_arc) if of_arc else scene.arc
+    return replace(scene, arc=arc, **changed)
 
 
-def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, NDArray[np.bool_]]:
+def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, Flags]:
     """A scene of arrays of numbers, SI, and which of its lanes are no scenes: `solve` takes both.
 
     A value out of bounds or an impossible section makes its lane invalid, not the call an error. In such lanes the
     scene has the values of the first valid one.
     """
     known = parameters(scene)
-    allowed = np.broadcast_arrays(*(known[name].allows(value) for name, value in values.items()))
+    allowed_by_name = [known[name].allows(value) for name, value in values.items()]
+    allowed = np.broadcast_arrays(*allowed_by_name)
     invalid = ~np.logical_and.reduce(allowed)
     before: dict[str, Any] = {name: parameter_value(scene, name) for name in values}
     while True:
@@ -162,12 +170,7 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]
         invalid = invalid | impossible
 
 
-def _fields_of(scene: Scene) -> dict[str, Any]:
-    """What a scene is made of, by the names of its fields."""
-    return {f.name: getattr(scene, f.name) for f in fields(Scene)}
-
-
-def _fields_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
+def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
     """The fields of a scene, and under "arc" those of its arc that change, with other values of numbers; unchecked."""
     arc = changed_fields(scene.arc, values)
     if DIP.name in values:
@@ -200,7 +203,8 @@ def _fields_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
 def _friction_with(friction: Any, number: str, value: Any) -> Any:
     """A friction with another value of one number: "" is a constant's, "rate.peak" of the law of speed beside it."""
     if not number:
-        return value
+        beside_rate = isinstance(friction, Mapping) and friction["law"] == "constant"
+        return {**friction, "coefficient": value} if beside_rate else value
     assert isinstance(friction, Mapping)
     rate, _, name = number.rpartition(".")
     if not rate:

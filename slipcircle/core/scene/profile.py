@@ -15,25 +15,27 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.polynomial import chebyshev
 
+from slipcircle.base.kinds import Floats, Integers
 from slipcircle.core.scene.strips import Strips
 
-Floats = NDArray[np.float64]
 AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y, HEAD = range(8)  # rows; the head is over beta, not x
 _COUNT = 14  # of the coefficients of a piece
-_NODES = np.cos(np.pi * (np.arange(_COUNT) + 0.5) / _COUNT)
+_MIDDLES = np.arange(_COUNT) + 0.5
+_NODES = np.cos(np.pi * _MIDDLES / _COUNT)
 _ACCURACY = 1e-15
 _SHORTEST = 1e-4  # width of a piece, rad
 
 
 def _integrating() -> Floats:
     """From values at the nodes to the coefficients of the integral from the left end, (`_COUNT` + 1, `_COUNT`)."""
-    basis = np.polynomial.chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0)
-    return np.asarray(basis @ _TO_CHEBYSHEV)
+    integral = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0)
+    return np.asarray(integral @ _TO_CHEBYSHEV)
 
 
-_TO_CHEBYSHEV = np.linalg.inv(np.polynomial.chebyshev.chebvander(_NODES, _COUNT - 1))
+_AT_NODES = chebyshev.chebvander(_NODES, _COUNT - 1)  # values of the polynomials
+_TO_CHEBYSHEV = np.linalg.inv(_AT_NODES)
 _INTEGRAL = _integrating()
 
 
@@ -56,29 +58,33 @@ class Profile(NamedTuple):
 
     def up_to(self, beta: Floats) -> Floats:
         """The integrals up to directions (M, circles) within the arcs, (integrals, surfaces, M, circles)."""
-        edges = self.edges
+        first_edge, *inner_edges, last_edge = self.edges
         series = self.series
-        inside = np.clip(beta, edges[0], edges[-1])
+        inside = np.clip(beta, first_edge, last_edge)
         piece = np.zeros(inside.shape, dtype=np.intp)
-        for edge in edges[1:-1]:
+        for edge in inner_edges:
             piece += inside.real >= edge.real
         circle = np.arange(inside.shape[1])
-        first = edges[piece, circle]
-        width = edges[piece + 1, circle] - first
+        first = self.edges[piece, circle]
+        last = self.edges[piece + 1, circle]
+        width = last - first
         divisor = np.where(width != 0.0, width, 1.0)
         share = (inside - first) / divisor
         argument = 4.0 * share - 2.0  # of Chebyshev polynomials, twice
         place = argument[:, :, None, None]
 
-        _, integrals, surfaces, _ = self.before.shape
+        _, terms, integrals, surfaces, _ = series.shape
         ahead = np.zeros((*inside.shape, integrals, surfaces), dtype=series.dtype)
         after = ahead
-        last_term = series.shape[1] - 1
+        last_term = terms - 1
         for k in range(last_term, 0, -1):  # Clenshaw's recurrence
             coefficient = series[piece, k, :, :, circle]
-            ahead, after = coefficient + place * ahead - after, ahead
+            next_ahead = coefficient + place * ahead - after
+            after = ahead
+            ahead = next_ahead
         up_to_piece = self.before[piece, :, :, circle]
-        constant = up_to_piece + series[piece, 0, :, :, circle]
+        first_term = series[piece, 0, :, :, circle]
+        constant = up_to_piece + first_term
         total = constant + place / 2 * ahead - after
         return np.moveaxis(total, (2, 3), (0, 1))
 
@@ -89,13 +95,15 @@ class Profile(NamedTuple):
 
     def of(self, rows: Sequence[int]) -> "Profile":
         """Some of the integrals."""
-        return Profile(self.edges, self.before[:, rows], self.series[:, :, rows])
+        before = self.before[:, rows]
+        series = self.series[:, :, rows]
+        return Profile(self.edges, before, series)
 
     def combined(self, steps: Floats) -> "Profile":
         """Of one surface that stands for all: their sum with steps of the unit weight, (surfaces, circles)."""
-        before = np.einsum("kisc,sc->kic", self.before, steps)[:, :, None]
-        series = np.einsum("ktisc,sc->ktic", self.series, steps)[:, :, :, None]
-        return Profile(self.edges, before, series)
+        before = np.einsum("kisc,sc->kic", self.before, steps)
+        series = np.einsum("ktisc,sc->ktic", self.series, steps)
+        return Profile(self.edges, np.expand_dims(before, -2), np.expand_dims(series, -2))
 
 
 class _Piece(NamedTuple):
@@ -117,7 +125,8 @@ def profile_of(strips: Strips) -> Profile:
     edges = np.concatenate([firsts, lasts[-1:]])
     each = series.sum(axis=1)  # at the right end every Chebyshev polynomial is 1
     nothing = np.zeros_like(each[:1])
-    before = np.concatenate([nothing, np.cumsum(each, axis=0)])
+    up_to_ends = np.cumsum(each, axis=0)
+    before = np.concatenate([nothing, up_to_ends])
     return Profile(edges, before, series)
 
 
@@ -144,7 +153,8 @@ def _converged(strips: Strips) -> list[_Piece]:
         chebyshev = np.tensordot(_TO_CHEBYSHEV, values, (1, 2))  # terms, integrals, surfaces, pieces, circles
         size = np.abs(chebyshev)
         scale = max(scale, float(size.max(initial=0.0)))
-        tail = size[-2:].max(axis=(0, 1, 2))
+        last_terms = size[-2:]
+        tail = last_terms.max(axis=(0, 1, 2))
         is_truncated = (tail > _ACCURACY * scale).any(axis=1)
         is_long = (width.real > _SHORTEST).any(axis=1)
         rough = is_truncated & is_long
@@ -163,7 +173,7 @@ def _converged(strips: Strips) -> list[_Piece]:
     return done
 
 
-def _integrands(strips: Strips, strip: NDArray[np.intp], beta: Floats) -> Floats:
+def _integrands(strips: Strips, strip: Integers, beta: Floats) -> Floats:
     """What is integrated, at directions (nodes, pieces, circles) in strips: (integrals, surfaces, nodes, ...)."""
     x = np.sin(beta)
     c = np.cos(beta)
@@ -174,14 +184,14 @@ def _integrands(strips: Strips, strip: NDArray[np.intp], beta: Floats) -> Floats
     slope = _by_strip(strips.slope, strip)
     y = at_left + slope * beyond
     height = y + c
-    is_above = _by_strip(strips.above, strip) & (height > 0.0)
+    has_height = height > 0.0
+    is_above = has_height & _by_strip(strips.above, strip)
     height = np.where(is_above, height, 0.0)
     columns = _over_height(x, c, height)
     if strips.loads:
-        middle = (left + edges[strip + 1]) / 2
-        ground, *_ = strips.y
-        ground_slope, *_ = strips.slope
-        on_ground = ground.T[strip] + ground_slope.T[strip] * beyond
+        right = edges[strip + 1]
+        middle = (left + right) / 2
+        on_ground, *_ = y
         of_loads = _of_loads(strips, x, on_ground, middle)
         columns = np.concatenate([columns, of_loads], axis=1)
     return np.asarray(columns * c)
@@ -193,7 +203,8 @@ def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
     rho = np.sqrt(1.0 - gap)
     inward = gap / (1.0 + rho)  # 1 - rho
     to_top = rho + c - h
-    log = np.log1p((inward + h) / to_top)
+    ratio = (inward + h) / to_top
+    log = np.log1p(ratio)
     square = x * x
     polar = h * rho + c * inward + square * log
     of_heights = (h * h - 3.0 * c * h) / 3
@@ -211,9 +222,10 @@ def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
     return np.stack([rows[k] for k in range(len(rows))])
 
 
-def _by_strip(values: Any, strip: NDArray[np.intp]) -> Any:
+def _by_strip(values: Any, strip: Integers) -> Any:
     """Of (surfaces, circles, strips) those of some strips, (surfaces, 1, pieces, circles)."""
-    return values[:, :, strip].transpose(0, 2, 1)[:, None]
+    chosen = values[:, :, strip].transpose(0, 2, 1)
+    return chosen[:, None]
 
 
 def _of_loads(strips: Strips, x: Floats, y: Floats, middle: Floats) -> Floats:
@@ -223,15 +235,12 @@ def _of_loads(strips: Strips, x: Floats, y: Floats, middle: Floats) -> Floats:
         first, last = (end[:, 0] for end in load)
         width = last - first
         share = (x - first) / width
+        rest = 1.0 - share
         under = (middle > first) & (middle < last)
-        falling = np.where(under, 1.0 - share, 0.0)
-        rising = np.where(under, share, 0.0)
-        pressures += [falling, rising]
+        pressures += [np.where(under, rest, 0.0), np.where(under, share, 0.0)]
     square = x * x + y * y
     rho = np.sqrt(square)
-    across = x / rho
-    up = y / rho
-    integrands = (1.0, rho, rho * rho, across, up, x, y, 0.0)
+    integrands: list[Any] = [1.0, rho, rho * rho, x / rho, y / rho, x, y, 0.0]
     values = np.stack(np.broadcast_arrays(*integrands))
     every_pressure = np.stack(pressures)
     return np.asarray(values[:, None] * every_pressure)

@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, complaint, raise_all
-from slipcircle.core.scene.circles import Floats
+from slipcircle.base.kinds import Effects, Floats
 from slipcircle.core.scene.errors import geometry_errors, motion_errors
 from slipcircle.core.scene.geometry import SectionGeometry
 from slipcircle.core.scene.ground import line_errors, section_errors
 from slipcircle.core.scene.heights import HeightIntegrals, height_integrals
 from slipcircle.core.scene.plane import Vectors
-from slipcircle.core.scene.weights import Dimensionless, Effects, MomentCoefficients, SlidingBody
+from slipcircle.core.scene.weights import Dimensionless, MomentCoefficients, SlidingBody
 
 # The fields that the geometry consists of, and what is computed of them alone.
 _GEOMETRY = ("ground", "centre", "radius", "between", "level")

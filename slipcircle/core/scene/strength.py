@@ -15,9 +15,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats, Parameters
 from slipcircle.core.scene.friction import OF_SOIL
-from slipcircle.core.scene.profile import Floats
-from slipcircle.core.scene.soils import share_one_law
+from slipcircle.core.scene.soils import distinct, share_one_law
 from slipcircle.core.scene.stretches import StretchIntegrals
 
 
@@ -77,24 +77,24 @@ class ArcStrength(StretchIntegrals):
     def _still(self) -> dict[str, Floats]:
         """The parts at the start, by name, (parts, circles)."""
         circles = len(self.section._facing)
-        still = np.zeros((1, circles))
         names = ["normal", "space"]
         if any(datum is not None for datum in self.section.datums):
             names.append("growth")
         if self.section.level is not None:
             names.append("heads")
-        return {name: part[:, 0] for name, part in self.parts(still, names).items()}
+        parts = self.parts(np.zeros((1, circles)), names)
+        return {name: part[:, 0] for name, part in parts.items()}
 
     @cached_property
     def _by_soil(self) -> dict[str, Floats]:
         """What presses on the stretches of each soil at the start, over the mean unit weight, (soils, lanes)."""
         _, weights = self._surfaces
-        surfaces = len(weights)
         at_joints = self.incidence[:-1]
+        joints, _, circles = at_joints.shape
         by_soil = {}
         for name in ("normal", "tilt", "inertia", "overburden"):
             part = self._still[name]
-            by_joint = part.reshape(-1, surfaces, part.shape[-1])
+            by_joint = part.reshape(joints, len(weights), circles)
             by_surface = np.einsum("jic,jsc->sic", at_joints, by_joint)
             by_soil[name] = over_circles(by_surface, weights)
         return by_soil
@@ -104,21 +104,28 @@ class ArcStrength(StretchIntegrals):
         by_soil = self._by_soil[name] * quantity
         return np.asarray(by_soil.sum(axis=0))
 
+    @property
+    def _normal_load(self) -> Floats:
+        """J_r at the start, (lanes,)."""
+        return np.asarray(-self.section._weighted_moments["radial_y"])
+
     def _mean(self, quantity: Floats) -> Floats:
         """Mean of a friction coefficient over the arc, by the normal forces at the start, (lanes,)."""
-        return self._at_start("normal", quantity) / -self.section._weighted_moments["radial_y"]
+        return self._at_start("normal", quantity) / self._normal_load
 
     @cached_property
     def _peak(self) -> Floats:
         return self.section.of_soils(lambda s: s.peak)
 
     @cached_property
-    def _softens(self) -> bool:
-        return any(isinstance(soil.friction, Mapping) for soil in self.section.soils)
+    def _laws(self) -> list[Parameters]:
+        """Friction laws of those soils whose friction is no constant."""
+        frictions = [soil.friction for soil in self.section.soils]
+        return [friction for friction in frictions if isinstance(friction, Mapping)]
 
     @cached_property
     def _residual(self) -> Floats:
-        return self.section.of_soils(lambda s: s.residual) if self._softens else self._peak
+        return self.section.of_soils(lambda s: s.residual)
 
     @cached_property
     def mean_peak(self) -> Floats:
@@ -128,7 +135,7 @@ class ArcStrength(StretchIntegrals):
     @cached_property
     def mean_residual(self) -> Floats:
         """Friction coefficient of the whole arc after much slip, by the normal forces at the start, (lanes,)."""
-        return self._mean(self._residual) if self._softens else self.mean_peak
+        return self._mean(self._residual)
 
     @cached_property
     def _shares(self) -> tuple[Floats, Floats]:
@@ -140,7 +147,7 @@ class ArcStrength(StretchIntegrals):
         has_friction = self.mean_peak != 0.0
         mean = np.where(has_friction, self.mean_peak, 1.0)
         share = np.where(has_friction, self._peak / mean, 1.0)
-        if not self._softens:
+        if not self._laws:
             return share, np.zeros(1)
         lost = self._peak - self._residual
         mean_lost = self.mean_peak - self.mean_residual
@@ -157,17 +164,15 @@ class ArcStrength(StretchIntegrals):
     @cached_property
     def friction(self) -> MeanFriction:
         """The friction of the arc as a whole, as a `Scene` takes it: its mean, by the normal forces at the start."""
+        peak = self.section._shaped(self.mean_peak)
         rate = {} if self.section.rate is None else {"rate": self.section.rate}
         if self._own_laws:
             by_soil = {soil.name: soil.friction for soil in self._distinct_soils}
-            peak = self.section._shaped(self.mean_peak)
             return MeanFriction(law="of each soil", coefficient=peak, soils=by_soil, **rate)
-        peak = self.section._shaped(self.mean_peak)
-        residual = self.section._shaped(self.mean_residual)
-        laws = [soil.friction for soil in self.section.soils if isinstance(soil.friction, Mapping)]
-        if not laws:
+        if not self._laws:
             return MeanFriction(law="constant", coefficient=peak, **rate)
-        return MeanFriction(laws[0], peak=peak, residual=residual, **rate)
+        residual = self.section._shaped(self.mean_residual)
+        return MeanFriction(self._laws[0], peak=peak, residual=residual, **rate)
 
     def terms(self, rotates: bool, shaken: bool, complete: bool = False) -> dict[str, Any]:
         """What the balance takes beyond a homogeneous mass with the mean friction, over Theta*: numbers and functions.
@@ -181,17 +186,21 @@ class ArcStrength(StretchIntegrals):
             terms = {"strength": self._cohesion(rotates, complete)}
             if not self._own_laws:
                 terms |= self._friction_terms(rotates, shaken, complete)
-            self._terms[key] = {name: term for name, term in terms.items() if complete or _counts(term)}
+            zeros = [] if complete else [name for name in terms if not _counts(terms[name])]
+            for name in zeros:
+                del terms[name]
+            self._terms[key] = terms
         return self._terms[key]
 
     def _friction_terms(self, rotates: bool, shaken: bool, complete: bool) -> dict[str, Any]:
         """What friction under one law of slip takes hold of beyond its mean: of its share, and of what remains."""
         share, remaining = self._shares
         names = ("normal", "turning", "inertia")
-        terms = self._gripping(names, share - 1.0, rotates, shaken)
+        beyond_mean = share - 1.0
+        terms = self._gripping(names, beyond_mean, rotates, shaken)
         if np.any(self._peak):
             terms["lift"] = self._lift(share, rotates)
-        if np.any(remaining) or (complete and self._softens):
+        if np.any(remaining) or (complete and self._laws):
             names = ("remaining_normal", "remaining", "remaining_inertia")
             terms |= self._gripping(names, remaining, rotates, shaken)
             terms["remaining_lift"] = self._lift(remaining, rotates)
@@ -205,7 +214,7 @@ class ArcStrength(StretchIntegrals):
 
     @property
     def _distinct_soils(self) -> list[Any]:
-        return list({id(soil): soil for soil in self.section.soils}.values())
+        return distinct(self.section.soils)
 
     def soil_terms(self, rotates: bool, shaken: bool, complete: bool) -> dict[str, dict[str, Any]]:
         """What each soil with a friction law of its own adds to the balance, over Theta*, by the name of its effect.
@@ -215,13 +224,13 @@ class ArcStrength(StretchIntegrals):
         """
         if not self._own_laws:
             return {}
-        total = -self.section._weighted_moments["radial_y"]
         terms = {}
         for k, soil in enumerate(self._distinct_soils):
             is_soil = [[float(other is soil)] for other in self.section.soils]
             along = np.array(is_soil)
-            share = self._at_start("normal", along) / total
-            excess = self._gripping(("", "turning", "inertia"), along - share, rotates, shaken)
+            share = self._mean(along)
+            names = ("", "turning", "inertia")
+            excess = self._gripping(names, along - share, rotates, shaken)
             of_soil = {"share": self.section._shaped(share)}
             of_soil["slope"] = excess["turning_slope"]
             of_soil["inertia"] = excess["inertia"]
@@ -249,14 +258,17 @@ class ArcStrength(StretchIntegrals):
             return self.section._shaped(total / self._theta)
 
         tilt = at_start("tilt")
-        if not rotates or self.section.strength == "mass":
-            return {mass: at_start("normal"), f"{mass}_slope": tilt, inertia: at_start("inertia")}
+        if not rotates or not self._base_stays:
+            normal = at_start("normal")
+            return {mass: normal, f"{mass}_slope": tilt, inertia: at_start("inertia")}
         coefficients = self._by_surface(quantity) / self._theta
-        normal = OfRotation(self, {"normal": coefficients})
-        of_inertia = OfRotation(self, {"inertia": coefficients})
         if shaken:
             tilt = OfRotation(self, {"tilt": coefficients})
-        return {base: normal, inertia: of_inertia, f"{base}_slope": tilt}  # the slope for the yield coefficient too
+        return {
+            base: OfRotation(self, {"normal": coefficients}),
+            inertia: OfRotation(self, {"inertia": coefficients}),
+            f"{base}_slope": tilt,  # for the yield coefficient too
+        }
 
     def _cohesion(self, rotates: bool, complete: bool) -> Any:
         """Strength without normal stress, over Theta*."""
@@ -270,7 +282,7 @@ class ArcStrength(StretchIntegrals):
             coefficients["space"] = self._by_direction(dimensionless)
         if np.any(growth):
             coefficients["growth"] = growth / self._weight_scale
-        return self._function(coefficients, rotates and section.strength == "base")
+        return self._function(coefficients, rotates and self._base_stays)
 
     def _lift(self, share: Floats, rotates: bool) -> Any:
         """What water takes from the normal force of a share of friction, over Theta*: of the level, and of ratios."""
@@ -278,10 +290,10 @@ class ArcStrength(StretchIntegrals):
         ratio = section.of_soils(lambda s: s.pore_ratio)
         coefficients = {}
         if np.any(ratio):
-            coefficients["overburden"] = self._by_surface(share * ratio) / self._theta
-        stays_in_space = section.strength == "base"
+            by_surface = self._by_surface(share * ratio)
+            coefficients["overburden"] = by_surface / self._theta
+        stays_in_space = self._base_stays or section.level is not None
         if section.level is not None:
-            stays_in_space = True
             below_level = np.where(ratio > 0.0, 0.0, share)
             weight = below_level * section.water_unit_weight / self._weight_scale
             coefficients["heads"] = self._by_direction(weight)

@@ -7,15 +7,15 @@ A quantity q of the soils summed over the stretches, with a cumulative integral 
 so that only C at the joints depends on the rotation, and only the differences on the numbers of the soils.
 """
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from slipcircle.core.scene.profile import HEAD, POLAR, RADIAL_X, RADIAL_Y, Floats, Profile
+from slipcircle.base.kinds import Floats, Integers
+from slipcircle.core.scene.profile import HEAD, POLAR, RADIAL_X, RADIAL_Y, Profile
 
 # What sections that differ in numbers of soils alone have in common.
 OF_GEOMETRY = ("stretches", "span", "rotation_kinks", "incidence")
@@ -26,24 +26,10 @@ class Stretches(NamedTuple):
     """Where the soil at the base changes along the arc: (circles, J) directions, and the soils above and below."""
 
     joint: Floats
-    before: NDArray[np.intp]
-    after: NDArray[np.intp]
-    first: NDArray[np.intp]
-    last: NDArray[np.intp]
-
-    def incidence(self, soils: int) -> Floats:
-        """(q_before - q_after) at joints, q_last and -q_first of a quantity q of the soils, (J + 2, soils, circles).
-
-        Summed over the stretches with a cumulative integral C from the entry, q is q_last C(exit) + sum_j (q_before -
-        q_after)_j C(b_j); of an integral from elsewhere the last row takes what is at the entry.
-        """
-        of_soil = np.eye(soils)
-        rows = np.concatenate([self.before.T, self.last[None], self.first[None]])
-        after_joints = of_soil[self.after.T]
-        incidence = of_soil[rows]
-        incidence[:-2] -= after_joints
-        incidence[-1] *= -1.0
-        return np.asarray(incidence.transpose(0, 2, 1))
+    before: Integers
+    after: Integers
+    first: Integers
+    last: Integers
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,16 +56,16 @@ class StretchIntegrals:
         if section.foreland is not None:  # the layer of a further strip, beyond the exit
             last = np.full_like(last, len(section.layers))
             exit_ = edges[:, -1:]
-            base = np.concatenate([base, last[:, None]], axis=1)
+            foreland = last[:, None]
+            base = np.concatenate([base, foreland], axis=1)
             edges = np.concatenate([edges, exit_], axis=1)
         before = base[:, :-1]
         after = base[:, 1:]
         joint = edges[:, 1:-1]
         changes = np.any(before != after, axis=0)
-        joint = joint[:, changes]
-        before = before[:, changes]
-        after = after[:, changes]
-        return Stretches(joint, before, after, first, last)
+        return Stretches(
+            joint=joint[:, changes], before=before[:, changes], after=after[:, changes], first=first, last=last
+        )
 
     @cached_property
     def span(self) -> tuple[Floats, Floats]:
@@ -90,16 +76,26 @@ class StretchIntegrals:
         exit_ = np.where(faces_right, right, -left)
         return entry, exit_
 
+    @property
+    def _joints(self) -> Floats:
+        """Directions of the joints before the mass moves, (J, circles)."""
+        return self.stretches.joint.T
+
+    @property
+    def _base_stays(self) -> bool:
+        """Whether strength belongs to the base, over which the mass moves."""
+        return bool(self.section.strength == "base")
+
     def _joints_met(self, rotation: Floats) -> Floats:
         """Where the mass meets the joints, and its exit, after rotations (M, circles), (J + 1, M, circles).
 
         In directions of the mass at the start. Joints of the base stay behind as the mass moves on.
         """
         first, last = self.span
-        moved = rotation if self.section.strength == "base" else np.zeros_like(rotation)
-        joints = [np.clip(j - moved, first, last) for j in self.stretches.joint.T]
+        moved = rotation if self._base_stays else np.zeros_like(rotation)
+        met = [np.clip(joint - moved, first, last) for joint in self._joints]
         exit_ = np.broadcast_to(last, rotation.shape)
-        return np.stack([*joints, exit_])
+        return np.stack([*met, exit_])
 
     @cached_property
     def _surfaces(self) -> tuple[Profile, Floats]:
@@ -126,7 +122,8 @@ class StretchIntegrals:
         profile, _ = self._surfaces
         facing = self.section._facing
         met = self._joints_met(rotation)
-        directions = met.reshape(-1, met.shape[-1])
+        circles = met.shape[-1]
+        directions = met.reshape(-1, circles)
         from_left = profile.up_to(facing * directions)
         from_right = profile.whole[:, :, None] - from_left
         from_entry = np.where(facing > 0.0, from_left, from_right)
@@ -135,38 +132,43 @@ class StretchIntegrals:
         by_joint = from_entry.reshape(integrals, surfaces, *met.shape)
         return np.moveaxis(by_joint, 1, 2)
 
-    def parts(self, rotation: Floats, names: Any) -> dict[str, Floats]:
+    def parts(self, rotation: Floats, names: Collection[str]) -> dict[str, Floats]:
         """Parts by their names, of what presses all at once."""
-        of_weight = {"normal", "tilt", "inertia", "overburden"}
-        every: dict[str, Floats] = {name: getattr(self, name)(rotation) for name in {*names} - of_weight}
-        if of_weight & {*names}:
-            pressing = self._pressing(rotation)
-            radial_y, radial_x, polar, overburden = pressing.reshape(4, -1, *rotation.shape)
-            cosine = np.cos(rotation)
-            sine = np.sin(rotation)
-            # J(psi - phi) = J cos(phi) - J' sin(phi), and its derivative by psi
-            every["normal"] = -radial_y * cosine - radial_x * sine
-            every["tilt"] = radial_x * cosine - radial_y * sine
-            every["inertia"] = polar
-            every["overburden"] = overburden
+        every: dict[str, Floats] = {}
+        others = {"space": self.space, "heads": self.heads, "growth": self.growth}
+        for name, part in others.items():
+            if name in names:
+                every[name] = part(rotation)
+        if len(every) < len(names):
+            every |= self._of_weight(rotation)
         return every
+
+    def _of_weight(self, rotation: Floats) -> dict[str, Floats]:
+        """Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its derivative by psi, I_p, and the cover."""
+        pressing = self._pressing(rotation)
+        by_joint = pressing.reshape(4, -1, *rotation.shape)
+        radial_y, radial_x, polar, overburden = by_joint
+        cosine = np.cos(rotation)
+        sine = np.sin(rotation)
+        normal = -radial_y * cosine - radial_x * sine
+        tilt = radial_x * cosine - radial_y * sine
+        return {"normal": normal, "tilt": tilt, "inertia": polar, "overburden": overburden}
 
     def space(self, rotation: Floats) -> Floats:
         """Directions in space of the joints, the exit and the entry after rotations, (J + 2, M, circles)."""
         first, last = self.span
         start = first + rotation
         end = last + rotation
-        joints = self.stretches.joint.T
-        if self.section.strength == "base":
-            there = [np.clip(joint, start, end) for joint in joints]
+        if self._base_stays:
+            joints = [np.clip(joint, start, end) for joint in self._joints]
         else:
-            there = [joint + rotation for joint in joints]
-        return np.stack([*there, end, start])
+            joints = [joint + rotation for joint in self._joints]
+        return np.stack([*joints, end, start])
 
     def heads(self, rotation: Floats) -> Floats:
         """Integrals of the head of the water level from the entry to these directions, (J + 2, M, circles)."""
         there = self.section._facing * self.space(rotation)
-        entry = np.broadcast_to(there[-1], there.shape)
+        *_, entry = there
         left = np.minimum(entry, there)
         right = np.maximum(entry, there)
         return self.section.heads_between(left, right)
@@ -187,7 +189,8 @@ class StretchIntegrals:
             start = np.clip(first, -reach, reach)
             end = np.clip(b, -reach, reach)
             angle = end - start
-            integral = level * angle + np.sin(end) - np.sin(start)
+            above_level = level * angle
+            integral = above_level + np.sin(end) - np.sin(start)
             rows.append(integral)
         return np.stack(rows)
 
@@ -195,28 +198,31 @@ class StretchIntegrals:
         """Parts of the resistance that grow with depth, of each soil one, (soils, M, circles), over R."""
         first, last = self.span
         there = self.space(rotation)
-        if self.section.strength == "mass":
+        if not self._base_stays:
             there = there - rotation
-        limit = last if self.section.foreland is None else np.inf  # a foreland's own rule goes on beyond the exit
+        has_foreland = self.section.foreland is not None
+        limit = np.inf if has_foreland else last  # a foreland's own rule goes on beyond the exit
         on_arc = np.clip(there, first, limit)
         growth = self._growth(on_arc)
         by_soil = self.incidence.transpose(1, 0, 2)
         by_direction = by_soil[:, :, None] * growth
         parts = by_direction.sum(axis=1)
         *_, exit_, entry = there
-        if self.section.foreland is None:
+        if not has_foreland:
             beyond_exit = np.maximum(exit_ - last, 0.0)
             parts = parts + self._held_value(self.stretches.last, last, beyond_exit)
         above_entry = np.maximum(first - entry, 0.0)
-        return np.asarray(parts + self._held_value(self.stretches.first, first, above_entry))
+        at_entry = self._held_value(self.stretches.first, first, above_entry)
+        return np.asarray(parts + at_entry)
 
-    def _held_value(self, soil: NDArray[np.intp], direction: Floats, length: Floats) -> Floats:
+    def _held_value(self, soil: Integers, direction: Floats, length: Floats) -> Floats:
         """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
         levels = self.section.datum_levels
         parts = np.zeros((len(levels), *length.shape), dtype=length.dtype)
         for k, level in enumerate(levels):
             if level is not None:
-                depth = np.maximum(level + np.cos(direction), 0.0)
+                height = level + np.cos(direction)
+                depth = np.maximum(height, 0.0)
                 of_this_soil = soil == k
                 parts[k] = np.where(of_this_soil, depth * length, 0.0)
         return parts
@@ -228,14 +234,15 @@ class StretchIntegrals:
         ends = np.stack(self.span, axis=1).real
         joints = self.stretches.joint.real
         facing = section._facing[:, None]
-        kinks = [ends[:, 1:] - ends[:, :1]]
+        opening = ends[:, 1:] - ends[:, :1]
+        kinks = [opening]
         if section.level is not None:
             of_level = section._water.kinks * facing
             turning = ends
-            if section.strength == "mass":
+            if not self._base_stays:
                 turning = np.concatenate([ends, joints], axis=1)
             kinks.append(_differences(of_level, turning))
-        if section.strength == "base":
+        if self._base_stays:
             strips = section._strips.beta.real * facing
             kinks.append(_differences(joints, strips))
             kinks += [_differences(crossings, ends) for crossings in self._datum_crossings]
@@ -253,8 +260,18 @@ class StretchIntegrals:
 
     @cached_property
     def incidence(self) -> Floats:
-        """`Stretches.incidence` of the section's soils."""
-        return self.stretches.incidence(len(self.section.soils))
+        """(q_before - q_after) at joints, q_last and -q_first of a quantity q of the soils, (J + 2, soils, circles).
+
+        Summed over the stretches with a cumulative integral C from the entry, q is q_last C(exit) + sum_j (q_before -
+        q_after)_j C(b_j); of an integral from elsewhere the last row takes what is at the entry.
+        """
+        joints = self.stretches
+        of_soil = np.eye(len(self.section.soils))
+        at_joints = of_soil[joints.before.T] - of_soil[joints.after.T]
+        at_exit = of_soil[joints.last]
+        at_entry = of_soil[joints.first]
+        incidence = np.concatenate([at_joints, at_exit[None], -at_entry[None]])
+        return np.asarray(incidence.transpose(0, 2, 1))
 
 
 def _differences(there: Floats, mass: Floats) -> Floats:

@@ -15,13 +15,11 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.core.scene.ground import continued
 from slipcircle.core.scene.plane import Vectors
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.intp]
 _THIN = 1e-14  # narrower strips are rounding
 _ON_ARC = 1e-9
 
@@ -47,14 +45,15 @@ class Strips:
     x: Floats
     y: Floats
     slope: Floats
-    above: NDArray[np.bool_]
+    above: Flags
     base: Integers
     loads: Sequence[Sequence[Floats]] = ()
 
     @property
     def beta(self) -> Floats:
         """Directions of their edges at the arc, rad."""
-        return np.arcsin(np.clip(self.x, -1.0, 1.0))
+        sine = np.clip(self.x, -1.0, 1.0)
+        return np.arcsin(sine)
 
 
 def cut_into_strips(
@@ -87,9 +86,12 @@ def cut_into_strips(
     lines = [continued(line, -2.0, 2.0) for line in lines]  # beyond both sides of the circle
     edges = _edges(lines, first, last, extra)
     left = edges[:, :-1]
-    middle = (left + edges[:, 1:]) / 2
-    arc = -np.sqrt((1.0 - middle) * (1.0 + middle))
-    start, slope = np.stack([edge_below(line, left, middle) for line in lines], axis=1)
+    right = edges[:, 1:]
+    middle = (left + right) / 2
+    depth_squared = (1.0 - middle) * (1.0 + middle)
+    arc = -np.sqrt(depth_squared)
+    edges_below = [edge_below(line, left, middle) for line in lines]
+    start, slope = np.stack(edges_below, axis=1)
     half_width = middle - left
     at_middle = start + slope * half_width
     lowest = np.stack([_lowest(at_middle, chosen) for chosen in surfaces])
@@ -124,9 +126,10 @@ def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats |
     left = first[:, None]
     right = last[:, None]
     cuts = [left, right]
-    cuts += [line[..., 0] for line in lines]
-    cuts += [meets_circle(line) for line in lines]
-    cuts += [line_crossings(one, other) for one, other in combinations(lines, 2)]
+    for line in lines:
+        cuts += [line[..., 0], meets_circle(line)]
+    for one, other in combinations(lines, 2):
+        cuts.append(line_crossings(one, other))
     if extra is not None:
         cuts.append(extra)
     circles = len(first)
@@ -150,14 +153,17 @@ def meets_circle(line: Floats) -> Floats:
     edge = points.edges
     square = edge.square
     along = start.dot(edge)
-    discriminant = along * along - square * (start.square - 1.0)
+    outside = start.square - 1.0
+    discriminant = along * along - square * outside
     crosses = discriminant.real > 0.0
     root = np.sqrt(np.where(crosses, discriminant, 1.0))
     divisor = np.where(square.real > 0.0, square, 1.0)
     crossings = []
     for signed_root in (-root, root):
         share = (signed_root - along) / divisor
-        on_edge = crosses & (share.real >= 0.0) & (share.real <= 1.0)
+        after_start = share.real >= 0.0
+        before_end = share.real <= 1.0
+        on_edge = crosses & after_start & before_end
         at_crossing = start.x + share * edge.x
         crossings.append(np.where(on_edge, at_crossing, start.x))
     return np.concatenate(crossings, axis=1)
@@ -170,7 +176,8 @@ def arc_crossings(line: Floats) -> Floats:
     """
     x = meets_circle(line)
     height, _ = edge_below(line, x, x)
-    depth_of_arc = np.sqrt(np.maximum(1.0 - x * x, 0.0))
+    depth_squared = np.maximum(1.0 - x * x, 0.0)
+    depth_of_arc = np.sqrt(depth_squared)
     on_arc = np.abs(height + depth_of_arc) < _ON_ARC
     return np.where(on_arc, x, np.nan)
 
@@ -191,14 +198,15 @@ def line_crossings(one: Floats, other: Floats) -> Floats:
     divisor = np.where(parallel, 1.0, across)
     share = apart.cross(other_edge) / divisor
     other_share = apart.cross(edge) / divisor
-    crosses = _within_edge(share) & _within_edge(other_share) & ~parallel
+    inside = _within_edge(share) & _within_edge(other_share)
+    crosses = inside & ~parallel
     at_crossing = start.x + share * edge.x
     at_vertex = points.x[:, 1, None, None]
     x = np.where(crosses, at_crossing, at_vertex)
     return x.reshape(len(x), -1)
 
 
-def _within_edge(share: Floats) -> NDArray[np.bool_]:
+def _within_edge(share: Floats) -> Flags:
     """Whether a point lies between the ends of an edge, by its share of it."""
     after_start = share.real > 0.0
     before_end = share.real < 1.0
@@ -209,14 +217,17 @@ def edge_below(line: Floats, x: Floats, middle: Floats) -> tuple[Floats, Floats]
     """y of lines (n or 1, V, 2) at x (n, M), and their slopes, of the edges below or above the points ``middle``."""
     of_points = np.broadcast_to(line, (len(x), *line.shape[1:]))
     vertices = Vectors.of(of_points)
-    behind = vertices.x[:, None].real <= middle[..., None].real
+    place = middle[..., None]
+    behind = vertices.x[:, None].real <= place.real
     passed = np.count_nonzero(behind, axis=-1)
     last_edge = line.shape[1] - 2
     first = np.clip(passed - 1, 0, last_edge)
     circle = np.arange(len(x))[:, None]
     start = vertices[circle, first]
-    edge = vertices[circle, first + 1] - start
+    end = vertices[circle, first + 1]
+    edge = end - start
     upright = edge.x.real <= 0.0
     divisor = np.where(upright, 1.0, edge.x)
     slope = np.where(upright, 0.0, edge.y / divisor)
-    return start.y + slope * (x - start.x), slope
+    along = x - start.x
+    return start.y + slope * along, slope

@@ -14,14 +14,13 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats, Integers
 from slipcircle.core.scene.coordinates import indices_of
 from slipcircle.core.scene.heights import HeightIntegrals, height_integrals
 from slipcircle.core.scene.plane import Vectors
 from slipcircle.core.scene.section import Section
 
-Floats = NDArray[np.float64]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(48)
 _Chain = Callable[[Floats, Floats, str], Floats]  # derivatives by numbers, of those by vertices of a line
 
@@ -38,7 +37,7 @@ class SectionDerivatives(NamedTuple):
 class _Surface(NamedTuple):
     """The edges of the ground over the mass, and the parts of them that lie inside the circle, (k,), over R."""
 
-    vertex: NDArray[np.int64]  # number of an edge's first vertex
+    vertex: Integers  # number of an edge's first vertex
     edge: Vectors
     start: Vectors  # of the part inside
     part: Vectors
@@ -60,11 +59,12 @@ def active_parameters(section: Section) -> list[str]:
 def _vertices_above(section: Section) -> range:
     """Of the edges over the mass, or, where the arc overhangs, over all of it."""
     edges = np.flatnonzero(section._edges_over_mass)
-    overhangs = np.abs(section._angles) > np.pi / 2
-    if np.any(overhangs):
+    widest = np.abs(section._angles).max()
+    if widest > np.pi / 2:
         vertices, _ = np.shape(section.ground)
         above = _ground_heights(section).edge - 1
-        edges = np.unique(np.clip(above, 0, vertices - 2))
+        of_ground = np.clip(above, 0, vertices - 2)
+        edges = np.unique(of_ground)
     first = edges[0]
     last = edges[-1]
     return range(first, last + 2)
@@ -88,7 +88,7 @@ def section_derivatives(section: Section, names: Sequence[str]) -> SectionDeriva
     vertices = len(ground)
     surface = _surface(section, Vectors.of(ground))
     by_vertex = _moments_by_vertex(surface, vertices)
-    moments = {name: chain(by, ground, "ground") for name, by in by_vertex.items()}
+    moments = {name: chain(values, ground, "ground") for name, values in by_vertex.items()}
     angles = np.concatenate(section._angles)
     ends_by_vertex = _ends_by_vertex(surface, angles, vertices)
     ends = chain(ends_by_vertex, ground, "ground")
@@ -99,10 +99,13 @@ def section_derivatives(section: Section, names: Sequence[str]) -> SectionDeriva
     heights_by_vertex = above.gradient(first, last)
     by_ground = chain(heights_by_vertex, ground, "ground")
     first_by_numbers, last_by_numbers = ends
-    heights = by_ground + last_height * last_by_numbers - first_height * first_by_numbers
+    by_last = last_height * last_by_numbers
+    by_first = first_height * first_by_numbers
+    heights = by_ground + by_last - by_first
     is_radius = [float(name == "radius") for name in names]
     of_scale = np.array(is_radius) / radius
-    return SectionDerivatives(moments, heights, ends, _pressure(section, ends, chain, of_scale))
+    pressure = _pressure(section, ends, chain, of_scale)
+    return SectionDerivatives(moments, heights, ends, pressure)
 
 
 def _chain_rule(section: Section, names: Sequence[str]) -> _Chain:
@@ -144,15 +147,20 @@ def _moments_by_vertex(surface: _Surface, vertices: int) -> dict[str, Floats]:
     place, weight = _along(start, part)
     point = start + part * place
     r = point.length
+    unit_x = point.x / r
+    unit_y = point.y / r
     names = ("polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
-    integrands = np.stack([r, r * r, point.x / r, point.y / r, *point])
+    integrands = np.stack([r, r * r, unit_x, unit_y, *point])
 
-    second_hat = surface.skipped[:, None] + place * surface.share[:, None]  # 1 at the second vertex of an edge
+    skipped = surface.skipped[:, None]
+    share = surface.share[:, None]
+    second_hat = skipped + place * share  # 1 at the second vertex of an edge
     first_hat = 1.0 - second_hat
-    hats = np.stack([first_hat, second_hat]) * weight
-    along_edges = np.einsum("fkn,hkn->hfk", integrands, hats)
-    normal = Vectors(-surface.part.y, surface.part.x).points
-    by_first, by_second = along_edges[..., None] * normal
+    hats = np.stack([first_hat, second_hat])
+    weighted_hats = hats * weight
+    along_edges = np.einsum("fkn,hkn->hfk", integrands, weighted_hats)
+    normal = Vectors(-surface.part.y, surface.part.x)
+    by_first, by_second = along_edges[..., None] * normal.points
     by_vertex = np.zeros((len(names), vertices, 2))
     by_vertex[:, surface.vertex] += by_first
     by_vertex[:, surface.vertex + 1] += by_second
@@ -166,16 +174,17 @@ def _ends_by_vertex(surface: _Surface, angles: Floats, vertices: int) -> Floats:
     """
     by_vertex = np.zeros((2, vertices, 2))
     passed = surface.skipped + surface.share
-    parts = (0, -1)
     shares = (surface.skipped[0], passed[-1])
-    for end, angle in enumerate(angles):
-        part = parts[end]
-        share = shares[end]
+    tangent = Vectors(np.cos(angles), np.sin(angles))
+    for end, share in enumerate(shares):
+        part = -end  # the first one or the last one
         edge = surface.edge[part]
-        tangent = Vectors(np.cos(angle), np.sin(angle))
-        along_arc = np.array([edge.y, -edge.x]) / tangent.cross(edge)
+        across = tangent[end].cross(edge)
+        clockwise = np.array([edge.y, -edge.x])
+        along_arc = clockwise / across
         vertex = surface.vertex[part]
-        by_vertex[end, vertex] = (1.0 - share) * along_arc
+        rest = 1.0 - share
+        by_vertex[end, vertex] = rest * along_arc
         by_vertex[end, vertex + 1] = share * along_arc
     return by_vertex
 
@@ -193,14 +202,18 @@ def _along(start: Vectors, edge: Vectors) -> tuple[Floats, Floats]:
     long = length > distance
     not_zero = np.maximum(distance, 1e-9)
     p = np.where(long, not_zero, 1.0)
-    low = np.where(long, np.arcsinh(first / p), first)
-    high = np.where(long, np.arcsinh(last / p), last)
+    first_argument = np.arcsinh(first / p)
+    last_argument = np.arcsinh(last / p)
+    low = np.where(long, first_argument, first)
+    high = np.where(long, last_argument, last)
 
     half = (high - low) / 2
     middle = (low + high) / 2
     node = middle + half * _NODES
-    t = np.where(long, p * np.sinh(node), node)
-    dt = np.where(long, p * np.cosh(node), 1.0)  # by the node
+    t_of_long = p * np.sinh(node)
+    derivative = p * np.cosh(node)
+    t = np.where(long, t_of_long, node)
+    dt = np.where(long, derivative, 1.0)  # by the node
     place = (t - first) / length
     weight = dt * half * _WEIGHTS / length
     return place, weight
@@ -214,7 +227,8 @@ def _pressure(section: Section, ends: Floats, chain: _Chain, of_scale: Floats) -
     """Of the mean pressure: the integral of heights over R, over the angle of the arc, times R gamma_w."""
     if section.level is None:
         return lambda turn: 0.0 * turn
-    runs = np.diff(section._level[0, :, 0])
+    (level,) = section._level
+    runs = np.diff(level[:, 0])
     if np.any(runs == 0.0):
         raise ValueError("sensitivity: level: has points above each other, where the pressure has no derivative")
     water = section._water
@@ -236,7 +250,9 @@ def _pressure(section: Section, ends: Floats, chain: _Chain, of_scale: Floats) -
         by_level = chain(by_vertex, line, "level")
         head_at_end = water.at(end)[..., None]
         head_at_begin = water.at(begin)[..., None]
-        by_ends = head_at_end * last_by_numbers - head_at_begin * first_by_numbers
+        by_end = head_at_end * last_by_numbers
+        by_begin = head_at_begin * first_by_numbers
+        by_ends = by_end - by_begin
         mean = section.mean_pressure(rotation)[..., None]
         total = unit * (by_level + by_ends)
         of_mean = (total - mean * angle_by_numbers) / angle

@@ -1,13 +1,12 @@
 """What the balance of momentum takes from a failed section, whatever its shape."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 
-Effects = Mapping[str, Mapping[str, Any]]  # by name, each with its parameters
+from slipcircle.base.kinds import Effects, Values
 
 
 @dataclass(frozen=True)
@@ -67,7 +66,7 @@ class SlidingBody:
         """Numbers beside those of its fields, by name: of the soils of a layered section."""
         return {}
 
-    def fields_with(self, values: Mapping[str, Any]) -> dict[str, Any]:
+    def fields_with(self, values: Values) -> dict[str, Any]:
         """The fields that differ once some of these have other values."""
         return {}
 
