@@ -13,7 +13,7 @@ from slipcircle import Arc, Scene, solve
 from tests.support.combinations import softening
 from tests.support.motions import finite, ill_conditioned
 
-SEEDS, COUNT = range(2), 40
+COUNT = 45
 ILL = ("ill-conditioned, rests", "ill-conditioned, moves")
 
 
@@ -96,12 +96,10 @@ def run_anything(fields: Mapping[str, Any]) -> str:
 
 
 def test_anything_has_an_answer_or_one_clear_error() -> None:
-    counts = Counter[str]()
-    for seed in SEEDS:
-        rng = np.random.default_rng([20250103, seed])
-        counts += Counter(run_anything(anything(rng)) for _ in range(COUNT))
+    rng = np.random.default_rng([20250103, 0])
+    counts = Counter(run_anything(anything(rng)) for _ in range(COUNT))
     assert set(counts) <= {"rests", "moves", "refused", *ILL}
-    assert counts["rests"] > counts.total() / 3
-    assert counts["moves"] > counts.total() / 7.5
-    assert counts["refused"] < counts.total() / 3
-    assert sum(counts[i] for i in ILL) < counts.total() / 10
+    assert counts["rests"] > COUNT / 3
+    assert counts["moves"] > COUNT / 7.5
+    assert counts["refused"] < COUNT / 3
+    assert sum(counts[i] for i in ILL) < COUNT / 10

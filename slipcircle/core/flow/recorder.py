@@ -1,6 +1,7 @@
 """Records of a motion: greatest speed and rotation, events, and states at sample times."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,14 @@ from slipcircle.core.flow.polynomials import (
 )
 
 Floats = NDArray[np.float64]
+
+
+class _Sampled(NamedTuple):
+    """Sample times of a lane, since some time, and its states there, (states, times), to be filled."""
+
+    lane: int
+    since: Floats
+    states: Floats
 
 
 class Recorder(LaneState):
@@ -113,35 +122,43 @@ class Recorder(LaneState):
 
     # --- samples -----------------------------------------------------------------------------------------------------
 
+    def samples_between(self, begin: Floats, end: Floats) -> Iterator[_Sampled]:
+        """The samples of each lane in a half-open interval of time; the end time belongs to the last one."""
+        if self.samples is None:
+            return
+        for lane, column in enumerate(self.lanes):
+            until = end[lane]
+            times = self.samples.times[:, column]
+            first = np.searchsorted(times, begin[lane])
+            last = np.searchsorted(times, until)
+            if np.isfinite(until) and until >= self.end_time[lane]:
+                last = np.searchsorted(times, until, side="right")
+            if first < last:
+                since = times[first:last] - begin[lane]
+                states = self.samples.states[:, first:last, column]
+                yield _Sampled(lane, since, states)
+
     def read_samples(self, begin: Floats, end: Floats, series: Floats | None = None) -> None:
-        """Evaluate states at the sample times in a half-open interval; without series the lanes rest."""
+        """Evaluate states at the sample times in an interval; without series the lanes rest."""
         if self.samples is None:
             return
         if series is None:
             series = self._started(0)
-        sampled_states = self.samples.states
-        for lane, column in enumerate(self.lanes):
-            times = self.samples.times[:, column]
-            first = np.searchsorted(times, begin[lane])
-            last = np.searchsorted(times, end[lane])
-            if np.isfinite(end[lane]) and end[lane] >= self.end_time[lane]:
-                last = np.searchsorted(times, end[lane], "right")  # the end time itself
-            if first < last:
-                since = times[first:last] - begin[lane]
-                states = self._states_since(lane, series, since)
-                sampled_states[:, first:last, column] = states[: len(sampled_states)]
-
-    def _states_since(self, lane: int, series: Floats, since: Floats) -> list[Floats]:
-        """Rotation, angular velocity, its rate, slip and further states of a lane, at times since the step began."""
         roles = self.roles
         registers = [roles["x"], roles["omega"], roles["net"]]
         registers += [register for _, register, _ in self.program.states[2:]]
-        polynomials = series[registers, :, lane].T
-        x, omega, net, *further = value(polynomials[:, :, None], since)
-        direction = self.direction[lane]
-        rotation = self.rotation[lane] + direction * x
-        slip = self.slip[lane] + x
-        return [rotation, direction * omega, direction * net, slip, *further]
+        for sample in self.samples_between(begin, end):
+            polynomials = series[registers, :, sample.lane].T
+            x, omega, net, *further = value(polynomials[:, :, None], sample.since)
+            self.fill(sample, x, omega, net, *further)
+
+    def fill(self, sample: _Sampled, x: Floats, omega: Floats, net: Floats, *further: Floats) -> None:
+        """Sample rotation, angular velocity, its rate, slip and as many further states as there are rows for."""
+        direction = self.direction[sample.lane]
+        rotation = self.rotation[sample.lane] + direction * x
+        slip = self.slip[sample.lane] + x
+        rows = [rotation, direction * omega, direction * net, slip, *further]
+        sample.states[:] = rows[: len(sample.states)]
 
 
 def _root_beyond_hump(net: Floats, tau: Floats) -> Floats:

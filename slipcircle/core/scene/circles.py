@@ -15,7 +15,8 @@ from slipcircle.core.scene.doubledouble import DoubleDouble
 from slipcircle.core.scene.plane import Vectors
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(slopes.NODES)
-_GAUSS = list(zip((1.0 + _NODES) / 2, _WEIGHTS / 2, strict=True))  # of integrals from 0 to 1
+_PLACES = (1.0 + _NODES) / 2  # for integrals from 0 to 1
+_GAUSS = list(zip(_PLACES, _WEIGHTS / 2, strict=True))
 MEASURES = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
 _BLOCK = 1 << 14  # edges at a time: their arrays stay in the cache
 
@@ -180,8 +181,10 @@ def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
     from_start = leaves_first.any(axis=1)  # the ground begins inside the circle
     count = parts.leaves.sum(axis=1) - from_start
     to_end = parts.enters.sum(axis=1) > count
-    begins_inside = parts.first[:, 0] > 0.0
-    ends_inside = parts.second[:, -1] > 0.0
+    first_clear = parts.first[:, 0]
+    last_clear = parts.second[:, -1]
+    begins_inside = first_clear > 0.0
+    ends_inside = last_clear > 0.0
     never_leaves = ~parts.leaves.any(axis=1)
     all_inside = begins_inside & ends_inside & never_leaves
     circles = np.arange(len(count))
@@ -198,8 +201,10 @@ def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
     of_circles = np.asarray(number)
     mine = parts.stretch == of_circles[:, None]
     lane = np.arange(len(mine))
-    first = lane, np.argmax(parts.enters & mine, axis=1)
-    last = lane, np.argmax(parts.leaves & mine, axis=1)
+    enters = parts.enters & mine
+    leaves = parts.leaves & mine
+    first = lane, enters.argmax(axis=1)
+    last = lane, leaves.argmax(axis=1)
     all_ends = parts.start + parts.part
     return parts.start[first], all_ends[last]
 
@@ -224,7 +229,8 @@ def _moments(parts: Cut, mine: Flags) -> Floats:
     start = parts.start
     edge = parts.part.where(mine)
     end = start + edge
-    reach = slopes.REACH * (start.length + end.length)
+    distances = start.length + end.length
+    reach = slopes.REACH * distances
     is_long = edge.square > reach**2
     short = edge.where(~is_long)
     total = _ring_moments(parts, short)
@@ -278,8 +284,8 @@ def thickness(parts: Cut, mine: Flags) -> Floats:
     at_foot = along_chord + share * rest * square
     at_ends = np.maximum(parts.first, parts.second)
     gap = np.maximum(at_ends, at_foot)  # 1 - rho^2
-    greatest = np.where(mine, gap, 0.0).max(axis=1)
-    greatest = np.minimum(greatest, 1.0)
+    gap_of_mine = np.where(mine, gap, 0.0)
+    greatest = np.minimum(gap_of_mine.max(axis=1), 1.0)
     least_distance = np.sqrt(1.0 - greatest)
     return greatest / (1.0 + least_distance)
 

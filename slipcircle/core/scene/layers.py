@@ -85,8 +85,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}))
         super().__post_init__()
         first, last = self._angles
-        steepest = max(-float(np.min(first)), float(np.max(last)))
-        if steepest > np.pi / 2:
+        steepest = np.maximum(-first, last)
+        if np.any(steepest > np.pi / 2):
             above = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
             raise_all("LayeredSection", [above])
 
@@ -142,7 +142,11 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def datum_levels(self) -> list[Any]:
         """Heights of the datums above the centre of the circle, over R, (circles,) each; None where there is none."""
         _, centre, radius = self._circle
-        return [None if datum is None else (datum - centre[:, 1]) / radius for datum in self.datums]
+        centre_y = centre[:, 1]
+        levels: list[Any] = []
+        for datum in self.datums:
+            levels.append(None if datum is None else (datum - centre_y) / radius)
+        return levels
 
     def of_soils(self, value: Callable[[Soil], Any]) -> Floats:
         """A number of each soil, (soils, lanes)."""
@@ -150,8 +154,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     def _by_lane(self, numbers: Sequence[Any]) -> Floats:
         """Numbers or arrays of them, (numbers, lanes)."""
-        numbers = list(map(np.asarray, numbers))
-        rows = np.empty((len(numbers), *self.lanes_shape), dtype=np.result_type(np.float64, *numbers))
+        kind = np.result_type(np.float64, *map(np.asarray, numbers))
+        rows = np.empty((len(numbers), *self.lanes_shape), dtype=kind)
         for k, number in enumerate(numbers):
             rows[k] = number
         return rows.reshape(len(rows), -1)
@@ -160,7 +164,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         """Values by lane in the shape of the results, of geometry or of all."""
         values = np.asarray(values)
         circles = int(np.prod(self.shape))
-        shape = self.shape if len(values) == circles else self.lanes_shape
+        of_geometry = len(values) == circles
+        shape = self.shape if of_geometry else self.lanes_shape
         _, *components = values.shape
         shaped = values.reshape((*shape, *components))
         return shaped[()]
@@ -192,8 +197,9 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     @cached_property
     def _saturated(self) -> bool:
         """Whether a soil is heavier below the water level."""
-        weights = [soil.saturated_unit_weight for soil, _ in self.layers]
-        return self.level is not None and any(weight is not None for weight in weights)
+        if self.level is None:
+            return False
+        return any(soil.saturated_unit_weight is not None for soil, _ in self.layers)
 
     @cached_property
     def _strips(self) -> Strips:
@@ -208,7 +214,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         loads = []
         cuts = self._datum_crossings_x
         for x1, x2, _, _ in self.surcharge:
-            load = (x1 - centre_x) / size, (x2 - centre_x) / size
+            from_centre = (x1 - centre_x, x2 - centre_x)
+            load = [x / size for x in from_centre]
             loads.append(load)
             cuts += load
         extra = np.concatenate(cuts, axis=1) if cuts else None
@@ -222,7 +229,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         for level in self.datum_levels:
             if level is not None:
                 height = np.clip(level, -1.0, 1.0)[:, None]
-                across = np.sqrt((1.0 - height) * (1.0 + height))
+                square = (1.0 - height) * (1.0 + height)
+                across = np.sqrt(square)
                 crossings += [across, -across]
         return crossings
 
@@ -248,9 +256,11 @@ class LayeredSection(LayeredNumbers, CrackedSection):
             increase = wet[:count] - weight
             steps.append(np.diff(increase, axis=0, prepend=0.0))
         if self.surcharge:
-            pressures = self._by_lane([pressure for load in self.surcharge for pressure in load[2:]])
+            pressures = []
+            for _, _, left, right in self.surcharge:
+                pressures += [left, right]
             _, _, radius = self._circle
-            steps.append(pressures / radius)
+            steps.append(self._by_lane(pressures) / radius)
         return np.concatenate(steps)
 
     @cached_property
@@ -296,7 +306,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         strength = self.arc_strength
         rotates = "rotation" in effects
         shaken = "shaking" in effects
-        terms = {"layered_strength": strength.terms(rotates, shaken, complete)}
+        terms: dict[str, dict[str, Any]] = {"layered_strength": strength.terms(rotates, shaken, complete)}
         terms |= strength.soil_terms(rotates, shaken, complete)
         if "centripetal" not in effects:
             for effect, added in terms.items():
@@ -325,7 +335,8 @@ def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
 def _cut_of(section: LayeredSection) -> tuple[Any, ...]:
     """What of a section's cut can be compared by value: counts, switches and places of surcharges."""
     places = [load[:2] for load in section.surcharge]
-    return len(section.layers), len(section.soils), section.strength, section._saturated, places
+    counts = len(section.layers), len(section.soils)
+    return counts, section.strength, section._saturated, places
 
 
 def _weight_below_water(soil: Soil) -> Any:

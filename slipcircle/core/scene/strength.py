@@ -17,7 +17,7 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats, Parameters
 from slipcircle.core.scene.friction import OF_SOIL
-from slipcircle.core.scene.soils import share_one_law
+from slipcircle.core.scene.soils import distinct, share_one_law
 from slipcircle.core.scene.stretches import StretchIntegrals
 
 
@@ -214,8 +214,7 @@ class ArcStrength(StretchIntegrals):
 
     @property
     def _distinct_soils(self) -> list[Any]:
-        by_identity = {id(soil): soil for soil in self.section.soils}
-        return list(by_identity.values())
+        return distinct(self.section.soils)
 
     def soil_terms(self, rotates: bool, shaken: bool, complete: bool) -> dict[str, dict[str, Any]]:
         """What each soil with a friction law of its own adds to the balance, over Theta*, by the name of its effect.

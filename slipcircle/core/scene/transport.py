@@ -63,7 +63,8 @@ def _vertices_above(section: Section) -> range:
     if widest > np.pi / 2:
         vertices, _ = np.shape(section.ground)
         above = _ground_heights(section).edge - 1
-        edges = np.unique(np.clip(above, 0, vertices - 2))
+        of_ground = np.clip(above, 0, vertices - 2)
+        edges = np.unique(of_ground)
     first = edges[0]
     last = edges[-1]
     return range(first, last + 2)
@@ -155,8 +156,9 @@ def _moments_by_vertex(surface: _Surface, vertices: int) -> dict[str, Floats]:
     share = surface.share[:, None]
     second_hat = skipped + place * share  # 1 at the second vertex of an edge
     first_hat = 1.0 - second_hat
-    hats = np.stack([first_hat, second_hat]) * weight
-    along_edges = np.einsum("fkn,hkn->hfk", integrands, hats)
+    hats = np.stack([first_hat, second_hat])
+    weighted_hats = hats * weight
+    along_edges = np.einsum("fkn,hkn->hfk", integrands, weighted_hats)
     normal = Vectors(-surface.part.y, surface.part.x)
     by_first, by_second = along_edges[..., None] * normal.points
     by_vertex = np.zeros((len(names), vertices, 2))
@@ -178,7 +180,8 @@ def _ends_by_vertex(surface: _Surface, angles: Floats, vertices: int) -> Floats:
         part = -end  # the first one or the last one
         edge = surface.edge[part]
         across = tangent[end].cross(edge)
-        along_arc = np.array([edge.y, -edge.x]) / across
+        clockwise = np.array([edge.y, -edge.x])
+        along_arc = clockwise / across
         vertex = surface.vertex[part]
         rest = 1.0 - share
         by_vertex[end, vertex] = rest * along_arc
@@ -247,7 +250,9 @@ def _pressure(section: Section, ends: Floats, chain: _Chain, of_scale: Floats) -
         by_level = chain(by_vertex, line, "level")
         head_at_end = water.at(end)[..., None]
         head_at_begin = water.at(begin)[..., None]
-        by_ends = head_at_end * last_by_numbers - head_at_begin * first_by_numbers
+        by_end = head_at_end * last_by_numbers
+        by_begin = head_at_begin * first_by_numbers
+        by_ends = by_end - by_begin
         mean = section.mean_pressure(rotation)[..., None]
         total = unit * (by_level + by_ends)
         of_mean = (total - mean * angle_by_numbers) / angle
