@@ -39,7 +39,7 @@ def test_no_text_lies_on_another(name: str) -> None:
     plots.overview(motion(name), figure)
     assert len(list(texts(figure))) > 15
     assert clashes(figure) == []
-    assert all(text.get_fontsize() >= 8.0 for text in figure.findobj(Text))
+    assert all(float(text.get_fontsize()) >= 8.0 for text in figure.findobj(Text))
 
 
 # --- what is drawn -------------------------------------------------------------------------------------------------
