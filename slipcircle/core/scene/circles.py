@@ -270,7 +270,8 @@ def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
     of_moment = start * moment + edge * moment_s
     by_edge = np.array([area, polar, inertia, *of_radial, *of_moment])
     over_edges = by_edge * start.cross(edge)
-    return np.asarray(over_edges.sum(axis=2))
+    moments_of_circles: Floats = over_edges.sum(axis=2)
+    return moments_of_circles
 
 
 def thickness(parts: Cut, mine: Flags) -> Floats:

@@ -83,7 +83,8 @@ def _upper(lines: Floats, x: Floats) -> Floats:
     heights = start.y + share * edge.y
     on_edge = (beyond >= 0.0) & (at <= line.ends.x)
     of_edges = np.where(on_edge, heights, -np.inf)
-    return np.asarray(of_edges.max(axis=-1))
+    upper: Floats = of_edges.max(axis=-1)
+    return upper
 
 
 def pond_errors(grounds: Floats, levels: Floats) -> Fault:

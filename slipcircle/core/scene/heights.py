@@ -251,10 +251,12 @@ def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tupl
 def _half_width(x: Floats) -> Floats:
     """Half the circle's width across its axis at x, the cosine of a direction whose sine is x."""
     square = (1.0 - x) * (1.0 + x)
-    return np.asarray(np.sqrt(square))
+    half_width: Floats = np.sqrt(square)
+    return half_width
 
 
 def _span(run: Floats, cosine: Floats, end_cosine: Floats) -> Floats:
     """Angle from one point of the lower half to another: tan(span/2) = (sin_2 - sin_1)/(cos_1 + cos_2)."""
     half_span = np.arctan2(run, cosine + end_cosine)
-    return np.asarray(2 * half_span)
+    span: Floats = 2 * half_span
+    return span
