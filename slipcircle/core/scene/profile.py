@@ -156,12 +156,8 @@ def _converged(strips: Strips) -> list[_Piece]:
         from_first = 1.0 + _NODES[:, None, None]
         nodes = first + half * from_first
         values = half * _integrands(strips, strip, nodes)
-        chebyshev = np.tensordot(_TO_CHEBYSHEV, values, (1, 2))  # terms, integrals, surfaces, pieces, circles
-        size = np.abs(chebyshev)
-        greatest = size.max(initial=0.0)
-        scale = max(scale, float(greatest))
-        last_terms = size[-2:]
-        tail = last_terms.max(axis=(0, 1, 2))
+        coefficients, tail = _sizes(values)
+        scale = max(scale, coefficients)
         is_truncated = tail > _ACCURACY * scale
         is_long = width.real > _SHORTEST
         rough = is_truncated.any(axis=1) & is_long.any(axis=1)
@@ -178,6 +174,18 @@ def _converged(strips: Strips) -> list[_Piece]:
         last = np.concatenate([middle, right])
         strip = np.tile(strip[rough], 2)
     return done
+
+
+def _sizes(values: Floats) -> tuple[float, Floats]:
+    """Sizes of the Chebyshev coefficients of values at nodes: the greatest one, and those of the tails.
+
+    A tail is the last two terms of a piece in a circle, (pieces, circles).
+    """
+    coefficients = np.tensordot(_TO_CHEBYSHEV, values, (1, 2))  # terms, integrals, surfaces, pieces, circles
+    size = np.abs(coefficients)
+    greatest = size.max(initial=0.0)
+    last_terms = size[-2:]
+    return float(greatest), last_terms.max(axis=(0, 1, 2))
 
 
 def _integrands(strips: Strips, strip: Integers, beta: Floats) -> Floats:
