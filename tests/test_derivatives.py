@@ -13,6 +13,7 @@ import pytest
 from flint import arb, ctx
 
 from slipcircle import Arc, Scene, load, solve
+from slipcircle.core import with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.motions import derivatives, motions
@@ -272,3 +273,16 @@ def test_the_command_for_machines(said: Any, records: Any) -> None:
     column, row = list(record["parameters"]).index("theta_1"), list(record["outputs"]).index("run_out")
     assert record["values"][row][column] == found.derivative("run_out", "theta_1")
     assert "friction.length_m" in said("sensitivity vaiont-softening")
+
+
+def test_constant_friction_beside_a_law_of_speed() -> None:
+    """Its coefficient is a number of the scene, and the law of speed stays where it varies."""
+    law = {"law": "rate_weakening", "peak": 1.0, "residual": 0.8, "velocity": 1.0}
+    scene = Scene(Arc(100.0, 3.7, 4.8, 2e4), {"law": "constant", "coefficient": 0.1, "rate": law}, ["rotation"])
+    name = "friction.coefficient"
+    slopes = solve(scene).sensitivity()
+    step = 1e-6
+    above, below = (solve(with_parameters(scene, {name: 0.1 + change})) for change in (step, -step))
+    expected = (above.run_out - below.run_out) / (2 * step)
+    assert slopes.derivative("run_out", name) == pytest.approx(expected, rel=1e-6)
+    assert with_parameters(scene, {"friction": 0.2}).friction == {"law": "constant", "coefficient": 0.2, "rate": law}

@@ -63,16 +63,7 @@ def _parameter(p: Parameter) -> str:
         convert = re.sub(rf"\b{name}\b", f"scales[{name!r}]", convert)
     bounds = f"{p.lower!r}, {p.upper!r}".replace("inf", "INFINITY")
     words = f"{p.name!r}, {p.unit!r}, {bounds}, {p.help!r}, {p.key!r}, {p.per_unit!r}"
-    return (
-        f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r}, {_powers(p)!r})"
-    )
-
-
-def _powers(p: Parameter) -> tuple[tuple[str, float], ...]:
-    """The exponents of the value and of the scales in the product of powers that makes a parameter dimensionless."""
-    product = p.dimensionless
-    exponents = {x.name: sp.simplify(x * sp.diff(product, x) / product) for x in product.free_symbols}
-    return tuple((name, float(exponents[name])) for name in sorted(exponents))
+    return f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r})"
 
 
 _EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for."""
@@ -87,10 +78,7 @@ INFINITY = float("inf")
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it.
-
-    ``powers`` are the exponents of the value and of the scales in ``dimensionless``, a product of powers.
-    """
+    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it."""
 
     name: str
     unit: str
@@ -103,7 +91,6 @@ class Parameter:
     dimensionless: Callable[[float, Mapping[str, float]], float]
     optional: bool
     kind: str
-    powers: tuple[tuple[str, float], ...]
 
 
 @dataclass(frozen=True, slots=True)

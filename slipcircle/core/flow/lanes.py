@@ -56,7 +56,8 @@ def integrate_all(
     if last_status < ix.TOO_LONG:
         return state
     _integrate_stiff(problem, state, samples, log)
-    (waiting,) = np.nonzero(state[ix.STATUS] == ix.NEED)
+    status = state[ix.STATUS]
+    (waiting,) = np.nonzero(status == ix.NEED)
     if not waiting.size:
         return state
     # One lane goes on to find how far a Python function is needed; then all start again with the whole table.
@@ -76,7 +77,8 @@ def _integrate_stiff(problem: Problem, cells: Floats, samples: Samples | None, l
     status = cells[ix.STATUS]
     many_steps = cells[ix.STEPS] > ix.MOST_STEPS
     moving = cells[ix.OMEGA] > 0.0
-    which = np.flatnonzero((status == ix.TOO_LONG) & many_steps & moving)
+    stopped = status == ix.TOO_LONG
+    (which,) = np.nonzero(stopped & many_steps & moving)
     while which.size:
         from slipcircle.core.flow import implicit  # most scenes never load it
 
@@ -250,9 +252,9 @@ class Lanes:
         problem = self.problem.with_outputs(("energy",))
         program = problem.program
         states = self.read(times, problem)
-        further = [program.cells[cell] for cell, _, _ in program.states[2:]]
-        rows = dict(zip(further, states[4:], strict=True))
-        omega = states[1]
+        _, omega, _, _, *further = states
+        names = [program.cells[cell] for cell, _, _ in program.states[2:]]
+        rows = dict(zip(names, further, strict=True))
         kinetic = omega**2 / 2
         dissipation = np.maximum(rows["dissipation"], 0.0)
         energies = {"kinetic": kinetic, "work": rows["work"], "dissipation": dissipation}
@@ -265,8 +267,9 @@ class Lanes:
         """The mean normal stress, Pa, of each lane in one state; dimensionless numbers."""
         if self.count > BLOCK:
             parts = list[Floats]()
+            columns = np.stack([time, rotation, omega])
             for which, part in self.parts():
-                stress = part.stress(time[which], rotation[which], omega[which])
+                stress = part.stress(*columns[:, which])
                 parts.append(stress)
             return np.concatenate(parts)
         states = _States(time, rotation, omega)
@@ -306,7 +309,8 @@ class Lanes:
             friction = excess / forces.normal
         contact = forces.normal > 0.0
         known = contact & lanes.may_start()
-        return np.where(known, np.maximum(friction, 0.0), np.nan)
+        holding = np.maximum(friction, 0.0)
+        return np.where(known, holding, np.nan)
 
     @cached_property
     def _with_outputs(self) -> Problem:

@@ -153,7 +153,7 @@ class Numbers:
         law = without_soil(name)
         if law == "callable":
             self.function = parameters["function"]
-            first_slip = FIRST_SLIP * float(np.max(self.radius))
+            first_slip = FIRST_SLIP * float(np.max(np.real(self.radius)))
             table = sampled(self.function, first_slip)
             self.tables[name] = ScaledTable(table, self.radius)
         elif law in PIECES:

@@ -42,7 +42,8 @@ class Data(NamedTuple):
         if self.breaks.ndim == 1:
             return np.asarray(self.breaks[piece])
         lane = np.arange(piece.size)
-        return np.asarray(self.breaks[piece, lane])
+        begins = self.breaks[piece, lane]
+        return np.asarray(begins)
 
     def entered(self, places: Floats, upwards: Any) -> NDArray[np.intp]:
         """The number of the piece at each place; at a break, of the piece ahead in the direction of travel."""
@@ -59,7 +60,8 @@ class Data(NamedTuple):
         if self.coefficients.ndim == 2:
             return np.asarray(self.coefficients[piece].T)
         lane = np.arange(piece.size)
-        return np.asarray(self.coefficients[piece, :, lane].T)
+        by_lane = self.coefficients[piece, :, lane]
+        return np.asarray(by_lane.T)
 
 
 def continuous(breaks: Floats, coefficients: Floats, sine: bool = False) -> Data:
@@ -76,7 +78,7 @@ def of_law(name: str, parameters: Mapping[str, ArrayLike]) -> Data:
     _, breaks, polynomials = PIECES[name]
     arrays = dict[str, Floats]()
     for key, value in parameters.items():
-        arrays[key] = np.asarray(value, dtype=np.float64)
+        arrays[key] = np.add(value, 0.0)
     pieces = polynomials(**arrays)
     every = chain.from_iterable(pieces)
     values = np.array(np.broadcast_arrays(*every))
@@ -89,7 +91,8 @@ def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
     """Linear interpolation of samples, constant before the first and after the last."""
     first = places[0] - 1.0
     breaks = np.concatenate([[first], places])
-    heights = np.concatenate([[before], values[:-1], [after]])
+    first_values = values[:-1]
+    heights = np.concatenate([[before], first_values, [after]])
     rise = np.diff(values)
     secant = rise / np.diff(places)
     level = [0.0]
@@ -127,10 +130,10 @@ def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data
         slope[0] = _first_slope(step, secant)
     start = slope[:-1]
     end = slope[1:]
-    quadratic = 3 * secant - 2 * start - end
-    cubic = start + end - 2 * secant
+    quadratic = (3 * secant - 2 * start - end) / step
+    cubic = (start + end - 2 * secant) / step**2
     *first_values, last_value = values
-    pieces = np.stack([first_values, start, quadratic / step, cubic / step**2], axis=1)
+    pieces = np.stack([first_values, start, quadratic, cubic], axis=1)
     beyond = [last_value, 0.0, 0.0, 0.0]
     coefficients = np.vstack([pieces, beyond])
     return continuous(places, coefficients)

@@ -1,21 +1,35 @@
-"""Derivatives of the numbers of an arc: of its coefficients, half angle, moment of inertia and cover.
+"""Derivatives of what a program takes from an arc: its coefficients, half angle, moment of inertia and cover.
 
-Those of an arc follow from its derived growth, those of a section from the transport of its integrals.
+They are in the imaginary parts of complex numbers, as in `slipcircle.core.scene.complex_step`, so that what is computed
+from them has derivatives, too. Those of an arc follow from its derived growth, those of a section from the transport of
+its integrals; a layered section is computed with complex numbers from the start.
 """
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from generated.flow import INPUTS
 from generated.growth import arc_growth
 from slipcircle.core.scene.arc import Arc
+from slipcircle.core.scene.complex_step import STEP, derivative, with_derivatives
+from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.transport import section_derivatives
+from slipcircle.core.scene.transport import SectionDerivatives, section_derivatives
+from slipcircle.core.scene.weights import MomentCoefficients, SlidingBody
 
 Floats = NDArray[np.float64]
+
+
+def relative_derivative(values: Any) -> Floats:
+    """Derivatives over the values; 0 where these are 0."""
+    real = np.real(values)
+    nonzero = np.where(real == 0.0, 1.0, real)
+    return np.asarray(derivative(values) / nonzero)
 
 
 class Directions:
@@ -26,51 +40,60 @@ class Directions:
     names : sequence of str
     none : ndarray
         Derivatives of what depends on none of them.
-    of_friction : dict of ndarray
-        Derivatives of the numbers of a friction law that is the mean of those of soils, by their names.
     """
 
     def __init__(self, names: Sequence[str]) -> None:
         self.names = names
         self.none = np.zeros(len(names))
-        self.of_friction: dict[str, Floats] = {}
 
     def one(self, name: str) -> Floats:
-        """Derivatives of a parameter itself: 1 by it, 0 by all others; of a friction that soils make up, by theirs."""
-        if name in self.of_friction:
-            return self.of_friction[name]
+        """Derivatives of a parameter itself: 1 by it, 0 by all others."""
         return np.array([float(other == name) for other in self.names])
 
-    def relative(self, name: str, at: Any) -> Floats:
-        """Relative derivatives of a parameter that has a value; 0 where that is 0."""
-        value = float(at)
-        if not value:
-            return self.none
-        return self.one(name) / value
+    def stepped(self, name: str, value: Any) -> Any:
+        """The value of a parameter as a complex number."""
+        return with_parts(value, self.one(name))
 
 
-class Geometry(NamedTuple):
-    """Derivatives of what the equation of motion takes from an arc.
+def with_parts(value: Any, derivatives: Floats) -> Any:
+    """A complex number from its value and derivatives."""
+    return float(value) + 1j * STEP * derivatives
+
+
+class ArcWithDerivatives(SlidingBody):
+    """What a program takes from an arc or a section, as complex numbers.
 
     Attributes
     ----------
-    coefficients : dict of ndarray
-        Those of `moment_coefficients`, by their names.
-    half_angle : ndarray
-    inertia_growth, cover_growth : ndarray
-        Relative derivatives of Theta* and of the mean cover.
+    moment_coefficients : MomentCoefficients
     pressure : callable, optional
         Derivatives of the mean water pressure under a section's level, of the rotation.
     """
 
-    coefficients: dict[str, Floats]
-    half_angle: Floats
-    inertia_growth: Floats
-    cover_growth: Floats
-    pressure: Callable[[Floats], Any] | None = None
+    def __init__(
+        self, arc: Arc | Section, directions: Directions, half_angle: Any, inertia: Any, coefficients: Mapping[str, Any]
+    ) -> None:
+        self.radius = directions.stepped("radius", arc.radius)
+        self.gravity = directions.stepped("gravity", arc.gravity)
+        self.unit_weight = directions.stepped("unit_weight", arc.unit_weight)
+        self.half_angle = half_angle
+        self.dimensionless = SimpleNamespace(moment_of_inertia=inertia)
+        self.moment_coefficients: MomentCoefficients = arc.moment_coefficients._replace(**coefficients)
+        self.pressure: Callable[[Floats], Any] | None = None
 
 
-def arc_geometry(arc: Arc, at: Mapping[str, float], directions: Directions) -> Geometry:
+def arc_with_derivatives(arc: Arc | Section, directions: Directions) -> Any:
+    """An arc or a section as complex numbers, as far as a program needs them."""
+    if isinstance(arc, LayeredSection):
+        return with_derivatives(arc, directions.names)
+    moments = arc.moment_coefficients._asdict()
+    coefficients = {name: float(moments[name]) for name in INPUTS}
+    if isinstance(arc, Section):
+        return _section(arc, coefficients, directions)
+    return _arc(arc, coefficients, directions)
+
+
+def _arc(arc: Arc, at: Mapping[str, float], directions: Directions) -> ArcWithDerivatives:
     """A change of the half angle scales the coefficients; one of the dip turns them into their slopes.
 
     ``at`` are the values of the coefficients.
@@ -82,7 +105,7 @@ def arc_geometry(arc: Arc, at: Mapping[str, float], directions: Directions) -> G
     dip_dot = -arc.facing * middle_dot
     alpha = float(arc.half_angle)
     weight, radial, polar, resistance, inertia = map(float, arc_growth(alpha))
-    coefficients = {
+    dots = {
         "polar_moment": at["polar_moment"] * polar * alpha_dot,
         "resistance_factor": at["resistance_factor"] * resistance * alpha_dot,
     }
@@ -92,19 +115,28 @@ def arc_geometry(arc: Arc, at: Mapping[str, float], directions: Directions) -> G
         value = at[name]
         slope = at[name_of_slope]
         scaled_by = growth * alpha_dot
-        coefficients[name] = value * scaled_by + slope * dip_dot
-        coefficients[name_of_slope] = slope * scaled_by - value * dip_dot
-    inertia_growth = inertia / alpha * alpha_dot
-    return Geometry(coefficients, alpha_dot, inertia_growth, directions.none)
+        dots[name] = value * scaled_by + slope * dip_dot
+        dots[name_of_slope] = slope * scaled_by - value * dip_dot
+    coefficients = {name: with_parts(at[name], dot) for name, dot in dots.items()}
+    theta = float(arc.dimensionless.moment_of_inertia)
+    theta_dot = theta * inertia / alpha * alpha_dot
+    return ArcWithDerivatives(
+        arc,
+        directions,
+        half_angle=with_parts(alpha, alpha_dot),
+        inertia=with_parts(theta, theta_dot),
+        coefficients=coefficients,
+    )
 
 
-def section_geometry(section: Section, at: Mapping[str, float], names: Sequence[str]) -> Geometry:
+def _section(section: Section, at: Mapping[str, float], directions: Directions) -> ArcWithDerivatives:
     """By the derivatives of the section's integrals, and of its ends; ``at`` are the values of the coefficients."""
-    section_dot = section_derivatives(section, names)
+    section_dot = section_derivatives(section, directions.names)
     integrals = section.moments
     integrals_dot = section_dot.moments
-    theta = integrals["moment_of_inertia"]
-    inertia_growth = integrals_dot["inertia"] / theta
+    theta = float(integrals["moment_of_inertia"])
+    theta_dot = integrals_dot["inertia"]
+    inertia_growth = theta_dot / theta
     facing = section.facing
     changes = {
         "driving_moment": -facing * integrals_dot["moment_x"],
@@ -113,19 +145,37 @@ def section_geometry(section: Section, at: Mapping[str, float], names: Sequence[
         "normal_load_slope": facing * integrals_dot["radial_x"],
         "polar_moment": integrals_dot["polar"],
     }
-    coefficients = dict[str, Floats]()
+    coefficients = dict[str, Any]()
     for name, change in changes.items():
-        coefficients[name] = change / theta - at[name] * inertia_growth
+        dot = change / theta - at[name] * inertia_growth
+        coefficients[name] = with_parts(at[name], dot)
     first_end, last_end = section_dot.ends
     alpha_dot = (last_end - first_end) / 2
     alpha = float(section.half_angle)
     # (3.14): lambda = 2 alpha (1 - cos alpha), by which the mean normal stress and so the mean cover are divided
     lambda_growth = alpha_dot / alpha + alpha_dot / math.tan(alpha / 2)
+    resistance = at["resistance_factor"]
     resistance_growth = lambda_growth - inertia_growth
-    coefficients["resistance_factor"] = at["resistance_factor"] * resistance_growth
+    coefficients["resistance_factor"] = with_parts(resistance, resistance * resistance_growth)
+    coefficients["cover"] = _cover(section, section_dot)
+    result = ArcWithDerivatives(
+        section,
+        directions,
+        half_angle=with_parts(alpha, alpha_dot),
+        inertia=with_parts(theta, theta_dot),
+        coefficients=coefficients,
+    )
+    result.pressure = section_dot.pressure
+    return result
+
+
+def _cover(section: Section, section_dot: SectionDerivatives) -> Any:
+    """The mean cover of a section over its radius, relative to the static normal stress."""
+    alpha = float(section.half_angle)
     mean_height = float(section.mean_cover / section.radius)
     heights = 2 * alpha * mean_height
     heights_growth = section_dot.heights / heights
-    weight_growth = integrals_dot["radial_y"] / integrals["radial_weight"]
-    cover_growth = heights_growth + weight_growth
-    return Geometry(coefficients, alpha_dot, inertia_growth, cover_growth, section_dot.pressure)
+    weight_growth = section_dot.moments["radial_y"] / section.moments["radial_weight"]
+    cover = float(section.moment_coefficients.cover)
+    growth = heights_growth + weight_growth
+    return with_parts(cover, cover * growth)

@@ -3,6 +3,7 @@
 Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
 """
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property, partial
@@ -15,10 +16,10 @@ from numpy.typing import NDArray
 from generated import layout as ix
 from slipcircle.base.checks import choose
 from slipcircle.base.kinds import Numbers
-from slipcircle.base.text import digits_left, shown
 from slipcircle.core.motion.accuracy import estimate
 from slipcircle.core.motion.forms import Forms
 from slipcircle.core.motion.states import Phase, State, Status
+from slipcircle.core.motion.summary import ensemble_summary, summary
 from slipcircle.core.motion.trajectory import Trajectory
 from slipcircle.core.motion.warnings import collect_warnings
 from slipcircle.core.scene.parameters import with_parameters
@@ -55,8 +56,10 @@ SWING = 1e-6  # of the run-out, beyond which a mass that was farther has swung b
 
 def final_entries(cells: Floats, single: bool) -> dict[int, Any]:
     """`FINAL_ENTRIES` of state columns, as arrays or, of a single lane, as numbers."""
-    rows = cells.take(FINAL_ENTRIES, axis=0)
-    return dict(zip(FINAL_ENTRIES, rows[:, 0].tolist() if single else rows, strict=True))
+    rows: Any = cells.take(FINAL_ENTRIES, axis=0)
+    if single:
+        rows = rows[:, 0].tolist()
+    return dict(zip(FINAL_ENTRIES, rows, strict=True))
 
 
 class Motion(Trajectory, Forms, Generic[Numbers]):
@@ -105,7 +108,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def status(self) -> Any:
-        return np.reshape(self._status, self.shape) if self.shape else Status(self._status)
+        if self.shape:
+            return np.reshape(self._status, self.shape)
+        return Status(self._status)
 
     @property
     def reason(self) -> Any:
@@ -116,8 +121,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     def count(self) -> dict[str, int]:
         """Number of cases of each status, by its name."""
-        counts = np.bincount(np.ravel(self._status), minlength=len(Status))
-        return {status.name: int(counts[status]) for status in Status if counts[status]}
+        counts = Counter(np.ravel(self._status).tolist())
+        return {status.name: counts[status] for status in Status if status in counts}
 
     @property
     def moves(self) -> Any:
@@ -137,12 +142,16 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @property
     def turnings(self) -> Any:
         """Number of times the mass has turned back."""
-        return self._shaped(np.asarray(self._final[ix.TURNS], int))
+        return self._whole_number(ix.TURNS)
 
     @property
     def slips(self) -> Any:
         """Number of times the mass has begun to slide."""
-        return self._shaped(np.asarray(self._final[ix.PHASES], int))
+        return self._whole_number(ix.PHASES)
+
+    def _whole_number(self, entry: int) -> Any:
+        count = self._final[entry]
+        return self._shaped(np.asarray(count, int))
 
     @property
     def brake(self) -> Any:
@@ -153,15 +162,21 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @cached_property
     def outcomes(self) -> Mapping[str, Numbers]:
-        radius, final = self._lanes.radius, self._final
+        radius = self._lanes.radius
+        final = self._final
         with np.errstate(over="ignore"):  # an overflow is refused where the outcome is read
+            angular_velocity = final[ix.PEAK_OMEGA] / self._lanes.time_scale
             values = {
                 "reach": radius * final[ix.REACH_ROTATION],
                 "run_out": radius * final[ix.END_ROTATION],
-                "peak_velocity": radius * (final[ix.PEAK_OMEGA] / self._lanes.time_scale),
+                "peak_velocity": radius * angular_velocity,
                 "duration": self._duration,
             }
-        return {name: self._shaped(self._known(value + 0.0)) for name, value in values.items()}
+        outcomes = {}
+        for name, value in values.items():
+            known = self._known(value + 0.0)
+            outcomes[name] = self._shaped(known)
+        return outcomes
 
     @property
     def duration(self) -> Numbers:
@@ -179,7 +194,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     def reach(self) -> State:
         final = self._final
         at_end = final[ix.REACH_ROTATION] == final[ix.END_ROTATION]
-        time = choose(at_end, self._duration, final[ix.REACH_TIME] * self._lanes.time_scale)
+        reach_time = final[ix.REACH_TIME] * self._lanes.time_scale
+        time = choose(at_end, self._duration, reach_time)
         return self._final_state(time, ix.REACH_ROTATION, ix.END_OMEGA, ix.END_RATE, moving=at_end)
 
     @cached_property
@@ -187,31 +203,40 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         final = self._final
         peak_time = final[ix.PEAK_TIME]
         ended = final[ix.STATUS] == ix.ENDED
-        at_end = (peak_time == final[ix.END_TIME]) & ended
-        at_end |= final[ix.PHASES] == 0.0
+        last = peak_time == final[ix.END_TIME]
+        still = final[ix.PHASES] == 0.0
+        at_end = last & ended | still
         time = choose(at_end, self._duration, peak_time * self._lanes.time_scale)
-        tables = () if self.shape else self._lanes.problem.program.tables
-        varies_in_time = any(table.kind == "time" for table in tables)
-        if varies_in_time and 0.0 < time < self._duration:
+        if not self.shape and self._varies_in_time and 0.0 < time < self._duration:
             return self.at(time)  # of the rounded time: where a force jumps, as it is from then on
         return self._final_state(time, ix.PEAK_ROTATION, ix.PEAK_OMEGA, ix.PEAK_RATE)
+
+    @property
+    def _varies_in_time(self) -> bool:
+        tables = self._lanes.problem.program.tables
+        return any(table.kind == "time" for table in tables)
 
     def _final_state(self, time: Any, rotation: int, omega: int, rate: int, moving: Any = True) -> State:
         """A state of each lane from its final entries; where it is not moving, without speed and rate."""
         angle = self._known(self._final[rotation])
-        speed = self._known(choose(moving, self._final[omega], 0.0))
-        gain = self._known(choose(moving, self._final[rate], 0.0))
+        speed = choose(moving, self._final[omega], 0.0)
+        speed = self._known(speed)
+        gain = choose(moving, self._final[rate], 0.0)
+        gain = self._known(gain)
         stress = partial(self._final_stress, time, angle, speed)
-        return self._state(self._shaped(time + 0.0), angle, speed, gain, self._shaped, stress)
+        shaped_time = self._shaped(time + 0.0)
+        return self._state(shaped_time, angle, speed, gain, self._shaped, stress)
 
     def _final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
-        stress = self._lanes.stress(time / self._lanes.time_scale, rotation, omega)
+        lanes = self._lanes
+        stress = lanes.stress(time / lanes.time_scale, rotation, omega)
         return self._shaped(stress + 0.0)
 
     @property
     def swings_back(self) -> Any:
         """Whether it has been farther from its start than at the end."""
-        farthest, end = np.abs(self.reach.displacement), np.abs(self.run_out)
+        farthest = np.abs(self.reach.displacement)
+        end = np.abs(self.run_out)
         return farthest > end * (1 + SWING)
 
     @property
@@ -230,13 +255,17 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
         A loss of contact that lasts through standstills counts once.
         """
-        times: list[float] = []
-        lifted, resumed = False, -1.0
+        scale = self._lanes.time_scale
+        times = list[float]()
+        lifted = False
+        resumed = -1.0
         for event, time, _, _ in self._log:
-            if event == ix.NOTE_LIFTS and not lifted and resumed != time:
-                times.append(time * self._lanes.time_scale)
-            resumed = time if event == ix.NOTE_BEGINS and lifted else -1.0
-            lifted = event == ix.NOTE_LIFTS or (lifted and event == ix.NOTE_STANDS)
+            lifts = event == ix.NOTE_LIFTS
+            if lifts and not lifted and resumed != time:
+                times.append(time * scale)
+            begins = event == ix.NOTE_BEGINS
+            resumed = time if begins and lifted else -1.0
+            lifted = lifts or (lifted and event == ix.NOTE_STANDS)
         return tuple(times)
 
     @cached_property
@@ -244,12 +273,14 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         """Phases of a single motion between its standstills."""
         scale = float(np.squeeze(self._lanes.time_scale))
         duration = float(np.squeeze(self._duration))
-        phases: list[Phase] = []
+        phases = list[Phase]()
         for event, time, rotation, direction in self._log:
             if event == ix.NOTE_BEGINS:
-                phases.append(Phase(time * scale, duration, rotation, int(direction)))
+                phase = Phase(time * scale, duration, rotation, int(direction))
+                phases.append(phase)
             elif event == ix.NOTE_STANDS:
-                phases[-1] = phases[-1]._replace(end=time * scale)
+                phase = phases.pop()
+                phases.append(phase._replace(end=time * scale))
         return tuple(phases)
 
     # --- at the start ------------------------------------------------------------------------------------------------
@@ -288,9 +319,13 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @cached_property
     def energy_error_estimate(self) -> float:
         """Greatest error of the energy balance of a single motion, relative to all energy until then."""
-        energy = self.energy_at(np.linspace(0.0, self._duration, ENERGY_CHECKS))
-        exchanged = np.maximum.accumulate(energy.kinetic_start + np.abs(energy.work) + energy.dissipation)
-        return float(2 * np.max(np.abs(energy.residual) / np.maximum(exchanged, 1e-300)))
+        times = np.linspace(0.0, self._duration, ENERGY_CHECKS)
+        energy = self.energy_at(times)
+        exchanged = energy.kinetic_start + np.abs(energy.work) + energy.dissipation
+        greatest = np.maximum.accumulate(exchanged)
+        size = np.maximum(greatest, 1e-300)
+        errors = np.abs(energy.residual) / size
+        return float(2 * np.max(errors))
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -310,7 +345,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
             raise ValueError("sensitivity: takes a single scene; solve one case of the ensemble")
         if not self.moves and self.limit_friction == self.friction:
             raise ValueError("friction: the scene is exactly at its limit, where the motion has no derivative")
-        at: dict[str, Any] = {name: value if self.moves else 0.0 for name, value in self.outcomes.items()}
+        at: dict[str, Any] = dict(self.outcomes)
+        if not self.moves:
+            at = dict.fromkeys(at, 0.0)
         return sensitivity(self.plan.scene, self._lanes, at)
 
     # --- lanes, and one line of text ---------------------------------------------------------------------------------
@@ -331,10 +368,11 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         chosen = {}
         for name, value in scene.numbers.items():
             if np.ndim(value):
-                chosen[name] = np.broadcast_to(value, self.shape)[index]
+                values = np.broadcast_to(value, self.shape)
+                chosen[name] = values[index]
         plan = replace(self.plan, scene=with_parameters(scene, chosen))
-        every_lane = np.arange(prod(self.shape)).reshape(self.shape)
-        numbers = every_lane[index]
+        every_lane = np.arange(prod(self.shape))
+        numbers = every_lane.reshape(self.shape)[index]
         flat = np.ravel(numbers)
         lanes = self._lanes.taken(flat)
         if np.ndim(numbers):
@@ -345,28 +383,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return type(self)(plan, lanes, final_entries(cells, single=True), log)
 
     def __repr__(self) -> str:
-        name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""
+        name = self.plan.scene.name
+        if name:
+            name += ": "
         if self.shape:
-            return f"<{prod(self.shape)} motions {name}{_ensemble_summary(self)}>"
-        return f"<Motion {name}{_summary(self)}>"
-
-
-def _summary(motion: Motion[Any]) -> str:
-    """What happened to a single mass, in half a sentence."""
-    if not motion.moves:
-        return f"does not move, factor of safety {shown(motion.factor_of_safety)}"
-    digits = digits_left(motion.error_estimate)
-    values = (motion.outcomes[name] for name in ("peak_velocity", "run_out", "duration"))
-    velocity, run_out, duration = (shown(value, digits) for value in values)
-    end = "comes to rest after" if motion.arrested else "still moving at"
-    if not motion.arrested and motion.plan.scene.end_time is None:
-        end = "followed to its first standstill at"
-    return f"{velocity} m/s at most; run-out {run_out} m; {end} {duration} s"
-
-
-def _ensemble_summary(motion: Motion[Any]) -> str:
-    """How many lanes ended in which way, and the range of their run-outs."""
-    counts = ", ".join(f"{Status[name].words}: {count}" for name, count in motion.count().items())
-    known = motion.run_out[~np.isnan(motion.run_out)]
-    span = f"{shown(known.min())} to {shown(known.max())} m" if known.size else "not known"
-    return f"{counts}; run-out {span}"
+            return f"<{prod(self.shape)} motions {name}{ensemble_summary(self)}>"
+        return f"<Motion {name}{summary(self)}>"

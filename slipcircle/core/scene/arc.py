@@ -3,7 +3,7 @@
 from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, overload
 
@@ -41,9 +41,26 @@ WIDTH = 1.0
 
 
 # What `Arc(given=...)` holds; the other coefficients are their quotients.
-GIVEN: Mapping[str, Bounds] = {f.name: (0.0, INFINITY, "a positive number") for f in fields(Dimensionless)[:5]} | {
-    "weight_moment": (-INFINITY, INFINITY, "a finite number")
+_POSITIVE = (0.0, INFINITY, "a positive number")
+GIVEN: Mapping[str, Bounds] = {
+    "moment_of_inertia": _POSITIVE,
+    "radial_weight": _POSITIVE,
+    "weight_moment": (-INFINITY, INFINITY, "a finite number"),
+    "resistance_factor": _POSITIVE,
+    "dynamic_coefficient": _POSITIVE,
 }
+
+
+def _given_mistakes(given: Any) -> list[str]:
+    """What is wrong with coefficients that replace the computed ones."""
+    if not isinstance(given, Mapping):
+        return [f"given = {given!r}: must be a mapping of coefficients, or None"]
+    found = [f"given: {name!r} is missing" for name in GIVEN if name not in given]
+    known = ", ".join(GIVEN)
+    found += [f"given: {name!r} is unknown; known are {known}" for name in given if name not in GIVEN]
+    bounds = {name: GIVEN[name] for name in GIVEN if name in given}
+    found += [f"given: {mistake}" for mistake in mistakes(given, bounds, one=bounds)]
+    return found
 
 
 @dataclass(frozen=True)
@@ -120,36 +137,35 @@ class Arc(SlidingBody, Generic[Numbers]):
         values = {name: getattr(self, name) for name in ARC_BOUNDS}
         found = mistakes(values, ARC_BOUNDS) or shape_mistakes(values)
         if not found and not self._is_plain_arc:
-            found = complaint(self.geometry_errors(), np.broadcast(self.theta_1, self.theta_2).shape)
-        given: Any = self.given
-        if not isinstance(given, Mapping | None):
-            found.append(f"given = {given!r}: must be a mapping of coefficients, or None")
-        elif self.given is not None:
-            found += [f"given: {n!r} is missing" for n in GIVEN if n not in self.given]
-            found += [f"given: {n!r} is unknown; known are {', '.join(GIVEN)}" for n in self.given if n not in GIVEN]
-            bounds = {n: b for n, b in GIVEN.items() if n in self.given}
-            found += [f"given: {m}" for m in mistakes(self.given, bounds, one=bounds)]
-            object.__setattr__(self, "given", dict(self.given))
+            angles = np.broadcast(self.theta_1, self.theta_2)
+            found = complaint(self.geometry_errors(), angles.shape)
+        if self.given is not None:
+            found += _given_mistakes(self.given)
         raise_all("Arc", found)
+        if self.given is not None:
+            object.__setattr__(self, "given", dict(self.given))
 
     @property
     def _is_plain_arc(self) -> bool:
         """Whether this is one arc with a normal load, as most are: `geometry_errors` takes ten times as long."""
         first, last = self.theta_1, self.theta_2
-        if type(first) is not float or type(last) is not float or not 0.0 < last - first <= np.pi:
+        if type(first) is not float or type(last) is not float:
+            return False
+        if not 0.0 < last - first <= np.pi:
             return False
         return bool(self._radial_amplitude * self._cosine_of_dip > 0.0)
 
     def geometry_errors(self) -> Iterator[Fault]:
         """Invalid arcs, and arcs without a normal load."""
 
-        def degrees(k: int) -> tuple[float, float]:
-            one, two = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
-            return float(np.degrees(one.flat[k])), float(np.degrees(two.flat[k]))
+        def degrees(k: int) -> list[float]:
+            ends = np.broadcast_arrays(self.theta_1, self.theta_2)
+            return [float(np.degrees(end.flat[k])) for end in ends]
 
         def in_degrees() -> str:
-            turns = np.any(np.abs(self.theta_1) > 4 * np.pi)  # 12.6 rad are more than anybody turns, and few degrees
-            return "; theta_1 and theta_2 are in rad: were they in degrees?" if turns else ""
+            two_turns = 4 * np.pi  # 12.6 rad are more than anybody turns, and few degrees
+            is_beyond = np.abs(self.theta_1) > two_turns
+            return "; theta_1 and theta_2 are in rad: were they in degrees?" if np.any(is_beyond) else ""
 
         def swapped(k: int) -> str:
             one, two = degrees(k)
@@ -169,7 +185,8 @@ class Arc(SlidingBody, Generic[Numbers]):
         with np.errstate(invalid="ignore"):  # J_r/Theta*: NaN beyond a half disc, and where the ends are no angles
             normal_load = self._radial_amplitude * self._cosine_of_dip
         normal_load = np.ravel(normal_load)
-        yield np.ravel(np.less_equal(self.theta_2, self.theta_1)), swapped
+        are_swapped = np.less_equal(self.theta_2, self.theta_1)
+        yield np.ravel(are_swapped), swapped
         yield np.isnan(normal_load), too_wide
         yield normal_load <= 0.0, unpressed
 
@@ -186,7 +203,8 @@ class Arc(SlidingBody, Generic[Numbers]):
     @cached_property
     def _lean(self) -> Any:
         """The dip in the sense of the angles: negative where the chord falls to the left."""
-        return 1.5 * np.pi - np.add(self.theta_1, self.theta_2) / 2
+        middle = np.add(self.theta_1, self.theta_2) / 2
+        return 1.5 * np.pi - middle
 
     @cached_property
     def facing(self) -> Any:
@@ -231,7 +249,8 @@ class Arc(SlidingBody, Generic[Numbers]):
         static = self.normal_load * kernels.dynamic_coefficient(self.half_angle) / polar_per_inertia
         sine, cosine = self._middle
         ratio = kernels.weight_moment_per_radial_weight(self.half_angle)
-        return self.facing * (cosine / sine * ratio), static, polar_per_inertia  # (3.21): tan(psi) C_theta/C_r
+        limit_friction = self.facing * (cosine / sine * ratio)  # (3.21): tan(psi) C_theta/C_r
+        return limit_friction, static, polar_per_inertia
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
@@ -239,8 +258,9 @@ class Arc(SlidingBody, Generic[Numbers]):
         alpha = self.half_angle
         dip = self.dip
         if self.given is not None and dip != 0.0:  # J_theta = C_theta sin(psi), J_r = C_r cos(psi)
-            press = self.dimensionless.radial_weight_per_inertia
-            return self.dimensionless.limit_friction * press / np.sin(dip), press / np.cos(dip)
+            normal_load = self.dimensionless.radial_weight_per_inertia
+            driving_moment = self.dimensionless.limit_friction * normal_load
+            return driving_moment / np.sin(dip), normal_load / np.cos(dip)
         return kernels.weight_moment_per_inertia(alpha), self._radial_amplitude
 
     @cached_property
@@ -276,8 +296,11 @@ class Arc(SlidingBody, Generic[Numbers]):
     def _middle(self) -> tuple[Any, Any]:
         """Sine and cosine of theta_m, the mean of both angles, with its rounding, which a steep dip shows."""
         total, lost = two_sum(plain(self.theta_1), plain(self.theta_2))
-        sine, cosine = np.sin(total / 2), np.cos(total / 2)
-        return sine + cosine * (lost / 2), cosine - sine * (lost / 2)
+        middle = total / 2
+        rounding = lost / 2
+        sine = np.sin(middle)
+        cosine = np.cos(middle)
+        return sine + cosine * rounding, cosine - sine * rounding
 
     @property
     def _cosine_of_dip(self) -> Any:
@@ -288,18 +311,21 @@ class Arc(SlidingBody, Generic[Numbers]):
     def polar_moment(self) -> Any:
         """I_p, polar surface moment of inertia (2.16), m^3."""
         d = self.dimensionless
-        return np.power(self.radius, 3.0) * (d.resistance_factor * d.dynamic_coefficient)
+        dimensionless = d.resistance_factor * d.dynamic_coefficient
+        return np.power(self.radius, 3.0) * dimensionless
 
     @cached_property
     def moment_of_inertia(self) -> Any:
         """Theta, mass moment of inertia about the centre (3.1), kg m^2."""
         density = np.divide(self.unit_weight, self.gravity)
-        return np.multiply(self.width, density) * np.power(self.radius, 4.0) * self.dimensionless.moment_of_inertia
+        scale = np.multiply(self.width, density) * np.power(self.radius, 4.0)
+        return scale * self.dimensionless.moment_of_inertia
 
     @cached_property
     def weight_moment(self) -> Any:
         """Moment of the weight about the centre (3.7), N m."""
-        return np.multiply(self.width, self.unit_weight) * np.power(self.radius, 3.0) * self.dimensionless.weight_moment
+        scale = np.multiply(self.width, self.unit_weight) * np.power(self.radius, 3.0)
+        return scale * self.dimensionless.weight_moment
 
     @cached_property
     def depth(self) -> Any:

@@ -4,7 +4,7 @@ A section's ground, water level and centre are arrays of points. Each coordinate
 the field, the point from 0, and x or y; a centre is one point: ``centre.x``.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import fields
 from functools import lru_cache
 from typing import Any
@@ -14,29 +14,31 @@ import numpy as np
 from slipcircle.base.kinds import Values
 
 Index = tuple[int, ...]
+Indices = dict[str, Index]  # of numbers by name, in an array of points
 
 
 @lru_cache(maxsize=256)
-def _names(field: str, shape: tuple[int, ...]) -> dict[str, Index]:
+def _names(field: str, shape: Index) -> Indices:
     """Name of every number in a field of this shape, with its index there."""
     if not shape:
         return {field: ()}
     names = {}
     for index in np.ndindex(shape):
         *point, axis = index
-        parts = [field, *map(str, point), "xy"[axis]]
+        coordinate = "xy"[axis]
+        parts = [field, *map(str, point), coordinate]
         name = ".".join(parts)
         names[name] = index
     return names
 
 
-def leading_shape(value: Any, axes: int) -> tuple[int, ...]:
+def leading_shape(value: Any, axes: int) -> Index:
     """The shape of an array of lanes, without the last axes, which one section has."""
     shape = np.shape(value)
     return shape[: len(shape) - axes]
 
 
-def indices_of(arc: Any, field: str) -> dict[str, Index]:
+def indices_of(arc: Any, field: str) -> Indices:
     """The numbers of one field of an arc or a section: each by its name, with its index in the axes of one section."""
     value = getattr(arc, field)
     if value is None:
@@ -65,28 +67,32 @@ def changed_fields(arc: Any, values: Values) -> dict[str, Any]:
     changed: dict[str, Any] = {}
     for field, axes in arc.quantities.items():
         indices = indices_of(arc, field)
-        replaced = {name: index for name, index in indices.items() if name in values}
+        names = [name for name in indices if name in values]
+        replaced = {name: indices[name] for name in names}
         if not replaced:
             continue
         if not axes:
             changed[field] = values[field]
             continue
-        points = np.asarray(getattr(arc, field), dtype=np.float64)
+        value = getattr(arc, field)
+        points = np.asarray(value, dtype=np.float64)
         changed[field] = _with_coordinates(points, axes, replaced, values)
     known = arc.other_numbers()
-    others = {name: value for name, value in values.items() if name in known}
+    others = {name: values[name] for name in values if name in known}
     return changed | arc.fields_with(others)
 
 
 def by_lanes(arc: Any, select: Callable[[Any, int], Any]) -> Any:
     """An arc or a section with other lanes: each of its numbers is ``select(value, axes of one section)``."""
-    changed = {name: select(getattr(arc, name), axes) for name, axes in arc.quantities.items()}
+    changed = {}
+    for name, axes in arc.quantities.items():
+        changed[name] = select(getattr(arc, name), axes)
     others = {name: select(value, 0) for name, value in arc.other_numbers().items()}
     changed |= arc.fields_with(others)
     return replace_unchecked(arc, changed)
 
 
-def _with_coordinates(points: Any, axes: int, replaced: Mapping[str, Index], values: Values) -> Any:
+def _with_coordinates(points: Any, axes: int, replaced: Indices, values: Values) -> Any:
     """An array of points in which the coordinates at some indices are replaced by numbers, or by one a lane."""
     shape = points.shape[-axes:]  # of one section
     some_stay = len(replaced) < np.prod(shape)
@@ -95,7 +101,8 @@ def _with_coordinates(points: Any, axes: int, replaced: Mapping[str, Index], val
     lanes_of_numbers = map(np.shape, numbers)
     lanes = np.broadcast_shapes(lanes_of_the_rest, *lanes_of_numbers)
     kind = np.result_type(points, *numbers)
-    changed: Any = np.empty((*lanes, *shape), dtype=kind)
+    new_shape = (*lanes, *shape)
+    changed: Any = np.empty(new_shape, dtype=kind)
     if some_stay:
         changed[...] = points
     for index, number in zip(replaced.values(), numbers, strict=True):
@@ -105,13 +112,13 @@ def _with_coordinates(points: Any, axes: int, replaced: Mapping[str, Index], val
 
 def replace_unchecked(instance: Any, values: Values) -> Any:
     """A frozen dataclass with other field values that its constructor does not see: they were checked, or will be."""
-    if all(value is getattr(instance, name) for name, value in values.items()):
+    if all(values[name] is getattr(instance, name) for name in values):
         return instance
     other = object.__new__(type(instance))
     for field in fields(instance):
-        name = field.name
-        value = values.get(name, getattr(instance, name))
-        object.__setattr__(other, name, value)
+        known = getattr(instance, field.name)
+        value = values.get(field.name, known)
+        object.__setattr__(other, field.name, value)
     if hasattr(other, "takes_geometry") and other.takes_geometry(instance):
         other.take_geometry(instance)
     return other

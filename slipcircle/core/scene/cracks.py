@@ -27,7 +27,8 @@ class CrackedSection(Section):
     def __post_init__(self) -> None:
         if self._is_cracked:
             of_whole = geometry_errors(self._uncracked)
-            raise_all("LayeredSection", complaint(chain(of_whole, self._crack_errors()), self.shape))
+            faults = chain(of_whole, self._crack_errors())
+            raise_all("LayeredSection", complaint(faults, self.shape))
         super().__post_init__()
 
     @property
@@ -47,7 +48,9 @@ class CrackedSection(Section):
         ground, centre, radius = self._uncracked._circle
         depth = np.broadcast_to(self.crack, self.shape).reshape(-1)
         down = np.stack([np.zeros_like(depth), depth], axis=1)
-        return (ground - down[:, None] - centre[:, None]) / radius[:, None, None]
+        lowered = ground - down[:, None]
+        from_centre = lowered - centre[:, None]
+        return from_centre / radius[:, None, None]
 
     @cached_property
     def _crack_place(self) -> Floats:
@@ -59,11 +62,13 @@ class CrackedSection(Section):
         _, centre, radius = whole._circle
         left, right = whole._ends
         x = arc_crossings(self._lowered_ground)
-        after_left = x.real > left.x[:, None].real
-        before_right = x.real < right.x[:, None].real
-        inside = after_left & before_right
-        from_left = np.where(inside, x, np.inf).min(axis=1)
-        from_right = np.where(inside, x, -np.inf).max(axis=1)
+        first = left.x[:, None]
+        last = right.x[:, None]
+        inside = (x.real > first.real) & (x.real < last.real)
+        or_right = np.where(inside, x, np.inf)
+        or_left = np.where(inside, x, -np.inf)
+        from_left = or_right.min(axis=1)
+        from_right = or_left.max(axis=1)
         next_to_entry = np.where(whole._facing > 0.0, from_left, from_right)
         place = centre[:, 0] + radius * next_to_entry
         return np.where(np.isfinite(place), place, np.nan)
@@ -74,19 +79,23 @@ class CrackedSection(Section):
         ground, centre, radius = super()._circle
         if not self._is_cracked:
             return ground, centre, radius
-        return _with_slits(ground, centre[:, 1] - 1.1 * radius, self._crack_place), centre, radius
+        below_circle = centre[:, 1] - 1.1 * radius
+        with_slits = _with_slits(ground, below_circle, self._crack_place)
+        return with_slits, centre, radius
 
     @cached_property
-    def _candidates(self) -> tuple[Any, Any, Any, Any, Any]:
+    def _candidates(self) -> tuple[Any, ...]:
         """Of a cracked mass the part on the lower side of the crack."""
-        lane, number, left, right, held = super()._candidates
+        *columns, held = super()._candidates
         if not self._is_cracked:
-            return lane, number, left, right, held
+            return *columns, held
+        lane, _, left, right = columns
         middle = (left + right) / 2
         from_crack = middle - self._crack_place[lane]
         facing = self._uncracked._facing[lane]
         below = from_crack * facing > 0.0
-        return lane[below], number[below], left[below], right[below], held
+        chosen = [column[below] for column in columns]
+        return *chosen, held
 
     @property
     def _edges_over_mass(self) -> Any:
@@ -95,16 +104,18 @@ class CrackedSection(Section):
             return super()._edges_over_mass
         whole = self._uncracked
         x = whole._circle[0][0, :, 0]
-        lower_end = x[1:] if whole._facing[0] > 0.0 else x[:-1]
+        (facing,) = whole._facing
+        lower_end = x[1:] if facing > 0.0 else x[:-1]
         from_crack = lower_end - self._crack_place
-        below = from_crack * whole._facing > 0.0
+        below = from_crack * facing > 0.0
         return whole._edges_over_mass & below
 
     def _crack_errors(self) -> Iterator[Fault]:
         """Masses that are nowhere as thick as their crack is deep."""
 
         def sentence(k: int) -> str:
-            depth = np.broadcast_to(self.crack, self.shape).flat[k]
+            depths = np.broadcast_to(self.crack, self.shape)
+            depth = depths.flat[k]
             return f"{{crack}} = {depth:.10g}: is deeper than the mass above the circle"
 
         yield np.isnan(self._crack_place), sentence
@@ -125,9 +136,8 @@ class CrackedSection(Section):
         (x,) = self._crack_place
         (ground,) = self._uncracked._circle[0]
         y = np.interp(x, *ground.T)
-        edge = [[x, y]]
-        place = 1 if self.facing > 0.0 else len(below) - 1
-        return np.insert(below, place, edge, axis=0)
+        place = 1 if self.facing > 0.0 else -1
+        return np.insert(below, place, [x, y], axis=0)
 
 
 def _with_slits(ground: Floats, bottom: Floats, x: Floats) -> Floats:
@@ -140,5 +150,6 @@ def _with_slits(ground: Floats, bottom: Floats, x: Floats) -> Floats:
     slit_y = np.stack([top, bottom, top], axis=1)
     slit = np.stack([slit_x, slit_y], axis=2)
     points = np.concatenate([lines, slit], axis=1)
-    order = np.argsort(points[..., 0].real, axis=1, kind="stable")
+    all_x = points[..., 0]
+    order = np.argsort(all_x.real, axis=1, kind="stable")
     return np.take_along_axis(points, order[..., None], axis=1)

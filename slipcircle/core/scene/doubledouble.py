@@ -19,16 +19,19 @@ class DoubleDouble:
         high, low = two_sum(self.high, other.high)
         of_low_parts = self.low + other.low
         lost = low + of_low_parts
-        return type(self)(*two_sum(high, lost))
+        high, low = two_sum(high, lost)
+        return type(self)(high, low)
 
     def __sub__(self, other: Self) -> Self:
-        return self + type(self)(-other.high, -other.low)
+        negative = type(self)(-other.high, -other.low)
+        return self + negative
 
     def __mul__(self, other: Self) -> Self:
         product = self.high * other.high
         error = _product_error(self.high, other.high, product)
         crossed = self.high * other.low + self.low * other.high
-        return type(self)(*two_sum(product, error + crossed))
+        high, low = two_sum(product, error + crossed)
+        return type(self)(high, low)
 
 
 def _product_error(a: Any, b: Any, product: Any) -> Any:

@@ -35,19 +35,22 @@ def _not_one_stretch(section: Any) -> Fault:
         r = radius[k]
         line = ground[k % len(ground)]
         which = f"{{centre}} = [{x:.10g}, {y:.10g}], {{radius}} = {r:.10g}"
-        if count[k] > 1 or (count[k] == 1 and held[k]):
-            ends = zip(left[lane == k], right[lane == k], strict=True)
-            stretches = ", ".join(f"[{a:.6g}, {b:.6g}]" for a, b in ends)
+        mine = lane == k
+        one_besides_an_end = count[k] == 1 and held[k]
+        if count[k] > 1 or one_besides_an_end:
+            ends = zip(left[mine], right[mine], strict=True)
+            ranges = [f"[{first:.6g}, {last:.6g}]" for first, last in ends]
+            stretches = ", ".join(ranges)
             short = " besides one that an end of the ground cuts short" if held[k] else ""
             return f"{which}: cuts off several masses; choose one by {{between}} = {stretches}{short}"
         if held[k]:
             beyond = f"x = {x - r:.6g} or {x + r:.6g}"
             return f"{which}: an end of the ground lies inside the circle; the ground must continue beyond {beyond}"
-        if section.between is not None and circles.stretches(section._cut.only([k]))[0].size:
+        of_circle, _, _ = circles.stretches(section._cut.only([k]))
+        if section.between is not None and of_circle.size:
             return f"{{between}} = {section.between!r}: the circle cuts off no mass there"
-        (first_x, first_y), (last_x, last_y) = line[[0, -1]].tolist()
-        reach = f"from [{first_x:.6g}, {first_y:.6g}] to [{last_x:.6g}, {last_y:.6g}]"
-        return f"{which}: misses the ground, which reaches {reach}"
+        first, *_, last = [f"[{x:.6g}, {y:.6g}]" for x, y in line]
+        return f"{which}: misses the ground, which reaches from {first} to {last}"
 
     return (count != 1) | held, sentence
 
@@ -56,8 +59,9 @@ def _below_ground(section: Any) -> Fault:
     """Centres below the ground; also where the ground passes over the centre outside the circle."""
     centre = section._circle[1]
     first, last = section._angles
+    is_below = circles.below_ground(section._cut, section._mine)
     return (
-        circles.below_ground(section._cut, section._mine) | (last <= first),
+        is_below | (last <= first),
         lambda k: f"{{centre}} = {centre[k].tolist()}: lies below the ground; a slip circle's lies above it",
     )
 
@@ -68,26 +72,31 @@ def _below_base(section: Any) -> Fault:
     left, right = section._ends
     holds_lowest = (left.x < 0.0) & (right.x > 0.0)
     lowest_end = np.minimum(left.y, right.y)
-    lowest = centre[:, 1] + radius * np.where(holds_lowest, -1.0, lowest_end)
+    over_radius = np.where(holds_lowest, -1.0, lowest_end)
+    lowest = centre[:, 1] + radius * over_radius
     base = section.base
-    return (
-        lowest < base - 1e-9 * radius,
-        lambda k: (
-            f"{{radius}} = {radius[k]:.10g}: the circle goes down to y = {lowest[k]:.6g}, below {{base}} = {base:.10g}"
-        ),
-    )
+
+    def sentence(k: int) -> str:
+        which = f"{{radius}} = {radius[k]:.10g}"
+        return f"{which}: the circle goes down to y = {lowest[k]:.6g}, below {{base}} = {base:.10g}"
+
+    rounding = 1e-9 * radius
+    return lowest < base - rounding, sentence
 
 
 def motion_errors(section: Any) -> Iterator[Fault]:
     """Lanes to which the method gives no motion."""
+    half_angle = np.ravel(section.half_angle)
+    half_circle = np.pi / 2 * (1 + 8e-16)
     yield (
-        np.ravel(section.half_angle) > np.pi / 2 * (1 + 8e-16),
+        half_angle > half_circle,
         lambda _: (
             "the arc is longer than half a circle: parts of it carry negative normal stress, and the mean normal "
             "stress of the method (2.9) loses its sense"
         ),
     )
+    normal_load = np.ravel(section.moment_coefficients.normal_load)
     yield (
-        np.ravel(section.moment_coefficients.normal_load) <= 0.0,
+        normal_load <= 0.0,
         lambda _: "there is no normal load: the weight of the mass has no component towards the arc",
     )

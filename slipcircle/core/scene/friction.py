@@ -8,10 +8,11 @@ import numpy as np
 
 from generated.effects import LAWS
 from slipcircle.base.checks import mistakes, parameter_mistakes, shown
-from slipcircle.base.kinds import Parameters
+from slipcircle.base.kinds import Names, Parameters
 
 OF_SOIL = "#"  # before the number of a soil, in the name of its law
-RATE_LAWS = tuple(name for name, law in LAWS.items() if law.depends_on == ("speed",))
+RATE_LAWS = tuple(name for name in LAWS if LAWS[name].depends_on == ("speed",))
+Law = tuple[str, Parameters]  # by name, with its parameters
 
 
 def law_mistakes(given: Any) -> list[str]:
@@ -41,11 +42,12 @@ def may_have_rate(law: str) -> bool:
     return {"speed", "time"}.isdisjoint(LAWS[law].depends_on)
 
 
-def _named_faults(given: Parameters, path: str, known: tuple[str, ...]) -> list[str]:
+def _named_faults(given: Parameters, path: str, known: Names) -> list[str]:
     """A sentence for each mistake in a law by name."""
     name = given.get("law")
     if name not in known:
-        return [f"{path}.law = {name!r}: must be one of {', '.join(known)}"]
+        names = ", ".join(known)
+        return [f"{path}.law = {name!r}: must be one of {names}"]
     parameters = dict(given)
     del parameters["law"]
     if path == "friction":
@@ -63,18 +65,17 @@ def _table_faults(path: str, name: str, parameters: Parameters) -> list[str]:
     places = np.asarray(parameters[argument], dtype=float)
     coefficients = np.asarray(parameters["coefficient"], dtype=float)
     key = f"{{{path}.{argument}}}"
-    if places.ndim != 1 or places.shape != coefficients.shape or places.size < 2:
+    is_list = places.ndim == 1 and places.size > 1
+    if not is_list or places.shape != coefficients.shape:
         return [f"{key} and {{{path}.coefficient}}: must be two lists of equal length, at least two values"]
-    steps = np.diff(places)
-    increases = bool(np.all(steps > 0.0))
-    if name == "tabulated" and not (increases and places[0] == 0.0):
+    increases = np.all(np.diff(places) > 0.0)
+    starts_at_0 = places[0] == 0.0
+    if name == "tabulated" and not (increases and starts_at_0):
         return [f"{key}: must start at 0 and increase"]
-    if not increases:
-        return [f"{key}: must increase"]
-    return []
+    return [] if increases else [f"{key}: must increase"]
 
 
-def law_parts(friction: Any) -> tuple[tuple[str, Parameters], ...]:
+def law_parts(friction: Any) -> tuple[Law, ...]:
     """The laws that a scene's friction is a product of: each by name, with its parameters.
 
     The laws of soils, of which it is a sum, are by names with the number of the soil, ``linear#0``.
@@ -88,18 +89,23 @@ def law_parts(friction: Any) -> tuple[tuple[str, Parameters], ...]:
         of_soils = []
         for k, law in enumerate(friction["soils"].values()):
             name, parameters = law_parts(law)[0]
-            of_soils.append((f"{name}{OF_SOIL}{k}", parameters))
+            name_of_soil = f"{name}{OF_SOIL}{k}"
+            of_soils.append((name_of_soil, parameters))
         return (*of_soils, *rate)
-    parameters = {name: value for name, value in friction.items() if name not in ("law", "rate")}
-    return ((friction["law"], parameters), *rate)
+    parameters = dict(friction)
+    name = parameters.pop("law")
+    parameters.pop("rate", None)
+    return ((name, parameters), *rate)
 
 
-def law_paths(friction: Any) -> tuple[str, ...]:
+def law_paths(friction: Any) -> Names:
     """Where the numbers of each of `law_parts` are among the numbers of a scene."""
-    first: tuple[str, ...] = ("friction",)
+    first: Names = ("friction",)
     if isinstance(friction, Mapping) and "soils" in friction:
         first = tuple(f"soils.{soil}.friction" for soil in friction["soils"])
-    return (*first, "friction.rate")[: len(law_parts(friction))]
+    with_rate = (*first, "friction.rate")
+    count = len(law_parts(friction))
+    return with_rate[:count]
 
 
 def without_soil(name: str) -> str:
@@ -112,12 +118,12 @@ def soil_number(name: str) -> str:
     return "".join(name.partition(OF_SOIL)[1:])
 
 
-def law_names(given: Any) -> tuple[str, ...]:
+def law_names(given: Any) -> Names:
     """Of the law that a scene's friction stands for, and of the law of speed that multiplies it."""
     return tuple(name for name, _ in law_parts(given))
 
 
-def law_depends(given: Any) -> tuple[str, ...]:
+def law_depends(given: Any) -> Names:
     """What a scene's friction depends on: some of slip, speed, time."""
     variables: dict[str, None] = {}
     for name in law_names(given):
@@ -132,8 +138,7 @@ def friction_at_rest(friction: Any) -> Any:
     if isinstance(friction, Mapping) and "soils" in friction:  # with the mean of the whole arc
         friction = {**friction, "law": "constant"}
         del friction["soils"]
-    factors = [_at_rest(name, parameters) for name, parameters in law_parts(friction)]
-    return math.prod(factors)
+    return math.prod(_at_rest(*law) for law in law_parts(friction))
 
 
 def _at_rest(name: str, parameters: Parameters) -> Any:
@@ -144,12 +149,14 @@ def _at_rest(name: str, parameters: Parameters) -> Any:
     if "peak" in parameters:
         return parameters["peak"]
     coefficient = parameters["coefficient"]
-    is_table = LAWS[name].parameters[0].kind == "list"
+    first_parameter = LAWS[name].parameters[0]
+    is_table = first_parameter.kind == "list"
     return coefficient[0] if is_table else coefficient
 
 
 def least_friction(friction: Any) -> float:
     """The least coefficient of a law without a law of speed beside it, of any lane."""
     _, given = law_parts(friction)[0]
-    coefficients = [given[name] for name in ("coefficient", "peak", "residual") if name in given]
-    return min(float(np.min(values)) for values in coefficients)
+    names = {"coefficient", "peak", "residual"} & given.keys()
+    least = [np.min(given[name]) for name in names]
+    return float(min(least))

@@ -25,15 +25,19 @@ class SectionGeometry(TurningMass):
     @cached_property
     def shape(self) -> tuple[int, ...]:
         """Of the results."""
-        names = ("radius", "centre", "ground", "level")
-        leading = [leading_shape(getattr(self, name), self.quantities[name]) for name in names]
+        leading = []
+        for name in ("radius", "centre", "ground", "level"):
+            axes = self.quantities[name]
+            leading.append(leading_shape(getattr(self, name), axes))
         return np.broadcast_shapes(*leading)
 
     @cached_property
     def _circle(self) -> tuple[Floats, Floats, Floats]:
         """Ground, centre and radius with one axis of lanes."""
-        centre = np.broadcast_to(np.add(self.centre, 0.0), (*self.shape, 2))
-        radius = np.broadcast_to(np.add(self.radius, 0.0), self.shape)
+        centres = np.add(self.centre, 0.0)
+        radii = np.add(self.radius, 0.0)
+        centre = np.broadcast_to(centres, (*self.shape, 2))
+        radius = np.broadcast_to(radii, self.shape)
         ground = self._lines(self.ground)
         return ground, centre.reshape(-1, 2), radius.reshape(-1)
 
@@ -54,30 +58,37 @@ class SectionGeometry(TurningMass):
         """Lane, number and both x of the stretches that may be meant; and which circles hold an end of the ground."""
         _, centre, radius = self._circle
         lane, number, held = circles.stretches(self._cut)
-        first, last = circles.ends(self._cut.only(lane), number)
+        of_stretches = self._cut.only(lane)
+        first, last = circles.ends(of_stretches, number)
         r = radius[lane]
-        left = centre[lane, 0] + r * first.x
-        right = centre[lane, 0] + r * last.x
+        x = centre[lane, 0]
+        left = x + r * first.x
+        right = x + r * last.x
         if self.between is None:
             return lane, number, left, right, held
         low, high = self.between
         rounding = 1e-9 * r
-        is_between = (left >= low - rounding) & (right <= high + rounding)
+        after_low = left >= low - rounding
+        before_high = right <= high + rounding
+        is_between = after_low & before_high
         count = np.bincount(lane, is_between, len(radius))
+        none_between = count[lane] == 0
         middle = (left + right) / 2
         middle_between = (middle >= low) & (middle <= high)
-        keep = is_between | ((count[lane] == 0) & middle_between)
+        keep = is_between | (none_between & middle_between)
         chosen = [column[keep] for column in (lane, number, left, right)]
         return *chosen, np.zeros_like(held)
 
     @cached_property
     def _ends(self) -> tuple[Vectors, Vectors]:
         """The left and the right end of the arc from the centre, over R."""
-        return circles.ends(self._cut, self._candidates[1])
+        _, number, *_ = self._candidates
+        return circles.ends(self._cut, number)
 
     @cached_property
     def _mine(self) -> Any:
-        return self._cut.stretch == self._candidates[1][:, None]
+        _, number, *_ = self._candidates
+        return self._cut.stretch == number[:, None]
 
     @property
     def _edges_over_mass(self) -> Any:
@@ -92,13 +103,16 @@ class SectionGeometry(TurningMass):
     def _shaped(self, values: Any) -> Any:
         """Values by lane in the shape of the results; a number where there are no arrays."""
         values = np.asarray(values)
-        return values.reshape((*self.shape, *values.shape[1:]))[()]
+        _, *components = values.shape
+        shaped = values.reshape((*self.shape, *components))
+        return shaped[()]
 
     @cached_property
     def _facing(self) -> Floats:
         left, right = self._ends
         by_weight = -np.sign(self._moments["moment_x"])
-        by_height = np.where(left.y < right.y, -1.0, 1.0)
+        rises = left.y < right.y
+        by_height = np.where(rises, -1.0, 1.0)
         return np.where(by_weight != 0.0, by_weight, by_height)
 
     @cached_property
@@ -110,7 +124,9 @@ class SectionGeometry(TurningMass):
     def _angles(self) -> tuple[Floats, Floats]:
         """Of both ends from straight below the centre, left to right."""
         left, right = self._ends
-        return np.arctan2(left.x, -left.y), np.arctan2(right.x, -right.y)
+        first = np.arctan2(left.x, -left.y)
+        last = np.arctan2(right.x, -right.y)
+        return first, last
 
     @cached_property
     def _chord(self) -> Vectors:
@@ -121,7 +137,8 @@ class SectionGeometry(TurningMass):
     @cached_property
     def chord(self) -> Any:
         """Its length, m."""
-        return self._shaped(self._chord.length) * self.radius
+        length = self._shaped(self._chord.length)
+        return length * self.radius
 
     @cached_property
     def half_angle(self) -> Any:
@@ -130,7 +147,8 @@ class SectionGeometry(TurningMass):
         by_ends = (right - left) / 2
         sine = np.minimum(self._chord.length / 2, 1.0)
         acute = np.arcsin(sine)
-        by_chord = np.where(by_ends <= np.pi / 2, acute, np.pi - acute)
+        is_acute = by_ends <= np.pi / 2
+        by_chord = np.where(is_acute, acute, np.pi - acute)
         accurate = np.where(sine > 0.7, by_ends, by_chord)  # each where it keeps its digits
         return self._shaped(accurate)
 
@@ -138,14 +156,17 @@ class SectionGeometry(TurningMass):
     def dip(self) -> Any:
         """psi, the dip of the chord, rad, positive down-slope."""
         run, rise = self._chord
-        return self._shaped(np.arctan2(-self._facing * rise, run))
+        fall = -self._facing * rise
+        return self._shaped(np.arctan2(fall, run))
 
     def _end(self, way: float) -> Any:
         """The left end where the mass faces this way, else the right."""
         _, centre, radius = self._circle
-        left, right = (centre + radius[:, None] * end.points for end in self._ends)
         is_left = self._facing == way
-        return self._shaped(np.where(is_left[:, None], left, right))
+        left, right = self._ends
+        end = np.where(is_left[:, None], left.points, right.points)
+        from_centre = radius[:, None] * end
+        return self._shaped(centre + from_centre)
 
     @cached_property
     def entry(self) -> Any:
@@ -160,7 +181,8 @@ class SectionGeometry(TurningMass):
     @cached_property
     def area(self) -> Any:
         """Of the section, m^2."""
-        return self._shaped(self._moments["area"]) * np.square(self.radius)
+        area = self._shaped(self._moments["area"])
+        return area * np.square(self.radius)
 
     @cached_property
     def depth(self) -> Any:
@@ -175,10 +197,13 @@ class SectionGeometry(TurningMass):
         Where the arc overhangs, it is the ground outside the mass.
         """
         first, last = self._angles
-        by_edge = np.where(self._mine, integral_inside(self._cut), 0.0)
+        of_cut = integral_inside(self._cut)
+        by_edge = np.where(self._mine, of_cut, 0.0)
         integral = by_edge.sum(axis=1)
-        overhangs = np.maximum(-first, last) > np.pi / 2
+        widest = np.maximum(-first, last)
+        overhangs = widest > np.pi / 2
         if overhangs.any():
             above = height_integrals(*self._circle)
             integral = np.where(overhangs, above.integral(first, last), integral)
-        return self._shaped(integral) / (2 * self.half_angle) * self.radius
+        mean = self._shaped(integral) / (2 * self.half_angle)
+        return mean * self.radius

@@ -17,7 +17,8 @@ FAR = 1e9  # m; coordinates are smaller
 def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
     """Which of many lines (n, V, 2) do not lead from left to right."""
     with np.errstate(invalid="ignore"):
-        step = np.diff(lines, axis=1, prepend=lines[:, :1] - 1.0)
+        before_first = lines[:, :1] - 1.0
+        step = np.diff(lines, axis=1, prepend=before_first)
 
     def at(bad: Any, words: str) -> Fault:
         places = np.argmax(bad, axis=1)
@@ -29,11 +30,12 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
 
         return bad.any(axis=1), sentence
 
-    is_near = (np.abs(lines) < FAR).all(axis=2)
-    yield at(~is_near, "must be two finite numbers within 1e9 m")
+    is_near = np.abs(lines) < FAR
+    yield at(~is_near.all(axis=2), "must be two finite numbers within 1e9 m")
     yield at(~step.any(axis=2), "is equal to the point before it; remove one")
     yield at(step[..., 0] < 0.0, "lies left of the point before it; order them by x")
-    is_upright = lines[:, -1, 0] == lines[:, 0, 0]
+    x = lines[..., 0]
+    is_upright = x[:, -1] == x[:, 0]
     yield is_upright, lambda _: f"{{{name}}}: all points have the same x; it must extend from left to right"
 
 
@@ -45,21 +47,25 @@ def points_errors(name: str, given: Any, many: bool) -> list[str]:
         points = np.asarray(None)
     most_axes = 15 if many else 2
     shape = points.shape
+    are_numbers = points.dtype.kind in "iuf"
     has_axes = 2 <= points.ndim <= most_axes
-    if points.dtype.kind not in "iuf" or not has_axes or shape[-1] != 2 or shape[-2] < 2:
+    if not are_numbers or not has_axes or shape[-1] != 2 or shape[-2] < 2:
         return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
-    one_axis = points.reshape(-1, *shape[-2:])
+    *lanes, count, _ = shape
+    one_axis = points.reshape(-1, count, 2)
     lines = one_axis.astype(np.float64)
     faults = line_errors(name, lines)
-    return complaint(faults, shape[:-2])
+    return complaint(faults, tuple(lanes))
 
 
 def continued(lines: Floats, left: Any, right: Any) -> Floats:
     """Lines (n, V, 2) with a horizontal edge at either end that leads at least to an x, (n, V + 2, 2)."""
-    longer = np.concatenate([lines[:, :1], lines, lines[:, -1:]], axis=1)
-    x = longer[..., 0]
-    x[:, 0] = np.minimum(left, x[:, 0] - 1.0)
-    x[:, -1] = np.maximum(right, x[:, -1] + 1.0)
+    first = lines[:, :1]
+    last = lines[:, -1:]
+    longer = np.concatenate([first, lines, last], axis=1)
+    x = longer[..., 0].T
+    x[0] = np.minimum(left, x[0] - 1.0)
+    x[-1] = np.maximum(right, x[-1] + 1.0)
     return longer
 
 
@@ -73,21 +79,27 @@ def _upper(lines: Floats, x: Floats) -> Floats:
     with np.errstate(divide="ignore", invalid="ignore"):
         share = beyond / edge.x
     is_scarp = edge.x <= 0.0
-    share = np.where(is_scarp, edge.y > 0.0, share)
+    rises = edge.y > 0.0
+    share = np.where(is_scarp, rises, share)
     heights = start.y + share * edge.y
-    on_edge = (beyond >= 0.0) & (at <= line.ends.x)
+    to_end = line.ends.x - at
+    on_edge = (beyond >= 0.0) & (to_end >= 0.0)
     of_edges = np.where(on_edge, heights, -np.inf)
-    return np.asarray(of_edges.max(axis=-1))
+    upper: Floats = of_edges.max(axis=-1)
+    return upper
 
 
 def pond_errors(grounds: Floats, levels: Floats) -> Fault:
     """Where water levels (n or 1, W, 2) stand above grounds (n or 1, V, 2), or beside them; and what to say of one."""
     lanes = max(len(grounds), len(levels))
-    vertices = [np.broadcast_to(line, (lanes, *line.shape[1:])) for line in (grounds, levels)]
-    x = np.concatenate(vertices, axis=1)[..., 0]
+    of_grounds = np.broadcast_to(grounds, (lanes, *grounds.shape[1:]))
+    of_levels = np.broadcast_to(levels, (lanes, *levels.shape[1:]))
+    vertices = np.concatenate([of_grounds, of_levels], axis=1)
+    x = vertices[..., 0]
     ground = _upper(grounds, x)
     level = _upper(levels, x)
-    both = np.isfinite(ground) & np.isfinite(level)
+    over_ground = np.isfinite(ground)
+    both = over_ground & np.isfinite(level)
     known_level = np.where(both, level, -np.inf)
     known_ground = np.where(both, ground, 0.0)
     excess = known_level - known_ground
@@ -96,12 +108,14 @@ def pond_errors(grounds: Floats, levels: Floats) -> Fault:
     def sentence(k: int) -> str:
         if not both[k].any():
             return "{level}: lies beside the ground; it must extend over it"
-        highest = np.argmax(excess[k])
-        water = f"{{level}}: stands {excess[k, highest]:.4g} m above the ground at x = {x[k, highest]:.10g}"
+        above = excess[k]
+        highest = np.argmax(above)
+        water = f"{{level}}: stands {above[highest]:.4g} m above the ground at x = {x[k, highest]:.10g}"
         return f"{water}; standing water needs {{pond}}, which factors of safety know and motions do not"
 
     lies_beside = ~both.any(axis=1)
-    stands_above = excess.max(axis=1) > 1e-9 * size
+    rounding = 1e-9 * size
+    stands_above = excess.max(axis=1) > rounding
     return lies_beside | stands_above, sentence
 
 
@@ -130,7 +144,8 @@ BOUNDS: Mapping[str, Bounds] = {  # of the numbers of sections and their soils, 
 def slope_errors(given: Values) -> list[str]:
     """What is wrong with the fields of one slope, all numbers but for its lines."""
     bounds = _bounds_of(given)
-    return mistakes(given, bounds, one=bounds) + _lines_errors(given, many=False)
+    errors = mistakes(given, bounds, one=bounds)
+    return errors + _lines_errors(given, many=False)
 
 
 def section_errors(given: Values, axes: Mapping[str, int]) -> list[str]:
@@ -160,15 +175,22 @@ def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
     if coordinates != 2:
         wrong.append("centre")
     pair = given["between"]
-    if pair is not None and not (np.shape(pair) == (2,) and pair[0] < pair[1]):
+    if (pair is not None and np.shape(pair) != (2,)) or (pair is not None and pair[0] >= pair[1]):
         wrong.append("between")
-    return [f"{{{name}}} = {given[name]!r}: must be {bounds[name][2]}" for name in wrong]
+    errors = []
+    for name in wrong:
+        _, _, allowed = bounds[name]
+        errors.append(f"{{{name}}} = {given[name]!r}: must be {allowed}")
+    return errors
 
 
 def _bounds_of(given: Values) -> dict[str, Bounds]:
     """Bounds of the fields that are given."""
-    optional = ("base", "between")
-    return {name: BOUNDS[name] for name in BOUNDS if name in given and not (name in optional and given[name] is None)}
+    bounds = {name: BOUNDS[name] for name in BOUNDS if name in given}
+    for optional in ("base", "between"):
+        if optional in given and given[optional] is None:
+            del bounds[optional]
+    return bounds
 
 
 def _lines_errors(given: Values, many: bool) -> list[str]:
@@ -202,7 +224,8 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
         errors.append("{angle} or {run}: give one of them")
     raise_all("simple_slope", errors)
     if angle is not None:
-        run = 0.0 if angle > 1.5707963 else height / float(np.tan(angle))
+        is_upright = angle > 1.5707963
+        run = 0.0 if is_upright else height / float(np.tan(angle))
     assert run is not None
     flat = 4 * height + run
     x = [-run - flat, -run, 0.0, flat]
@@ -214,9 +237,10 @@ def _from_left(first: ArrayLike, second: ArrayLike) -> tuple[Vectors, Vectors]:
     """Two points, or many pairs of them, each from left to right."""
     p = np.asarray(first, dtype=np.float64)
     q = np.asarray(second, dtype=np.float64)
-    swap = p[..., :1] > q[..., :1]
-    left = np.where(swap, q, p)
-    right = np.where(swap, p, q)
+    p_x = p[..., :1]
+    q_x = q[..., :1]
+    left = np.where(p_x > q_x, q, p)
+    right = np.where(p_x > q_x, p, q)
     return Vectors.of(left), Vectors.of(right)
 
 
@@ -236,11 +260,14 @@ def circle_through(
     raise_all("circle_through", _through_errors(chord, half, radius, depth))
     if depth is not None:
         below = np.asarray(depth)
-        radius = (half**2 + np.square(below)) / (2 * below)
+        sum_of_squares = half**2 + np.square(below)
+        radius = sum_of_squares / (2 * below)
     size = np.asarray(radius)
-    above_chord = np.sqrt((size - half) * (size + half))
+    square = (size - half) * (size + half)
+    above_chord = np.sqrt(square)
     length = 2 * half
-    normal = Vectors(-chord.y / length, chord.x / length)
+    upwards = Vectors(-chord.y, chord.x)
+    normal = Vectors(upwards.x / length, upwards.y / length)
     middle = (p + q) * 0.5
     centre = middle + normal * above_chord
     return centre.points, size[()]
@@ -252,12 +279,14 @@ def _through_errors(chord: Vectors, half: Floats, radius: Any, depth: Any) -> li
         errors.append("{radius} or {depth}: give one of them")
     if np.any(chord.x == 0.0):
         errors.append("the two points have the same x; a slip circle connects two sides")
-    elif radius is not None and np.any(np.asarray(radius) < half):
+    elif radius is not None and np.any(np.less(radius, half)):
         least = f"at least half the distance of the points, {np.max(half):.10g}"
-        errors.append(f"{{radius}} = {np.min(radius):.10g}: must be {least}")
-    elif depth is not None and np.any((np.asarray(depth) <= 0.0) | (np.asarray(depth) > half)):
+        smallest = np.min(radius)
+        errors.append(f"{{radius}} = {smallest:.10g}: must be {least}")
+    elif depth is not None and np.any(np.less_equal(depth, 0.0) | np.greater(depth, half)):
         most = f"at most half the distance of the points, {np.min(half):.10g}"
-        errors.append(f"{{depth}} = {np.max(depth):.10g}: must be above 0 and {most}")
+        greatest = np.max(depth)
+        errors.append(f"{{depth}} = {greatest:.10g}: must be above 0 and {most}")
     return errors
 
 
@@ -282,18 +311,23 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     high = np.maximum(left_height, right_height)
     low = np.minimum(left_height, right_height)
     too_high = (low < 0.0) | (high <= 0.0)
-    if np.any(too_high) or np.any(run == 0.0):
+    is_upright = run == 0.0
+    if np.any(too_high | is_upright):
         raise ValueError(
             f"circle_touching: level = {np.max(base):.10g}: must lie below both points or touch the lower one, "
             "and the points must differ in x"
         )
     rise = high - low
     square = run**2 + rise**2
-    root = np.sqrt(high * low * square)
-    numerator = high * (run**2 - low * rise)
+    product = high * low
+    root = np.sqrt(product * square)
+    difference = run**2 - low * rise
+    numerator = high * difference
     denominator = high * run + root
     away = numerator / denominator
-    radius = (away**2 + high**2) / (2 * high)
-    x = np.where(left_height >= right_height, p.x + away, q.x - away)
+    sum_of_squares = away**2 + high**2
+    radius = sum_of_squares / (2 * high)
+    left_is_higher = left_height >= right_height
+    x = np.where(left_is_higher, p.x + away, q.x - away)
     centre = Vectors(x, base + radius)
     return centre.points, radius[()]

@@ -54,7 +54,7 @@ class LayeredNumbers:
     def fields_with(self, values: Values) -> dict[str, Any]:
         """The fields that these numbers are of, with other values."""
         known = self.other_numbers()
-        changed = {name: value for name, value in values.items() if value is not known[name]}
+        changed = {name: values[name] for name in values if values[name] is not known[name]}
         if not changed:
             return {}
         if share_one_law(self.soils):
@@ -124,7 +124,11 @@ def _share_length(changed: dict[str, Any], known: Values) -> None:
 
 def _within(start: str, values: Values) -> dict[str, Any]:
     """The values whose names begin so, by the rest of their names."""
-    return {name.removeprefix(start): value for name, value in values.items() if name.startswith(start)}
+    within = {}
+    for name, value in values.items():
+        if name.startswith(start):
+            within[name.removeprefix(start)] = value
+    return within
 
 
 def _soil_with(soil: Soil, values: Values) -> Soil:
@@ -159,5 +163,5 @@ def _moved(top: Any, height: Any) -> Any:
         line = lines[0]
     first_height = line[0, 1]
     rise = np.asarray(height - first_height)[..., None]
-    shift = np.stack(np.broadcast_arrays(0.0, rise), axis=-1)
-    return line + shift
+    shift = np.broadcast_arrays(0.0, rise)
+    return line + np.stack(shift, axis=-1)

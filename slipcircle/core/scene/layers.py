@@ -9,7 +9,7 @@ friction this is the paper's method; `slipcircle.core.scene.strength` has it.
 from __future__ import annotations  # so that a signature says ArrayLike
 
 import operator
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any, ClassVar
@@ -26,8 +26,16 @@ from slipcircle.core.scene.ground import FAR
 from slipcircle.core.scene.layered_numbers import LayeredNumbers
 from slipcircle.core.scene.profile import HEAD, Profile, profile_of
 from slipcircle.core.scene.section import Section, copy_computed
-from slipcircle.core.scene.soils import LANE_NUMBERS, Soil, datum_mistakes, datum_of, layer_mistakes, soil_mistakes
-from slipcircle.core.scene.strength import ArcStrength, MeanFriction, over_circles
+from slipcircle.core.scene.soils import (
+    LANE_NUMBERS,
+    Layers,
+    Soil,
+    datum_mistakes,
+    datum_of,
+    layer_mistakes,
+    soil_mistakes,
+)
+from slipcircle.core.scene.strength import ArcStrength, MeanFriction, Needs, over_circles
 from slipcircle.core.scene.stretches import OF_GEOMETRY
 from slipcircle.core.scene.strips import Strips, cut_into_strips
 
@@ -64,7 +72,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     """
 
     unit_weight: ArrayLike = field(default=1.0, init=False, repr=False)  # the soils have theirs
-    layers: Sequence[tuple[Soil, Any]] = ()
+    layers: Layers = ()
     strength: str = "base"
     foreland: Soil | None = None
     surcharge: Sequence[tuple[float, float, Any, Any]] = ()
@@ -85,8 +93,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}))
         super().__post_init__()
         first, last = self._angles
-        steepest = max(-float(np.min(first)), float(np.max(last)))
-        if steepest > np.pi / 2:
+        steepest = np.maximum(-first, last)
+        if np.any(steepest > np.pi / 2):
             above = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
             raise_all("LayeredSection", [above])
 
@@ -95,10 +103,10 @@ class LayeredSection(LayeredNumbers, CrackedSection):
             return False
         if self.soils != other.soils:
             return False
-        names = [field.name for field in fields(self) if field.name not in ("layers", "foreland")]
-        values = [*self.tops, *(getattr(self, name) for name in names)]
-        other_values = [*other.tops, *(getattr(other, name) for name in names)]
-        return all(map(np.array_equal, values, other_values))
+        if not all(map(np.array_equal, self.tops, other.tops)):
+            return False
+        names = {field.name for field in fields(self)} - {"layers", "foreland"}
+        return all(np.array_equal(getattr(self, name), getattr(other, name)) for name in names)
 
     # --- soils -------------------------------------------------------------------------------------------------------
 
@@ -120,7 +128,9 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     @cached_property
     def lanes_shape(self) -> tuple[int, ...]:
         """The broadcast shape of the geometry and of all numbers of soils."""
-        numbers = [getattr(soil, name) for soil in self.soils for name in LANE_NUMBERS]
+        numbers = []
+        for soil in self.soils:
+            numbers += [getattr(soil, name) for name in LANE_NUMBERS]
         for _, _, left, right in self.surcharge:
             numbers += [left, right]
         shapes = [np.shape(number) for number in numbers if number is not None]
@@ -142,16 +152,21 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def datum_levels(self) -> list[Any]:
         """Heights of the datums above the centre of the circle, over R, (circles,) each; None where there is none."""
         _, centre, radius = self._circle
-        return [None if datum is None else (datum - centre[:, 1]) / radius for datum in self.datums]
+        centre_y = centre[:, 1]
+        levels: list[Any] = []
+        for datum in self.datums:
+            levels.append(None if datum is None else (datum - centre_y) / radius)
+        return levels
 
-    def of_soils(self, value: Callable[[Soil], Any]) -> Floats:
+    def of_soils(self, name: str) -> Floats:
         """A number of each soil, (soils, lanes)."""
-        return self._by_lane([value(soil) for soil in self.soils])
+        numbers = [getattr(soil, name) for soil in self.soils]
+        return self._by_lane(numbers)
 
     def _by_lane(self, numbers: Sequence[Any]) -> Floats:
         """Numbers or arrays of them, (numbers, lanes)."""
-        numbers = list(map(np.asarray, numbers))
-        rows = np.empty((len(numbers), *self.lanes_shape), dtype=np.result_type(np.float64, *numbers))
+        kind = np.result_type(np.float64, *map(np.asarray, numbers))
+        rows = np.empty((len(numbers), *self.lanes_shape), dtype=kind)
         for k, number in enumerate(numbers):
             rows[k] = number
         return rows.reshape(len(rows), -1)
@@ -160,7 +175,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         """Values by lane in the shape of the results, of geometry or of all."""
         values = np.asarray(values)
         circles = int(np.prod(self.shape))
-        shape = self.shape if len(values) == circles else self.lanes_shape
+        of_geometry = len(values) == circles
+        shape = self.shape if of_geometry else self.lanes_shape
         _, *components = values.shape
         shaped = values.reshape((*shape, *components))
         return shaped[()]
@@ -192,8 +208,9 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     @cached_property
     def _saturated(self) -> bool:
         """Whether a soil is heavier below the water level."""
-        weights = [soil.saturated_unit_weight for soil, _ in self.layers]
-        return self.level is not None and any(weight is not None for weight in weights)
+        if self.level is None:
+            return False
+        return any(soil.saturated_unit_weight is not None for soil, _ in self.layers)
 
     @cached_property
     def _strips(self) -> Strips:
@@ -208,7 +225,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         loads = []
         cuts = self._datum_crossings_x
         for x1, x2, _, _ in self.surcharge:
-            load = (x1 - centre_x) / size, (x2 - centre_x) / size
+            from_centre = (x1 - centre_x, x2 - centre_x)
+            load = [x / size for x in from_centre]
             loads.append(load)
             cuts += load
         extra = np.concatenate(cuts, axis=1) if cuts else None
@@ -222,7 +240,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         for level in self.datum_levels:
             if level is not None:
                 height = np.clip(level, -1.0, 1.0)[:, None]
-                across = np.sqrt((1.0 - height) * (1.0 + height))
+                square = (1.0 - height) * (1.0 + height)
+                across = np.sqrt(square)
                 crossings += [across, -across]
         return crossings
 
@@ -241,16 +260,18 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def weight_steps(self) -> Floats:
         """Steps of the unit weight below each surface, and pressures of surcharges over R, N/m^3, (surfaces, lanes)."""
         count = len(self.layers)
-        weight = self.of_soils(lambda s: s.unit_weight)[:count]
+        weight = self.of_soils("unit_weight")[:count]
         steps = [np.diff(weight, axis=0, prepend=0.0)]
         if self._saturated:
-            wet = self.of_soils(_weight_below_water)
+            wet = self.of_soils("weight_below_water")
             increase = wet[:count] - weight
             steps.append(np.diff(increase, axis=0, prepend=0.0))
         if self.surcharge:
-            pressures = self._by_lane([pressure for load in self.surcharge for pressure in load[2:]])
+            pressures = []
+            for _, _, left, right in self.surcharge:
+                pressures += [left, right]
             _, _, radius = self._circle
-            steps.append(pressures / radius)
+            steps.append(self._by_lane(pressures) / radius)
         return np.concatenate(steps)
 
     @cached_property
@@ -267,7 +288,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def _weights_per_area(self) -> Floats:
         """The mean unit weight, N/m^3, (lanes,)."""
         of_area, *_ = self._moments_of_weight
-        return np.asarray(of_area / self._moments["area"])
+        mean: Floats = of_area / self._moments["area"]
+        return mean
 
     @cached_property
     def _weighted_moments(self) -> Mapping[str, Floats]:
@@ -294,18 +316,20 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def section_effects(self, effects: Effects, complete: bool = False) -> Effects:
         """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
         strength = self.arc_strength
-        rotates = "rotation" in effects
-        shaken = "shaking" in effects
-        terms = {"layered_strength": strength.terms(rotates, shaken, complete)}
-        terms |= strength.soil_terms(rotates, shaken, complete)
+        needs = Needs("rotation" in effects, "shaking" in effects, complete)
+        terms = {"layered_strength": strength.terms(needs)}
+        terms |= strength.soil_terms(needs)
         if "centripetal" not in effects:
             for effect, added in terms.items():
-                terms[effect] = {name: term for name, term in added.items() if not name.endswith("inertia")}
+                without = [name for name in added if not name.endswith("inertia")]
+                terms[effect] = {name: added[name] for name in without}
         return {**effects, **terms}
 
     def takes_geometry(self, other: Section) -> bool:
         """Whether nothing differs from another section but numbers of soils."""
-        return isinstance(other, LayeredSection) and super().takes_geometry(other) and _same_cut(self, other)
+        if not isinstance(other, LayeredSection):
+            return False
+        return super().takes_geometry(other) and _same_cut(self, other)
 
     def take_geometry(self, other: Section) -> None:
         """What another section has computed of a geometry that is the same."""
@@ -325,11 +349,5 @@ def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
 def _cut_of(section: LayeredSection) -> tuple[Any, ...]:
     """What of a section's cut can be compared by value: counts, switches and places of surcharges."""
     places = [load[:2] for load in section.surcharge]
-    return len(section.layers), len(section.soils), section.strength, section._saturated, places
-
-
-def _weight_below_water(soil: Soil) -> Any:
-    """Unit weight of a soil below the water level, N/m^3."""
-    if soil.saturated_unit_weight is None:
-        return soil.unit_weight
-    return soil.saturated_unit_weight
+    counts = len(section.layers), len(section.soils)
+    return counts, section.strength, section._saturated, places

@@ -7,7 +7,7 @@ all replace values by these names; how a scene file calls them is the file reade
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -64,20 +64,23 @@ class Parameter:
 
     def allows(self, values: Any) -> Any:
         """Which values lie within the bounds; never what is infinite or NaN."""
-        return (values > self.lower) & (values < self.upper) & (abs(values) < math.inf)
+        is_finite = abs(values) < math.inf
+        return is_finite & (values > self.lower) & (values < self.upper)
 
 
 DIP = Parameter("dip", "rad", -SMALLEST, math.pi / 2)
+_, _GREATEST_SPEED = declared.LIMITS["m/s"]
 _MOTION = (
-    Parameter("initial_velocity", "m/s", -declared.LIMITS["m/s"][1], declared.LIMITS["m/s"][1]),
+    Parameter("initial_velocity", "m/s", -_GREATEST_SPEED, _GREATEST_SPEED),
     Parameter("end_time", "s", *declared.LIMITS["s"]),
 )
 
 
 def parameters(scene: Scene) -> dict[str, Parameter]:
     """Every number that a scene with this arc and friction law may have, whether it has a value of it or not."""
-    of_effects = [p for name, effect in declared.EFFECTS.items() for p in _scalars(name, effect.parameters)]
-    every = (*_MOTION, *_parameters_of_arc(scene.arc), *_parameters_of_friction(scene.friction), *of_effects)
+    every = [*_MOTION, *_parameters_of_arc(scene.arc), *_parameters_of_friction(scene.friction)]
+    for name, effect in declared.EFFECTS.items():
+        every += _scalars(name, effect.parameters)
     return {parameter.name: parameter for parameter in every}
 
 
@@ -133,8 +136,9 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
     """
     numbers = {name: value if np.ndim(value) else float(value) for name, value in values.items()}
     changed = _fields_with(scene, numbers)
-    arc = replace(scene.arc, **changed["arc"]) if changed["arc"] else scene.arc
-    return Scene(**_fields_of(scene) | changed | {"arc": arc})
+    of_arc = changed.pop("arc")
+    arc = replace(scene.arc, **of_arc) if of_arc else scene.arc
+    return replace(scene, arc=arc, **changed)
 
 
 def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, Flags]:
@@ -144,7 +148,8 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]
     scene has the values of the first valid one.
     """
     known = parameters(scene)
-    allowed = np.broadcast_arrays(*(known[name].allows(value) for name, value in values.items()))
+    allowed_by_name = [known[name].allows(value) for name, value in values.items()]
+    allowed = np.broadcast_arrays(*allowed_by_name)
     invalid = ~np.logical_and.reduce(allowed)
     before: dict[str, Any] = {name: parameter_value(scene, name) for name in values}
     while True:
@@ -163,11 +168,6 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]
         if impossible.size > 1:
             impossible = impossible.reshape(invalid.shape)
         invalid = invalid | impossible
-
-
-def _fields_of(scene: Scene) -> dict[str, Any]:
-    """What a scene is made of, by the names of its fields."""
-    return {f.name: getattr(scene, f.name) for f in fields(Scene)}
 
 
 def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
@@ -203,7 +203,8 @@ def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
 def _friction_with(friction: Any, number: str, value: Any) -> Any:
     """A friction with another value of one number: "" is a constant's, "rate.peak" of the law of speed beside it."""
     if not number:
-        return value
+        beside_rate = isinstance(friction, Mapping) and friction["law"] == "constant"
+        return {**friction, "coefficient": value} if beside_rate else value
     assert isinstance(friction, Mapping)
     rate, _, name = number.rpartition(".")
     if not rate:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, parameter_mistakes, raise_all, shape_mistakes
-from slipcircle.base.kinds import Array, Numbers
+from slipcircle.base.kinds import Array, Effects, Numbers, Parameters, Values
 from slipcircle.base.series import Pulse, Series
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import arc_numbers
@@ -78,7 +78,7 @@ class Scene(Generic[Numbers]):
     accuracy: float | None = None
     name: str = ""
     note: str = ""
-    uncertain: Mapping[str, Any] = field(default_factory=dict)
+    uncertain: Values = field(default_factory=dict)
 
     if TYPE_CHECKING:  # numbers alone make one scene, an array an ensemble; a mapping of who knows what, either
 
@@ -93,7 +93,7 @@ class Scene(Generic[Numbers]):
             accuracy: float | None = None,
             name: str = ...,
             note: str = ...,
-            uncertain: Mapping[str, Any] = ...,
+            uncertain: Values = ...,
         ) -> None: ...
         @overload
         def __init__(
@@ -105,21 +105,22 @@ class Scene(Generic[Numbers]):
         def __init__(
             self: Scene[Any],
             arc: Arc | Section,
-            friction: float | Mapping[str, Any] | Callable[[Any], Any] | None = None,
-            effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = ...,
+            friction: float | Parameters | Callable[[Any], Any] | None = None,
+            effects: Effects | Iterable[str] = ...,
             initial_velocity: ArrayLike = ...,
             end_time: ArrayLike | None = None,
             accuracy: float | None = None,
             name: str = ...,
             note: str = ...,
-            uncertain: Mapping[str, Any] = ...,
+            uncertain: Values = ...,
         ) -> None: ...
         def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
         effects, faults = _named(self.effects)
         object.__setattr__(self, "effects", effects)
-        faults += _arc_faults(self.arc, effects) + self._field_faults()
+        faults += _arc_faults(self.arc, effects)
+        faults += self._field_faults()
         if isinstance(self.arc, LayeredSection):
             faults += layered_mistakes(self.friction, effects)
             object.__setattr__(self, "friction", self.arc.friction)
@@ -142,14 +143,15 @@ class Scene(Generic[Numbers]):
         bounds: dict[str, Bounds] = {"initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s")}
         if self.end_time is not None:
             bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
-        faults = [*mistakes({n: getattr(self, n) for n in bounds}, bounds), *accuracy_mistakes(self.accuracy)]
+        faults = mistakes(vars(self), bounds)
+        faults += accuracy_mistakes(self.accuracy)
         uncertain: Any = self.uncertain
         if not isinstance(uncertain, Mapping):
             faults.append(f"uncertain = {uncertain!r}: must be a mapping from numbers to their distributions")
         return faults
 
     @property
-    def called(self) -> Mapping[str, Mapping[str, Any]]:
+    def called(self) -> Effects:
         """Effects by name, each with its parameters, and the water level of a section."""
         assert isinstance(self.effects, dict)
         return self.arc.section_effects(self.effects)
@@ -182,8 +184,9 @@ class Scene(Generic[Numbers]):
     @cached_property
     def shape(self) -> tuple[int, ...]:
         """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
-        shapes = [np.shape(value) for value in self.numbers.values() if type(value) is not float]
-        return np.broadcast_shapes(*shapes) if shapes else ()
+        values = [value for value in self.numbers.values() if type(value) is not float]
+        shapes = map(np.shape, values)
+        return np.broadcast_shapes(*shapes)
 
 
 def _friction_numbers(friction: Any) -> dict[str, Any]:
@@ -200,10 +203,11 @@ def _friction_numbers(friction: Any) -> dict[str, Any]:
     return numbers
 
 
-def layered_mistakes(friction: Any, effects: Mapping[str, Any]) -> list[str]:
+def layered_mistakes(friction: Any, effects: Effects) -> list[str]:
     """What a scene of layered ground says that its soils say."""
     of_soils = "is given by the soils of a layered section; leave it out"
-    faults = [f"effects.{name}: {of_soils}" for name in ("cohesion", "pore_pressure") if name in effects]
+    strengths = ("cohesion", "pore_pressure")
+    faults = [f"effects.{name}: {of_soils}" for name in strengths if name in effects]
     if friction is not None and not isinstance(friction, MeanFriction):
         faults.append(f"friction = {friction!r}: {of_soils}")
     return faults
@@ -241,29 +245,32 @@ def _named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
     return named, faults
 
 
-def _arc_faults(arc: Any, effects: Mapping[str, Mapping[str, Any]]) -> list[str]:
+def _arc_faults(arc: Any, effects: Effects) -> list[str]:
     """What keeps an arc or a section from moving under some effects."""
     if not isinstance(arc, Arc | Section):
         return [f"arc = {arc!r}: must be an Arc or a Section"]
     faults: list[str] = []
     if isinstance(arc, Section) and arc.no_motion:
         faults.append(f"arc: {arc.no_motion}")
-    if isinstance(arc, Section) and arc.level is not None and "ratio" in effects.get("pore_pressure", {}):
+    has_level = isinstance(arc, Section) and arc.level is not None
+    if has_level and "ratio" in effects.get("pore_pressure", {}):
         faults.append(
             "{effects.pore_pressure.ratio}: cannot be combined with the level of the section, which says the pore "
             "pressure already; leave one out"
         )
-    if arc.given is not None and any(EFFECTS[e].turns for e in effects if e in EFFECTS):
+    turns = any(EFFECTS[name].turns for name in effects if name in EFFECTS)
+    if turns and arc.given is not None:
         faults.append("arc.given: belongs to the initial position and cannot be combined with rotation; leave one out")
     return faults
 
 
-def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
+def _effect_mistakes(name: str, parameters: Parameters) -> list[str]:
     if name not in EFFECTS:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     effect = EFFECTS[name]
     path = f"effects.{name}"
     faults = []
-    if effect.any_of and not any(needed in parameters for needed in effect.any_of):
-        faults.append(f"{path}: one of {', '.join(effect.any_of)} is missing")
+    if effect.any_of and parameters.keys().isdisjoint(effect.any_of):
+        names = ", ".join(effect.any_of)
+        faults.append(f"{path}: one of {names} is missing")
     return faults + parameter_mistakes(path, parameters, effect.parameters)

@@ -55,6 +55,11 @@ class Soil:
         raise_all(f"Soil {self.name}".rstrip(), soil_mistakes(self))
 
     @property
+    def weight_below_water(self) -> ArrayLike:
+        """Unit weight below the water level, N/m^3."""
+        return self.unit_weight if self.saturated_unit_weight is None else self.saturated_unit_weight
+
+    @property
     def peak(self) -> Any:
         """Friction coefficient at the start."""
         return friction_at_rest(self.friction)
@@ -69,6 +74,15 @@ class Soil:
         coefficient = self.friction.get("coefficient", 0.0)
         is_table = not {"slip", "speed", "time"}.isdisjoint(self.friction)
         return coefficient[-1] if is_table else coefficient
+
+
+Layers = Sequence[tuple[Soil, Any]]  # each a soil and the top of its layer
+
+
+def distinct(soils: Iterable[Soil]) -> list[Soil]:
+    """Each of the soils once."""
+    by_identity = {id(soil): soil for soil in soils}
+    return list(by_identity.values())
 
 
 def soil_mistakes(soil: Soil) -> list[str]:
@@ -87,15 +101,13 @@ def soil_mistakes(soil: Soil) -> list[str]:
     return found
 
 
-def layer_mistakes(
-    layers: Sequence[tuple[Soil, Any]], surcharge: Sequence[Any], strength: str = "", foreland: Any = None
-) -> list[str]:
+def layer_mistakes(layers: Layers, surcharge: Sequence[Any], strength: str = "", foreland: Any = None) -> list[str]:
     """A sentence for each mistake in the layers of a section, its foreland and its surcharges.
 
     Without ``strength``, of what does not move.
     """
     pairs = list(layers)
-    if not pairs or not all(isinstance(p, tuple | list) and len(p) == 2 and isinstance(p[0], Soil) for p in pairs):
+    if not pairs or not all(map(_is_layer, pairs)):
         return ["layers: must be pairs of a Soil and its top, from the ground down; the top of the first is None"]
     found = []
     for k, (_, top) in enumerate(pairs):
@@ -111,29 +123,40 @@ def layer_mistakes(
     used = [soil for soil, _ in pairs]
     if isinstance(foreland, Soil):
         used.append(foreland)
-    distinct = list({id(soil): soil for soil in used}.values())
-    found += _together_mistakes(distinct, strength)
-    for soil in distinct:
+    soils = distinct(used)
+    found += _together_mistakes(soils, strength)
+    for soil in soils:
         found += datum_mistakes(soil, pairs)
     for k, load in enumerate(surcharge):
         found += _load_mistakes(k, load)
     return found
 
 
-def datum_of(soil: Soil, layers: Sequence[tuple[Soil, Any]]) -> Any:
+def _is_layer(pair: Any) -> bool:
+    """Whether this is a soil with a top."""
+    is_pair = isinstance(pair, tuple | list) and len(pair) == 2
+    return is_pair and isinstance(pair[0], Soil)
+
+
+def _tops(soil: Soil, layers: Layers) -> list[Any]:
+    """The tops of the layers of one soil."""
+    return [top for other, top in layers if other is soil]
+
+
+def datum_of(soil: Soil, layers: Layers) -> Any:
     """y below which the cohesion of a soil grows, by default the top of its layers; None where it does not grow."""
-    if soil.datum is not None or not np.any(soil.cohesion_gradient):
-        return soil.datum
-    return next((top for other, top in layers if other is soil), None)
+    if soil.datum is None and np.any(soil.cohesion_gradient):
+        return next(iter(_tops(soil, layers)), None)
+    return soil.datum
 
 
-def datum_mistakes(soil: Soil, layers: Sequence[tuple[Soil, Any]]) -> list[str]:
+def datum_mistakes(soil: Soil, layers: Layers) -> list[str]:
     """A sentence if the cohesion of a soil grows below no height in particular."""
     if soil.datum is not None or not np.any(soil.cohesion_gradient):
         return []
-    tops = [top for other, top in layers if other is soil]
-    are_heights = tops and all(top is not None and np.ndim(top) < 2 for top in tops)
-    if are_heights and all(np.array_equal(top, tops[0]) for top in tops):
+    tops = _tops(soil, layers)
+    are_heights = all(top is not None and np.ndim(top) < 2 for top in tops)
+    if tops and are_heights and all(np.array_equal(top, tops[0]) for top in tops):
         return []
     why = "is missing: y below which the cohesion grows, as no one height is the top of its layers"
     return [f"soils.{soil.name}.datum: {why}"]
@@ -145,12 +168,13 @@ def _load_mistakes(k: int, load: Any) -> list[str]:
     if not isinstance(load, Sequence) or len(load) != 4:
         return [words]
     numbers = [np.asarray(number) for number in load]
-    if not all(number.dtype.kind in "iuf" and np.all(np.isfinite(number)) for number in numbers):
-        return [words]
-    first, last, *pressures = numbers
+    for number in numbers:
+        if number.dtype.kind not in "iuf" or not np.all(np.isfinite(number)):
+            return [words]
+    first, last, left, right = numbers
     in_order = first.ndim == last.ndim == 0 and first < last
-    none_pulls = all(np.all(pressure >= 0.0) for pressure in pressures)
-    return [] if in_order and none_pulls else [words]
+    pulls = np.any(left < 0.0) or np.any(right < 0.0)
+    return [] if in_order and not pulls else [words]
 
 
 def _top_mistakes(k: int, top: Any) -> list[str]:
@@ -175,15 +199,16 @@ def share_one_law(soils: Iterable[Soil]) -> bool:
             continue
         if not {"peak", "residual", "length"} <= {*law}:
             return False
-        shared = [(name, law[name]) for name in sorted(law) if name not in ("peak", "residual")]
-        laws.add(repr(shared))
+        shared = dict(law)
+        del shared["peak"], shared["residual"]
+        laws.add(repr(sorted(shared.items())))
     return len(laws) <= 1
 
 
 def _together_mistakes(soils: list[Soil], strength: str) -> list[str]:
     """What keeps soils from lying along one arc: equal names, and friction laws that the motion does not allow."""
     names = [soil.name for soil in soils]
-    twice = sorted({name for name in names if names.count(name) > 1})
+    twice = [name for name in sorted({*names}) if names.count(name) > 1]
     found = [f"layers: {name!r} is the name of two soils; give each its own" for name in twice]
     if not strength or share_one_law(soils):
         return found

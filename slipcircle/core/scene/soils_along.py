@@ -59,16 +59,20 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
     shares = np.diff(weight) / weight[-1]
     normal = mean_normal_stress(section, ends)
     vertical = _means(section, ends, _from_entry(section, HEAD, ends))
-    growth = _means(section, ends, section.arc_strength._growth(ends[:, None])[..., 0])
+    depth = section.arc_strength._growth(ends[:, None])
+    growth = _means(section, ends, depth[..., 0])
     rows = []
     for k, layer in enumerate(layers):
         soil, _ = section.layers[layer]
-        start, end = float(ends[k]), float(ends[k + 1])
+        start = float(ends[k])
+        end = float(ends[k + 1])
         ratio = float(np.asarray(soil.pore_ratio))
         pressure = ratio * vertical[k] if ratio else _head(section, start, end)
         gradient = np.asarray(soil.cohesion_gradient)
-        cohesion = np.asarray(soil.cohesion) + gradient * growth[layer, k]
-        friction = np.asarray(soil.peak) * (normal[k] - pressure)
+        increase = gradient * growth[layer, k]
+        cohesion = np.asarray(soil.cohesion) + increase
+        effective = normal[k] - pressure
+        friction = np.asarray(soil.peak) * effective
         stretch = Stretch(
             soil=soil,
             start=start,
@@ -98,7 +102,8 @@ def _means(section: LayeredSection, ends: Floats, integral: Floats) -> Floats:
     angles = np.diff(ends)
     parts = np.diff(integral, axis=-1)
     means = parts / angles
-    return np.asarray(means * _radius(section))
+    in_metres: Floats = means * _radius(section)
+    return in_metres
 
 
 def _one_lane(section: LayeredSection) -> None:
@@ -116,7 +121,9 @@ def _layers_along(section: LayeredSection) -> tuple[list[int], Floats]:
     joints = section.arc_strength.stretches
     layers = [int(joints.first[0])]
     ends = [float(first)]
-    for joint, after in zip(joints.joint[0], joints.after[0], strict=True):
+    (joint_directions,) = joints.joint
+    (layers_after,) = joints.after
+    for joint, after in zip(joint_directions, layers_after, strict=True):
         if last - joint < _SHORT:
             break
         if joint - ends[-1] < _SHORT:
@@ -136,7 +143,8 @@ def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> F
     if facing < 0.0:
         up_to = profile.whole[integral] - up_to
     by_surface = up_to * section.weight_steps
-    return np.asarray(by_surface.sum(axis=0))
+    total: Floats = by_surface.sum(axis=0)
+    return total
 
 
 def _head(section: LayeredSection, start: float, end: float) -> float:
@@ -144,8 +152,8 @@ def _head(section: LayeredSection, start: float, end: float) -> float:
     if section.level is None:
         return 0.0
     (facing,) = section._facing
-    low, high = sorted((facing * start, facing * end))
-    integral = section.heads_between(np.array([low]), np.array([high]))
-    height = float(integral[0]) / (high - low)
+    low, high = np.sort([[facing * start], [facing * end]], axis=0)
+    (integral,) = section.heads_between(low, high)
+    height = float(integral / (high - low)[0])
     water_unit_weight = float(np.asarray(section.water_unit_weight))
     return height * _radius(section) * water_unit_weight

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
+from slipcircle.core.scene.plane import Vectors
 
 
 class Journey(NamedTuple):
@@ -42,8 +43,10 @@ class TurningMass:
         left, right = sorted([tuple(self.entry), tuple(self.exit)])
         ground = np.asarray(self.ground, dtype=np.float64)
         x = ground[:, 0]
-        is_between = (x > left[0]) & (x < right[0])
-        return np.concatenate([[left], ground[is_between], [right]])
+        after_left = x > left[0]
+        before_right = x < right[0]
+        between = ground[after_left & before_right]
+        return np.concatenate([[left], between, [right]])
 
     def drowned(self, *rotations: float) -> float:
         """How far below the water level the ground over one section's mass comes, where it is deepest, m."""
@@ -59,14 +62,13 @@ class TurningMass:
     def placed(self, points: Any, rotation: Any) -> Any:
         """Points (..., 2) of the mass after a rotation, m."""
         turn = np.multiply(rotation, self.facing)
-        from_centre = np.subtract(points, self.centre)
-        x, y = np.moveaxis(from_centre, -1, 0)
+        x, y = Vectors.of(np.subtract(points, self.centre))
         cosine = np.cos(turn)
         sine = np.sin(turn)
         turned_x = x * cosine - y * sine
         turned_y = x * sine + y * cosine
-        turned = np.stack([turned_x, turned_y], axis=-1)
-        return np.asarray(self.centre) + turned
+        turned = Vectors(turned_x, turned_y)
+        return np.asarray(self.centre) + turned.points
 
     def journey(self, rotation: Any) -> Journey:
         """Toe, its horizontal run-out, fall of the centroid, and travel angle: of the centroid's way, fall over run.
@@ -74,29 +76,33 @@ class TurningMass:
         The chord of a rotation is the tangent at its half, also of one of zero: there the mass would begin to move.
         """
         toe = self.placed(self.exit, rotation)
-        run_out = (toe - self.exit)[..., 0] * self.facing
+        moved = Vectors.of(toe - self.exit)
+        run_out = moved.x * self.facing
         centroid = self.placed(self.centroid, rotation)
-        fall = self.centroid[..., 1] - centroid[..., 1]
+        risen = Vectors.of(centroid - self.centroid)
         half_rotation = np.multiply(rotation, 0.5)
         at_half = self.placed(self.centroid, half_rotation)
-        half_way = at_half - np.asarray(self.centre)
-        x, y = np.moveaxis(half_way, -1, 0)
-        sign = np.where(np.less(rotation, 0.0), -1.0, 1.0)
-        travel_angle = np.arctan2(-sign * self.facing * x, -sign * y)
-        return Journey(toe, run_out, fall, travel_angle)
+        half_way = Vectors.of(at_half - np.asarray(self.centre))
+        moves_back = np.less(rotation, 0.0)
+        sign = np.where(moves_back, 1.0, -1.0)
+        down = sign * self.facing * half_way.x
+        along = sign * half_way.y
+        travel_angle = np.arctan2(down, along)
+        return Journey(toe, run_out, -risen.y, travel_angle)
 
 
 def _greatest_depth(line: Floats, level: Floats) -> float:
     """Of a line's points below a level, at the vertices of both, m; 0 where the line is above."""
-    level_x, level_y = level.T
-    line_x, line_y = line.T
-    level_above = np.interp(line_x, level_x, level_y)
-    below_level = level_above - line_y
-    run, rise = np.diff(line, axis=0).T
+    points = Vectors.of(line)
+    surface = Vectors.of(level)
+    start = points.starts
+    edge = points.edges
+    above_points = np.interp(points.x, surface.x, surface.y)
+    below_level = above_points - points.y
+    vertex = surface[:, None]
     with np.errstate(divide="ignore", invalid="ignore"):
-        from_start = level_x[:, None] - line_x[:-1]
-        share = from_start / run  # of each edge, where a vertex of the level is
+        share = (vertex.x - start.x) / edge.x  # of each edge, where a vertex of the level is
     on_edge = (share > 0.0) & (share < 1.0)
-    height = line_y[:-1] + share * rise
-    below_vertices = np.where(on_edge, level_y[:, None] - height, 0.0)
+    height = start.y + share * edge.y
+    below_vertices = np.where(on_edge, vertex.y - height, 0.0)
     return float(max(0.0, below_level.max(), below_vertices.max()))

@@ -138,7 +138,7 @@ def declare(
     optional: bool = False,
     kind: str = "number",
 ) -> Parameter:
-    return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional, kind, ())
+    return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional, kind)
 
 
 _TEXT = {"name": Key("name", "name of the scene, by default the file's"), "note": Key("note", "source of the numbers")}
