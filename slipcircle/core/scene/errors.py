@@ -46,10 +46,12 @@ def _not_one_stretch(section: Any) -> Fault:
         if held[k]:
             beyond = f"x = {x - r:.6g} or {x + r:.6g}"
             return f"{which}: an end of the ground lies inside the circle; the ground must continue beyond {beyond}"
-        of_circle, _, _ = circles.stretches(section._cut.only([k]))
+        cut = section._cut.only([k])
+        of_circle, _, _ = circles.stretches(cut)
         if section.between is not None and of_circle.size:
             return f"{{between}} = {section.between!r}: the circle cuts off no mass there"
-        first, *_, last = [f"[{x:.6g}, {y:.6g}]" for x, y in line]
+        points = [f"[{x:.6g}, {y:.6g}]" for x, y in line]
+        first, *_, last = points
         return f"{which}: misses the ground, which reaches from {first} to {last}"
 
     return (count != 1) | held, sentence
