@@ -183,8 +183,8 @@ def test_every_variant_has_its_certificate() -> None:
 
 
 def test_the_checker_proves_certificates() -> None:
-    """A tenth of them; `python -m derive prove` proves all, and `python -m derive` what it writes."""
-    for record in RECORDS[::10]:
+    """Some of them; `python -m derive prove` proves all, and `python -m derive` what it writes."""
+    for record in RECORDS[::15]:
         _, proved = certify.checked(record)
         assert proved, record["kernel"]
 

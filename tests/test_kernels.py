@@ -94,16 +94,6 @@ def test_weights(name: str) -> None:
         assert error <= of_amplitude + 2, f"{name}{arc}: {error:.2f} ulp, the amplitude kernel {of_amplitude:.2f}"
 
 
-def test_mirrored_arcs_mirror_exactly() -> None:
-    """Reflected in the x axis, theta -> -theta: J_r changes its sign and J_theta does not, to the last bit."""
-    half = np.linspace(0.01, 1.5, 200)
-    for turn in (0.0, 0.25, 1.3):
-        right, left = (turn - half, turn + half), (-turn - half, half - turn)
-        np.testing.assert_array_equal(kernels.radial_weight(*right), -kernels.radial_weight(*left))
-        np.testing.assert_array_equal(kernels.weight_moment(*right), kernels.weight_moment(*left))
-    assert np.all(kernels.radial_weight(-half, half) == 0)
-
-
 def test_limit_friction() -> None:
     """At most 16 ulp, for every arc that is one; for a bisector along the x axis it is infinite."""
     solid = np.array([x for x in arcs() if x[1] > x[0] and abs(x[0] + x[1]) > 1e-290])
