@@ -61,8 +61,9 @@ class SectionGeometry(TurningMass):
         of_stretches = self._cut.only(lane)
         first, last = circles.ends(of_stretches, number)
         r = radius[lane]
-        left = centre[lane, 0] + r * first.x
-        right = centre[lane, 0] + r * last.x
+        x = centre[lane, 0]
+        left = x + r * first.x
+        right = x + r * last.x
         if self.between is None:
             return lane, number, left, right, held
         low, high = self.between
@@ -123,7 +124,9 @@ class SectionGeometry(TurningMass):
     def _angles(self) -> tuple[Floats, Floats]:
         """Of both ends from straight below the centre, left to right."""
         left, right = self._ends
-        return np.arctan2(left.x, -left.y), np.arctan2(right.x, -right.y)
+        first = np.arctan2(left.x, -left.y)
+        last = np.arctan2(right.x, -right.y)
+        return first, last
 
     @cached_property
     def _chord(self) -> Vectors:
@@ -134,7 +137,8 @@ class SectionGeometry(TurningMass):
     @cached_property
     def chord(self) -> Any:
         """Its length, m."""
-        return self._shaped(self._chord.length) * self.radius
+        length = self._shaped(self._chord.length)
+        return length * self.radius
 
     @cached_property
     def half_angle(self) -> Any:
@@ -161,7 +165,8 @@ class SectionGeometry(TurningMass):
         is_left = self._facing == way
         left, right = self._ends
         end = np.where(is_left[:, None], left.points, right.points)
-        return self._shaped(centre + radius[:, None] * end)
+        from_centre = radius[:, None] * end
+        return self._shaped(centre + from_centre)
 
     @cached_property
     def entry(self) -> Any:
@@ -192,7 +197,8 @@ class SectionGeometry(TurningMass):
         Where the arc overhangs, it is the ground outside the mass.
         """
         first, last = self._angles
-        by_edge = np.where(self._mine, integral_inside(self._cut), 0.0)
+        of_cut = integral_inside(self._cut)
+        by_edge = np.where(self._mine, of_cut, 0.0)
         integral = by_edge.sum(axis=1)
         widest = np.maximum(-first, last)
         overhangs = widest > np.pi / 2

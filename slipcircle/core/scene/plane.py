@@ -73,7 +73,9 @@ class Vectors:
 
     def where(self, mask: Any) -> "Vectors":
         """The vectors that a mask selects, and 0 for the others."""
-        return Vectors(np.where(mask, self.x, 0.0), np.where(mask, self.y, 0.0))
+        x = np.where(mask, self.x, 0.0)
+        y = np.where(mask, self.y, 0.0)
+        return Vectors(x, y)
 
     @property
     def starts(self) -> "Vectors":
