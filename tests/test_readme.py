@@ -187,8 +187,8 @@ LINK = re.compile(r"\]\(([^()\s]+)\)|(?<!\]\()(\bhttps?:/*[^\s<>\"'`]+)")  # [wo
 
 def documents() -> Iterator[tuple[Path, str]]:
     """Every text that a person reads: documents, notebooks' words, docstrings and comments, scene files."""
-    kinds = ("*.md", "notebooks/*.md", "CITATION.cff", "pyproject.toml", "slipcircle/scenes/*.toml")
-    kinds += ("derive/**/*.py", "slipcircle/**/*.py")
+    documents = ("*.md", "notebooks/*.md", "CITATION.cff", "pyproject.toml")
+    kinds = (*documents, "slipcircle/scenes/*.toml", "derive/**/*.py", "slipcircle/**/*.py")
     yield from ((path, path.read_text("utf-8")) for kind in kinds for path in sorted(ROOT.glob(kind)))
     for path in ROOT.glob("notebooks/*.ipynb"):
         cells = json.loads(path.read_text("utf-8"))["cells"]

@@ -304,12 +304,3 @@ def test_pages_name_every_claim_and_verdict() -> None:
     tables = [re.findall(r"^\| .*", part, re.MULTILINE) for part in report("markdown").split("## All claims")]
     assert [len(lines) - 2 for lines in tables] == [len(FAILING), len(CLAIMS)]
     assert all(len(re.findall(r"(?<!\\)\|", line)) == 8 for lines in tables for line in lines)
-
-
-def test_the_book_says_how_many_brackets_are_missing(judged: dict[str, Row]) -> None:
-    """All verdicts and their counts are printed there by the command itself."""
-    page = (ROOT / "notebooks" / "paper.md").read_text(encoding="utf-8")
-    assert "python -m derive verify" in page
-    count = [re.findall(r"(\d+) brackets missing at (\d+)", judged[f"Appendix {x}"].cause)[0] for x in ("I", "II")]
-    brackets, places = zip(*count, strict=True)
-    assert "{} and {} brackets missing at {} and {} places".format(*brackets, *places) in page
