@@ -88,24 +88,15 @@ def test_print_one_line_and_quadrature_agree(appendix: Appendix, start: str, end
         assert abs(evaluate(line, *at) - integral) < abs(integral) * mp.mpf(10) ** -DIGITS
 
 
-SINE, COSINE = sp.sin(alpha), sp.cos(alpha)
-AMPLITUDES = {
-    1: SINE - COSINE**2 * sp.atanh(SINE),
-    2: sp.Rational(2, 3) * SINE**3,
-    3: (2 * SINE - COSINE**4 * (SINE / COSINE**2 + sp.atanh(SINE))) / 4,
-}
-
-
-@pytest.mark.parametrize("n", AMPLITUDES)
-def test_the_integrand_is_found(n: int) -> None:
-    """A sine and a cosine at once; the appendices have each alone."""
-    weight, amplitude = (
-        2 * sp.sin(theta) + sp.cos(theta),
-        AMPLITUDES[n],
-    )  # of r^n cos(u) about the bisector, where sin(u) integrates to nothing
+def test_the_integrand_is_found() -> None:
+    """With r^3, a sine and a cosine at once; the appendices have r and each alone."""
+    sine, cosine = sp.sin(alpha), sp.cos(alpha)
+    # Of r^3 cos(u) about the bisector, where sin(u) integrates to nothing.
+    amplitude = (2 * sine - cosine**4 * (sine / cosine**2 + sp.atanh(sine))) / 4
+    weight = 2 * sp.sin(theta) + sp.cos(theta)
     for at in (0.3, 1.2):
-        assert abs(quadrature(r**n * sp.cos(theta), -at, at, 15) - float(amplitude.subs(alpha, at))) < 1e-14
-    assert sp.expand(integrand(amplitude * weight.subs(theta, theta_m)) - r**n * weight) == 0
+        assert abs(quadrature(r**3 * sp.cos(theta), -at, at, 15) - float(amplitude.subs(alpha, at))) < 1e-14
+    assert sp.expand(integrand(amplitude * weight.subs(theta, theta_m)) - r**3 * weight) == 0
 
 
 @pytest.mark.parametrize(
@@ -146,13 +137,6 @@ def test_every_repair_is_needed(appendix: Appendix) -> None:
 
 
 @each
-def test_brackets_alone_do_not_give_the_integral(appendix: Appendix) -> None:
-    readable = tuple(x for x in repairs(appendix) if not unreadable(appendix, x))
-    integral = quadrature(simplified(appendix).integrand, *PAPER, 15)
-    assert abs(evaluate(parse(appendix, readable), *PAPER).real / integral - 1) > 1e-2
-
-
-@each
 def test_final_division_is_of_the_whole_bracket(appendix: Appendix) -> None:
     # Closing the bracket at the very end instead, so that only the last term is divided, can be read too.
     late = replace(appendix, printed=appendix.printed.rstrip() + ")")
@@ -176,7 +160,7 @@ def test_flipped_signs_are_found(appendix: Appendix) -> None:
     text = " ".join(appendix.printed.split())
     signs = [match.start() + 1 for match in re.finditer(" [-+] ", text)]
     assert len(signs) > 30
-    for place in signs[5::22]:
+    for place in signs[5::40]:
         flipped = text[:place] + {"+": "-", "-": "+"}[text[place]] + text[place + 1 :]
         with pytest.raises(ProofError):
             simplify(replace(appendix, printed=flipped))

@@ -1,6 +1,5 @@
 """The arc's quantities, against the paper's tables, ball arithmetic and integrals in SI units; and what it refuses."""
 
-import dataclasses
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
@@ -90,17 +89,6 @@ def test_dimensionless_coefficients() -> None:
             assert error <= (8 if size is not None else 10), f"{name} of {arc} is wrong by {error:.3g} ulp"
 
 
-@pytest.mark.parametrize("distance", [1e-2, 1e-5, 1e-8])
-def test_a_steep_arc_loses_no_digits(distance: float) -> None:
-    """Near a vertical chord J_r is small; the drive is made of quotients with it."""
-    for shift, half in zip(np.linspace(0.9, 1.1, 9), np.linspace(1.21, 1.37, 9), strict=True):
-        for middle in (np.pi + shift * distance, 2 * np.pi - shift * distance):
-            arc = Arc(100.0, middle - half, middle + half, 2e4)  # sums of the ends round
-            reference = references(arc)
-            for name in ("radial_weight_per_inertia", "static_normal_stress", "limit_friction"):
-                assert oracle.ulps(float(getattr(arc.dimensionless, name)), reference[name]) <= 10, (name, arc)
-
-
 def over_the_section(arc: Arc, weight: Callable[[mpf, mpf], mpf]) -> mpf:
     """Double integral of weight(r, theta) dr dtheta between chord and arc, in metres, no angle centred.
 
@@ -117,26 +105,24 @@ def over_the_section(arc: Arc, weight: Callable[[mpf, mpf], mpf]) -> mpf:
     return mpmath.quad(ring, mpmath.linspace(first, second, 5))
 
 
-@pytest.mark.parametrize("arc", [vaiont(), vaiont(gravity=1.62, width=350.0), *random_arcs(3, seed=5)])
+@pytest.mark.parametrize("arc", [vaiont(), vaiont(gravity=1.62, width=350.0), *random_arcs(2, seed=5)])
 def test_si_quantities_against_integrals_in_si(arc: Arc) -> None:
     with mpmath.workdps(40):
         fields = (arc.radius, arc.unit_weight, arc.gravity, arc.width, *ends(arc))
         radius, gamma, g, width, first, second = (mpf(float(np.asarray(x))) for x in fields)
         opening = second - first
-        inertia = width * gamma / g * over_the_section(arc, lambda r, theta: r**3)
         # Weight of a wedge, gamma r dr dtheta, times its lever about the centre; then towards the arc, over its length.
-        moment = width * gamma * over_the_section(arc, lambda r, theta: -r * r * mpmath.cos(theta))
+        moment = abs(gamma * over_the_section(arc, lambda r, theta: r * r * mpmath.cos(theta)))
         towards = gamma * over_the_section(arc, lambda r, theta: -r * mpmath.sin(theta)) / (radius * opening)
-        turning = gamma * over_the_section(arc, lambda r, theta: -r * r * mpmath.cos(theta))
-        depth = radius - radius * mpmath.cos(opening / 2)
+        depth = radius * (1 - mpmath.cos(opening / 2))
         expected = {
             "polar_moment": over_the_section(arc, lambda r, theta: r * r),
-            "moment_of_inertia": inertia,
-            "weight_moment": abs(moment),
+            "moment_of_inertia": width * gamma / g * over_the_section(arc, lambda r, theta: r**3),
+            "weight_moment": width * moment,
             "depth": depth,
             "reference_stress": gamma * depth,
             "static_normal_stress": towards,
-            "limit_friction_angle": mpmath.atan(abs(turning) / radius / (towards * radius * opening)),
+            "limit_friction_angle": mpmath.atan(moment / radius / (towards * radius * opening)),
             "time_scale": mpmath.sqrt(radius / g),
             "half_angle": opening / 2,
             "dip": abs(3 * mpmath.pi / 2 - (first + second) / 2),
@@ -146,38 +132,26 @@ def test_si_quantities_against_integrals_in_si(arc: Arc) -> None:
             assert abs(mpf(float(getattr(arc, name))) - value) <= 1e-14 * abs(value) + floor, name
 
 
-def test_integers_do_not_overflow() -> None:
-    """R**4 of a large radius exceeds what integers hold."""
-    for kind in (int, np.int32, np.int64):
-        whole, real = vaiont(radius=kind(100_000)), vaiont(radius=1e5)
-        assert whole.moment_of_inertia == real.moment_of_inertia > 0
-        assert (whole.polar_moment, whole.weight_moment) == (real.polar_moment, real.weight_moment)
-
-
 def test_arrays_broadcast() -> None:
-    """Each field may be an array; a lane is what the scalars give."""
-    radius, theta_1, unit_weight = np.array([[200.0], [1500.0]]), np.array([3.6, 3.8, 4.0]), [[18e3], [22e3]]
+    """Each field may be an array; a lane is what the scalars give. Integers do not overflow."""
+    radius, theta_1, unit_weight = np.array([[200], [100_000]]), np.array([3.6, 3.8, 4.0]), [[18e3], [22e3]]
     arc = Arc(radius, theta_1, 5.0, unit_weight)
     for name in ("polar_moment", "moment_of_inertia", "weight_moment", "depth", "static_normal_stress"):
         values = getattr(arc, name)
-        assert values.shape == (2, 3)
-        for i, j in np.ndindex(2, 3):
+        for i, j in np.ndindex(values.shape):
             lane = Arc(float(radius[i, 0]), float(theta_1[j]), 5.0, unit_weight[i][0])
             np.testing.assert_allclose(values[i, j], getattr(lane, name), rtol=4e-16)
-    assert arc.dimensionless.limit_friction.shape == (3,)
+    assert (arc.polar_moment.shape, arc.dimensionless.limit_friction.shape) == ((2, 3), (3,))
 
 
-def test_half_discs_given_in_degrees() -> None:
+@pytest.mark.parametrize("first", [180.0, 187.3, 200.0, 123.4, -180.0])
+def test_half_discs_given_in_degrees(first: float) -> None:
     """180 degrees are allowed, though radians round; the integrals of a half disc are 1/3, 1/4, ..."""
-    for first in (180.0, 187.3, 200.0, 123.4, -180.0):
-        disc = Arc(50.0, np.deg2rad(first), np.deg2rad(first + 180.0), 2e4)
-        d = disc.dimensionless
-        np.testing.assert_allclose(d.moment_of_inertia, np.pi / 4, rtol=1e-15)
-        np.testing.assert_allclose(disc.polar_moment, np.pi / 3 * 50.0**3, rtol=1e-15)
-        np.testing.assert_allclose(
-            d.limit_friction, 2 / 3 * abs(np.tan(np.deg2rad(180.0 - first))), rtol=1e-14, atol=3e-16
-        )
-        assert disc.depth == pytest.approx(50.0, rel=1e-15)
+    disc = Arc(50.0, np.deg2rad(first), np.deg2rad(first + 180.0), 2e4)
+    assert disc.dimensionless.moment_of_inertia == pytest.approx(np.pi / 4, rel=1e-15)
+    assert disc.polar_moment == pytest.approx(np.pi / 3 * 50.0**3, rel=1e-15)
+    limit = 2 / 3 * abs(np.tan(np.deg2rad(180.0 - first)))
+    assert disc.dimensionless.limit_friction == pytest.approx(limit, rel=1e-14, abs=3e-16)
 
 
 # --- coefficients as given -----------------------------------------------------------------------------------------
@@ -207,14 +181,6 @@ def test_given_is_checked(changes: dict[str, Any], said: str) -> None:
     assert said in str(caught.value)
 
 
-def test_given_takes_all_coefficients_and_a_negative_moment() -> None:
-    with pytest.raises(ValueError, match="given: 'dynamic_coefficient' is missing"):
-        vaiont(given={n: v for n, v in TABLE_4_1.items() if n != "dynamic_coefficient"})
-    one, other = (vaiont(given=TABLE_4_1 | {"weight_moment": moment}) for moment in (0.0387, -0.0387))
-    assert (one.facing, other.facing) == (1, -1)
-    assert other.dimensionless == one.dimensionless
-
-
 # --- what is refused -----------------------------------------------------------------------------------------------
 
 BAD: list[tuple[dict[str, Any], str]] = [
@@ -237,16 +203,15 @@ BAD: list[tuple[dict[str, Any], str]] = [
 
 @pytest.mark.parametrize(("changes", "said"), BAD)
 def test_what_is_refused(changes: dict[str, Any], said: str) -> None:
-    """A ValueError that names the field; the value too, unless it is spelled out above."""
+    """One mistake, one sentence, which names the field, and its value unless that is long."""
     with pytest.raises(ValueError, match=r"^Arc: ") as caught:
         vaiont(**changes)
     message = str(caught.value)
     assert said in message
-    assert message.count(";") <= 1, "one mistake, one sentence"
+    assert message.count(";") <= 1
     if said in VAIONT:
         value = changes[said]
-        number = isinstance(value, float)
-        start = f"{said} = {f'{value:.10g}' if number else repr(value)}: must be a"
+        start = f"{said} = {f'{value:.10g}' if isinstance(value, float) else repr(value)}: must be a"
         assert start in message if len(start) < 100 else len(message) < 200, message
 
 
@@ -259,13 +224,14 @@ def test_all_mistakes_are_listed_at_once() -> None:
     assert message.count("is missing") == len(GIVEN)
 
 
-def test_frozen() -> None:
+def test_given_is_a_copy() -> None:
     given = dict(TABLE_4_1)
     arc = vaiont(given=given)
-    with pytest.raises(dataclasses.FrozenInstanceError):
-        arc.radius = 5.0  # type: ignore[misc]
-    with pytest.raises(dataclasses.FrozenInstanceError):
-        arc.dimensionless.radial_weight = 1.0  # type: ignore[misc]
-    given["radial_weight"] = -1.0  # the caller's own dictionary
+    given["radial_weight"] = -1.0
     assert arc.dimensionless.radial_weight == 0.0870
-    assert dataclasses.replace(arc, width=2.0).width == 2.0
+
+
+def test_a_negative_moment_faces_the_other_way() -> None:
+    one, other = (vaiont(given=TABLE_4_1 | {"weight_moment": moment}) for moment in (0.0387, -0.0387))
+    assert (one.facing, other.facing) == (1, -1)
+    assert other.dimensionless == one.dimensionless

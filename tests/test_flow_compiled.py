@@ -1,7 +1,7 @@
 """The compiled integrator beside the one in NumPy: the same lanes, whatever their neighbours, wherever interrupted."""
 
 import math
-import threading
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from generated import layout as ix
 from slipcircle.base.series import Pulse, Series
 from slipcircle.core.flow import compiled, integrate
 from slipcircle.core.flow.problem import Problem, build_problem
-from slipcircle.core.flow.program import Log, Samples
+from slipcircle.core.flow.program import Samples
 
 pytestmark = pytest.mark.skipif(compiled.module() is None, reason="no compiled integrator here")
 
@@ -98,31 +98,27 @@ def test_every_kind_of_processor_gives_the_same(name: str) -> None:
 
 def test_samples_and_notes_are_those_of_numpy() -> None:
     bound = lanes("record")
-    found: list[Any] = []
     unit = float(np.asarray(slipcircle.load("vaiont").arc.time_scale))
-    for walker in (compiled.integrate, integrate.integrate):
-        times = np.tile(np.linspace(0.0, 30.0, 61)[:, None] / unit, (1, LANES))
-        samples = Samples(times, np.full((4, 61, LANES), np.nan))
-        log: Log = []
-        walker(bound.program, bound.tables, bound.cells.copy(), samples, log)
-        found.append((samples.states, [(k, round(t, 9)) for k, t, *_ in log if k in (ix.NOTE_BEGINS, ix.NOTE_STANDS)]))
-    states, other = found[0][0], found[1][0]
+    times = np.tile(np.linspace(0.0, 30.0, 61)[:, None] / unit, (1, LANES))
+    states, notes = [], []
+    for integrator in (compiled.integrate, integrate.integrate):
+        samples, log = Samples(times, np.full((4, 61, LANES), np.nan)), list[Any]()
+        integrator(bound.program, bound.tables, bound.cells.copy(), samples, log)
+        states.append(samples.states)
+        notes.append([(k, round(t, 9)) for k, t, *_ in log if k in (ix.NOTE_BEGINS, ix.NOTE_STANDS)])
     assert np.all(np.isfinite(states))
     # The rate leaps where a sample meets a standstill or a break.
     for row in (0, 1, 3):
-        assert np.max(np.abs(states[row] - other[row])) <= 1e-10 * np.max(np.abs(states[row]))
-    assert found[0][1] == found[1][1]
+        one, other = states[0][row], states[1][row]
+        assert np.max(np.abs(one - other)) <= 1e-10 * np.max(np.abs(one))
+    assert notes[0] == notes[1]
 
 
 def test_threads_walk_side_by_side() -> None:
     bound = lanes("softening")
-    whole, halves = run(bound), [bound.cells[:, :18].copy(), bound.cells[:, 18:].copy()]
-    threads = [threading.Thread(target=compiled.integrate, args=(bound.program, bound.tables, half)) for half in halves]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert np.array_equal(np.concatenate(halves, axis=1)[RESULTS], whole, equal_nan=True)
+    with ThreadPoolExecutor(2) as pool:
+        halves = list(pool.map(lambda half: run(bound, half), (slice(18), slice(18, None))))
+    assert np.array_equal(np.concatenate(halves, axis=1), run(bound), equal_nan=True)
 
 
 def test_what_does_not_fit_is_refused() -> None:

@@ -141,9 +141,6 @@ def test_the_files_stay_as_they_are() -> None:
     ("asked", "missing"),
     [
         ("", ("sympy", "flint")),
-        ("--check", ("mpmath",)),
-        ("verify", ("sympy",)),
-        ("hard", ("flint",)),
         ("prove", ("flint",)),
     ],
 )  # fmt: skip

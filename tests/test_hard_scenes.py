@@ -7,7 +7,6 @@ take a million steps, closed forms of the balance at 60 digits, time by quadratu
 import itertools
 import math
 from collections.abc import Callable, Mapping
-from functools import cache
 from typing import Any, NamedTuple
 
 import mpmath
@@ -147,19 +146,14 @@ CASES: dict[str, Hard] = {
 def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
     """Whether it comes to rest; run-out in m, duration in s and greatest speed in m/s."""
     case = CASES[name]
+    if name == "floats":  # nothing presses anywhere
+        return answer("no friction")
     if name in ("thirty years, frozen", "thirty years, hyperbolic, terminal"):  # at its terminal velocity
         m = oracle.numbers(Arc(**SLOPE))
-        a = m["fall"] * mpmath.sin(m["dip"]) - mpf(0.2) * m["press"] * mpmath.cos(m["dip"])
-        start = a, mpf(0.2) * m["polar"], mpf(0), mpf(1e9) / m["scale"]
-        with ctx.workprec(400):
-            balls = [arb(mpmath.nstr(x, 50)) for x in start]
-            turned, omega = (oracle.digits_of(f(*balls)) for f in (oracle.rotation, oracle.angular_velocity))
+        brake, time = mpf(0.2) * m["polar"], mpf(1e9) / m["scale"]
+        rate = mpmath.sqrt(brake * (m["fall"] * mpmath.sin(m["dip"]) - mpf(0.2) * m["press"] * mpmath.cos(m["dip"])))
+        turned, omega = mpmath.log(mpmath.cosh(rate * time)) / brake, rate / brake * mpmath.tanh(rate * time)
         return False, (turned * m["radius"], mpf(1e9), omega * m["radius"] / m["scale"])
-    if name == "floats":  # a pendulum, whose greatest speed is at its lowest point
-        m = oracle.numbers(Arc(**SLOPE))
-        half, rate = m["dip"] / 2, mpmath.sqrt(m["fall"]) / m["scale"]
-        swing = 2 * mpmath.ellipk(mpmath.sin(half) ** 2) / rate
-        return False, (4 * half * m["radius"], swing, 2 * rate * mpmath.sin(half) * m["radius"])
     with ctx.workprec(400):
         p = taylor.Problem(case.data)
         if isinstance(case.friction, Ulps):  # the printed limit decides: the dip that has it exactly
@@ -229,7 +223,7 @@ SCENES: dict[str, golden.Data] = {
     "friction settles after a smooth fall": scene(
         240.0, 300.0, {"law": "linear", "peak": 1e8, "residual": 0.25, "length": 1e-9}, 8.0
     ),
-    **{f"strengthening {k}": strengthening(k) for k in (0, 1, 2, 3, 5, 34, 36, 63)},
+    **{f"strengthening {k}": strengthening(k) for k in (0, 1, 2, 5, 36)},
 }
 
 
@@ -245,14 +239,6 @@ def test_estimate_is_at_least_the_true_error(name: str) -> None:
 
 
 # --- in the phase plane ----------------------------------------------------------------------------------------------
-
-
-@cache
-def rule() -> list[tuple[mpf, mpf]]:
-    """Gauss and Legendre's 40 nodes and weights on [0, 1]."""
-    with ctx.workprec(250), mpmath.workdps(60):
-        pairs = [arb.legendre_p_root(40, k, weight=True) for k in range(40)]
-        return [tuple(mpf(y.str(50, radius=False)) / 2 for y in (1 + x, w)) for x, w in pairs]
 
 
 class Plane:
@@ -281,18 +267,19 @@ class Plane:
     def energy(self, x: mpf) -> mpf:
         return self.forced(x) + self.first * mpmath.exp(-self.q * x)
 
-    def time(self, energy: Callable[[mpf], mpf], start: mpf, end: mpf) -> mpf:
-        """The integral of E^-1/2, by x = start + length sin^2, on panels that crowd towards both ends."""
-        length = end - start
-        finest = 16 * (1 + self.q * length)  # E changes over 1/q
+    def time(self, end: mpf) -> mpf:
+        """The integral of E^-1/2 to a standstill, by x = end sin^2, on panels that crowd towards both ends."""
+        finest = 16 * (1 + self.q * end)  # E changes over 1/q
         parts = [mpf(0), *itertools.takewhile(lambda p: p < 0.5, (4**k / finest for k in range(99)))]
         inner = [mpmath.asin(mpmath.sqrt(p)) for p in parts]
         edges = [*inner, *(mpmath.pi / 2 - s for s in reversed(inner))]
 
         def rate(s: mpf) -> mpf:
-            return length * mpmath.sin(2 * s) / mpmath.sqrt(energy(start + length * mpmath.sin(s) ** 2))
+            return end * mpmath.sin(2 * s) / mpmath.sqrt(self.energy(end * mpmath.sin(s) ** 2))
 
-        return mpmath.fsum(w * (b - a) * rate(a + (b - a) * z) for a, b in itertools.pairwise(edges) for z, w in rule())
+        nodes, weights = np.polynomial.legendre.leggauss(40)
+        rule = list(zip(((1 + nodes) / 2).tolist(), (weights / 2).tolist(), strict=True))
+        return mpmath.fsum(w * (b - a) * rate(a + (b - a) * z) for a, b in itertools.pairwise(edges) for z, w in rule)
 
 
 def root(f: Callable[[mpf], mpf], low: mpf, high: mpf) -> mpf:
@@ -317,22 +304,17 @@ BRAKES = {  # of what drag; how near, where not just within the estimate
 
 @pytest.mark.parametrize("name", BRAKES)
 def test_a_drag_that_takes_up_the_drive(name: str) -> None:
-    """Speed is the balance of drive and drag all the way; a drag that no soil has may be refused by its name."""
+    """Speed is the balance of drive and drag all the way."""
     given, nearest = BRAKES[name]
-    try:
-        motion = solve(golden.built(name, given))
-        estimate = motion.error_estimate
-    except ValueError as refused:
-        if given["effects"]["drag"]["xi"] < 1e-2 and nearest == 1.0 and "drag" in str(refused):
-            return
-        raise
+    motion = solve(golden.built(name, given))
+    estimate = motion.error_estimate
     finite(motion)
     with mpmath.workdps(60):
         p = Plane(given)
         fastest = root(lambda x: p.energy(x + mpf(10) ** -30) - p.energy(x), mpf(0), 80 / p.q)
         end = root(p.energy, 2 * fastest + mpf(10) ** -40, mpf(2))
         peak = mpmath.sqrt(p.energy(fastest)) * p.radius / p.m["scale"]
-        wanted = end * p.radius, p.time(p.energy, mpf(0), end) * p.m["scale"], peak
+        wanted = end * p.radius, p.time(end) * p.m["scale"], peak
         assert motion.arrested
         for found, exact in zip((motion.run_out, motion.duration, float(motion.peak.velocity)), wanted, strict=True):
             error = float(abs(mpf(found) / exact - 1))

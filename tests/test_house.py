@@ -15,7 +15,6 @@ from pathlib import Path
 
 import pytest
 
-import generated
 from derive import build
 from slipcircle import core
 
@@ -118,6 +117,8 @@ def test_imports_go_one_way(package: str) -> None:
     for path in sources(package):
         names = {name.partition(".")[0] for name in (*(module for module, _ in imported(path)), *called(path))}
         assert not names & FORBIDDEN[package], path
+        if path.parent.name == "check":  # a proof leans on nothing that is proved
+            assert names <= {"derive", "flint", *sys.stdlib_module_names}, path
         assert package != "generated" or names <= {"generated", "numpy", *sys.stdlib_module_names}, path
 
 
@@ -200,10 +201,6 @@ print(*{name.partition(".")[0] for name in sys.modules})
     assert not loaded & HEAVY
 
 
-def test_generated_names_its_project() -> None:
-    assert generated.__project__ == "slipcircle"
-
-
 @pytest.mark.parametrize("text", ["", "__project__ = 'another'\n"])
 def test_a_foreign_package_called_generated_is_named(tmp_path: Path, text: str) -> None:
     foreign = tmp_path / "generated"
@@ -254,8 +251,8 @@ print(*(import_module(name).__file__ for name in sys.argv[2:]), sep="\\n")
 WORKBENCH = sorted((ROOT / "slipcircle" / "workbench").glob("*/__init__.py"))
 DENSITY = {
     "derive": 11.1,
-    "slipcircle/base": 10.2,
-    "slipcircle/core": 10.8,
+    "slipcircle/base": 10.1,
+    "slipcircle/core": 10.4,
     **{str(path.parent.relative_to(ROOT)): 12.0 for path in WORKBENCH},
 }
 
@@ -281,6 +278,7 @@ def test_functions_and_files_fit_into_one_view() -> None:
             text, every = parsed(path)
             assert len(text.splitlines()) <= 400, path
             for node in every:
+                assert not isinstance(node, ast.Module) or ast.get_docstring(node), f"{path} says not what it holds"
                 if isinstance(node, ast.FunctionDef):
                     nodes, lines = sum(1 for _ in ast.walk(node)), (node.end_lineno or 0) - node.lineno + 1
                     assert nodes <= 400, f"{path}: {node.name} has {nodes} syntax nodes; split it at its thoughts"

@@ -33,24 +33,30 @@ def nearby(x: float) -> tuple[float, ...]:
     return tuple(found)
 
 
+# Values of a, b, omega_0 and t, each with each: seams, limits and landmarks.
+GRIDS: list[tuple[tuple[float, ...], ...]] = [
+    ((-2.0, 0.0, 2.0), (-0.5, 0.0, 0.5), (-1.0, 0.0, 1.0), (0.0, 1e-300, 1e-8, 0.3, 0.99, 3.0)),
+    # t -> infinity: terminal velocity, reached from below, from above, and started at (b omega_0**2 = a).
+    ((4.0,), (1.0,), (0.0, 1.0, 2.0, 5.0, -1.0), (10.0, 177.0, 186.0, 400.0, 1e8, 1e300)),
+    ((1e30,), (1e-30,), (0.0,), (170.0, 354.5, 360.0, 372.0, 1e3)),  # exp(-2 k t) leaves the format
+    # a b < 0: braked through standstill and on to the pole of the tangent; near that pole, before and after.
+    ((-1.0,), (1.0,), (0.0, 0.5, 1.0), (0.1, 0.5, 0.7853981633974483, 1.0, 1.5, 1.57)),
+    ((1.0,), (-1.0,), (0.0,), (1.5707963, 1.5707963267948961, 1.5707963267949, 1.6, 3.0, 3.2, 5.0, 1e9)),
+    ((1.0,), (1.0,), (-3.0,), (0.3, 0.34657, 0.34658, 0.4, 1.0, 1e5)),  # faster than terminal, back
+    ((-1.0,), (1.0,), (1e8,), (1e-9, 1.0, 1.5707963)),  # fast, braked
+    ((1e-30,), (1.0,), (0.7,), (1e-3, 1e15, 2e15, 1e16)),  # a crawl under strong drag
+]
+
+
 def hard_rides() -> list[tuple[float, ...]]:
     """(a, b, omega_0, t) at every seam, limit and landmark."""
-    found = list(product((-2.0, 0.0, 2.0), (-0.5, 0.0, 0.5), (-1.0, 0.0, 1.0), (0.0, 1e-300, 1e-8, 0.3, 0.99, 3.0)))
-    for sign in (-1.0, 1.0):  # the seam a b t**2 = 1, for both signs of both
-        found += [(sign * 4.0, sign * 0.25, w, t) for t in nearby(1.0) for w in (-1.0, 0.0, 0.5)]
-        found += [(sign * 1e-6, sign * 1e6, w, t) for t in nearby(1.0) for w in (-1e-7, 0.0, 0.5)]
-    # The way to a b -> 0, from either side, by either factor.
-    found += [(s * x, 2.0, 0.3, 0.7) for s in (-1.0, 1.0) for x in (5e-324, 1e-310, 1e-200, 1e-17, 1e-9)]
-    found += [(2.0, s * x, 0.3, 0.7) for s in (-1.0, 1.0) for x in (5e-324, 1e-310, 1e-200, 1e-17, 1e-9)]
-    # t -> infinity: terminal velocity, reached from below, from above, and started at (b omega_0**2 = a).
-    found += [(4.0, 1.0, w, t) for w in (0.0, 1.0, 2.0, 5.0, -1.0) for t in (10.0, 177.0, 186.0, 400.0, 1e8, 1e300)]
-    found += [(1e30, 1e-30, 0.0, t) for t in (170.0, 354.5, 360.0, 372.0, 1e3)]  # exp(-2 k t) leaves the format
-    # a b < 0: braked through standstill and on to the pole of the tangent; near that pole, before and after.
-    found += [(-1.0, 1.0, w, t) for w in (0.0, 0.5, 1.0) for t in (0.1, 0.5, 0.7853981633974483, 1.0, 1.5, 1.57)]
-    found += [(1.0, -1.0, 0.0, t) for t in (1.5707963, 1.5707963267948961, 1.5707963267949, 1.6, 3.0, 3.2, 5.0, 1e9)]
-    found += [(1.0, 1.0, -3.0, t) for t in (0.3, 0.34657, 0.34658, 0.4, 1.0, 1e5)]  # faster than terminal, back
-    found += [(-1.0, 1.0, 1e8, t) for t in (1e-9, 1.0, 1.5707963)]  # fast, braked
-    found += [(1e-30, 1.0, 0.7, t) for t in (1e-3, 1e15, 2e15, 1e16)]  # a crawl under strong drag
+    found = [x for grid in GRIDS for x in product(*grid)]
+    for sign in (-1.0, 1.0):
+        # The seam a b t**2 = 1, for both signs of both, and the way to a b -> 0 by either factor.
+        found += product((sign * 4.0,), (sign * 0.25,), (-1.0, 0.0, 0.5), nearby(1.0))
+        found += product((sign * 1e-6,), (sign * 1e6,), (-1e-7, 0.0, 0.5), nearby(1.0))
+        tiny = [sign * x for x in (5e-324, 1e-310, 1e-200, 1e-17, 1e-9)]
+        found += [*product(tiny, (2.0,), (0.3,), (0.7,)), *product((2.0,), tiny, (0.3,), (0.7,))]
     # Started close to the unstable equilibrium, -sqrt(a/b): what is lost in omega + sqrt(a/b) must not stay lost.
     rng = np.random.default_rng(20240803)
     for _ in range(80):

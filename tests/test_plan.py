@@ -39,46 +39,44 @@ def scene(effects: tuple[str, ...], friction: object = 0.2, **more: object) -> S
     return Scene(ARC, friction, called, **more)  # type: ignore[arg-type]
 
 
+WET = {"pore_pressure": {"pressure": Series(np.array([0.0, 1.0]), np.array([0.0, 1e5]))}}
+
+
 @pytest.mark.parametrize(
-    ("effects", "friction"), [((), 0.2), (("rotation",), 0.2), (tuple(EFFECTS), SOFTENING | {"rate": RATE})]
+    ("planned", "why"),
+    [
+        (scene(STILL[1:]), ""),
+        (scene(STILL), "rotation turns the mass"),
+        (
+            scene(("rotation", "viscosity", "shaking"), SOFTENING | {"rate": RATE}),
+            "rotation turns the mass; viscosity depends on the speed; shaking depends on time; "
+            "friction depends on slip; friction depends on the speed",
+        ),
+        (Scene(ARC, 0.2, WET), "pore_pressure depends on time"),
+    ],
 )
-def test_every_scene_is_solved_by_its_program(effects: tuple[str, ...], friction: object) -> None:
-    assert plan(scene(effects, friction)).method == FLOW
-
-
-def test_a_plan_says_what_asks_for_a_method() -> None:
-    assert plan(scene(STILL[1:])).why == ""
-    assert plan(scene((), SOFTENING | {"rate": RATE})).law == "exponential times rate_weakening"
-    assert plan(scene(STILL)).why == "rotation turns the mass"
-    assert plan(scene(("rotation", "viscosity", "shaking"), SOFTENING | {"rate": RATE})).why == (
-        "rotation turns the mass; viscosity depends on the speed; shaking depends on time; "
-        "friction depends on slip; friction depends on the speed"
-    )
-    wet = Scene(ARC, 0.2, {"pore_pressure": {"pressure": Series(np.array([0.0, 1.0]), np.array([0.0, 1e5]))}})
-    assert (plan(wet).method, plan(wet).why) == (FLOW, "pore_pressure depends on time")
+def test_a_plan_says_what_its_motion_depends_on(planned: Scene, why: str) -> None:
+    assert (plan(planned).method, plan(planned).why) == (FLOW, why)
 
 
 def test_a_plan_depends_on_what_is_called_for_never_on_values() -> None:
-    for count in range(len(EFFECTS) + 1):
-        for effects in combinations(EFFECTS, count):
-            one, other = plan(scene(effects, 0.2)), plan(scene(effects, 0.4, initial_velocity=3.0))
-            assert (one.method, one.fragments, one.operations, one.cost) == (
-                other.method, other.fragments, other.operations, other.cost,
-            )  # fmt: skip
-            assert one.effects == effects
-            assert set(one.left_out) == set(EFFECTS) - set(effects)
+    assert plan(scene((), SOFTENING | {"rate": RATE})).law == "exponential times rate_weakening"
+    for effects in (e for count in range(len(EFFECTS) + 1) for e in combinations(EFFECTS, count)):
+        one, other = plan(scene(effects, 0.2)), plan(scene(effects, 0.4, initial_velocity=3.0))
+        assert (one.fragments, one.operations, one.cost) == (other.fragments, other.operations, other.cost)
+        assert one.effects == effects
+        assert set(one.left_out) == set(EFFECTS) - set(effects)
 
 
-@pytest.mark.parametrize("name", ["vaiont", "wet-slope", "vaiont-softening", "valley-side"])
+@pytest.mark.parametrize("name", ["vaiont", "wet-slope", "valley-side"])
 def test_the_ladder_climbs_to_the_fullest_scene(name: str) -> None:
     full = solve(load(name))
     rungs = ladder(full.plan.scene)
-    assert [len(r.effects) for r in rungs] == list(range(len(full.plan.effects) + 1))
     assert set(rungs[-1].effects) == set(full.plan.effects)
+    assert not rungs[0].effects
     for before, after in pairwise(rungs):
         assert set(after.effects) - set(before.effects) == {after.added}
-        assert after.cost >= before.cost or name == "vaiont-softening"  # its methods change on the way
-        assert after.seconds > 0.0
+        assert after.cost >= before.cost
     last = rungs[-1]
     assert (last.run_out, last.peak_velocity, last.duration) == (full.run_out, full.peak.velocity, full.duration)
     assert last.difference == 0.0
@@ -105,13 +103,11 @@ LADDERS = {  # the effects as they are added, and whether each rung rests
 
 @pytest.mark.parametrize("name", LADDERS)
 def test_ladders_on_the_command_line(name: str, said: Any) -> None:
-    """What decides comes first, what adds a few percent last; no line is broken, whatever its effects are called."""
+    """What decides comes first, what adds a few percent last."""
     lines = said("plan --ladder", name).splitlines()
     assert max(map(len, lines)) <= 100
-    head, *shown = [x.split() for x in lines if "+ " in x or "none" in x or "rests" in x]
-    assert head[-2:] == ["rests", "differs"]
+    shown = [x.split() for x in lines if "+ " in x or "none" in x]
     assert (" ".join(x[1] for x in shown[1:]), " ".join(x[-3] for x in shown)) == LADDERS[name]
-    assert all(re.fullmatch(r"[\d.]+ (us|ms)", " ".join(x[2:4] if x[0] == "+" else x[1:3])) for x in shown)
     differs = [float(x[-2]) for x in shown]
     assert differs[-1] == 0.0
     assert differs[0] > 5.0
@@ -123,9 +119,7 @@ def test_on_the_command_line(said: Any, records: Any, asked: Any) -> None:
     assert all(word in text for word in (*plan(load("vaiont")).fragments, FLOW, "not included"))
     (found,) = records("plan --ladder vaiont")
     assert [r["added"] for r in found["ladder"]] == ["", "rotation", "centripetal"]
-    assert found["ladder"][-1]["run_out"] == pytest.approx(677.3, abs=0.1)
     assert len(records("plan --all")) == 2 ** len(EFFECTS)
-    assert max(map(len, said("plan --all").splitlines())) <= 100
     assert asked("plan")[0] == 2
 
 
@@ -168,48 +162,45 @@ def evaluated(equation: Equation, known: dict[str, float]) -> float:
     rules = (*standard_transformations, implicit_multiplication, convert_xor)
 
     def parsed(formula: str) -> sp.Expr:
-        names = set(re.findall(r"[A-Za-z_]\w*'?", formula)) - {"cos", "sin", "exp", "min", "max"}
-        plain = {name: name.replace("'", "_prime") + "_" for name in names}
-        text = re.sub(r"[A-Za-z_]\w*'?", lambda m: plain.get(m[0], m[0]), formula)
-        symbols = {plain[name]: sp.Symbol(plain[name]) for name in names}
-        e = parse_expr(text, symbols | {"min": sp.Min, "max": sp.Max}, rules)
-        return e.subs({plain[name]: parsed(sums[name]) if name in sums else numbers[name] for name in names})
+        """Names get an underscore, as `lambda` is a word of Python's; primes too."""
+        names = r"\b(?!(?:cos|sin|exp|min|max)\b)([A-Za-z_]\w*)('?)"
+        text = re.sub(names, lambda name: name[1] + ("_prime_" if name[2] else "_"), formula)
+        e = parse_expr(text, {"min": sp.Min, "max": sp.Max}, rules)
+        printed = {symbol: str(symbol)[:-1].replace("_prime", "'") for symbol in e.free_symbols}
+        return e.subs({s: parsed(sums[name]) if name in sums else numbers[name] for s, name in printed.items()})
 
     return float(parsed(equation.balance.formula) / numbers["Theta"])
 
 
 @pytest.mark.parametrize("name", EQUATIONS)
 def test_the_printed_equation_gives_the_acceleration_of_the_motion(name: str) -> None:
+    """And another one where any printed number is off by a hundredth."""
     friction, effects = EQUATIONS[name]
-    arc: Any = load("vaiont").arc
-    scene = Scene(arc, friction, effects, initial_velocity=3.0, end_time=8.0)
+    scene = Scene(ARC, friction, effects, initial_velocity=3.0, end_time=8.0)
     motion, equation = solve(scene), plan(scene).equation
-    scale, radius = float(arc.time_scale), float(arc.radius)
+    scale = float(np.asarray(ARC.time_scale))
     assert {term.effect for term in equation.sums} >= {*effects}
     for time in (0.3, 3.1, 6.0):
         state = motion.at(time)
         omega = state.angular_velocity * scale
-        known = {"phi": state.rotation, "omega": omega, "s": np.sign(omega), "speed": abs(state.velocity)}
-        known |= {"slip": motion.path_at(time), "time": time}
-        known |= {"k_h": float(np.interp(time, SHAKEN.time, SHAKEN.values))}
-        known |= {"k_v": float(np.interp(time, LIFTED.time, LIFTED.values))}
-        expected = state.acceleration * scale**2 / radius
+        k_h, k_v = (float(np.interp(time, TIMES, k.values)) for k in (SHAKEN, LIFTED))
+        known = {"phi": state.rotation, "omega": omega, "s": np.sign(omega), "speed": abs(state.velocity),
+                 "slip": motion.path_at(time), "time": time, "k_h": k_h, "k_v": k_v}  # fmt: skip
+        expected = state.acceleration * scale**2 / float(np.asarray(ARC.radius))
         assert evaluated(equation, known) == pytest.approx(expected, rel=1e-9, abs=1e-12)
-        for number in equation.numbers:
-            # Later a law has left its peak behind; lambda cancels where weight alone presses.
-            if number.value and time < 1.0 and number.symbol != "lambda":
-                wrong = [n._replace(value=1.01 * n.value) if n is number else n for n in equation.numbers]
-                planted = evaluated(replace(equation, numbers=tuple(wrong)), known)
-                assert planted != pytest.approx(expected, rel=1e-8), number.symbol
+        # Later a law has left its peak behind; lambda cancels where weight alone presses.
+        for number in (n for n in equation.numbers if n.value and time < 1.0 and n.symbol != "lambda"):
+            wrong = [n._replace(value=1.01 * n.value) if n is number else n for n in equation.numbers]
+            planted = evaluated(replace(equation, numbers=tuple(wrong)), known)
+            assert planted != pytest.approx(expected, rel=1e-8), number.symbol
 
 
 def test_every_effect_and_law_has_its_term_in_text_and_latex() -> None:
     assert {*TERMS} == {*ALL_EFFECTS, *LAWS, "gravity", "frozen", "callable"}
     assert all(formula and latex for added in TERMS.values() for _, formula, latex, _ in added)
     head = flow.__doc__ or ""
-    assert BALANCE[1] in head
-    assert BALANCE[1] in (solver.__doc__ or "")
     assert all(formula in head for name in EFFECTS for _, formula, _, _ in TERMS[name])
+    assert all(BALANCE[1] in text for text in (head, solver.__doc__ or ""))
     equation = plan(load("vaiont-heated")).equation
     assert "u_T" in equation._repr_latex_()
     assert "dexcess/dphi" in str(equation)

@@ -79,7 +79,7 @@ def test_pandas(name: str) -> None:
 def test_pint(name: str) -> None:
     """Dimensionless in, dimensionless out; degrees are radians; a length is an error."""
     pint = pytest.importorskip("pint")
-    units, function = pint.UnitRegistry(), getattr(kernels, name)
+    units, function = pint.get_application_registry(), getattr(kernels, name)
     for unit in ("dimensionless", "radian"):
         value = function(units.Quantity(ALPHAS, unit))
         assert isinstance(value, units.Quantity)

@@ -11,8 +11,6 @@ from urllib.parse import urlsplit
 
 import numpy as np
 import pytest
-from matplotlib.figure import Figure
-from PIL import Image, ImageSequence
 
 import generated
 import slipcircle
@@ -21,7 +19,7 @@ from generated.effects import EFFECTS
 from generated.tiers import BOUNDS
 from slipcircle import Motion, load, solve
 from slipcircle.workbench.cost import cost, costplot
-from slipcircle.workbench.outputs import pictures, plots
+from slipcircle.workbench.outputs import pictures
 from tests.support import accuracy
 from tests.support.kernels import angles, errors
 from tests.support.outputs import QUICK, columns, words_of
@@ -91,27 +89,6 @@ def test_scene_file(tmp_path: Path, run: Any, said: Any) -> None:
         assert "my-slope" in said("plan --ladder", path)
 
 
-def test_from_a_profile_to_a_picture(tmp_path: Path, run: Any) -> None:
-    """One command tells of a slope in metres its factors, speed, run-out and where the toe rests, and draws them."""
-    path, picture = tmp_path / "my-slope.toml", tmp_path / "my-slope.png"
-    told = run(SCENE, "--plot", picture)
-    assert all(told[n] for n in ("peak velocity", "duration", "factor of safety by Bishop's simplified method"))
-
-    def place(*names: str) -> complex:
-        return complex(*(float(x) for name in names for x in re.findall(r"[\d.]+", told[name])))
-
-    centre, start = place("centre"), place("lower end of the slip surface, x and y")
-    toe = place("x of the toe at the end", "y of the toe at the end")
-    turned = place("run-out along the arc").real / place("radius").real  # clockwise, as it slides to the left
-    assert abs(centre + (start - centre) * np.exp(-1j * turned) - toe) < 0.02  # of figures with two decimals
-    assert picture.read_bytes().startswith(b"\x89PNG")
-    axes = plots.overview(solve(load(str(path))), Figure(layout="constrained")).axes
-    (section,) = (ax for ax in axes if ax.get_xlabel() == "$x$ (m)")
-    assert section.get_aspect() == 1.0  # true scale
-    drawn = [p for line in section.lines for p in np.asarray(line.get_xydata()).tolist()]
-    assert all(p in drawn for p in tomllib.loads(SCENE)["ground"]["points_m"][1:3])
-
-
 def test_the_earthquake_of_the_readme(run: Any) -> None:
     """Its scene file runs, and the lines below it are among those that it prints."""
     (scene,) = blocks(TEXT, "toml")
@@ -119,16 +96,6 @@ def test_the_earthquake_of_the_readme(run: Any) -> None:
     shown = {label: cells for block in blocks(TEXT, "") for label, cells in columns(block).items()}
     assert len(shown) == 4
     assert {label: "  ".join(cells) for label, cells in shown.items()}.items() <= printed.items()
-
-
-def test_its_picture_moves_and_is_small() -> None:
-    """A slide of sixty frames, from its start to rest."""
-    path = ROOT / "notebooks" / "real-slope.gif"
-    assert path.stat().st_size < 1e6
-    with Image.open(path) as film:
-        frames = [np.asarray(frame.convert("RGB"), float) for frame in ImageSequence.Iterator(film)]
-    assert len(frames) == 60
-    assert 0.005 < np.mean(np.abs(frames[-1] - frames[0])) / 255 < 0.2
 
 
 def test_the_picture_of_what_accuracy_costs_is_drawn_so_today(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -177,19 +144,6 @@ def test_every_command_of_the_table_runs(line: str, tmp_path: Path, monkeypatch:
     elif "--samples" in line and "--uncertain" not in line:
         line += " --uncertain friction.angle_deg=normal:10:1"
     assert said(re.sub(r"\bN\b", "64", line.replace("SCENE ...", "SCENE")).replace("SCENE", "vaiont"))
-
-
-def test_words() -> None:
-    """README's length, the extras and the paper by their names, and one spelling of run-out everywhere."""
-    assert len(TEXT) <= 6000
-    extras = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["optional-dependencies"]
-    assert all(
-        f"| `{extra}` |" in PAGES["quickstart"] and extra in extras for extra in ("scenes", "plot", "dask", "derive")
-    )
-    assert "pip install ." in TEXT
-    assert "Basic Geodynamics of Landslides: I. The Dynamic Slip Circle Method" in TEXT
-    for path in [*(ROOT / "slipcircle").rglob("*.py"), README]:
-        assert "runout" not in path.read_text("utf-8").lower(), path
 
 
 # --- what it was validated against -----------------------------------------------------------------------------------
@@ -280,20 +234,9 @@ def test_headings_that_links_point_at() -> None:
 
 
 def test_citation() -> None:
-    """Its keys are those that the format asks for, and what it shares with the project's file is the same there."""
+    """What it shares with the project's file is the same there."""
     text, project = (ROOT / "CITATION.cff").read_text("utf-8"), tomllib.loads((ROOT / "pyproject.toml").read_text())
-    keys = dict(re.findall(r"^([a-z-]+):[ ]?(.*)", text, re.MULTILINE))
-    assert {"cff-version", "message", "title", "authors"} <= set(keys)
-    known = project["project"]
-    assert keys["cff-version"] == "1.2.0"
+    keys, known = dict(re.findall(r"^([a-z-]+):[ ]?(.*)", text, re.MULTILINE)), project["project"]
     assert keys["version"].strip('"') == known["version"] == slipcircle.__version__
     assert keys["license"] == known["license"]
     assert re.findall(r"^  - name: \"(.*)\"", text, re.MULTILINE) == [a["name"] for a in known["authors"]]
-    assert re.findall(r"^  - (?!name|type)\"?(.*?)\"?$", text, re.MULTILINE) == known["keywords"]
-    assert re.search(r"^references:\n  - type: generic\n    title: .*Dynamic Slip Circle Method", text, re.MULTILINE)
-
-
-def test_every_module_says_what_lives_there() -> None:
-    for folder in ("derive", "slipcircle", "generated", "tests"):
-        for path in sorted((ROOT / folder).rglob("*.py")):
-            assert re.match(r'(#.*\n|\s)*r?"""\S', path.read_text("utf-8")), path

@@ -7,9 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from generated import layout as ix
-from slipcircle import Motion, Scene, Section, solve
-from slipcircle.core.flow import compiled, integrate
+from slipcircle import Scene, Section, solve
+from slipcircle.core.flow import compiled
 from slipcircle.core.scene import transport
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
 from tests.campaigns import section_heights
@@ -57,10 +56,8 @@ def test_a_thin_mass_lands_where_it_leaves_the_water(wide: float, friction: floa
     assert (motion.arrested, len(motion.lift_off)) == (reference["arrested"], 1)
     assert max(accuracy.true_error(motion, reference)) < 1e-10
     assert motion.error_estimate < 1e-11
-    bound = motion._lanes.problem
-    cells = bound.cells.copy()
-    integrate.integrate(bound.program, bound.tables, cells)
-    assert cells[ix.END_ROTATION] == pytest.approx(motion.end.rotation, rel=1e-10)
+    with compiled.numpy_only():
+        assert solve(motion.plan.scene).run_out == pytest.approx(motion.run_out, rel=1e-10)
 
 
 def test_heights_of_any_arc_against_thirty_digits() -> None:
@@ -81,8 +78,6 @@ def test_water_and_ground_above_an_overhanging_arc_count() -> None:
     )
     assert section.mean_pressure(0.5 + 2 * np.pi) == pytest.approx(section.mean_pressure(0.5), rel=1e-14)
     assert section.mean_cover == pytest.approx(7.18204154, rel=1e-8)
-    steps = {f"ground.{k}.{axis}" for k in (0, 1, 2) for axis in "xy"}
-    assert steps <= {*transport.active_parameters(section)}
     names = ["ground.1.y", "ground.2.x", "centre.y", "radius"]
     found = transport.section_derivatives(section, names).heights
     for name, derivative in zip(names, found, strict=True):
@@ -98,50 +93,45 @@ def body(level: Any = LEVEL, **more: Any) -> Section:
     return Section(GROUND, [33.0, 56.0], 28.0, GAMMA, level=level, **more)
 
 
-@pytest.mark.parametrize("velocity", [0.0, 1.5, -2.0])
+@pytest.mark.parametrize("velocity", [0.0, -2.0])
 @pytest.mark.parametrize("effects", [{"rotation": {}}, {"centripetal": {}}, {"rotation": {}, "drag": {"xi": 400.0}}])
 def test_energy_is_kept_and_both_walks_agree(velocity: float, effects: Any) -> None:
-    motion = solve(Scene(body(), 0.3, effects, velocity, None if "rotation" in effects else 1.0))
+    scene = Scene(body(), 0.3, effects, velocity, None if "rotation" in effects else 1.0)
+    motion = solve(scene)
     assert abs(motion.energy.residual) < 1e-11 * motion.energy.work
-    if compiled.module() is None:
-        return
-    bound = motion._lanes.problem
-    one, other = bound.cells.copy(), bound.cells.copy()
-    integrate.integrate(bound.program, bound.tables, one)
-    compiled.integrate(bound.program, bound.tables, other)
-    for cell in (ix.STATUS, ix.PHASES, ix.TIME, ix.PEAK_OMEGA, ix.END_ROTATION, ix.REST_SINCE):
-        assert one[cell] == pytest.approx(other[cell], rel=1e-12, nan_ok=True)
+    with compiled.numpy_only():
+        other = solve(scene)
+    for name, value in motion.outcomes.items():
+        assert other.outcomes[name] == pytest.approx(value, rel=1e-12)
 
 
 def test_a_level_of_the_section_is_an_effect_of_its_own() -> None:
     section = body()
     motion = solve(Scene(section, 0.3, ["rotation"]))
     assert motion.plan.effects == ("rotation", "pore_pressure")
-    assert motion.pore_pressure_at(0.0) == pytest.approx(section.mean_pressure(), rel=1e-12)
     end = motion.end.rotation
-    assert motion.pore_pressure_at(motion.duration) == pytest.approx(section.mean_pressure(end), rel=1e-11)
-    assert section.mean_pressure(end) < 0.9 * section.mean_pressure()
+    pressures = motion.pore_pressure_at(np.array([0.0, motion.duration]))
+    assert pressures == pytest.approx(section.mean_pressure([0.0, end]), rel=1e-11)
     frozen = solve(Scene(section, 0.3, end_time=2.0))
     assert frozen.pore_pressure_at(2.0) == pytest.approx(section.mean_pressure(), rel=1e-12)
-    dry = solve(Scene(dataclasses.replace(section, level=None), 0.3, ["rotation"]))
-    assert dry.run_out < 0.9 * motion.run_out
-    low = dataclasses.replace(section, level=[[0.0, 20.0], [90.0, 21.0]])
-    assert solve(Scene(low, 0.3, ["rotation"])).run_out == pytest.approx(dry.run_out, rel=1e-14)
+    dry, low = (
+        solve(Scene(dataclasses.replace(section, level=level), 0.3, ["rotation"])).run_out
+        for level in (None, [[0.0, 20.0], [90.0, 21.0]])
+    )
+    assert low == pytest.approx(dry, rel=1e-14)
+    assert dry < 0.9 * motion.run_out
     with pytest.raises(ValueError, match=r"effects\.pore_pressure: 'level' is unknown"):
         Scene(section, 0.3, {"pore_pressure": {"level": section.mean_pressure}})
 
 
 def test_ground_that_turns_below_the_level_is_told() -> None:
-    def said(motion: Motion) -> list[str]:
-        return [words for words in motion.warnings if "below the water level" in words]
-
     filled = body([[0.0, 25.0], [30.0, 25.0], [38.0, 30.0], [50.0, 35.0], [90.0, 35.0]])
     motion = solve(Scene(filled, 0.3, ["rotation"]))
-    points = filled.placed(
-        np.linspace(filled.surface[:-1], filled.surface[1:], 2001).reshape(-1, 2), motion.end.rotation
-    )
-    depth = float((np.interp(points[:, 0], *np.array(filled.level).T) - points[:, 1]).max())
+    edges = np.linspace(filled.surface[:-1], filled.surface[1:], 2001).reshape(-1, 2)
+    x, y = filled.placed(edges, motion.end.rotation).T
+    depth = float((np.interp(x, *np.array(filled.level).T) - y).max())
     assert filled.drowned(motion.end.rotation) == pytest.approx(depth, rel=1e-3)
-    (words,) = said(motion)
-    assert words.startswith(f"turning brings ground down to {depth:.3g} m below the water level; the weight of the")
-    assert not said(solve(Scene(body([[0.0, 20.0], [90.0, 21.0]]), 0.3, ["rotation"])))
+    words = f"turning brings ground down to {depth:.3g} m below the water level; the weight of the"
+    assert any(warning.startswith(words) for warning in motion.warnings)
+    low = solve(Scene(body([[0.0, 20.0], [90.0, 21.0]]), 0.3, ["rotation"]))
+    assert not any("below the water level" in warning for warning in low.warnings)

@@ -5,14 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-import sympy as sp
 
-from derive.algebra.remainders import Horner, Select
 from derive.approximate.programs import variants
 from derive.check.proof import ProofError
-from derive.code import emit, operations, text
-from derive.code.program import program
-from derive.declare.symbols import a, alpha, omega_0, t
+from derive.code import emit, text
 from derive.generate import emit_c
 
 FITTED = [v for v in variants() if v.form != "numpy"]
@@ -48,36 +44,3 @@ def test_c_that_does_something_else_is_refused(form: str, monkeypatch: pytest.Mo
     monkeypatch.setattr(emit_c, "C", replace(emit_c.C, number=lambda x: float(np.nextafter(x, 2)).hex()))
     with pytest.raises(ProofError, match=r"text that was written: found .* wanted"):
         emit_c.CText(form).functions("kernel", chosen.program)
-
-
-def test_named_parts_and_polynomials() -> None:
-    """A choice at a seam has a near and a far piece, Horner's scheme its coefficients, and a part is called."""
-    series = Horner(alpha**2, sp.Rational(1, 3), sp.Rational(1, 5), sp.Rational(1, 7))
-    inner = program("inner", ("alpha",), Select(alpha, sp.Rational(1, 2), alpha * series, 1 / (alpha + sp.cos(alpha))))
-    outer = program("outer", ("a", "t"), omega_0 + t, let={alpha: a * t, omega_0: inner})
-    written = emit.PythonText()
-    first = written.body(inner)
-    assert "horner(alpha_2, (0.3333333333333333, 0.2, 0.14285714285714285))" in first
-    assert "return np.where(alpha < 0.5, near, far)" in first
-    assert "_inner(alpha)" in written.body(outer)
-
-
-def test_no_line_is_long() -> None:
-    long = "call(" + ", ".join(f"argument_{k}='{'word ' * k}'" for k in range(40)) + ")"
-    wrapped = emit.wrapped(long)
-    assert max(map(len, wrapped.split("\n"))) <= 120
-    assert eval(wrapped, {"call": dict}) == eval(long, {"call": dict})
-
-
-@pytest.mark.parametrize(
-    ("words", "found"), [("friction: falls", "Friction: falls."), ("dE/d(start) at x", "dE/d(start) at x."),
-                         ("C_theta over C_r", "C_theta over C_r.")]
-)  # fmt: skip
-def test_a_sentence_keeps_its_symbols(words: str, found: str) -> None:
-    assert emit.sentence(words) == found
-
-
-def test_every_operation_of_a_certified_program_has_c() -> None:
-    """And no call of a library, which would not be rounded alike everywhere."""
-    kinds = {op.kind for v in FITTED for op in v.program.ops} - {"input", "const"}
-    assert all(operations.OPERATIONS[k].c for k in kinds)

@@ -11,126 +11,56 @@ from mpmath import mpf
 
 from slipcircle import Scene, load, solve
 from slipcircle.base.series import Pulse, Series
-from tests.support import accuracy, golden, oracle, taylor
+from tests.support import golden
 
 ARC: Any = load("vaiont").arc
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
 HEAT = {"pressurisation": 1e3, "heat_capacity": 2.7e6, "thickness": 0.1}
 RATE = {"law": "rate_weakening", "peak": 0.41, "residual": 0.2, "velocity": 0.5}
+_UNIT = float(ARC.radius) / float(ARC.time_scale) ** 2 / float(ARC.dimensionless.moment_of_inertia)
+FALL, PRESS = _UNIT * float(ARC.dimensionless.weight_moment), _UNIT * float(ARC.dimensionless.radial_weight)  # m/s^2
 
 
 @pytest.mark.parametrize("friction", [0.3, {"law": "linear", "peak": 0.3, "residual": 0.3, "length": 1.0}])
-def test_undrained_adiabatic_decay(friction: Any) -> None:
+@pytest.mark.parametrize("heat", [1e3, 1e5])
+def test_undrained_adiabatic_decay(friction: Any, heat: float) -> None:
     """Rice (2006): at constant normal stress sigma' falls as exp(-mu Lambda s/(rho c h))."""
-    for heat in (1e3, 1e4, 1e5):
-        called = {"thermal_pressurisation": HEAT | {"pressurisation": heat}}
-        motion = solve(Scene(ARC, friction, called, end_time=20.0))
-        times = np.linspace(0.0, 20.0, 41)
-        state = motion.at(times)
-        effective = state.normal_stress - motion.pore_pressure_at(times)
-        decay = np.exp(-0.3 * heat * state.displacement / (2.7e6 * 0.1))
-        np.testing.assert_allclose(
-            effective, float(ARC.static_normal_stress) * decay, rtol=0, atol=1e-12 * effective[0]
-        )
-
-
-def test_viscous_terminal_velocity() -> None:
-    """Frozen, without friction that grows: v = drive/(eta A_s/h), reached exponentially at the rate of the drag."""
-    eta, h, mu = 1e8, 0.5, 0.1
-    motion = solve(Scene(ARC, mu, {"viscosity": {"viscosity": eta, "thickness": h}}, end_time=200.0))
-    d, arc = ARC.dimensionless, ARC
-    force = arc.unit_weight * arc.radius**2 * (d.weight_moment - mu * d.radial_weight)  # a moment over R
-    resistance = eta / h * 2 * arc.half_angle * arc.radius
-    rate = resistance / (arc.unit_weight / arc.gravity * arc.radius**2 * d.moment_of_inertia)
-    assert motion.end.velocity == pytest.approx(float(force / resistance), rel=1e-9)
-    times = np.array([0.1, 1.0, 3.0]) / float(rate)
-    expected = -force / resistance * np.expm1(-rate * times)
-    np.testing.assert_allclose(motion.at(times).velocity, expected, rtol=1e-9)
-    assert motion.peak.velocity == pytest.approx(float(motion.end.velocity), rel=1e-9)
+    called = {"thermal_pressurisation": HEAT | {"pressurisation": heat}}
+    motion = solve(Scene(ARC, friction, called, end_time=20.0))
+    times = np.linspace(0.0, 20.0, 41)
+    state = motion.at(times)
+    decay = np.exp(-0.3 * heat * state.displacement / (2.7e6 * 0.1))
+    expected = float(ARC.static_normal_stress) * decay
+    effective = state.normal_stress - motion.pore_pressure_at(times)
+    np.testing.assert_allclose(effective, expected, rtol=0, atol=1e-12 * effective[0])
 
 
 # --- starts, stops and restarts --------------------------------------------------------------------------------------
 
 
-def test_one_way_never_slides_up_and_two_way_does() -> None:
-    waves = {"pulse": "sine", "amplitude": -1.8, "duration": 5.0, "cycles": 10.0}
-    one, two = (solve(Scene(ARC, 0.5, TURNING | {"shaking": waves | {"two_way": w}})) for w in (False, True))
-    times = np.linspace(0.0, 25.0, 2001)
-    assert np.min(one.at(times).velocity) == 0.0
-    assert np.min(two.at(times).velocity) < -0.1
-    assert two.run_out < one.run_out
-    rests = one.at(times)
-    assert np.sum(rests.velocity == 0.0) > 200
-    assert np.all(rests.acceleration[rests.velocity == 0.0] == 0.0)
-    assert np.all(np.diff(rests.displacement) >= 0.0)
-    starts = [t for t, before, _ in golden.changes(one) if before == 0]
-    assert len(starts) == 10
-    weight, radial = (float(x) for x in ARC.amplitudes_per_inertia)
-    for time in starts:  # the drive is just the resistance
-        k, dip = -1.8 * math.sin(4 * math.pi * time), float(ARC.dip) - float(one.at(time).rotation)
-        fall, press = math.sin(dip) + k * math.cos(dip), math.cos(dip) - k * math.sin(dip)
-        assert abs(weight * fall - 0.5 * radial * press) < 1e-7
-
-
-def test_swing_back_by_gravity_needs_no_two_way() -> None:
-    motion = solve(Scene(ARC, 0.05, TURNING | {"shaking": {"pulse": "half-sine", "amplitude": 0.1, "duration": 2.0}}))
-    assert (1, -1) in [c[1:] for c in golden.changes(motion)]
-
-
 def test_shaking_that_ends_while_it_slides_and_a_rest_before_the_end_time() -> None:
-    push = {"pulse": "rectangular", "amplitude": 0.5, "duration": 2.0, "start": 1.0}
-    motion = solve(Scene(ARC, 0.5, TURNING | {"shaking": push}))
+    push = TURNING | {"shaking": {"pulse": "rectangular", "amplitude": 0.5, "duration": 2.0, "start": 1.0}}
+    motion, waits, over = (solve(Scene(ARC, 0.5, push, end_time=end)) for end in (None, 0.5, 500.0))
     assert motion.peak.time == pytest.approx(3.0, rel=1e-12)
-    assert motion.arrested
-    assert motion.duration > 3.0
-    waits = solve(Scene(ARC, 0.5, TURNING | {"shaking": push}, end_time=0.5))
     assert (waits.moves, waits.arrested, waits.run_out, waits.duration) == (False, True, 0.0, 0.0)  # as without it
-    over = solve(Scene(ARC, 0.5, TURNING | {"shaking": push}, end_time=500.0))
     assert (over.arrested, over.duration) == (True, motion.duration)
     assert over.at(400.0).displacement == motion.run_out
 
 
-@pytest.mark.parametrize("end_time", [None, 9.0])
-def test_what_happens_after_the_end_time_decides_nothing_before_it(end_time: float | None) -> None:
+def test_what_happens_after_the_end_time_decides_nothing_before_it() -> None:
     """The mass rests from 1.8 s on, and would start again at 10.7 s."""
-    shaking = {
-        "horizontal": Series(np.array([0.0, 1, 1.5, 9.5, 12, 13]), np.array([0, 0.4, -0.3, -0.3, 0.5, 0]), False)
-    }
+    record = Series(np.array([0.0, 1, 1.5, 9.5, 12, 13]), np.array([0, 0.4, -0.3, -0.3, 0.5, 0]), False)
     friction = 1.2 * float(solve(Scene(ARC, 0.3, TURNING)).limit_friction)
-    motion = solve(Scene(ARC, friction, TURNING | {"shaking": shaking}, end_time=end_time))
-    assert (motion.status.name, motion.arrested) == ("RESTS", True)
-    assert [phase.start < 9.0 for phase in motion.phases] == ([True, False] if end_time is None else [True])
-    if end_time:
-        first = solve(Scene(ARC, friction, TURNING | {"shaking": shaking})).phases[0]
-        assert (motion.duration, motion.at(end_time).velocity) == (first.end, 0.0)
-        with pytest.raises(ValueError, match=r"at most the scene.s end_time, 9\.0 s"):
-            motion.at(9.5)
-
-
-def test_water_that_rises_later_starts_it_later() -> None:
-    motion = solve(Scene(ARC, 0.6, TURNING | {"pore_pressure": {"time": [0, 50, 100], "pressure": [0, 2e6, 0]}}))
-    start = next(t for t, before, _ in golden.changes(motion) if before == 0)
-    pressed = float(ARC.static_normal_stress)
-    limit = float(ARC.dimensionless.limit_friction)
-    assert start == pytest.approx(50.0 * (pressed - pressed * limit / 0.6) / 2e6, rel=1e-7)  # slower than rounding
-    assert motion.limit_friction == pytest.approx(limit, rel=1e-14)  # at the start there is no water
+    effects = TURNING | {"shaking": {"horizontal": record}}
+    whole, cut = (solve(Scene(ARC, friction, effects, end_time=end)) for end in (None, 9.0))
+    assert [whole.status.name, cut.status.name] == ["RESTS", "RESTS"]
+    assert [len(whole.phases), len(cut.phases)] == [2, 1]
+    assert (cut.duration, cut.at(9.0).velocity) == (whole.phases[0].end, 0.0)
+    with pytest.raises(ValueError, match=r"at most the scene.s end_time, 9\.0 s"):
+        cut.at(9.5)
 
 
 # --- hard cases ------------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("vertical", [0.9, 0.999999, 1.0, 1.000001])
-def test_weightless(vertical: float) -> None:
-    """k_v -> 1: nothing presses and nothing falls; from motion it coasts, once it weighs nothing at all."""
-    shaking = {"pulse": "rectangular", "amplitude": 0.0, "vertical_amplitude": vertical, "duration": 3.0}
-    motion = solve(Scene(ARC, 0.3, {"rotation": {}, "shaking": shaking}, initial_velocity=5.0, end_time=3.0))
-    speed = motion.at(np.linspace(0.0, 3.0, 7)).velocity
-    if vertical == 1.0:
-        np.testing.assert_allclose(speed, 5.0, rtol=1e-12)
-    else:
-        limit = (1 - vertical) * 3.0 * 9.81
-        np.testing.assert_allclose(speed, 5.0, atol=abs(limit))
-        assert bool(motion.lift_off) == (vertical > 1.0)
 
 
 @pytest.mark.parametrize("amplitude", [1e3, 1e9])
@@ -139,50 +69,22 @@ def test_huge_shaking_is_refused_where_the_mass_turns_over(amplitude: float) -> 
         solve(Scene(ARC, 0.5, TURNING | {"shaking": {"pulse": "half-sine", "amplitude": amplitude, "duration": 5.0}}))
 
 
-@pytest.mark.parametrize("heat", [3e3, 1e4, 1e6, 1e9])
+@pytest.mark.parametrize("heat", [3e3, 1e9])
 def test_pressurisation_that_removes_all_strength(heat: float) -> None:
     """Then nothing brings it to rest: the first standstill from which it would swing for ever is given."""
     motion = solve(Scene(ARC, 0.3, TURNING | {"thermal_pressurisation": HEAT | {"pressurisation": heat}}))
     assert not motion.arrested
     assert motion.lift_off
     assert abs(motion.energy.residual) < 1e-6 * motion.energy.work
-    free = solve(Scene(ARC, 0.0, TURNING))
     if heat == 1e9:
-        assert motion.run_out == pytest.approx(free.run_out, rel=1e-6)
+        assert motion.run_out == pytest.approx(solve(Scene(ARC, 0.0, TURNING)).run_out, rel=1e-6)
 
 
-def test_heat_that_leaves_little_strength() -> None:
-    """What presses falls below a hundredth of the weight, and still stops the mass: in its sixth swing."""
-    effects = TURNING | {"thermal_pressurisation": HEAT | {"pressurisation": 3300.0},
-                         "viscosity": {"viscosity": 3e3, "thickness": 0.5}}  # fmt: skip
-    motion = solve(Scene(ARC, 0.3, effects))
-    given = {"arc": oracle.plain(ARC), "friction": 0.3, "effects": effects, "initial_velocity": 0.0, "end_time": None}
-    known = taylor.solve(given, (0.5,), 20)
-    assert (motion.arrested, len(motion.phases)) == (known["arrested"], known["phases"]) == (True, 6)
-    for value, name in ((motion.run_out, "run_out"), (motion.duration, "duration")):
-        assert abs(value / float(known[name]) - 1) < motion.error_estimate < 1e-12
-
-
-def test_friction_that_vanishes_with_speed() -> None:
-    motion = solve(Scene(ARC, RATE | {"residual": 0.0, "velocity": 0.1}, TURNING, end_time=60.0))
-    free = solve(Scene(ARC, 0.0, TURNING))
-    assert 0.95 * free.peak.velocity < motion.peak.velocity < free.peak.velocity
-    with pytest.raises(ValueError, match="never rests"):
-        solve(Scene(ARC, RATE | {"residual": 0.0}))
-
-
-VANISHING = [
-    RATE | {"residual": 0.0, "velocity": 1e-9},
-    {"law": "rate_tabulated", "speed": [1e-9, 1.0], "coefficient": [0.4, 0.0]},
-    1e-9,
-]
-
-
-@pytest.mark.parametrize("friction", VANISHING, ids=str)
-def test_swings_that_hardly_die_away_are_refused(friction: Any) -> None:
+def test_swings_that_hardly_die_away_are_refused() -> None:
     with pytest.raises(ValueError, match=r"turns back \d{4} times or more without coming to rest; give an earlier end"):
-        solve(Scene(ARC, friction, TURNING))
-    motion = solve(Scene(ARC, friction, TURNING, end_time=300.0))  # asked for so much only, it is followed
+        solve(Scene(ARC, 1e-9, TURNING))
+    vanishing = RATE | {"residual": 0.0, "velocity": 1e-9}
+    motion = solve(Scene(ARC, vanishing, TURNING, end_time=300.0))  # asked for so much only, it is followed
     assert 7 <= len(golden.changes(motion)) < 9
 
 
@@ -190,16 +92,17 @@ def test_swings_that_hardly_die_away_are_refused(friction: Any) -> None:
 @pytest.mark.parametrize(("start", "amplitude"), [(2.0, 0.0), (2.0, 0.3), (200.0, 0.3)])
 def test_a_mass_at_rest_that_k_v_lifts_is_reported(start: float, amplitude: float, turns: bool) -> None:
     """A half-sine of 1.5 passes 1 after asin(2/3)/pi of its duration, whether the mass moves then or rests."""
-    vertical = Pulse("half-sine", 1.5, start, 2.0)
-    shaking = {"horizontal": Pulse("rectangular", amplitude, 0.0, 1.0), "vertical": vertical}
-    motion = solve(Scene(ARC, 0.5, {"shaking": shaking} | ({"rotation": {}} if turns else {})))
+    horizontal = Pulse("rectangular", amplitude, 0.0, 1.0)
+    motion, below = (
+        solve(Scene(ARC, 0.5, {"shaking": {"horizontal": horizontal, "vertical": Pulse("half-sine", top, start, 2.0)}}
+                    | ({"rotation": {}} if turns else {})))
+        for top in (1.5, 1.0)
+    )  # fmt: skip
     lifted = start + 2.0 * math.asin(2 / 3) / math.pi
     assert motion.lift_off == pytest.approx((lifted,), rel=1e-14)
     assert motion.warnings[0] == f"contact lost from {lifted:.6g} s (lift-off)"
     assert motion.moves == (amplitude > 0.0)
-    assert motion.duration < 10.0
-    below = shaking | {"vertical": Pulse("half-sine", 1.0, start, 2.0)}
-    assert not solve(Scene(ARC, 0.5, {"shaking": below} | ({"rotation": {}} if turns else {}))).lift_off
+    assert not below.lift_off
 
 
 def test_water_that_lifts_what_cohesion_holds_is_reported() -> None:
@@ -213,12 +116,10 @@ def test_water_that_lifts_what_cohesion_holds_is_reported() -> None:
 
 def test_many_lift_offs_are_said_once() -> None:
     waves = Series(np.arange(11.0), np.array([0.0, 3.0] * 5 + [0.0]), held=False)
-    shaking = {"shaking": {"horizontal": Series(np.array([0.0, 11.0]), np.array([0.3, 0.3])), "vertical": waves}}
-    motion = solve(Scene(ARC, 0.3, {"rotation": {}} | shaking, end_time=10.0))
-    assert len(motion.lift_off) == 5
-    said = [w for w in motion.warnings if "lift-off" in w]
-    assert len(said) == 1
-    assert f"{motion.lift_off[0]:.6g} s, and 4 times more until {motion.lift_off[-1]:.6g} s" in said[0]
+    shaking = {"horizontal": Series(np.array([0.0, 11.0]), np.array([0.3, 0.3])), "vertical": waves}
+    motion = solve(Scene(ARC, 0.3, {"rotation": {}, "shaking": shaking}, end_time=10.0))
+    (said,) = (w for w in motion.warnings if "lift-off" in w)
+    assert f"{motion.lift_off[0]:.6g} s, and 4 times more until {motion.lift_off[4]:.6g} s" in said
 
 
 def test_creep_that_never_ends_is_refused() -> None:
@@ -231,48 +132,29 @@ def test_creep_that_never_ends_is_refused() -> None:
         ARC.amplitudes_per_inertia[0] / ARC.amplitudes_per_inertia[1]))), rel=1e-6)  # fmt: skip
 
 
-def test_next_to_the_limit_the_estimate_grows_and_warns() -> None:
-    limit = float(ARC.dimensionless.limit_friction)
-    for gap, most in ((1e-3, 1e-9), (1e-9, 1.0)):
-        motion = solve(Scene(ARC, RATE | {"peak": limit * (1 - gap), "residual": limit * (1 - gap)}, TURNING))
-        plain = solve(Scene(ARC, limit * (1 - gap), TURNING))
-        error = max(abs(motion.run_out / plain.run_out - 1), abs(motion.duration / plain.duration - 1))
-        assert error <= motion.error_estimate + plain.error_estimate
-        assert motion.error_estimate <= most
-        assert any("ill-conditioned" in w for w in motion.warnings) == (motion.error_estimate > 1e-9)
-    assert motion.error_estimate > 1e-9
-
-
-_UNIT = float(ARC.radius) / float(ARC.time_scale) ** 2 / float(ARC.dimensionless.moment_of_inertia)
-FALL, PRESS = _UNIT * float(ARC.dimensionless.weight_moment), _UNIT * float(ARC.dimensionless.radial_weight)  # m/s^2
-
-
-@pytest.mark.parametrize("share", [1e-2, 1e-6, 1e-10, 1e-13, 0.0, -1e-13, -1e-10, -1e-6, -1e-2])
+@pytest.mark.parametrize("share", [1e-2, 1e-6, 1e-13, 0.0, -1e-13, -1e-6, -1e-2])
 def test_a_stop_that_just_happens(share: float) -> None:
     """Friction falls steadily in time, so that the velocity is a parabola, and that touches zero, or almost."""
     with mpmath.workdps(30):
-        end, first, last = mpf(20), mpf(0.6), mpf(0.2)
-        slows, less = first * PRESS - FALL, (first - last) * PRESS / end
+        slows, less = mpf(0.6) * PRESS - FALL, (mpf(0.6) - mpf(0.2)) * PRESS / 20
         turn = slows / less
         start = mpf(float(slows**2 / (2 * less) * (1 + mpf(share))))
         below = slows**2 / (2 * less) - start  # how far below zero it would go
         stop = turn - mpmath.sqrt(2 * max(below, 0) / less)
-        rest = turn if below > 0 else stop  # until then it stands
-        moved = start * stop - slows * stop**2 / 2 + less * stop**3 / 6
-        moved += max(-below, 0) * (end - rest) + less * (end - rest) ** 3 / 6
-        velocity = float(max(-below, 0) + less * (end - rest) ** 2 / 2)
+        left = 20 - (turn if below > 0 else stop)  # since it started again
+        moved = start * stop - slows * stop**2 / 2 + less * stop**3 / 6 + max(-below, 0) * left + less * left**3 / 6
+        velocity = max(-below, 0) + less * left**2 / 2
     law = {"law": "prescribed", "time": [0.0, 20.0], "coefficient": [0.6, 0.2]}
     motion = solve(Scene(ARC, law, {}, float(start), 20.0))
     assert motion.error_estimate <= 1e-9
     assert motion.run_out == pytest.approx(float(moved), rel=motion.error_estimate)
-    assert motion.end.velocity == pytest.approx(velocity, rel=motion.error_estimate)
+    assert motion.end.velocity == pytest.approx(float(velocity), rel=motion.error_estimate)
     if abs(share) >= 1e-6:
-        assert [c[1:] for c in golden.changes(motion)] == [(1, 0), (0, 1)] * (share < 0)
-    if share <= -1e-6:
-        assert [c[0] for c in golden.changes(motion)] == pytest.approx([float(stop), float(turn)], rel=1e-7)
+        times = [float(stop), float(turn)] if share < 0 else []
+        assert [t for t, _, _ in golden.changes(motion)] == pytest.approx(times, rel=1e-7)
 
 
-@pytest.mark.parametrize("share", [1e-2, 1e-6, 1e-14, 0.0, -1e-14, -1e-12, -1e-6, -1e-2])
+@pytest.mark.parametrize("share", [1e-2, 1e-14, 0.0, -1e-14, -1e-12, -1e-6, -1e-2])
 def test_a_stop_that_hangs_on_a_hair_warns(share: float) -> None:
     """Where friction falls with the speed there is one velocity below which it stops, and above which it runs away."""
     law = {"law": "rate_weakening", "peak": 0.6, "residual": 0.2, "velocity": 0.5}
@@ -281,17 +163,16 @@ def test_a_stop_that_hangs_on_a_hair_warns(share: float) -> None:
         edge = ((mpf(0.6) - mpf(0.2)) * PRESS / drive - 1) / 2
         start = mpf(float(edge * (1 + mpf(share))))
         motion = solve(Scene(ARC, law, {}, float(start), 60.0))
-        assert any("ill-conditioned" in w for w in motion.warnings) == (motion.error_estimate > 1e-9)
-        if abs(share) != 1e-6:
-            assert (motion.error_estimate > 1e-9) == (abs(share) < 1e-2)
-        if motion.error_estimate < 1.0 or abs(share) > 1e-13:
-            assert motion.arrested == (share < 0)
+        error = motion.error_estimate
+        assert any("ill-conditioned" in w for w in motion.warnings) == (error > 1e-9)
+        assert abs(share) == 1e-6 or (error > 1e-9) == (abs(share) < 1e-2)
+        assert (error >= 1.0 and abs(share) <= 1e-13) or motion.arrested == (share < 0)
         if motion.arrested:  # integrated by hand: dt = (velocity + v) dv / (drive (v - edge))
             gone = mpmath.log(edge / (edge - start))
             time = ((mpf(0.5) + edge) * gone - start) / drive
             moved = ((mpf(0.5) + edge) * (edge * gone - start) - start**2 / 2) / drive
-            assert accuracy.off(motion.duration, str(time), str(time)) <= motion.error_estimate
-            assert accuracy.off(motion.run_out, str(moved), str(moved)) <= motion.error_estimate
+            assert abs(motion.duration / time - 1) <= error
+            assert abs(motion.run_out / moved - 1) <= error
 
 
 @pytest.mark.parametrize("more", [1e-2, 1e-6, 1e-9, -1e-9])
@@ -307,27 +188,16 @@ def test_a_lift_off_that_just_happens(more: float) -> None:
         assert after[0] < 0.0 < after[1]
 
 
-def test_a_record_that_begins_with_a_jump_changes_nothing_before() -> None:
-    """Kinks are rounded in dimensionless time; until the first sample the motion is that of the quiet scene."""
-    quiet = solve(Scene(ARC, 0.2, TURNING))
-    for start in np.linspace(1.0, 9.0, 17).tolist():
-        record = Series(np.array([start, start + 1.0]), np.array([0.3, 0.3]), held=False)
-        shaken = solve(Scene(ARC, 0.2, TURNING | {"shaking": {"horizontal": record}}, end_time=10.0))
-        assert float(shaken.at(start).displacement) == pytest.approx(float(quiet.at(start).displacement), rel=1e-9)
-
-
-def test_lift_offs_late_in_a_record_are_those_of_the_same_one_early() -> None:
+@pytest.mark.parametrize("seed", range(4))
+def test_lift_offs_late_in_a_record_are_those_of_the_same_one_early(seed: int) -> None:
     """Water and k_v carry the mass again and again, at times that are rounded more the later they are."""
-    arc = replace(ARC, radius=60.0)
-    for seed in range(6):
-        rng = np.random.default_rng(seed)
-        time, values = np.cumsum(rng.uniform(0.2, 1, 30)) * 0.03, rng.standard_normal((2, 30))
-        found = []
-        for late in (0.5, 500.0):
-            shaking = {"horizontal": Series(late + time, 1.5 * values[0], held=False),
-                       "vertical": Series(late + time, 0.8 * values[1], held=False)}  # fmt: skip
-            found.append(solve(Scene(arc, 0.6, {"rotation": {}, "shaking": shaking}, end_time=late + 20)))
-        early, later = found
-        assert early.lift_off
-        assert len(later.lift_off) == len(early.lift_off)
-        assert later.run_out == pytest.approx(early.run_out, rel=1e-8)
+    rng = np.random.default_rng(seed)
+    time, values = np.cumsum(rng.uniform(0.2, 1, 30)) * 0.03, rng.standard_normal((2, 30))
+    found = []
+    for late in (0.5, 500.0):
+        horizontal, vertical = (Series(late + time, s * v, held=False) for s, v in zip((1.5, 0.8), values, strict=True))
+        effects = {"rotation": {}, "shaking": {"horizontal": horizontal, "vertical": vertical}}
+        found.append(solve(Scene(replace(ARC, radius=60.0), 0.6, effects, end_time=late + 20)))
+    early, later = found
+    assert len(later.lift_off) == len(early.lift_off) > 0
+    assert later.run_out == pytest.approx(early.run_out, rel=1e-8)

@@ -44,8 +44,7 @@ def main() -> None:
     names = (*oracle.BASE, *oracle.QUOTIENTS)
     for name in names:
         check(name, double=True)
-    for name in names[::3]:
-        check(name, double=False)
+    check(names[-1], double=False)
     with pytest.raises(ValueError, match=r"nothing is proved.*jax"):
         kernels.polar_moment(jax.numpy.ones(3), accuracy=1e-3)
 
