@@ -101,12 +101,12 @@ def test_measured_rows(rows: list[Row]) -> None:
     """Tiers in the forms that run here with what is proved of them; the printed form and quadrature beside."""
     others = ["half-angle, NumPy", "printed, float64", *(f"Gauss, {n} points" for n in ways.GAUSS_POINTS), ways.FLOOR]
     assert [r.way for r in rows if not r.ours] == others
-    *computed, floor = rows
-    assert (floor.way, floor.verdict, np.isnan(floor.error)) == (ways.FLOOR, "floor", True)
-    for r in computed:
+    for r in rows:
         assert 0 < min(r.ns_1 or 0, r.ns_1e4 or 0, r.ns_1e6 or 0)
-        assert (r.function, r.elements, r.points > 100) == (MEASURED, cost.SIZES[-1], True)
-    error = {r.way: r.error for r in computed}
+        assert (r.function, r.elements) == (MEASURED, cost.SIZES[-1])
+    error = {r.way: r.error for r in rows}
+    assert rows[-1].verdict == "floor"
+    assert np.isnan(error[ways.FLOOR])
     assert error["half-angle, NumPy"] < 5e-15
     assert error["printed, float64"] > 0.5  # a difference of O(alpha) that is O(alpha**3)
     gauss = [error[f"Gauss, {n} points"] for n in ways.GAUSS_POINTS]
@@ -119,12 +119,11 @@ def test_measured_rows(rows: list[Row]) -> None:
     for way, row in ours.items():
         tier, _, word = way.partition(", ")
         assert (row.bound, row.bound_ulp) == BOUNDS[MEASURED][tier]["fused" if word == "fused" else "plain"]
-        assert row.kind == ("float32" if tier == "float32" else "float64")
         assert row.error <= (row.bound or 0.0)
         assert (row.ulp or 0.0) <= (row.bound_ulp or np.inf)
-        above = [replace(r, error=3 * r.error, ulp=3 * (r.ulp or 0.0), profile=None) if r is row else r for r in rows]
-        words_of_failure = f"Seen above what is proved, so the proof or the build is wrong: {way}"
-        assert " ".join(costtext.verdict(above).split()).startswith(words_of_failure)
+        above = replace(row, error=3 * row.error, ulp=3 * (row.ulp or 0.0), profile=None)
+        failure = f"Seen above what is proved, so the proof or the build is wrong: {way}"
+        assert " ".join(costtext.verdict([above]).split()).startswith(failure)
     row = Row(MEASURED, "best, fused", 1e-16, (0.1,), 1.0, bound=2e-16, bound_ulp=0.65, ulp=0.94, ours=True)
     for second, above_it in ((0.6, False), (-0.7, True)):  # where results underflow another bound holds
         ulp = np.array([0.94, second])
@@ -139,14 +138,6 @@ def test_everything_is_timed_in_turns(monkeypatch: pytest.MonkeyPatch) -> None:
     assert [len(s) for s in samples] == [2, 2]
     order = "".join(name for name, before in zip(calls, ["", *calls], strict=False) if name != before)
     assert order == "ababab"  # each once to warm up, then in turns
-
-
-def test_slow_ways_get_few_elements(monkeypatch: pytest.MonkeyPatch) -> None:
-    """No pass takes long: ten times as many elements only as long as the last pass says so."""
-    monkeypatch.setattr(cost, "_timed", lambda work, loops: 5e-4 * np.size(work.args[0]))
-    slow, subject = ways.Way("slow", np.copy), ways.Subject("f", [], reference.kernel, ways.angles)
-    for size, patience, count in ((400, 1.0, 10), (400, 20.0, 400), (400, 5.0, 100), (1, 1.0, 1)):
-        assert cost._fitting(slow, replace(subject, patience=patience), size) == count
 
 
 # --- verdicts ------------------------------------------------------------------------------------------------------
@@ -205,12 +196,9 @@ def test_records_and_csv_keep_every_digit(rows: list[Row]) -> None:
     failing = Row("f", "w", float("inf"), (0.1 + 0.2,), 1 / 3)
     *_, last = json.loads(json.dumps([costtext.record(r) for r in (*rows, failing)], allow_nan=False))
     assert last | {"error": None, "worst_input": [0.1 + 0.2], "ns_1": 1 / 3} == last
-    assert "profile" not in last
-    for line, row in zip(csv.DictReader(costtext.table_csv(rows).decode().splitlines()), rows, strict=True):
-        assert (line["way"], float(line["ns_1"])) == (row.way, row.ns_1)
-        assert tuple(map(float, line["worst_input"].split())) == row.worst_input
-        assert line["bound"] == ("" if row.bound is None else repr(row.bound))
-        assert line["error"] == ("" if row.error != row.error else repr(row.error))
+    *_, line = csv.DictReader(costtext.table_csv([*rows, failing]).decode().splitlines())
+    assert (line["way"], line["worst_input"], line["ns_1"]) == ("w", repr(0.1 + 0.2), repr(1 / 3))
+    assert (line["error"], line["bound"]) == ("", "")
 
 
 def test_the_command(asked: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -236,14 +224,7 @@ def test_the_picture(rows: list[Row]) -> None:
     drawn = pictures.render(lambda figure: costplot.overview(both, figure), costplot.size(both), "svg").decode()
     for text in (MEASURED, "best, NumPy", "ours, worst seen; a bar up to what is proved", "alpha, rad"):
         assert f"<!-- {text} -->" in drawn, text
-    front, named = canvas().subplots(1, 2)
-    assert "our good" in [text.get_text() for text in costplot.frontier(both[-3:], front).texts]
-    profiled = [row for row in rows if row.profile is not None]
-    costplot.over_alpha(profiled, named)
-    colours = {line.get_label(): line.get_color() for line in named.lines if not str(line.get_label()).startswith("_")}
-    assert len(colours) == 9
-    assert [*colours.values()].count("0.75") == 1  # grey, and not of one of the eight
-    assert colours[f"{len(profiled) - 8} others"] == "0.75"
+    assert "our good" in [text.get_text() for text in costplot.frontier(both[-3:], canvas().subplots()).texts]
     place = costplot.both_ends(np.array([0.0, 1e-6, np.pi / 4, np.pi / 2 - 1e-6, np.nextafter(np.pi / 2, 0), 1.571]))
     assert (place[0], place[2]) == (-np.inf, 0.0)
     assert place[3] == pytest.approx(-place[1], abs=1e-9)  # as far from its end, as far from the middle

@@ -252,7 +252,7 @@ WORKBENCH = sorted((ROOT / "slipcircle" / "workbench").glob("*/__init__.py"))
 DENSITY = {
     "derive": 11.1,
     "slipcircle/base": 10.2,
-    "slipcircle/core": 10.8,
+    "slipcircle/core": 10.5,
     **{str(path.parent.relative_to(ROOT)): 12.0 for path in WORKBENCH},
 }
 

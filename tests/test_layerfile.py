@@ -1,9 +1,8 @@
 """Layered ground from a scene file: what it says is what moves, numbers by soil, and what a wrong file is told."""
 
-import json
+import math
 import re
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,8 +14,6 @@ from slipcircle.core import LayeredSection, Scene, Soil
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.files.variation import along_means
-from slipcircle.workbench.stability.search import at_circle
-from slipcircle.workbench.stability.stability import Slope
 from slipcircle.workbench.studies.ensemble import grid
 
 Write = Callable[..., str]
@@ -63,24 +60,29 @@ def write(tmp_path: Path) -> Write:
     return to_file
 
 
-def test_a_file_is_the_section_that_it_describes(write: Write) -> None:
+def factors(path: str) -> dict[str, float]:
+    """Factors of safety of a file's circle by method."""
+    found = critical_of_file(path, None, lambda line: None)[2].factor_of_safety
+    return {method: factor or math.nan for method, factor in found.items()}
+
+
+@pytest.mark.parametrize(("strength", "slip"), [("base", ""), ("mass", '[slip]\nstrength = "mass"\n')])
+def test_a_file_is_the_section_that_it_describes(write: Write, strength: str, slip: str) -> None:
     """Defaults: cohesion grows from the top of the soil's layer, strength goes with the base."""
-    tangent = {angle: float(np.tan(np.deg2rad(angle))) for angle in (20, 24, 28)}
-    law = {"law": "exponential", "peak": tangent[24], "residual": tangent[20], "length": 0.8}
-    sand = Soil(18e3, 0.0, tangent[28], name="sand")
+    peak, residual, sand_friction = np.tan(np.deg2rad([24, 20, 28])).tolist()
+    law = {"law": "exponential", "peak": peak, "residual": residual, "length": 0.8}
+    sand = Soil(18e3, 0.0, sand_friction, name="sand")
     clay = Soil(19e3, 0.0, law, 20e3, pore_ratio=0.1, name="clay")
     soft = Soil(17e3, 25e3, 0.0, cohesion_gradient=1.5e3, name="soft clay")
-    layers = [(sand, None), (clay, [(-60, 18.5), (10, 18.5), (20, 12)]), (soft, 2.0)]
-    ground = [(-60, 20), (0, 20), (40, 0), (120, 0)]
-    for strength, slip in {"base": "", "mass": '[slip]\nstrength = "mass"\n'}.items():
-        section = LayeredSection(
-            ground, (30, 45), 48.0, layers=layers, strength=strength, surcharge=[(-15, -5, 2e4, 4e4)]
-        )
-        expected = slipcircle.solve(Scene(section, effects=["rotation", "centripetal"]))
-        motion = slipcircle.solve(slipcircle.load(write(SCENE, LOAD, slip)))
-        assert motion.run_out == pytest.approx(expected.run_out, rel=1e-13)
-        assert motion.factor_of_safety == pytest.approx(expected.factor_of_safety, rel=1e-13)
-    stability = stability_of(slipcircle.load(write(SCENE, LOAD)))
+    section = LayeredSection(
+        [(-60, 20), (0, 20), (40, 0), (120, 0)], (30, 45), 48.0, strength=strength, surcharge=[(-15, -5, 2e4, 4e4)],
+        layers=[(sand, None), (clay, [(-60, 18.5), (10, 18.5), (20, 12)]), (soft, 2.0)],
+    )  # fmt: skip
+    expected = slipcircle.solve(Scene(section, effects=["rotation", "centripetal"]))
+    scene = slipcircle.load(write(SCENE, LOAD, slip))
+    motion, stability = slipcircle.solve(scene), stability_of(scene)
+    assert motion.run_out == pytest.approx(expected.run_out, rel=1e-13)
+    assert motion.factor_of_safety == pytest.approx(expected.factor_of_safety, rel=1e-13)
     assert stability is not None
     assert stability.factor_of_safety["paper"] == pytest.approx(expected.factor_of_safety, rel=1e-9)
 
@@ -93,27 +95,29 @@ def test_layered_scenes_that_ship_slide(name: str, records: Any) -> None:
     assert motion["run_out"] > 1.0
 
 
-def test_numbers_have_names_by_soil_in_every_study(write: Write) -> None:
-    keys: dict[str, tuple[Any, Any]] = {
-        "soils.clay.friction.peak_deg": (24, 23.0),
-        "soils.soft clay.cohesion_kPa": (25, 24.0),
-        "layers.3.top_m": (2, 2.5),  # below which the cohesion grows
-        "surcharge.1.pressure_kPa": ("[20, 40]", "[30, 60]"),
-        "tension_crack.depth_m": (1, 1.5),
-    }
-    scene = changed = SCENE + LOAD + "[tension_crack]\ndepth_m = 1\n"
-    for key, (before, after) in keys.items():
-        name = key.rpartition(".")[2]
-        assert changed.count(f"{name} = {before}\n") == 1 or name == "peak_deg"
-        changed = changed.replace(f"{name} = {before}", f"{name} = {after}")
-    values = {key: [60.0 if "pressure" in key else float(after)] for key, (_, after) in keys.items()}
-    study = grid(slipcircle.load(write(scene)), values)
-    motion = slipcircle.solve(slipcircle.load(write(changed)))
+NUMBERED = SCENE + LOAD + "[tension_crack]\ndepth_m = 1\n"
+LOWERED = ("[[-60, 18.5], [10, 18.5], [20, 12]]", "[[-60, 17.5], [10, 17.5], [20, 11]]")
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "changed"),
+    [
+        ("soils.clay.friction.peak_deg", 23.0, ("peak_deg = 24", "peak_deg = 23")),
+        ("soils.soft clay.cohesion_kPa", 24.0, ("cohesion_kPa = 25", "cohesion_kPa = 24")),
+        ("layers.3.top_m", 2.5, ("top_m = 2\n", "top_m = 2.5\n")),  # below which the cohesion grows
+        ("surcharge.1.pressure_kPa", 60.0, ("[20, 40]", "[30, 60]")),
+        ("tension_crack.depth_m", 1.5, ("depth_m = 1\n", "depth_m = 1.5\n")),
+        ("layers.2.top_m", 17.5, LOWERED),
+    ],
+)
+def test_numbers_have_names_by_soil_in_every_study(
+    write: Write, key: str, value: float, changed: tuple[str, str]
+) -> None:
+    scene = NUMBERED if "layers.2" not in key else SCENE
+    study = grid(slipcircle.load(write(scene)), {key: [value]})
+    assert scene.count(changed[0]) == 1
+    motion = slipcircle.solve(slipcircle.load(write(scene.replace(*changed))))
     assert float(study.samples["run_out"][0]) == pytest.approx(motion.run_out, rel=1e-9)
-    line = grid(slipcircle.load(write(SCENE)), {"layers.2.top_m": [17.5]})
-    lowered = SCENE.replace("[[-60, 18.5], [10, 18.5], [20, 12]]", "[[-60, 17.5], [10, 17.5], [20, 11]]")
-    expected = slipcircle.solve(slipcircle.load(write(lowered))).run_out
-    assert float(line.samples["run_out"][0]) == pytest.approx(expected, rel=1e-9)
 
 
 def test_a_law_of_speed_multiplies_the_friction_of_all_soils(write: Write) -> None:
@@ -149,8 +153,8 @@ def test_uncertain_soils_slide_along_the_circle_of_the_means(write: Write) -> No
     rest = '[[layers]]\nsoil = "clay"\n[circle]\ncritical = "ordinary"\n'
     drawn = write(GROUND, soil.format("{ distribution = 'lognormal', mean = 9, std = 4 }"), rest)
     scene = along_means(slipcircle.load(drawn))
-    found = critical_of_file(write(GROUND, soil.format(9), rest), None, lambda line: None)[2]
-    assert np.asarray(scene.arc.radius) == pytest.approx(found.radius, rel=1e-12)
+    at_mean = slipcircle.load(write(GROUND, soil.format(9), rest))
+    assert np.asarray(scene.arc.radius) == pytest.approx(at_mean.arc.radius, rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -160,15 +164,10 @@ def test_uncertain_soils_slide_along_the_circle_of_the_means(write: Write) -> No
         ("[tension_crack]\ndepth_m = 1\nwater_m = 1\n", "tension_crack.water_m: is for factors of safety alone"),
     ],
 )
-def test_what_motions_do_not_know_is_searched_and_not_run(write: Write, asked: Any, more: str, reason: str) -> None:
-    path = write(SCENE, more)
-    status, out, _ = asked("search", path, "--json")
-    assert status == 0
-    without = critical_of_file(write(SCENE), None, lambda line: None)[2].factor_of_safety["bishop"]
-    assert json.loads(out)[0]["factor_of_safety"]["bishop"] != without
-    status, _, error = asked("run", write(SCENE, more))
-    assert status == 1
-    assert reason in error
+def test_what_motions_do_not_know_is_searched_and_not_run(write: Write, refused: Any, more: str, reason: str) -> None:
+    with_it, without = factors(write(SCENE, more)), factors(write(SCENE))
+    assert with_it["bishop"] != without["bishop"]
+    assert reason in refused("run", write(SCENE, more))
 
 
 def test_a_shaken_motion_says_whose_loads_its_start_has(write: Write, said: Any) -> None:
@@ -180,26 +179,16 @@ def test_a_shaken_motion_says_whose_loads_its_start_has(write: Write, said: Any)
 
 def test_k_h_pushes_surcharges_where_it_is_asked_to(write: Write) -> None:
     """As it pushes a thin heavy layer of the same weight, which rises above the ground by 1 mm."""
-
-    def factors(text: str) -> dict[str, float | None]:
-        return critical_of_file(write(text), None, lambda line: None)[2].factor_of_safety
-
-    load = "[[surcharge]]\nfrom_m = -60\nto_m = 0\npressure_kPa = 0.5\n"
-    shaken = "[search]\nk_h = 0.2\n"
+    load, shaken = "[[surcharge]]\nfrom_m = -60\nto_m = 0\npressure_kPa = 0.5\n", "[search]\nk_h = 0.2\n"
     dry = SCENE.replace("pore_pressure_ratio = 0.1\n", "")
-    still = factors(dry + load + shaken)
-    pushed = factors(dry + load + shaken + "k_h_on_surcharge = true\n")
+    still, pushed = (factors(write(dry, load, shaken, more)) for more in ("", "k_h_on_surcharge = true\n"))
     raised = dry.replace("[[-60, 20], [0, 20], [40, 0]", "[[-60, 20.001], [0, 20.001], [0, 20], [40, 0]")
-    raised = raised.replace(
-        '[[layers]]\nsoil = "sand"\n', '[[layers]]\nsoil = "slab"\n[[layers]]\nsoil = "sand"\ntop_m = 20\n'
-    )
-    slab = factors(raised + shaken + "[soils.slab]\nunit_weight_kN_m3 = 500\nfriction = { angle_deg = 28 }\n")
+    layers = '[[layers]]\nsoil = "slab"\n[[layers]]\nsoil = "sand"\ntop_m = 20\n'
+    raised = raised.replace('[[layers]]\nsoil = "sand"\n', layers)
+    slab = factors(write(raised, shaken, "[soils.slab]\nunit_weight_kN_m3 = 500\nfriction = { angle_deg = 28 }\n"))
     for method, factor in pushed.items():
-        alone = still[method]
-        assert factor is not None
-        assert alone is not None
-        assert factor < alone
-        assert slab[method] == pytest.approx(factor, abs=0.02 * (alone - factor))
+        assert factor < still[method]
+        assert slab[method] == pytest.approx(factor, abs=0.02 * (still[method] - factor))
 
 
 def test_a_boundary_above_another_is_cut_off_and_said(write: Write, asked: Any) -> None:
@@ -291,15 +280,11 @@ def test_one_mistake_names_the_key_as_it_is_typed(write: Write, old: str, new: s
         slipcircle.load(write(SCENE.replace(old, new)))
 
 
-def test_one_soil_takes_cracks_loads_and_ponds_in_statics(write: Write, asked: Any) -> None:
+def test_one_soil_takes_cracks_loads_and_ponds_in_statics(write: Write, refused: Any) -> None:
     one_soil = f"{GROUND}unit_weight_kN_m3 = 19\n[friction]\nangle_deg = 20\n[cohesion]\ncohesion_kPa = 5\n{CIRCLE}"
     more = f"{LOAD}[tension_crack]\ndepth_m = 1\nwater_m = 0.5\n[pond]\nlevel_m = 3\n"
-    found = critical_of_file(write(one_soil, more), None, lambda line: None)[2]
-    soil = Soil(19e3, 5e3, float(np.tan(np.deg2rad(20))), name="soil")
-    slope = Slope(found.slope.ground, layers=[(soil, None)], surcharge=found.slope.surcharge, pond=3.0, crack=1.0)
-    slope = replace(slope, crack_water=0.5)
-    section = LayeredSection(slope.ground, found.centre, found.radius, layers=slope.layers)
-    assert found.factor_of_safety == pytest.approx(at_circle(slope, section).factor_of_safety, rel=1e-12)
-    status, _, error = asked("run", write(one_soil, LOAD))
-    assert status == 1
+    layered = f"{GROUND}[soils.soil]\nunit_weight_kN_m3 = 19\nfriction = {{ angle_deg = 20 }}\ncohesion_kPa = 5\n"
+    layered += f'[[layers]]\nsoil = "soil"\n{CIRCLE}'
+    assert factors(write(one_soil, more)) == pytest.approx(factors(write(layered, more)), rel=1e-12)
+    error = refused("run", write(one_soil, LOAD))
     assert re.search(r"surcharge: a motion takes it on layered ground alone.*\[soils.NAME\].*\[\[layers\]\]", error)

@@ -153,6 +153,13 @@ def error_between_points(case: Any, angle: float) -> float:
     return float(np.abs(hermite(t, v, a, times) - wanted.at(times).velocity).max() / wanted.peak.velocity)
 
 
+def test_hostile_names_are_text() -> None:
+    hostile = solve(replace(load("vaiont"), name="</script><script>alert(1)</script>&]]>", note="<b>"))
+    page = live.page([hostile], "</script><b>", ["<i>"])
+    assert [e.tag for e in tree(page).iter() if e.tag in ("script", "b", "i")] == ["script", "script"]
+    assert data(page)["cases"][0]["label"] == "<i>"
+
+
 def decoded(columns: list[str], units: list[float]) -> list[Any]:
     kinds = ("<i4", "<i4", "<i2")
     integers = [np.frombuffer(base64.b64decode(column), kind) for column, kind in zip(columns, kinds, strict=True)]
@@ -237,14 +244,6 @@ def test_a_command_writes_the_page(tmp_path: Path, said: Any) -> None:
     found = data((tmp_path / "slide.html").read_text("utf-8"))
     assert [case["label"] for case in found["cases"]] == ["8", "10", "12"]
     assert found["first"] == 1
-
-
-def test_hostile_names_are_text() -> None:
-    hostile = solve(replace(load("vaiont"), name="</script><script>alert(1)</script>&]]>", note="<b>"))
-    root = tree(live.page([hostile], "</script><b>", ["<i>"]))
-    assert len(list(root.iter("script"))) == 2
-    assert not {e.tag for e in root.iter()} & {"b", "i"}
-    assert data(live.page([hostile], "x", ["<i>"]))["cases"][0]["label"] == "<i>"
 
 
 # --- the command -----------------------------------------------------------------------------------------------------

@@ -57,11 +57,9 @@ def test_from_a_file_to_circle_and_picture(write: Write, tmp_path: Path, asked: 
     path, picture = write(ACADS), tmp_path / "slope.png"
     _, out, err = asked("search", path, "--json --plot", picture)
     (record,) = json.loads(out)
-    assert record["factor_of_safety"]["bishop"] == pytest.approx(0.985, rel=1e-3)
-    assert set(record["factor_of_safety"]) == {"paper", "ordinary", "bishop"}
-    assert record["exit"] == pytest.approx([30, 25], abs=0.2)
-    assert record["tried"] > record["refused"] > 0
     assert record.keys() == {"factor_of_safety", "circle", "entry", "exit", "tried", "refused"}
+    assert record["factor_of_safety"] == found_in(path).factor_of_safety
+    assert record["factor_of_safety"]["bishop"] == pytest.approx(0.985, rel=1e-3)
     assert "my-slope: least factor" in err
     assert picture.read_bytes().startswith(b"\x89PNG")
     assert "0.9424" in said("search", path, "--method ordinary")
@@ -91,10 +89,7 @@ def test_the_motion_has_the_factors_of_its_circle(write: Write, tmp_path: Path, 
     assert table["factor of safety by Bishop's simplified method"] == ["0.9850"]
     assert table["factor of safety by the ordinary method (Fellenius)"] == ["0.9502"]  # of Bishop's circle
     assert table["circle"] == ["least factor by bishop"]
-    assert table.keys() >= {"peak velocity", "x of the toe at the end", "run-out along the arc", "centre",
-                            "lower end of the slip surface, x and y"}  # fmt: skip
-    for label in ("Bishop&#x27;s simplified method", "circles evaluated, invalid", "arc under negative normal stress"):
-        assert label in page.read_text("utf-8")
+    assert "circles evaluated, invalid" in page.read_text("utf-8")
     (motion,), (alone,) = records("run", path), records("search", path)
     assert motion["stability"] == alone
     assert motion["factor_of_safety"] == pytest.approx(alone["factor_of_safety"]["paper"], rel=1e-9)
@@ -106,26 +101,30 @@ def test_a_slide_along_an_arc_in_tension_is_told_of(write: Write, asked: Any) ->
     assert "of the arc is under negative effective normal stress" in asked("run", write(cut))[2]
 
 
-def test_a_given_circle_has_factors_with_its_motion(write: Write, tmp_path: Path, said: Any) -> None:
-    table = columns(said("run --verbose", write(FIXED)))
-    assert table["factor of safety by Bishop's simplified method"] == ["0.9852"]
-    assert (table["circle"], table["circles evaluated, invalid"]) == (["as given"], ["1, 0"])
-    scene = slipcircle.load(write(FIXED))
+@pytest.mark.parametrize(
+    ("text", "pressure", "friction"),
+    [
+        (FIXED, 0.0, 1.0),
+        (FIXED + "[pore_pressure]\npressure_kPa = [5, 9]\ntime_s = [0, 8]\n", 5e3, 1.0),
+        (FIXED.replace("law", "rate = { law = 'rate_weakening', peak = 0.5, residual = 0.1, velocity_m_s = 1 }\nlaw"),
+         0.0, 0.5),
+    ],
+)  # fmt: skip
+def test_a_given_circle_has_factors_with_its_motion(write: Write, text: str, pressure: float, friction: float) -> None:
+    scene = slipcircle.load(write(text))
     given = stability_of(scene)
     assert given is not None
-    assert given.factor_of_safety["bishop"] == pytest.approx(0.98516, rel=1e-4)
-    pressed = slipcircle.load(write(FIXED + "[pore_pressure]\npressure_kPa = [5, 9]\ntime_s = [0, 8]\n"))
-    at_start = stability_of(pressed)
-    assert at_start is not None
-    assert at_start.slope.pressure == 5e3
-    assert slipcircle.solve(pressed).factor_of_safety == pytest.approx(at_start.factor_of_safety["paper"], rel=1e-9)
+    assert given.slope.pressure == pressure
+    assert given.slope.friction == pytest.approx(friction * math.tan(math.radians(19.6)))
+    assert slipcircle.solve(scene).factor_of_safety == pytest.approx(given.factor_of_safety["paper"], rel=1e-9)
+
+
+def test_what_a_record_of_pore_pressure_holds_at_the_start_is_not_read_for_factors(
+    write: Write, tmp_path: Path
+) -> None:
     (tmp_path / "pore.csv").write_text("time,pressure\n0,3\n9,8\n")
     recorded = slipcircle.load(write(FIXED + "[pore_pressure]\nrecord = 'pore.csv'\nunits = 'kPa'\n"))
-    assert stability_of(recorded) is None  # what it holds at the start is not read before the scene is made
-    by_speed = "rate = { law = 'rate_weakening', peak = 0.5, residual = 0.1, velocity_m_s = 1 }\nlaw"
-    rated = stability_of(slipcircle.load(write(FIXED.replace("law", by_speed))))
-    assert rated is not None
-    assert rated.slope.friction == pytest.approx(0.5 * math.tan(math.radians(19.6)))
+    assert stability_of(recorded) is None
 
 
 @pytest.mark.parametrize(
@@ -170,23 +169,20 @@ def test_what_a_file_says(write: Write) -> None:
         "entry_m = [-30, -10]\ndepth_m = 1\n[rotation]\n"
     )  # fmt: skip
     name, _, found = critical_of_file(path, None, print)
-    assert name == "cut"
-    assert np.asarray(found.slope.ground)[1] == pytest.approx([-10.0, 10.0])
-    assert (found.slope.cohesion, found.slope.friction, found.slope.unit_weight) == (0.0, 0.5, 19e3)
-    assert (found.slope.k_h, found.slope.water_unit_weight) == (0.1, 10e3)
-    section = slipcircle.load(path).arc
+    slope, section = found.slope, slipcircle.load(path).arc
     assert isinstance(section, slipcircle.Section)
+    assert np.asarray(slope.ground)[1] == pytest.approx([-10.0, 10.0])
+    assert (name, slope.cohesion, slope.friction, slope.unit_weight) == ("cut", 0.0, 0.5, 19e3)
+    assert (slope.k_h, slope.water_unit_weight) == (0.1, 10e3)
     assert (section.gravity, section.width, section.facing) == (9.8, 40.0, 1)
     assert section.sagitta == pytest.approx(3.0)
     assert float(np.max(section.mean_pressure(0.0))) > 0.0
-    looked = write(
+    searched = (
         Path(path).read_text("utf-8").replace("through_m = [[-14, 10], [0, 0]]\ndepth_m = 3", "critical = 'paper'")
     )
-    assert found_in(looked).limits == {"entry": (-30.0, -10.0), "exit": None, "depth": 1.0}
+    assert found_in(write(searched)).limits == {"entry": (-30.0, -10.0), "exit": None, "depth": 1.0}
     touching = found_in(write(ACADS + "[circle]\nthrough_m = [[30, 25], [55, 35]]\ntouching_m = 24\n"))
     assert touching.centre[1] - touching.radius == pytest.approx(24.0)
-    assert found_in(write(ACADS.replace("angle_deg = 19.6", "coefficient = 0.3"))).slope.friction == 0.3
-    assert found_in(write(ACADS)).slope.friction == pytest.approx(math.tan(math.radians(19.6)))
     assert found_in(write(ACADS + '[circle]\ncritical = "ordinary"\n')).method == "ordinary"
 
 
@@ -215,18 +211,13 @@ def test_mistakes_are_told_with_their_fix(write: Write, old: str, new: str, word
     assert "my-slope.toml: " in str(raised.value)
 
 
-@pytest.mark.usefixtures("unseen")
-def test_an_ensemble_keeps_the_circle_of_the_means_and_says_so(write: Write, tmp_path: Path, asked: Any) -> None:
+def test_an_ensemble_keeps_the_circle_of_the_means_and_says_so(write: Write) -> None:
     drawn = "{ distribution = 'lognormal', mean = 3, std = 2 }"  # its median is 2.5
-    path, page = write(SCENE.replace("cohesion_kPa = 3", f"cohesion_kPa = {drawn}")), tmp_path / "study.html"
-    _, _, err = asked("sweep", path, "--samples 64 --seed 1 --sensitivity 0 --report", page)
-    words = "the critical circle of the means, of the least factor by bishop"
-    assert words in err
-    assert words in page.read_text("utf-8")
+    path = write(SCENE.replace("cohesion_kPa = 3", f"cohesion_kPa = {drawn}"))
     study = slipcircle.ensemble(slipcircle.load(path), 64, rng=1, sensitivity=0)
-    of_means = found_in(write(ACADS))
-    assert study.scene.arc.centre == of_means.centre
-    assert study.scene.arc.radius == of_means.radius
+    of_means, arc = found_in(write(ACADS)), study.scene.arc
+    assert (arc.centre, arc.radius) == (of_means.centre, of_means.radius)
+    assert any("the critical circle of the means, of the least factor by bishop" in w for w in study.warnings)
     # Every sample slides along it: the greatest cohesion of them alone is another motion along the same circle.
     k = int(np.argmax(study.samples["reach"]))
     effects = {"cohesion": {"cohesion": 1e3 * study.samples["cohesion.cohesion_kPa"][k]}, "rotation": {}}
@@ -234,44 +225,31 @@ def test_an_ensemble_keeps_the_circle_of_the_means_and_says_so(write: Write, tmp
     assert alone.reach.displacement == pytest.approx(study.samples["reach"][k], rel=1e-9)
 
 
-def test_means_given_with_the_command_have_their_own_circle(write: Write, asked: Any) -> None:
-    scene = slipcircle.load(write(SCENE))
-    drawn = {"friction.peak_deg": {"distribution": "normal", "mean": 30, "std": 2}}
-    study = slipcircle.ensemble(replace(scene, uncertain=drawn), 64, rng=1, sensitivity=0)
-    expected = found_in(write(ACADS.replace("19.6", "30")))
-    assert study.scene.arc.centre == expected.centre
-    assert stability_of(study.scene) == expected
-    higher = {"ground.points_m.2.y": {"distribution": "normal", "mean": 36, "std": 0.2}}
-    study = slipcircle.ensemble(replace(scene, uncertain=higher), 64, rng=1, sensitivity=0)
-    assert stability_of(study.scene) == found_in(write(ACADS.replace("[50, 35]", "[50, 36]")))
+@pytest.mark.parametrize(
+    ("key", "mean", "old", "new"),
+    [("friction.peak_deg", 30, "19.6", "30"), ("ground.points_m.2.y", 36, "[50, 35]", "[50, 36]")],
+)
+def test_means_given_with_the_command_have_their_own_circle(
+    write: Write, asked: Any, key: str, mean: float, old: str, new: str
+) -> None:
+    drawn = {key: {"distribution": "normal", "mean": mean, "std": 0.2}}
+    study = slipcircle.ensemble(replace(slipcircle.load(write(SCENE)), uncertain=drawn), 64, rng=1, sensitivity=0)
+    assert stability_of(study.scene) == found_in(write(ACADS.replace(old, new)))
+    fixed = slipcircle.ensemble(replace(slipcircle.load(write(FIXED)), uncertain=drawn), 64, rng=1, sensitivity=0)
+    assert np.array_equal(fixed.scene.arc.centre, [29.5, 53.6])
+    assert not any("critical" in warning for warning in fixed.warnings)
     _, _, err = asked("sweep", write(SCENE), "--grid friction.peak_deg=18,19")
     assert "the critical circle of the scene as it is given" in err
-    fixed = slipcircle.ensemble(replace(slipcircle.load(write(FIXED)), uncertain=drawn), 64, rng=1)
-    assert np.array_equal(fixed.scene.arc.centre, [29.5, 53.6])
-    assert not any("critical" in said for said in fixed.warnings)
-
-
-def test_a_folder_knows_one_circle_from_another(write: Write, tmp_path: Path) -> None:
-    drawn = {"friction.peak_deg": {"distribution": "normal", "mean": 15, "std": 2}}
-    one = replace(slipcircle.load(write(FIXED)), uncertain=drawn)
-    slipcircle.ensemble(one, 64, rng=1, folder=tmp_path / "kept")
-    other = replace(one, arc=replace(one.arc, radius=28.55))
-    with pytest.raises(ValueError, match="another study: section"):
-        slipcircle.ensemble(other, 64, rng=1, folder=tmp_path / "kept")
 
 
 def test_the_guide_tells_by_how_much_the_methods_differ() -> None:
-    said = " ".join(guide().split()).replace("real- slope", "real-slope")
+    text = " ".join(guide().split()).replace("real- slope", "real-slope")
     stability = stability_of(slipcircle.load("real-slope"))
     assert stability is not None
-    wet = slipcircle.critical(replace(stability.slope, pore_ratio=0.5))
-    shares = []
-    for found in (stability, wet):
+    for found in (stability, slipcircle.critical(replace(stability.slope, pore_ratio=0.5))):
         paper, ordinary, bishop = (found.factor_of_safety[m] or math.nan for m in ("paper", "ordinary", "bishop"))
-        assert f"{paper:.3f}, {ordinary:.3f} and {bishop:.3f}" in said
-        shares.append(f"{100 * (1 - paper / bishop):.0f} %")
-    assert f"by {shares[0]} and by {shares[1]} of Bishop's" in said
-    assert "critical method by which the critical circle is searched: one of paper, ordinary, bishop" in said
+        assert f"{paper:.3f}, {ordinary:.3f} and {bishop:.3f}" in text
+        assert f"by {100 * (1 - paper / bishop):.0f} %" in text
 
 
 def test_the_limits_of_a_file_hold(write: Write, said: Any, records: Any) -> None:
@@ -279,10 +257,7 @@ def test_the_limits_of_a_file_hold(write: Write, said: Any, records: Any) -> Non
     (record,) = records("search", write(ACADS + limits))
     assert 60 - 1e-6 <= record["entry"][0] <= 65
     assert 20 <= record["exit"][0] <= 24 + 1e-6
-    (still,) = records("search", write(ACADS + limits.replace("k_h = 0.1", "")))
-    assert still["factor_of_safety"]["bishop"] > record["factor_of_safety"]["bishop"] + 0.2
     assert record["factor_of_safety_without_k_h"]["bishop"] > record["factor_of_safety"]["bishop"]
-    assert "factor_of_safety_without_k_h" not in still
     table = columns(said("run --verbose", write(SCENE + limits)))
     assert "factor of safety" not in table  # the motion's own is the paper's among those without k_h
     for words in ("k_h = 0.1", "without k_h"):
@@ -292,56 +267,51 @@ def test_the_limits_of_a_file_hold(write: Write, said: Any, records: Any) -> Non
 
 @pytest.mark.usefixtures("unseen")
 def test_the_first_lines_name_each_factor_of_safety(write: Write, said: Any) -> None:
-    between = FIXED.replace("cohesion_kPa = 3", "cohesion_kPa = 3.4")
-    slopes = {k_h: stability_of(slipcircle.load(write(between + f"[search]\nk_h = {k_h}\n"))) for k_h in (0.0, 0.05)}
-    still, shaken = ({m: f"{f:.4f}" for m, f in s.factor_of_safety.items()} for s in slopes.values() if s)
+    between = FIXED.replace("cohesion_kPa = 3", "cohesion_kPa = 3.4") + "[search]\nk_h = 0.05\n"
+    stability = stability_of(slipcircle.load(write(between)))
+    assert stability is not None
+    without = stability.factor_of_safety_without_k_h or {}
+    still, shaken = ({m: f"{f:.4f}" for m, f in each.items()} for each in (without, stability.factor_of_safety))
     assert still["paper"] < "1" < still["bishop"]  # so that the methods disagree
-    out = said("run", write(between + "[search]\nk_h = 0.05\n"))
-    table = columns(out)
-    assert table["factor of safety"] == [
-        f"{still['paper']} by the paper's method, without k_h; the motion starts from it"
-    ]
-    assert table["factor by Bishop's method"] == [f"{still['bishop']}, without k_h"]
-    assert table["factor with k_h = 0.05"] == [
-        f"{shaken['paper']} by the paper's method, {shaken['bishop']} by Bishop's"
-    ]
-    assert table["at the start"] == ["stable by Bishop, moves by the paper's method"]
+    out = said("run", write(between))
+    rows = {
+        "factor of safety": f"{still['paper']} by the paper's method, without k_h; the motion starts from it",
+        "factor by Bishop's method": f"{still['bishop']}, without k_h",
+        "factor with k_h = 0.05": f"{shaken['paper']} by the paper's method, {shaken['bishop']} by Bishop's",
+        "at the start": "stable by Bishop, moves by the paper's method",
+    }
+    assert columns(out) | {label: [words] for label, words in rows.items()} == columns(out)
     assert "lower factor, by 4 to 14 %" in " ".join(out.split())
     table = columns(said("run", write(FIXED)))
     assert "at the start" not in table  # as it moves by both
     assert table["factor of safety"][0].endswith("by the paper's method; the motion starts from it")
-    assert not [label for label in table if "k_h" in label]
 
 
-def test_a_circle_that_cuts_level_ground_alone_is_refused(write: Write, asked: Any) -> None:
-    for text, command in ((ACADS, "search"), (SCENE, "run")):
-        level = text.replace('critical = "bishop"', "") + "[circle]\ncentre_m = [15, 45]\nradius_m = 22\n"
-        status, _, error = asked(command, write(level.replace("[circle]\n\n", "")))
-        assert status == 1
-        assert "circle.centre_m: nothing drives the mass from x = 5.83485 to 24.1652" in error
+@pytest.mark.parametrize(("text", "command"), [(ACADS, "search"), (SCENE, "run")])
+def test_a_circle_that_cuts_level_ground_alone_is_refused(write: Write, refused: Any, text: str, command: str) -> None:
+    level = text.replace('[circle]\ncritical = "bishop"', "") + "[circle]\ncentre_m = [15, 45]\nradius_m = 22\n"
+    error = refused(command, write(level))
+    assert "circle.centre_m: nothing drives the mass from x = 5.83485 to 24.1652" in error
 
 
 def test_factors_of_samples_are_those_of_a_search_of_each() -> None:
+    """No circle of the means has a lesser factor."""
     uncertain = {
         "friction.peak_deg": {"distribution": "normal", "mean": 19.6, "std": 2.5},
         "cohesion.cohesion_kPa": {"distribution": "lognormal", "mean": 3, "std": 1},
     }
-    scene, count = replace(slipcircle.load("real-slope"), uncertain=uncertain), 12
-    study = slipcircle.ensemble(scene, count, rng=1, sensitivity=0, search_each=True)
+    scene = replace(slipcircle.load("real-slope"), uncertain=uncertain)
+    study = slipcircle.ensemble(scene, 6, rng=1, sensitivity=0, search_each=True)
     si = {n: u.to_si(study.samples[u.key]) for n, u in study.design.inputs.items()}
-    factors = searched_factors(study.scene, si, np.ones(count, bool))["searched bishop"]
+    factors = searched_factors(study.scene, si, np.ones(6, bool))["searched bishop"]
     stability = stability_of(study.scene)
     assert stability is not None
-    for k in range(0, count, 3):
+    for k in (0, 5):
         sample = with_parameters(study.scene, {n: float(values[k]) for n, values in si.items()})
         searched = slipcircle.critical(slope_of(sample, stability.slope))
         assert factors[k] == pytest.approx(searched.factor_of_safety["bishop"], rel=2e-4)
-    # Statistics are those of the numbers themselves, and no circle of the means has a lesser factor.
     assert study.failure["searched bishop"].value == np.mean(factors < 1.0)
-    assert study.factor_quantile("searched bishop", 0.5).value == pytest.approx(
-        np.sort(factors)[count // 2 - 1], rel=2e-3
-    )
-    for p in (0.1, 0.5, 0.9):
-        once, each = (study.factor_quantile(method, p).value for method in ("bishop", "searched bishop"))
-        assert each <= once * (1 + 2e-3)
+    once, each = (study.factor_quantile(method, 0.5).value for method in ("bishop", "searched bishop"))
+    assert each == pytest.approx(np.sort(factors)[2], rel=2e-3)
+    assert each <= once * (1 + 2e-3)
     assert "with the circle searched for every sample" in study.warnings[1]

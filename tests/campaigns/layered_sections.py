@@ -15,6 +15,7 @@ from scipy.optimize import brentq
 
 from slipcircle import Scene, solve
 from slipcircle.core import LayeredSection, Soil
+from slipcircle.core.scene.strength import Needs
 
 COLLOCATION, COLLOCATION_WEIGHTS = np.polynomial.legendre.leggauss(10)
 
@@ -263,7 +264,7 @@ def strength_by_quadrature(section: Any, rotation: float, omega_2: float) -> tup
     arc = AlongTheArc(section)
     expected = arc.resistance(rotation, omega_2)
     moments = {name: float(values[0]) for name, values in section._weighted_moments.items()}
-    terms = section.arc_strength.terms(True, False)
+    terms = section.arc_strength.terms(Needs(rotates=True))
 
     def term(name: str) -> float:
         value = terms.get(name, 0.0)

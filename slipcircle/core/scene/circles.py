@@ -12,7 +12,7 @@ from generated import slopes
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.core.scene.doubledouble import DoubleDouble
-from slipcircle.core.scene.plane import Vectors
+from slipcircle.core.scene.plane import Vectors, each_lane
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(slopes.NODES)
 _PLACES = (1.0 + _NODES) / 2  # for integrals from 0 to 1
@@ -52,7 +52,8 @@ class _Edges(NamedTuple):
 
     def reversed(self) -> "_Edges":
         """From the last ends to the first."""
-        return _Edges(self.last, self.first, -self.edge, self.last_clear, self.first_clear)
+        edge = -self.edge
+        return _Edges(self.last, self.first, edge, self.last_clear, self.first_clear)
 
 
 def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
@@ -60,7 +61,7 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
 
     A vertex as near to a circle as rounding of its coordinates goes lies on it, and parts two stretches.
     """
-    of_circles = np.broadcast_to(points, (len(radius), *points.shape[1:]))
+    of_circles = each_lane(points, len(radius))
     line = Vectors.of(of_circles)
     middle = Vectors.of(centre)
     from_centre = line - middle[:, None]
@@ -74,14 +75,16 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
     if lane.size:
         first = line.starts[at]
         last = line.ends[at]
-        start[at], share[at] = _with_both_ends_outside(first, last, middle[lane], radius[lane])
+        of_circle = middle[lane], radius[lane]
+        start[at], share[at] = _with_both_ends_outside(first, last, *of_circle)
 
     has_part_inside = share > 0.0
     enters = has_part_inside & (edges.first_clear == 0.0)
     leaves = has_part_inside & (edges.last_clear == 0.0)
     per_r = 1.0 / radius[:, None]
     per_square = per_r**2
-    entry = edges.first + edges.edge * start
+    before = edges.edge * start
+    entry = edges.first + before
     return Cut(
         start=entry * per_r,
         part=edges.edge * share * per_r,
@@ -97,12 +100,15 @@ def _clearances(line: Vectors, from_centre: Vectors, centre: Vectors, radius: Fl
     """R^2 - rho^2 of each vertex inside by more than rounding of coordinates, and 0 of the others."""
     r = radius[:, None]
     x, y = from_centre
-    clear = r * r - x * x - y * y
-    is_near = np.abs(clear) < 0.1 * r * r  # a difference of near equals takes two doubles
+    square = r * r
+    clear = square - x * x - y * y
+    is_near = np.abs(clear) < 0.1 * square  # a difference of near equals takes two doubles
     near = np.nonzero(is_near)
     lane, _ = near
-    vertex = _doubled(line[near]) - _doubled(centre[lane])
-    clear[near] = _clearance(vertex, radius[lane]).high
+    origin = _doubled(centre[lane])
+    vertex = _doubled(line[near]) - origin
+    accurate = _clearance(vertex, radius[lane])
+    clear[near] = accurate.high
     size = line.largest + centre.largest[:, None]
     rounding = 32 * EPS * r * (r + size)
     return np.where(clear > rounding, clear, 0.0)
@@ -110,7 +116,9 @@ def _clearances(line: Vectors, from_centre: Vectors, centre: Vectors, radius: Fl
 
 def _doubled(vectors: Vectors) -> Vectors:
     """Vectors of numbers of about 32 digits."""
-    return Vectors(DoubleDouble(vectors.x), DoubleDouble(vectors.y))
+    x = DoubleDouble(vectors.x)
+    y = DoubleDouble(vectors.y)
+    return Vectors(x, y)
 
 
 def _clearance(from_centre: Vectors, radius: Floats) -> DoubleDouble:
@@ -128,7 +136,8 @@ def _with_an_end_inside(edges: _Edges) -> tuple[Floats, Floats]:
     share = both_in.astype(np.float64)
     start = np.zeros(share.shape)
     leaves = first_in & ~last_in
-    share[leaves] = _share_from_inside(edges.only(leaves))
+    leaving = edges.only(leaves)
+    share[leaves] = _share_from_inside(leaving)
     enters = last_in & ~first_in
     entering = edges.only(enters)
     share[enters] = _share_from_inside(entering.reversed())
@@ -141,7 +150,8 @@ def _share_from_inside(edges: _Edges) -> Floats:
     b = edges.first.dot(edges.edge)
     d = edges.edge.square
     g = edges.first_clear
-    root = np.sqrt(b * b + d * g)
+    discriminant = b * b + d * g
+    root = np.sqrt(discriminant)
     from_sum = g / (b + root)
     from_difference = (root - b) / d
     positive_root = np.where(b > 0.0, from_sum, from_difference)
@@ -151,7 +161,8 @@ def _share_from_inside(edges: _Edges) -> Floats:
 def _may_pass_through(edges: _Edges) -> Flags:
     """Edges with both ends outside and the foot of the perpendicular from the centre between them."""
     to_foot = -edges.first.dot(edges.edge)
-    foot_on_edge = (to_foot > 0.0) & (to_foot < edges.edge.square)
+    length = edges.edge.square
+    foot_on_edge = (to_foot > 0.0) & (to_foot < length)
     first_outside = edges.first_clear == 0.0
     last_outside = edges.last_clear == 0.0
     passes: Flags = foot_on_edge & first_outside & last_outside
@@ -165,8 +176,10 @@ def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radi
     from_centre = begin - _doubled(centre)
     b = from_centre.dot(edge)
     d = edge.square
-    discriminant = b * b + d * _clearance(from_centre, radius)
-    root = np.sqrt(np.maximum(discriminant.high, 0.0))
+    clearance = _clearance(from_centre, radius)
+    discriminant = b * b + d * clearance
+    not_negative = np.maximum(discriminant.high, 0.0)
+    root = np.sqrt(not_negative)
     square = d.high
     entry = (-b.high - root) / square
     start = np.maximum(entry, 0.0)
@@ -191,7 +204,8 @@ def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
     lanes = np.repeat(circles, count)
     before = np.cumsum(count) - count
     first_of_circle = np.repeat(before, count)
-    number = np.arange(len(lanes)) - first_of_circle
+    numbers = np.arange(len(lanes))
+    number = numbers - first_of_circle
     holds_an_end = from_start | to_end | all_inside
     return lanes, number, holds_an_end
 
@@ -206,7 +220,9 @@ def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
     first = lane, enters.argmax(axis=1)
     last = lane, leaves.argmax(axis=1)
     all_ends = parts.start + parts.part
-    return parts.start[first], all_ends[last]
+    left = parts.start[first]
+    right = all_ends[last]
+    return left, right
 
 
 def moments(parts: Cut, mine: Flags) -> dict[str, Floats]:
@@ -237,16 +253,20 @@ def _moments(parts: Cut, mine: Flags) -> Floats:
     at = np.nonzero(is_long)
     lane, _ = at
     if lane.size:
-        total += _sector_moments(start[at], edge[at], lane, len(mine))
+        long = edge[at]
+        total += _sector_moments(start[at], long, lane, len(mine))
     return total
 
 
 def _sector_moments(start: Vectors, edge: Vectors, lane: Any, count: int) -> Floats:
     """Of edges, each of a circle, by the closed forms of sectors and triangles; sums by circle."""
     end = start + edge
-    angle = np.arctan2(start.cross(edge), start.dot(end))
+    cross = start.cross(edge)
+    dot = start.dot(end)
+    angle = np.arctan2(cross, dot)
     by_edge = slopes.closed(start.x, start.y, edge.x, edge.y, angle)
-    return np.array([np.bincount(lane, values, count) for values in by_edge])
+    by_circle = [np.bincount(lane, values, count) for values in by_edge]
+    return np.array(by_circle)
 
 
 def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
@@ -259,33 +279,40 @@ def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
     for s, weight in _GAUSS:
         rest = 1.0 - s
         along_chord = rest * first + s * second
-        gap = along_chord + s * rest * square
+        bulge = s * rest * square
+        gap = along_chord + bulge
         rings = np.array(slopes.rings(gap))
         totals[:5] += weight * rings
         vectors = rings[3:]
-        totals[5:] += weight * s * vectors
+        weight_of_s = weight * s
+        totals[5:] += weight_of_s * vectors
     area, polar, inertia, radial, moment, radial_s, moment_s = totals
     start = parts.start
     of_radial = start * radial + edge * radial_s
     of_moment = start * moment + edge * moment_s
     by_edge = np.array([area, polar, inertia, *of_radial, *of_moment])
     over_edges = by_edge * start.cross(edge)
-    return np.asarray(over_edges.sum(axis=2))
+    moments_of_circles: Floats = over_edges.sum(axis=2)
+    return moments_of_circles
 
 
 def thickness(parts: Cut, mine: Flags) -> Floats:
     """The greatest distance from the arc to the ground towards the centre, for each circle."""
     square = parts.part.square
-    to_foot = -parts.start.dot(parts.part)  # of the perpendicular from the centre
+    along = parts.start.dot(parts.part)
+    to_foot = -along  # of the perpendicular from the centre
     on_edge = (to_foot > 0.0) & (to_foot < square)
-    share = np.divide(to_foot, square, out=np.zeros_like(square), where=on_edge)
+    nowhere = np.zeros_like(square)
+    share = np.divide(to_foot, square, out=nowhere, where=on_edge)
     rest = 1.0 - share
     along_chord = rest * parts.first + share * parts.second
-    at_foot = along_chord + share * rest * square
+    bulge = share * rest * square
+    at_foot = along_chord + bulge
     at_ends = np.maximum(parts.first, parts.second)
     gap = np.maximum(at_ends, at_foot)  # 1 - rho^2
     gap_of_mine = np.where(mine, gap, 0.0)
-    greatest = np.minimum(gap_of_mine.max(axis=1), 1.0)
+    widest = gap_of_mine.max(axis=1)
+    greatest = np.minimum(widest, 1.0)
     least_distance = np.sqrt(1.0 - greatest)
     return greatest / (1.0 + least_distance)
 

@@ -81,7 +81,8 @@ class _ComplexSection(LayeredSection):
         ends = []
         lane = np.arange(len(crossings))
         for end in self.real._ends:
-            nearest = np.argmin(np.abs(crossings.real - end.x), axis=1)
+            distance = np.abs(crossings.real - end.x)
+            nearest = distance.argmin(axis=1)
             x = crossings[lane, nearest]
             cosine = np.sqrt((1.0 - x) * (1.0 + x))
             ends.append(Vectors(x, -cosine))
@@ -118,8 +119,10 @@ class _ComplexSection(LayeredSection):
         by_vertex = water.gradient(first, last)
         line = derivative(self._lines_over_radius[-1])
         moved = np.einsum("...vk,nvk->...n", by_vertex, line)
-        moved = moved + water.at(last)[..., None] * derivative(high)
-        moved = moved - water.at(first)[..., None] * derivative(low)
+        head_at_last = water.at(last)[..., None]
+        head_at_first = water.at(first)[..., None]
+        moved = moved + head_at_last * derivative(high)
+        moved = moved - head_at_first * derivative(low)
         integral = water.integral(first[..., None], last[..., None])
         return integral + 1j * STEP * moved
 

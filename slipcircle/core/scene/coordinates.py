@@ -26,7 +26,8 @@ def _names(field: str, shape: Index) -> Indices:
     for index in np.ndindex(shape):
         *point, axis = index
         coordinate = "xy"[axis]
-        name = ".".join([field, *map(str, point), coordinate])
+        parts = [field, *map(str, point), coordinate]
+        name = ".".join(parts)
         names[name] = index
     return names
 
@@ -66,7 +67,8 @@ def changed_fields(arc: Any, values: Values) -> dict[str, Any]:
     changed: dict[str, Any] = {}
     for field, axes in arc.quantities.items():
         indices = indices_of(arc, field)
-        replaced = {name: indices[name] for name in indices if name in values}
+        names = [name for name in indices if name in values]
+        replaced = {name: indices[name] for name in names}
         if not replaced:
             continue
         if not axes:
@@ -110,8 +112,7 @@ def _with_coordinates(points: Any, axes: int, replaced: Indices, values: Values)
 
 def replace_unchecked(instance: Any, values: Values) -> Any:
     """A frozen dataclass with other field values that its constructor does not see: they were checked, or will be."""
-    changes = [name for name in values if values[name] is not getattr(instance, name)]
-    if not changes:
+    if all(values[name] is getattr(instance, name) for name in values):
         return instance
     other = object.__new__(type(instance))
     for field in fields(instance):

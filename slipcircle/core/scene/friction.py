@@ -8,7 +8,7 @@ import numpy as np
 
 from generated.effects import LAWS
 from slipcircle.base.checks import mistakes, parameter_mistakes, shown
-from slipcircle.base.kinds import Parameters
+from slipcircle.base.kinds import Names, Parameters
 
 OF_SOIL = "#"  # before the number of a soil, in the name of its law
 RATE_LAWS = tuple(name for name in LAWS if LAWS[name].depends_on == ("speed",))
@@ -42,11 +42,12 @@ def may_have_rate(law: str) -> bool:
     return {"speed", "time"}.isdisjoint(LAWS[law].depends_on)
 
 
-def _named_faults(given: Parameters, path: str, known: tuple[str, ...]) -> list[str]:
+def _named_faults(given: Parameters, path: str, known: Names) -> list[str]:
     """A sentence for each mistake in a law by name."""
     name = given.get("law")
     if name not in known:
-        return [f"{path}.law = {name!r}: must be one of {', '.join(known)}"]
+        names = ", ".join(known)
+        return [f"{path}.law = {name!r}: must be one of {names}"]
     parameters = dict(given)
     del parameters["law"]
     if path == "friction":
@@ -88,7 +89,8 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
         of_soils = []
         for k, law in enumerate(friction["soils"].values()):
             name, parameters = law_parts(law)[0]
-            of_soils.append((f"{name}{OF_SOIL}{k}", parameters))
+            name_of_soil = f"{name}{OF_SOIL}{k}"
+            of_soils.append((name_of_soil, parameters))
         return (*of_soils, *rate)
     parameters = dict(friction)
     name = parameters.pop("law")
@@ -96,9 +98,9 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
     return ((name, parameters), *rate)
 
 
-def law_paths(friction: Any) -> tuple[str, ...]:
+def law_paths(friction: Any) -> Names:
     """Where the numbers of each of `law_parts` are among the numbers of a scene."""
-    first: tuple[str, ...] = ("friction",)
+    first: Names = ("friction",)
     if isinstance(friction, Mapping) and "soils" in friction:
         first = tuple(f"soils.{soil}.friction" for soil in friction["soils"])
     with_rate = (*first, "friction.rate")
@@ -116,12 +118,12 @@ def soil_number(name: str) -> str:
     return "".join(name.partition(OF_SOIL)[1:])
 
 
-def law_names(given: Any) -> tuple[str, ...]:
+def law_names(given: Any) -> Names:
     """Of the law that a scene's friction stands for, and of the law of speed that multiplies it."""
     return tuple(name for name, _ in law_parts(given))
 
 
-def law_depends(given: Any) -> tuple[str, ...]:
+def law_depends(given: Any) -> Names:
     """What a scene's friction depends on: some of slip, speed, time."""
     variables: dict[str, None] = {}
     for name in law_names(given):
@@ -147,7 +149,8 @@ def _at_rest(name: str, parameters: Parameters) -> Any:
     if "peak" in parameters:
         return parameters["peak"]
     coefficient = parameters["coefficient"]
-    is_table = LAWS[name].parameters[0].kind == "list"
+    first_parameter = LAWS[name].parameters[0]
+    is_table = first_parameter.kind == "list"
     return coefficient[0] if is_table else coefficient
 
 

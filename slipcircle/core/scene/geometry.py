@@ -10,7 +10,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.core.scene import circles
 from slipcircle.core.scene.circles import Cut
 from slipcircle.core.scene.coordinates import leading_shape
-from slipcircle.core.scene.heights import height_integrals, integral_inside
+from slipcircle.core.scene.heights import HeightIntegrals, height_integrals, integral_inside
 from slipcircle.core.scene.plane import Vectors
 from slipcircle.core.scene.turning import TurningMass
 
@@ -61,8 +61,9 @@ class SectionGeometry(TurningMass):
         of_stretches = self._cut.only(lane)
         first, last = circles.ends(of_stretches, number)
         r = radius[lane]
-        left = centre[lane, 0] + r * first.x
-        right = centre[lane, 0] + r * last.x
+        x = centre[lane, 0]
+        left = x + r * first.x
+        right = x + r * last.x
         if self.between is None:
             return lane, number, left, right, held
         low, high = self.between
@@ -123,7 +124,9 @@ class SectionGeometry(TurningMass):
     def _angles(self) -> tuple[Floats, Floats]:
         """Of both ends from straight below the centre, left to right."""
         left, right = self._ends
-        return np.arctan2(left.x, -left.y), np.arctan2(right.x, -right.y)
+        first = np.arctan2(left.x, -left.y)
+        last = np.arctan2(right.x, -right.y)
+        return first, last
 
     @cached_property
     def _chord(self) -> Vectors:
@@ -134,7 +137,8 @@ class SectionGeometry(TurningMass):
     @cached_property
     def chord(self) -> Any:
         """Its length, m."""
-        return self._shaped(self._chord.length) * self.radius
+        length = self._shaped(self._chord.length)
+        return length * self.radius
 
     @cached_property
     def half_angle(self) -> Any:
@@ -161,7 +165,8 @@ class SectionGeometry(TurningMass):
         is_left = self._facing == way
         left, right = self._ends
         end = np.where(is_left[:, None], left.points, right.points)
-        return self._shaped(centre + radius[:, None] * end)
+        from_centre = radius[:, None] * end
+        return self._shaped(centre + from_centre)
 
     @cached_property
     def entry(self) -> Any:
@@ -186,13 +191,22 @@ class SectionGeometry(TurningMass):
         return self._shaped(thickness) * self.radius
 
     @cached_property
+    def _level(self) -> Floats:
+        return self._lines(self.level)
+
+    @cached_property
+    def _water(self) -> HeightIntegrals:
+        return height_integrals(self._level, *self._circle[1:])
+
+    @cached_property
     def mean_cover(self) -> Any:
         """Mean height of the ground above the arc, m; times r_u and the unit weight it is a mean pressure.
 
         Where the arc overhangs, it is the ground outside the mass.
         """
         first, last = self._angles
-        by_edge = np.where(self._mine, integral_inside(self._cut), 0.0)
+        of_cut = integral_inside(self._cut)
+        by_edge = np.where(self._mine, of_cut, 0.0)
         integral = by_edge.sum(axis=1)
         widest = np.maximum(-first, last)
         overhangs = widest > np.pi / 2

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import INFINITY, Bounds, Fault, complaint, mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Floats, Values
 from slipcircle.core.scene.coordinates import leading_shape
-from slipcircle.core.scene.plane import Vectors
+from slipcircle.core.scene.plane import Vectors, each_lane
 
 FAR = 1e9  # m; coordinates are smaller
 
@@ -35,7 +35,8 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
     yield at(~step.any(axis=2), "is equal to the point before it; remove one")
     yield at(step[..., 0] < 0.0, "lies left of the point before it; order them by x")
     x = lines[..., 0]
-    is_upright = x[:, -1] == x[:, 0]
+    first_x = x[:, 0]
+    is_upright = x[:, -1] == first_x
     yield is_upright, lambda _: f"{{{name}}}: all points have the same x; it must extend from left to right"
 
 
@@ -49,7 +50,8 @@ def points_errors(name: str, given: Any, many: bool) -> list[str]:
     shape = points.shape
     are_numbers = points.dtype.kind in "iuf"
     has_axes = 2 <= points.ndim <= most_axes
-    if not are_numbers or not has_axes or shape[-1] != 2 or shape[-2] < 2:
+    are_points = has_axes and shape[-1] == 2
+    if not are_numbers or not are_points or shape[-2] < 2:
         return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
     *lanes, count, _ = shape
     one_axis = points.reshape(-1, count, 2)
@@ -79,23 +81,27 @@ def _upper(lines: Floats, x: Floats) -> Floats:
     with np.errstate(divide="ignore", invalid="ignore"):
         share = beyond / edge.x
     is_scarp = edge.x <= 0.0
-    share = np.where(is_scarp, edge.y > 0.0, share)
+    rises = edge.y > 0.0
+    share = np.where(is_scarp, rises, share)
     heights = start.y + share * edge.y
-    on_edge = (beyond >= 0.0) & (at <= line.ends.x)
+    to_end = line.ends.x - at
+    on_edge = (beyond >= 0.0) & (to_end >= 0.0)
     of_edges = np.where(on_edge, heights, -np.inf)
-    return np.asarray(of_edges.max(axis=-1))
+    upper: Floats = of_edges.max(axis=-1)
+    return upper
 
 
 def pond_errors(grounds: Floats, levels: Floats) -> Fault:
     """Where water levels (n or 1, W, 2) stand above grounds (n or 1, V, 2), or beside them; and what to say of one."""
     lanes = max(len(grounds), len(levels))
-    of_grounds = np.broadcast_to(grounds, (lanes, *grounds.shape[1:]))
-    of_levels = np.broadcast_to(levels, (lanes, *levels.shape[1:]))
+    of_grounds = each_lane(grounds, lanes)
+    of_levels = each_lane(levels, lanes)
     vertices = np.concatenate([of_grounds, of_levels], axis=1)
     x = vertices[..., 0]
     ground = _upper(grounds, x)
     level = _upper(levels, x)
-    both = np.isfinite(ground) & np.isfinite(level)
+    over_ground = np.isfinite(ground)
+    both = over_ground & np.isfinite(level)
     known_level = np.where(both, level, -np.inf)
     known_ground = np.where(both, ground, 0.0)
     excess = known_level - known_ground
@@ -110,7 +116,8 @@ def pond_errors(grounds: Floats, levels: Floats) -> Fault:
         return f"{water}; standing water needs {{pond}}, which factors of safety know and motions do not"
 
     lies_beside = ~both.any(axis=1)
-    stands_above = excess.max(axis=1) > 1e-9 * size
+    rounding = 1e-9 * size
+    stands_above = excess.max(axis=1) > rounding
     return lies_beside | stands_above, sentence
 
 
@@ -170,8 +177,10 @@ def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
     if coordinates != 2:
         wrong.append("centre")
     pair = given["between"]
-    if (pair is not None and np.shape(pair) != (2,)) or (pair is not None and pair[0] >= pair[1]):
-        wrong.append("between")
+    if pair is not None:
+        are_two = np.shape(pair) == (2,)
+        if not are_two or pair[0] >= pair[1]:
+            wrong.append("between")
     errors = []
     for name in wrong:
         _, _, allowed = bounds[name]
@@ -220,10 +229,12 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
     raise_all("simple_slope", errors)
     if angle is not None:
         is_upright = angle > 1.5707963
-        run = 0.0 if is_upright else height / float(np.tan(angle))
+        slope = float(np.tan(angle))
+        run = 0.0 if is_upright else height / slope
     assert run is not None
     flat = 4 * height + run
-    x = [-run - flat, -run, 0.0, flat]
+    left = -run - flat
+    x = [left, -run, 0.0, flat]
     y = [height, height, 0.0, 0.0]
     return np.stack([x, y], axis=1)
 
@@ -232,9 +243,10 @@ def _from_left(first: ArrayLike, second: ArrayLike) -> tuple[Vectors, Vectors]:
     """Two points, or many pairs of them, each from left to right."""
     p = np.asarray(first, dtype=np.float64)
     q = np.asarray(second, dtype=np.float64)
-    swap = p[..., :1] > q[..., :1]
-    left = np.where(swap, q, p)
-    right = np.where(swap, p, q)
+    p_x = p[..., :1]
+    q_x = q[..., :1]
+    left = np.where(p_x > q_x, q, p)
+    right = np.where(p_x > q_x, p, q)
     return Vectors.of(left), Vectors.of(right)
 
 
@@ -254,7 +266,8 @@ def circle_through(
     raise_all("circle_through", _through_errors(chord, half, radius, depth))
     if depth is not None:
         below = np.asarray(depth)
-        radius = (half**2 + np.square(below)) / (2 * below)
+        sum_of_squares = half**2 + np.square(below)
+        radius = sum_of_squares / (2 * below)
     size = np.asarray(radius)
     square = (size - half) * (size + half)
     above_chord = np.sqrt(square)
@@ -274,10 +287,12 @@ def _through_errors(chord: Vectors, half: Floats, radius: Any, depth: Any) -> li
         errors.append("the two points have the same x; a slip circle connects two sides")
     elif radius is not None and np.any(np.less(radius, half)):
         least = f"at least half the distance of the points, {np.max(half):.10g}"
-        errors.append(f"{{radius}} = {np.min(radius):.10g}: must be {least}")
+        smallest = np.min(radius)
+        errors.append(f"{{radius}} = {smallest:.10g}: must be {least}")
     elif depth is not None and np.any(np.less_equal(depth, 0.0) | np.greater(depth, half)):
         most = f"at most half the distance of the points, {np.min(half):.10g}"
-        errors.append(f"{{depth}} = {np.max(depth):.10g}: must be above 0 and {most}")
+        greatest = np.max(depth)
+        errors.append(f"{{depth}} = {greatest:.10g}: must be above 0 and {most}")
     return errors
 
 
@@ -302,20 +317,25 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     high = np.maximum(left_height, right_height)
     low = np.minimum(left_height, right_height)
     too_high = (low < 0.0) | (high <= 0.0)
-    if np.any(too_high) or np.any(run == 0.0):
+    is_upright = run == 0.0
+    if np.any(too_high | is_upright):
         raise ValueError(
             f"circle_touching: level = {np.max(base):.10g}: must lie below both points or touch the lower one, "
             "and the points must differ in x"
         )
     rise = high - low
     square = run**2 + rise**2
-    root = np.sqrt(high * low * square)
+    product = high * low
+    root = np.sqrt(product * square)
     difference = run**2 - low * rise
     numerator = high * difference
     denominator = high * run + root
     away = numerator / denominator
-    radius = (away**2 + high**2) / (2 * high)
+    sum_of_squares = away**2 + high**2
+    radius = sum_of_squares / (2 * high)
     left_is_higher = left_height >= right_height
-    x = np.where(left_is_higher, p.x + away, q.x - away)
+    from_left = p.x + away
+    from_right = q.x - away
+    x = np.where(left_is_higher, from_left, from_right)
     centre = Vectors(x, base + radius)
     return centre.points, radius[()]

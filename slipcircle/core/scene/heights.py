@@ -17,7 +17,7 @@ from generated import slopes
 from slipcircle.base.kinds import Floats, Integers
 from slipcircle.core.scene.circles import Cut, cut
 from slipcircle.core.scene.ground import continued
-from slipcircle.core.scene.plane import Vectors
+from slipcircle.core.scene.plane import Vectors, each_lane
 
 _TOGETHER = 1 << 14  # arcs times pieces at a time: their arrays stay in the caches
 
@@ -38,7 +38,9 @@ class _Pieces(NamedTuple):
 
     def turned(self, angle: float) -> "_Pieces":
         """The same a turn further on."""
-        return self._replace(low=self.low + angle, high=self.high + angle)
+        low = self.low + angle
+        high = self.high + angle
+        return self._replace(low=low, high=high)
 
 
 class HeightIntegrals(NamedTuple):
@@ -52,7 +54,8 @@ class HeightIntegrals(NamedTuple):
     @property
     def kinks(self) -> Floats:
         """Angles at which heights have kinks, (n, 2 pieces)."""
-        return np.concatenate([self.pieces.low, self.pieces.high], axis=1)
+        ends = [self.pieces.low, self.pieces.high]
+        return np.concatenate(ends, axis=1)
 
     def integral(self, first: Floats, last: Floats) -> Floats:
         """Over arcs from one angle to another, (..., n)."""
@@ -77,10 +80,10 @@ class HeightIntegrals(NamedTuple):
         slope = self.slope[0]
         upwards = np.ones_like(slope)
         direction = np.stack([-slope, upwards], axis=1)
-        last_vertex = self.line.shape[1] - 3
-        by_vertex = np.zeros((*first.shape, last_vertex + 1, 2))
+        vertices = self.line.shape[1] - 2  # without both ends of the continuations
+        by_vertex = np.zeros((*first.shape, vertices, 2))
         for k, hat in enumerate(hats, -1):
-            vertex = np.clip(self.edge + k, 0, last_vertex)
+            vertex = np.clip(self.edge + k, 0, vertices - 1)
             at_vertex: Any = (..., vertex, slice(None))
             moved = hat[..., None] * direction
             np.add.at(by_vertex, at_vertex, moved)
@@ -98,22 +101,28 @@ class HeightIntegrals(NamedTuple):
         stop = np.clip(last_angle, low, high)
         line_x = self.line[0, :, 0]
         x = line_x[self.edge]
-        run = line_x[self.edge + 1] - x
+        second_x = line_x[self.edge + 1]
+        run = second_x - x
         angle = stop - start
-        sine_integral = np.cos(start) - np.cos(stop)
-        second = (sine_integral - x * angle) / run
+        start_cosine = np.cos(start)
+        sine_integral = start_cosine - np.cos(stop)
+        from_first = sine_integral - x * angle
+        second = from_first / run
         return angle - second, second
 
     def at(self, angle: Floats) -> Floats:
         """Height above the arc of a single circle at angles, (...,)."""
         beta, _ = _in_first_turn(angle, angle)
-        is_behind = self.pieces.low[0] <= beta
-        is_ahead = self.pieces.high[0] > beta
-        vertex = Vectors.of(self.line[0, self.edge])
+        low = self.pieces.low[0]
+        high = self.pieces.high[0]
+        is_within = (low <= beta) & (beta < high)
+        first_vertices = self.line[0, self.edge]
+        vertex = Vectors.of(first_vertices)
         from_vertex = np.sin(beta) - vertex.x
-        arc_depth = np.cos(beta)
-        height = vertex.y + self.slope[0] * from_vertex + arc_depth
-        by_piece = np.where(is_behind & is_ahead, height, 0.0)
+        rise = self.slope[0] * from_vertex
+        depth_of_arc = np.cos(beta)
+        height = vertex.y + rise + depth_of_arc
+        by_piece = np.where(is_within, height, 0.0)
         return by_piece.sum(axis=-1)
 
 
@@ -127,13 +136,17 @@ def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> 
     from_low = start <= low
     to_high = stop >= high
     is_whole = from_low & to_high
-    angle = np.where(is_whole, span, stop - start)
+    part = stop - start
+    angle = np.where(is_whole, span, part)
     ahead = start - low
     along = np.sin(ahead)
-    bent = 2 * np.sin(ahead / 2) ** 2  # 1 - cos(ahead)
+    half_sine = np.sin(ahead / 2)
+    bent = 2 * half_sine**2  # 1 - cos(ahead)
     more_sine = cosine * along - sine * bent
-    more_cosine = -sine * along - cosine * bent
-    start_height = height + slope * more_sine + more_cosine
+    fall = sine * along
+    more_cosine = -fall - cosine * bent
+    rise = slope * more_sine
+    start_height = height + rise + more_cosine
     start_sine = sine + more_sine
     start_cosine = cosine + more_cosine
     return slopes.head(angle, start_sine, start_cosine, start_height, slope)
@@ -142,8 +155,8 @@ def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> 
 def _in_first_turn(first: Floats, last: Floats) -> tuple[Floats, Floats]:
     """Both ends of arcs, (..., n, 1), after whole turns that bring the first one within a turn from -3 pi/2."""
     turn = 2 * np.pi
-    ahead = (first + 1.5 * np.pi) / turn
-    turns = turn * np.floor(ahead)
+    ahead = first + 1.5 * np.pi
+    turns = turn * np.floor(ahead / turn)
     new_first = first - turns
     new_last = last - turns
     return new_first[..., None], new_last[..., None]
@@ -153,8 +166,9 @@ def integral_inside(parts: Cut) -> Floats:
     """Of the heights of the parts of edges inside circles, (n, E), above arcs that do not overhang."""
     pieces = _inside(parts)
     slope = _slope(parts.part)
-    integral = slopes.head(pieces.span, pieces.sine, pieces.cosine, pieces.height, slope)
-    return np.asarray(integral)
+    _, _, span, sine, cosine, height = pieces
+    integral: Floats = slopes.head(span, sine, cosine, height, slope)
+    return integral
 
 
 def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIntegrals:
@@ -163,22 +177,26 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     Each edge has three parts: before it enters the circle, inside, and after; it may be all before. Outside and above
     the circle, it is over the upper half, which angles pass from right to left, as over the lower half.
     """
-    of_circles = np.broadcast_to(points, (len(radius), *points.shape[1:]))
+    of_circles = each_lane(points, len(radius))
     x = centre[:, 0]
     beyond = 2 * radius
-    points = continued(of_circles, x - beyond, x + beyond)
+    left = x - beyond
+    right = x + beyond
+    points = continued(of_circles, left, right)
     from_centre = points - centre[:, None]
     line = from_centre / radius[:, None, None]
     edges = Vectors.of(points).edges
     slope = _slope(edges)
     parts = cut(points, centre, radius)
-    lower, upper = _halves(parts, Vectors.of(line), slope)
+    vertices = Vectors.of(line)
+    lower, upper = _halves(parts, vertices, slope)
 
     turn = 2 * np.pi
     before = [pieces.turned(-turn) for pieces in upper]
     after = [pieces.turned(turn) for pieces in lower]
     two_turns = [*before, *lower, *upper, *after]
-    columns = [np.concatenate(column, axis=1) for column in zip(*two_turns, strict=True)]
+    by_column = zip(*two_turns, strict=True)
+    columns = [np.concatenate(column, axis=1) for column in by_column]
     every = _Pieces(*columns)
     has_width = every.span > 0.0
     used = np.flatnonzero(has_width.any(axis=0))
@@ -204,7 +222,8 @@ def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[_Pieces], li
 
 def _slope(edge: Vectors) -> Floats:
     of_scarps = np.zeros_like(edge.x)
-    return np.divide(edge.y, edge.x, out=of_scarps, where=edge.x > 0.0)
+    has_run = edge.x > 0.0
+    return np.divide(edge.y, edge.x, out=of_scarps, where=has_run)
 
 
 def _inside(parts: Cut) -> _Pieces:
@@ -215,11 +234,14 @@ def _inside(parts: Cut) -> _Pieces:
     """
     x, y = parts.start
     end = parts.start + parts.part
-    cosine = np.sqrt(y**2 + parts.first)
-    end_cosine = np.sqrt(end.y**2 + parts.second)
+    cosine_squared = y**2 + parts.first
+    cosine = np.sqrt(cosine_squared)
+    end_cosine_squared = end.y**2 + parts.second
+    end_cosine = np.sqrt(end_cosine_squared)
     difference = cosine - y
     total = cosine + y
-    height = np.divide(parts.first, difference, out=total, where=y < 0.0)
+    is_lower = y < 0.0
+    height = np.divide(parts.first, difference, out=total, where=is_lower)
     low = np.arctan2(x, cosine)
     high = np.arctan2(end.x, end_cosine)
     span = _span(parts.part.x, cosine, end_cosine)
@@ -230,12 +252,15 @@ def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tupl
     """Of parts of edges outside circles from one x to another, over the lower and over the upper half."""
     x = np.clip(first, -1.0, 1.0)
     end_x = np.clip(last, -1.0, 1.0)
-    y = start.y + slope * (x - start.x)
-    end_y = start.y + slope * (end_x - start.x)
+    to_first = x - start.x
+    to_last = end_x - start.x
+    y = start.y + slope * to_first
+    end_y = start.y + slope * to_last
     cosine = _half_width(x)
     end_cosine = _half_width(end_x)
     run = end_x - x
-    is_above = (run > 0.0) & (y + end_y > 0.0)
+    is_upper = y + end_y > 0.0
+    is_above = is_upper & (run > 0.0)
     full_span = _span(run, cosine, end_cosine)
     span = np.where(is_above, full_span, 0.0)
     low = np.arctan2(x, cosine)
@@ -244,17 +269,21 @@ def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tupl
     above_lower = y + cosine
     above_upper = end_y - end_cosine
     lower = _Pieces(low, high, span, x, cosine, above_lower)
-    upper = _Pieces(np.pi - high, np.pi - low, span, end_x, -end_cosine, above_upper)
+    upper_low = np.pi - high
+    upper_high = np.pi - low
+    upper = _Pieces(upper_low, upper_high, span, end_x, -end_cosine, above_upper)
     return lower, upper
 
 
 def _half_width(x: Floats) -> Floats:
     """Half the circle's width across its axis at x, the cosine of a direction whose sine is x."""
     square = (1.0 - x) * (1.0 + x)
-    return np.asarray(np.sqrt(square))
+    half_width: Floats = np.sqrt(square)
+    return half_width
 
 
 def _span(run: Floats, cosine: Floats, end_cosine: Floats) -> Floats:
     """Angle from one point of the lower half to another: tan(span/2) = (sin_2 - sin_1)/(cos_1 + cos_2)."""
     half_span = np.arctan2(run, cosine + end_cosine)
-    return np.asarray(2 * half_span)
+    span: Floats = 2 * half_span
+    return span

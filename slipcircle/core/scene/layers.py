@@ -9,7 +9,7 @@ friction this is the paper's method; `slipcircle.core.scene.strength` has it.
 from __future__ import annotations  # so that a signature says ArrayLike
 
 import operator
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any, ClassVar
@@ -26,8 +26,16 @@ from slipcircle.core.scene.ground import FAR
 from slipcircle.core.scene.layered_numbers import LayeredNumbers
 from slipcircle.core.scene.profile import HEAD, Profile, profile_of
 from slipcircle.core.scene.section import Section, copy_computed
-from slipcircle.core.scene.soils import LANE_NUMBERS, Soil, datum_mistakes, datum_of, layer_mistakes, soil_mistakes
-from slipcircle.core.scene.strength import ArcStrength, MeanFriction, over_circles
+from slipcircle.core.scene.soils import (
+    LANE_NUMBERS,
+    Layers,
+    Soil,
+    datum_mistakes,
+    datum_of,
+    layer_mistakes,
+    soil_mistakes,
+)
+from slipcircle.core.scene.strength import ArcStrength, MeanFriction, Needs, over_circles
 from slipcircle.core.scene.stretches import OF_GEOMETRY
 from slipcircle.core.scene.strips import Strips, cut_into_strips
 
@@ -64,7 +72,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     """
 
     unit_weight: ArrayLike = field(default=1.0, init=False, repr=False)  # the soils have theirs
-    layers: Sequence[tuple[Soil, Any]] = ()
+    layers: Layers = ()
     strength: str = "base"
     foreland: Soil | None = None
     surcharge: Sequence[tuple[float, float, Any, Any]] = ()
@@ -95,10 +103,10 @@ class LayeredSection(LayeredNumbers, CrackedSection):
             return False
         if self.soils != other.soils:
             return False
-        names = [field.name for field in fields(self) if field.name not in ("layers", "foreland")]
-        values = [*self.tops, *(getattr(self, name) for name in names)]
-        other_values = [*other.tops, *(getattr(other, name) for name in names)]
-        return all(map(np.array_equal, values, other_values))
+        if not all(map(np.array_equal, self.tops, other.tops)):
+            return False
+        names = {field.name for field in fields(self)} - {"layers", "foreland"}
+        return all(np.array_equal(getattr(self, name), getattr(other, name)) for name in names)
 
     # --- soils -------------------------------------------------------------------------------------------------------
 
@@ -120,7 +128,9 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     @cached_property
     def lanes_shape(self) -> tuple[int, ...]:
         """The broadcast shape of the geometry and of all numbers of soils."""
-        numbers = [getattr(soil, name) for soil in self.soils for name in LANE_NUMBERS]
+        numbers = []
+        for soil in self.soils:
+            numbers += [getattr(soil, name) for name in LANE_NUMBERS]
         for _, _, left, right in self.surcharge:
             numbers += [left, right]
         shapes = [np.shape(number) for number in numbers if number is not None]
@@ -148,17 +158,16 @@ class LayeredSection(LayeredNumbers, CrackedSection):
             levels.append(None if datum is None else (datum - centre_y) / radius)
         return levels
 
-    def of_soils(self, value: Callable[[Soil], Any]) -> Floats:
+    def of_soils(self, name: str) -> Floats:
         """A number of each soil, (soils, lanes)."""
-        return self._by_lane([value(soil) for soil in self.soils])
+        numbers = [getattr(soil, name) for soil in self.soils]
+        return self._by_lane(numbers)
 
     def _by_lane(self, numbers: Sequence[Any]) -> Floats:
         """Numbers or arrays of them, (numbers, lanes)."""
-        kind = np.result_type(np.float64, *map(np.asarray, numbers))
-        rows = np.empty((len(numbers), *self.lanes_shape), dtype=kind)
-        for k, number in enumerate(numbers):
-            rows[k] = number
-        return rows.reshape(len(rows), -1)
+        of_lanes = [np.broadcast_to(number, self.lanes_shape) for number in numbers]
+        rows: Floats = np.add(of_lanes, 0.0)
+        return rows.reshape(len(numbers), -1)
 
     def _shaped(self, values: Any) -> Any:
         """Values by lane in the shape of the results, of geometry or of all."""
@@ -249,10 +258,10 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def weight_steps(self) -> Floats:
         """Steps of the unit weight below each surface, and pressures of surcharges over R, N/m^3, (surfaces, lanes)."""
         count = len(self.layers)
-        weight = self.of_soils(lambda s: s.unit_weight)[:count]
+        weight = self.of_soils("unit_weight")[:count]
         steps = [np.diff(weight, axis=0, prepend=0.0)]
         if self._saturated:
-            wet = self.of_soils(_weight_below_water)
+            wet = self.of_soils("weight_below_water")
             increase = wet[:count] - weight
             steps.append(np.diff(increase, axis=0, prepend=0.0))
         if self.surcharge:
@@ -277,7 +286,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def _weights_per_area(self) -> Floats:
         """The mean unit weight, N/m^3, (lanes,)."""
         of_area, *_ = self._moments_of_weight
-        return np.asarray(of_area / self._moments["area"])
+        mean: Floats = of_area / self._moments["area"]
+        return mean
 
     @cached_property
     def _weighted_moments(self) -> Mapping[str, Floats]:
@@ -304,18 +314,20 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def section_effects(self, effects: Effects, complete: bool = False) -> Effects:
         """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
         strength = self.arc_strength
-        rotates = "rotation" in effects
-        shaken = "shaking" in effects
-        terms: dict[str, dict[str, Any]] = {"layered_strength": strength.terms(rotates, shaken, complete)}
-        terms |= strength.soil_terms(rotates, shaken, complete)
+        needs = Needs("rotation" in effects, "shaking" in effects, complete)
+        terms = {"layered_strength": strength.terms(needs)}
+        terms |= strength.soil_terms(needs)
         if "centripetal" not in effects:
             for effect, added in terms.items():
-                terms[effect] = {name: term for name, term in added.items() if not name.endswith("inertia")}
+                without = [name for name in added if not name.endswith("inertia")]
+                terms[effect] = {name: added[name] for name in without}
         return {**effects, **terms}
 
     def takes_geometry(self, other: Section) -> bool:
         """Whether nothing differs from another section but numbers of soils."""
-        return isinstance(other, LayeredSection) and super().takes_geometry(other) and _same_cut(self, other)
+        if not isinstance(other, LayeredSection):
+            return False
+        return super().takes_geometry(other) and _same_cut(self, other)
 
     def take_geometry(self, other: Section) -> None:
         """What another section has computed of a geometry that is the same."""
@@ -337,10 +349,3 @@ def _cut_of(section: LayeredSection) -> tuple[Any, ...]:
     places = [load[:2] for load in section.surcharge]
     counts = len(section.layers), len(section.soils)
     return counts, section.strength, section._saturated, places
-
-
-def _weight_below_water(soil: Soil) -> Any:
-    """Unit weight of a soil below the water level, N/m^3."""
-    if soil.saturated_unit_weight is None:
-        return soil.unit_weight
-    return soil.saturated_unit_weight

@@ -21,7 +21,8 @@ def questions(scene: Scene) -> Iterator[str]:
         unit = known[name].unit if name in known else ""
         words = name.split(".")
         is_friction = "friction" in words and "rate" not in words and not unit
-        for value in map(float, np.unique(np.asarray(values, dtype=np.float64))):
+        numbers = np.asarray(values, dtype=np.float64)
+        for value in np.unique(numbers).tolist():
             question = _of_friction(value) if is_friction else _of_unit(value, unit)
             if question:
                 quantity = f"{value:.6g} {unit}".rstrip()
@@ -30,8 +31,10 @@ def questions(scene: Scene) -> Iterator[str]:
 
 
 def _of_unit(value: float, unit: str) -> str:
-    least, most = declared.USUAL.get(unit, (-math.inf, math.inf))
-    if value == 0.0 or least <= value <= most:
+    if value == 0.0 or unit not in declared.USUAL:
+        return ""
+    least, most = declared.USUAL[unit]
+    if least <= value <= most:
         return ""
     for other, size in declared.OTHER_UNITS[unit].items():
         if least <= value * size <= most:
@@ -47,5 +50,6 @@ def _of_friction(coefficient: float) -> str:
         return f"is that an angle? The coefficient of {coefficient:.6g} deg is {of_angle:.4g}"
     angle = math.degrees(math.atan(coefficient))
     if 0.0 < coefficient < least and angle > 0.05:
-        return f"an angle of {angle:.3g} deg; was that meant in rad? {angle:.3g} rad are {math.degrees(angle):.3g} deg"
+        meant = math.degrees(angle)
+        return f"an angle of {angle:.3g} deg; was that meant in rad? {angle:.3g} rad are {meant:.3g} deg"
     return ""

@@ -31,7 +31,8 @@ _SHORTEST = 1e-4  # width of a piece, rad
 def _integrating() -> Floats:
     """From values at the nodes to the coefficients of the integral from the left end, (`_COUNT` + 1, `_COUNT`)."""
     integral = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0)
-    return np.asarray(integral @ _TO_CHEBYSHEV)
+    from_values: Floats = integral @ _TO_CHEBYSHEV
+    return from_values
 
 
 _AT_NODES = chebyshev.chebvander(_NODES, _COUNT - 1)  # values of the polynomials
@@ -85,13 +86,15 @@ class Profile(NamedTuple):
         up_to_piece = self.before[piece, :, :, circle]
         first_term = series[piece, 0, :, :, circle]
         constant = up_to_piece + first_term
-        total = constant + place / 2 * ahead - after
+        argument_of_first = place / 2
+        total = constant + argument_of_first * ahead - after
         return np.moveaxis(total, (2, 3), (0, 1))
 
     @property
     def whole(self) -> Floats:
         """The integrals over the whole arcs, (integrals, surfaces, circles)."""
-        return np.asarray(self.before[-1])
+        whole: Floats = self.before[-1]
+        return whole
 
     def of(self, rows: Sequence[int]) -> "Profile":
         """Some of the integrals."""
@@ -103,7 +106,8 @@ class Profile(NamedTuple):
         """Of one surface that stands for all: their sum with steps of the unit weight, (surfaces, circles)."""
         before = np.einsum("kisc,sc->kic", self.before, steps)
         series = np.einsum("ktisc,sc->ktic", self.series, steps)
-        return Profile(self.edges, np.expand_dims(before, -2), np.expand_dims(series, -2))
+        one_surface = np.expand_dims(before, -2)
+        return Profile(self.edges, one_surface, np.expand_dims(series, -2))
 
 
 class _Piece(NamedTuple):
@@ -121,8 +125,10 @@ def profile_of(strips: Strips) -> Profile:
     """
     pieces = _converged(strips)
     pieces.sort(key=_order)
-    firsts, lasts, series = (np.stack(column) for column in zip(*pieces, strict=True))
-    edges = np.concatenate([firsts, lasts[-1:]])
+    firsts = [piece.first for piece in pieces]
+    right_end = pieces[-1].last
+    edges = np.stack([*firsts, right_end])
+    series = np.stack([piece.series for piece in pieces])
     each = series.sum(axis=1)  # at the right end every Chebyshev polynomial is 1
     nothing = np.zeros_like(each[:1])
     up_to_ends = np.cumsum(each, axis=0)
@@ -150,14 +156,11 @@ def _converged(strips: Strips) -> list[_Piece]:
         from_first = 1.0 + _NODES[:, None, None]
         nodes = first + half * from_first
         values = half * _integrands(strips, strip, nodes)
-        chebyshev = np.tensordot(_TO_CHEBYSHEV, values, (1, 2))  # terms, integrals, surfaces, pieces, circles
-        size = np.abs(chebyshev)
-        scale = max(scale, float(size.max(initial=0.0)))
-        last_terms = size[-2:]
-        tail = last_terms.max(axis=(0, 1, 2))
-        is_truncated = (tail > _ACCURACY * scale).any(axis=1)
-        is_long = (width.real > _SHORTEST).any(axis=1)
-        rough = is_truncated & is_long
+        coefficients, tail = _sizes(values)
+        scale = max(scale, coefficients)
+        is_truncated = tail > _ACCURACY * scale
+        is_long = width.real > _SHORTEST
+        rough = is_truncated.any(axis=1) & is_long.any(axis=1)
         smooth = ~rough
 
         smooth_values = values[..., smooth, :]
@@ -171,6 +174,18 @@ def _converged(strips: Strips) -> list[_Piece]:
         last = np.concatenate([middle, right])
         strip = np.tile(strip[rough], 2)
     return done
+
+
+def _sizes(values: Floats) -> tuple[float, Floats]:
+    """Sizes of the Chebyshev coefficients of values at nodes: the greatest one, and those of the tails.
+
+    A tail is the last two terms of a piece in a circle, (pieces, circles).
+    """
+    coefficients = np.tensordot(_TO_CHEBYSHEV, values, (1, 2))  # terms, integrals, surfaces, pieces, circles
+    size = np.abs(coefficients)
+    greatest = size.max(initial=0.0)
+    last_terms = size[-2:]
+    return float(greatest), last_terms.max(axis=(0, 1, 2))
 
 
 def _integrands(strips: Strips, strip: Integers, beta: Floats) -> Floats:
@@ -194,7 +209,8 @@ def _integrands(strips: Strips, strip: Integers, beta: Floats) -> Floats:
         on_ground, *_ = y
         of_loads = _of_loads(strips, x, on_ground, middle)
         columns = np.concatenate([columns, of_loads], axis=1)
-    return np.asarray(columns * c)
+    by_angle: Floats = columns * c
+    return by_angle
 
 
 def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
@@ -206,9 +222,11 @@ def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
     ratio = (inward + h) / to_top
     log = np.log1p(ratio)
     square = x * x
-    polar = h * rho + c * inward + square * log
-    of_heights = (h * h - 3.0 * c * h) / 3
-    mean_square = square + of_heights + c * c
+    of_log = square * log
+    polar = h * rho + c * inward + of_log
+    of_heights = h * h - 3.0 * c * h
+    on_arc = c * c
+    mean_square = square + of_heights / 3 + on_arc
     rows = {
         AREA: h,
         POLAR: polar / 2,
@@ -219,7 +237,8 @@ def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
         MOMENT_Y: h * (h - 2.0 * c) / 2,
         HEAD: h / c,
     }
-    return np.stack([rows[k] for k in range(len(rows))])
+    in_order = [rows[k] for k in sorted(rows)]
+    return np.stack(in_order)
 
 
 def _by_strip(values: Any, strip: Integers) -> Any:
@@ -237,10 +256,21 @@ def _of_loads(strips: Strips, x: Floats, y: Floats, middle: Floats) -> Floats:
         share = (x - first) / width
         rest = 1.0 - share
         under = (middle > first) & (middle < last)
-        pressures += [np.where(under, rest, 0.0), np.where(under, share, 0.0)]
+        falling = np.where(under, rest, 0.0)
+        rising = np.where(under, share, 0.0)
+        pressures += [falling, rising]
+    every_pressure = np.stack(pressures)
     square = x * x + y * y
     rho = np.sqrt(square)
-    integrands: list[Any] = [1.0, rho, rho * rho, x / rho, y / rho, x, y, 0.0]
-    values = np.stack(np.broadcast_arrays(*integrands))
-    every_pressure = np.stack(pressures)
-    return np.asarray(values[:, None] * every_pressure)
+    integrands = {
+        AREA: 1.0,
+        POLAR: rho,
+        INERTIA: rho * rho,
+        RADIAL_X: x / rho,
+        RADIAL_Y: y / rho,
+        MOMENT_X: x,
+        MOMENT_Y: y,
+        HEAD: 0.0,
+    }
+    by_row = [integrands[k] * every_pressure for k in sorted(integrands)]
+    return np.stack(by_row)

@@ -55,6 +55,11 @@ class Soil:
         raise_all(f"Soil {self.name}".rstrip(), soil_mistakes(self))
 
     @property
+    def weight_below_water(self) -> ArrayLike:
+        """Unit weight below the water level, N/m^3."""
+        return self.unit_weight if self.saturated_unit_weight is None else self.saturated_unit_weight
+
+    @property
     def peak(self) -> Any:
         """Friction coefficient at the start."""
         return friction_at_rest(self.friction)

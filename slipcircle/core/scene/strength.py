@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, Parameters
+from slipcircle.base.kinds import Floats, Names, Parameters
 from slipcircle.core.scene.friction import OF_SOIL
 from slipcircle.core.scene.soils import distinct, share_one_law
 from slipcircle.core.scene.stretches import StretchIntegrals
@@ -33,7 +33,8 @@ class OfRotation(NamedTuple):
 
     def __call__(self, rotation: Floats) -> Floats:
         """Its values after rotations (M, circles), (M, lanes)."""
-        return self.combined(self.strength.parts(rotation, self.coefficients))
+        parts = self.strength.parts(rotation, self.coefficients)
+        return self.combined(parts)
 
     def combined(self, parts: Mapping[str, Floats]) -> Floats:
         """Its values from parts that are known."""
@@ -50,6 +51,14 @@ def over_circles(parts: Floats, coefficients: Floats) -> Floats:
     return np.einsum("p...l,pl->...l", parts, coefficients)
 
 
+class Needs(NamedTuple):
+    """What a scene needs of the strength along an arc."""
+
+    rotates: bool
+    shaken: bool = False
+    complete: bool = False  # also terms that are 0, for derivatives of them that may not be
+
+
 class MeanFriction(dict[str, Any]):
     """The law of friction of an arc as a whole that the soils along it make up."""
 
@@ -58,7 +67,7 @@ class MeanFriction(dict[str, Any]):
 class ArcStrength(StretchIntegrals):
     """The strength along the arc of a `slipcircle.core.scene.layers.LayeredSection`."""
 
-    _terms: dict[tuple[bool, bool, bool], dict[str, Any]] = field(default_factory=dict)
+    _terms: dict[Needs, dict[str, Any]] = field(default_factory=dict)
 
     def _by_surface(self, quantity: Floats) -> Floats:
         """Coefficients of integrals up to joints of a quantity of the soils, ((J + 1) surfaces, lanes)."""
@@ -102,12 +111,14 @@ class ArcStrength(StretchIntegrals):
     def _at_start(self, name: str, quantity: Floats) -> Floats:
         """A quantity of the soils times what presses on their stretches, (lanes,)."""
         by_soil = self._by_soil[name] * quantity
-        return np.asarray(by_soil.sum(axis=0))
+        total: Floats = by_soil.sum(axis=0)
+        return total
 
     @property
     def _normal_load(self) -> Floats:
         """J_r at the start, (lanes,)."""
-        return np.asarray(-self.section._weighted_moments["radial_y"])
+        load: Floats = -self.section._weighted_moments["radial_y"]
+        return load
 
     def _mean(self, quantity: Floats) -> Floats:
         """Mean of a friction coefficient over the arc, by the normal forces at the start, (lanes,)."""
@@ -115,7 +126,7 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def _peak(self) -> Floats:
-        return self.section.of_soils(lambda s: s.peak)
+        return self.section.of_soils("peak")
 
     @cached_property
     def _laws(self) -> list[Parameters]:
@@ -125,7 +136,7 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def _residual(self) -> Floats:
-        return self.section.of_soils(lambda s: s.residual)
+        return self.section.of_soils("residual")
 
     @cached_property
     def mean_peak(self) -> Floats:
@@ -146,12 +157,14 @@ class ArcStrength(StretchIntegrals):
         """
         has_friction = self.mean_peak != 0.0
         mean = np.where(has_friction, self.mean_peak, 1.0)
-        share = np.where(has_friction, self._peak / mean, 1.0)
+        of_peaks = self._peak / mean
+        share = np.where(has_friction, of_peaks, 1.0)
         if not self._laws:
             return share, np.zeros(1)
         lost = self._peak - self._residual
         mean_lost = self.mean_peak - self.mean_residual
-        softens = np.any(lost, axis=0) & (mean_lost != 0.0)
+        mean_softens = mean_lost != 0.0
+        softens = np.any(lost, axis=0) & mean_softens
         divisor = np.where(softens, mean_lost, 1.0)
         share = np.where(softens, lost / divisor, share)
         beyond_share = self._residual - self.mean_residual * share
@@ -174,36 +187,34 @@ class ArcStrength(StretchIntegrals):
         residual = self.section._shaped(self.mean_residual)
         return MeanFriction(self._laws[0], peak=peak, residual=residual, **rate)
 
-    def terms(self, rotates: bool, shaken: bool, complete: bool = False) -> dict[str, Any]:
+    def terms(self, needs: Needs) -> dict[str, Any]:
         """What the balance takes beyond a homogeneous mass with the mean friction, over Theta*: numbers and functions.
 
         Of friction what it takes hold of beyond its mean, N + G + (G_r)/mu, N of the weight; G_r remains of it where
         soils do not soften alike. Whatever does not change with the rotation is a number. What is 0 is left out, unless
         they are to be complete, for what derivatives may not be 0 of.
         """
-        key = rotates, shaken, complete
-        if key not in self._terms:
-            terms = {"strength": self._cohesion(rotates, complete)}
+        if needs not in self._terms:
+            terms = {"strength": self._cohesion(needs)}
             if not self._own_laws:
-                terms |= self._friction_terms(rotates, shaken, complete)
-            zeros = [] if complete else [name for name in terms if not _counts(terms[name])]
-            for name in zeros:
-                del terms[name]
-            self._terms[key] = terms
-        return self._terms[key]
+                terms |= self._friction_terms(needs)
+            counted = [name for name in terms if needs.complete or _counts(terms[name])]
+            self._terms[needs] = {name: terms[name] for name in counted}
+        return self._terms[needs]
 
-    def _friction_terms(self, rotates: bool, shaken: bool, complete: bool) -> dict[str, Any]:
+    def _friction_terms(self, needs: Needs) -> dict[str, Any]:
         """What friction under one law of slip takes hold of beyond its mean: of its share, and of what remains."""
         share, remaining = self._shares
         names = ("normal", "turning", "inertia")
         beyond_mean = share - 1.0
-        terms = self._gripping(names, beyond_mean, rotates, shaken)
+        terms = self._gripping(names, beyond_mean, needs)
         if np.any(self._peak):
-            terms["lift"] = self._lift(share, rotates)
-        if np.any(remaining) or (complete and self._laws):
+            terms["lift"] = self._lift(share, needs)
+        may_remain = needs.complete and self._laws
+        if may_remain or np.any(remaining):
             names = ("remaining_normal", "remaining", "remaining_inertia")
-            terms |= self._gripping(names, remaining, rotates, shaken)
-            terms["remaining_lift"] = self._lift(remaining, rotates)
+            terms |= self._gripping(names, remaining, needs)
+            terms["remaining_lift"] = self._lift(remaining, needs)
         return terms
 
     # --- a friction law of its own for each soil -----------------------------------------------------------------
@@ -216,7 +227,7 @@ class ArcStrength(StretchIntegrals):
     def _distinct_soils(self) -> list[Any]:
         return distinct(self.section.soils)
 
-    def soil_terms(self, rotates: bool, shaken: bool, complete: bool) -> dict[str, dict[str, Any]]:
+    def soil_terms(self, needs: Needs) -> dict[str, dict[str, Any]]:
         """What each soil with a friction law of its own adds to the balance, over Theta*, by the name of its effect.
 
         With n_i the share of soil i of the normal force at the start, mu = sum n_i mu_i, and N_i - n_i N is what the
@@ -230,26 +241,27 @@ class ArcStrength(StretchIntegrals):
             along = np.array(is_soil)
             share = self._mean(along)
             names = ("", "turning", "inertia")
-            excess = self._gripping(names, along - share, rotates, shaken)
+            excess = self._gripping(names, along - share, needs)
             of_soil = {"share": self.section._shaped(share)}
             of_soil["slope"] = excess["turning_slope"]
             of_soil["inertia"] = excess["inertia"]
-            lift = self._lift(along, rotates)
-            if complete or _counts(lift):
+            lift = self._lift(along, needs)
+            if needs.complete or _counts(lift):
                 of_soil["lift"] = lift
             terms[f"soil_friction{OF_SOIL}{k}"] = of_soil
         return terms
 
     @property
     def _theta(self) -> Floats:
-        return np.asarray(self.section._weighted_moments["inertia"])
+        inertia: Floats = self.section._weighted_moments["inertia"]
+        return inertia
 
     @property
     def _weight_scale(self) -> Floats:
         """gamma Theta* in N/m^3, by which weights come over Theta*, (lanes,)."""
         return self.section._weights_per_area * self._theta
 
-    def _gripping(self, names: tuple[str, str, str], quantity: Floats, rotates: bool, shaken: bool) -> dict[str, Any]:
+    def _gripping(self, names: Names, quantity: Floats, needs: Needs) -> dict[str, Any]:
         """What a share of friction takes hold of, of weight and of inertia."""
         base, mass, inertia = names
 
@@ -258,11 +270,11 @@ class ArcStrength(StretchIntegrals):
             return self.section._shaped(total / self._theta)
 
         tilt = at_start("tilt")
-        if not rotates or not self._base_stays:
+        if not needs.rotates or not self._base_stays:
             normal = at_start("normal")
             return {mass: normal, f"{mass}_slope": tilt, inertia: at_start("inertia")}
         coefficients = self._by_surface(quantity) / self._theta
-        if shaken:
+        if needs.shaken:
             tilt = OfRotation(self, {"tilt": coefficients})
         return {
             base: OfRotation(self, {"normal": coefficients}),
@@ -270,24 +282,24 @@ class ArcStrength(StretchIntegrals):
             f"{base}_slope": tilt,  # for the yield coefficient too
         }
 
-    def _cohesion(self, rotates: bool, complete: bool) -> Any:
+    def _cohesion(self, needs: Needs) -> Any:
         """Strength without normal stress, over Theta*."""
         section = self.section
-        cohesion = section.of_soils(lambda s: s.cohesion)
-        growth = section.of_soils(lambda s: s.cohesion_gradient)
+        cohesion = section.of_soils("cohesion")
+        growth = section.of_soils("cohesion_gradient")
         coefficients = {}
-        if complete or np.any(cohesion):
+        if needs.complete or np.any(cohesion):
             _, _, radius = section._circle
             dimensionless = cohesion / (self._weight_scale * radius)
             coefficients["space"] = self._by_direction(dimensionless)
         if np.any(growth):
             coefficients["growth"] = growth / self._weight_scale
-        return self._function(coefficients, rotates and self._base_stays)
+        return self._function(coefficients, needs.rotates and self._base_stays)
 
-    def _lift(self, share: Floats, rotates: bool) -> Any:
+    def _lift(self, share: Floats, needs: Needs) -> Any:
         """What water takes from the normal force of a share of friction, over Theta*: of the level, and of ratios."""
         section = self.section
-        ratio = section.of_soils(lambda s: s.pore_ratio)
+        ratio = section.of_soils("pore_ratio")
         coefficients = {}
         if np.any(ratio):
             by_surface = self._by_surface(share * ratio)
@@ -297,7 +309,7 @@ class ArcStrength(StretchIntegrals):
             below_level = np.where(ratio > 0.0, 0.0, share)
             weight = below_level * section.water_unit_weight / self._weight_scale
             coefficients["heads"] = self._by_direction(weight)
-        return self._function(coefficients, rotates and stays_in_space)
+        return self._function(coefficients, needs.rotates and stays_in_space)
 
     def _function(self, coefficients: Mapping[str, Floats], changes: bool) -> Any:
         """A function of the rotation, or the number that it is at the start; 0 of nothing."""
@@ -313,5 +325,5 @@ class ArcStrength(StretchIntegrals):
 def _counts(term: Any) -> bool:
     """Whether a term is not zero."""
     if isinstance(term, OfRotation):
-        return any(np.any(values) for values in term.coefficients.values())
+        return any(map(np.any, term.coefficients.values()))
     return bool(np.any(term))

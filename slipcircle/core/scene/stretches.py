@@ -63,9 +63,10 @@ class StretchIntegrals:
         after = base[:, 1:]
         joint = edges[:, 1:-1]
         changes = np.any(before != after, axis=0)
-        return Stretches(
-            joint=joint[:, changes], before=before[:, changes], after=after[:, changes], first=first, last=last
-        )
+        joint = joint[:, changes]
+        before = before[:, changes]
+        after = after[:, changes]
+        return Stretches(joint, before, after, first, last)
 
     @cached_property
     def span(self) -> tuple[Floats, Floats]:
@@ -93,7 +94,8 @@ class StretchIntegrals:
         """
         first, last = self.span
         moved = rotation if self._base_stays else np.zeros_like(rotation)
-        met = [np.clip(joint - moved, first, last) for joint in self._joints]
+        in_mass = [joint - moved for joint in self._joints]
+        met = [np.clip(joint, first, last) for joint in in_mass]
         exit_ = np.broadcast_to(last, rotation.shape)
         return np.stack([*met, exit_])
 
@@ -107,7 +109,8 @@ class StretchIntegrals:
         steps = self.section.weight_steps
         circles = profile.edges.shape[1]
         of_first_lane = steps[:, :1]
-        if circles == 1 and np.all(steps == of_first_lane):
+        are_equal = np.all(steps == of_first_lane)
+        if circles == 1 and are_equal:
             steps = of_first_lane
         if steps.shape[1] == circles:
             profile = profile.combined(steps)
@@ -125,7 +128,8 @@ class StretchIntegrals:
         circles = met.shape[-1]
         directions = met.reshape(-1, circles)
         from_left = profile.up_to(facing * directions)
-        from_right = profile.whole[:, :, None] - from_left
+        whole = profile.whole[:, :, None]
+        from_right = whole - from_left
         from_entry = np.where(facing > 0.0, from_left, from_right)
         from_entry[1] *= facing
         integrals, surfaces, _, _ = from_entry.shape
@@ -150,7 +154,8 @@ class StretchIntegrals:
         radial_y, radial_x, polar, overburden = by_joint
         cosine = np.cos(rotation)
         sine = np.sin(rotation)
-        normal = -radial_y * cosine - radial_x * sine
+        slope = radial_x * sine
+        normal = -radial_y * cosine - slope
         tilt = radial_x * cosine - radial_y * sine
         return {"normal": normal, "tilt": tilt, "inertia": polar, "overburden": overburden}
 
@@ -190,7 +195,8 @@ class StretchIntegrals:
             end = np.clip(b, -reach, reach)
             angle = end - start
             above_level = level * angle
-            integral = above_level + np.sin(end) - np.sin(start)
+            sine_of_start = np.sin(start)
+            integral = above_level + np.sin(end) - sine_of_start
             rows.append(integral)
         return np.stack(rows)
 
@@ -210,22 +216,26 @@ class StretchIntegrals:
         *_, exit_, entry = there
         if not has_foreland:
             beyond_exit = np.maximum(exit_ - last, 0.0)
-            parts = parts + self._held_value(self.stretches.last, last, beyond_exit)
+            at_exit = self._held_value(self.stretches.last, last, beyond_exit)
+            parts = parts + at_exit
         above_entry = np.maximum(first - entry, 0.0)
         at_entry = self._held_value(self.stretches.first, first, above_entry)
-        return np.asarray(parts + at_entry)
+        beyond_both_ends: Floats = parts + at_entry
+        return beyond_both_ends
 
     def _held_value(self, soil: Integers, direction: Floats, length: Floats) -> Floats:
         """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
         levels = self.section.datum_levels
-        parts = np.zeros((len(levels), *length.shape), dtype=length.dtype)
+        parts = []
         for k, level in enumerate(levels):
+            part = np.zeros_like(length)
             if level is not None:
                 height = level + np.cos(direction)
                 depth = np.maximum(height, 0.0)
                 of_this_soil = soil == k
-                parts[k] = np.where(of_this_soil, depth * length, 0.0)
-        return parts
+                part = np.where(of_this_soil, depth * length, 0.0)
+            parts.append(part)
+        return np.stack(parts)
 
     @cached_property
     def rotation_kinks(self) -> Floats:
@@ -234,7 +244,7 @@ class StretchIntegrals:
         ends = np.stack(self.span, axis=1).real
         joints = self.stretches.joint.real
         facing = section._facing[:, None]
-        opening = ends[:, 1:] - ends[:, :1]
+        opening = np.diff(ends, axis=1)
         kinks = [opening]
         if section.level is not None:
             of_level = section._water.kinks * facing
@@ -267,11 +277,14 @@ class StretchIntegrals:
         """
         joints = self.stretches
         of_soil = np.eye(len(self.section.soils))
-        at_joints = of_soil[joints.before.T] - of_soil[joints.after.T]
+        before = of_soil[joints.before.T]
+        after = of_soil[joints.after.T]
         at_exit = of_soil[joints.last]
         at_entry = of_soil[joints.first]
-        incidence = np.concatenate([at_joints, at_exit[None], -at_entry[None]])
-        return np.asarray(incidence.transpose(0, 2, 1))
+        at_joints = before - after
+        by_soil = np.stack([*at_joints, at_exit, -at_entry])
+        incidence: Floats = by_soil.transpose(0, 2, 1)
+        return incidence
 
 
 def _differences(there: Floats, mass: Floats) -> Floats:

@@ -18,7 +18,7 @@ import numpy as np
 
 from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.core.scene.ground import continued
-from slipcircle.core.scene.plane import Vectors
+from slipcircle.core.scene.plane import Vectors, each_lane
 
 _THIN = 1e-14  # narrower strips are rounding
 _ON_ARC = 1e-9
@@ -94,7 +94,8 @@ def cut_into_strips(
     start, slope = np.stack(edges_below, axis=1)
     half_width = middle - left
     at_middle = start + slope * half_width
-    lowest = np.stack([_lowest(at_middle, chosen) for chosen in surfaces])
+    by_surface = [_lowest(at_middle, chosen) for chosen in surfaces]
+    lowest = np.stack(by_surface)
     height = np.take_along_axis(at_middle, lowest, 0)
     return Strips(
         x=edges,
@@ -111,7 +112,8 @@ def _lowest(at_middle: Floats, chosen: Sequence[int]) -> Integers:
     rows = np.asarray(chosen)
     heights = at_middle[rows]
     lowest = np.argmin(heights, axis=0)
-    return np.asarray(rows[lowest])
+    numbers: Integers = rows[lowest]
+    return numbers
 
 
 def _base(tops: Floats, arc: Floats) -> Integers:
@@ -138,8 +140,9 @@ def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats |
     within_mass = np.clip(every, left, right)
     edges = np.sort(within_mass, axis=1)
     width = np.diff(edges, axis=1)
-    has_width = np.any(width.real > _THIN, axis=0)
-    is_needed = np.concatenate([[True], has_width])
+    has_width = width.real > _THIN
+    of_any = has_width.any(axis=0)
+    is_needed = np.concatenate([[True], of_any])
     return edges[:, is_needed]
 
 
@@ -149,15 +152,17 @@ def meets_circle(line: Floats) -> Floats:
     Lines are (n, V, 2), from the centre, over R.
     """
     points = Vectors.of(line)
-    start = points[:, :-1]
+    start = points.starts
     edge = points.edges
     square = edge.square
     along = start.dot(edge)
     outside = start.square - 1.0
     discriminant = along * along - square * outside
     crosses = discriminant.real > 0.0
-    root = np.sqrt(np.where(crosses, discriminant, 1.0))
-    divisor = np.where(square.real > 0.0, square, 1.0)
+    positive = np.where(crosses, discriminant, 1.0)
+    root = np.sqrt(positive)
+    has_length = square.real > 0.0
+    divisor = np.where(has_length, square, 1.0)
     crossings = []
     for signed_root in (-root, root):
         share = (signed_root - along) / divisor
@@ -165,7 +170,8 @@ def meets_circle(line: Floats) -> Floats:
         before_end = share.real <= 1.0
         on_edge = crosses & after_start & before_end
         at_crossing = start.x + share * edge.x
-        crossings.append(np.where(on_edge, at_crossing, start.x))
+        x = np.where(on_edge, at_crossing, start.x)
+        crossings.append(x)
     return np.concatenate(crossings, axis=1)
 
 
@@ -178,7 +184,8 @@ def arc_crossings(line: Floats) -> Floats:
     height, _ = edge_below(line, x, x)
     depth_squared = np.maximum(1.0 - x * x, 0.0)
     depth_of_arc = np.sqrt(depth_squared)
-    on_arc = np.abs(height + depth_of_arc) < _ON_ARC
+    above_arc = height + depth_of_arc
+    on_arc = np.abs(above_arc) < _ON_ARC
     return np.where(on_arc, x, np.nan)
 
 
@@ -189,10 +196,11 @@ def line_crossings(one: Floats, other: Floats) -> Floats:
     """
     points = Vectors.of(one)
     others = Vectors.of(other)
-    start = points[:, :-1, None]
+    start = points.starts[:, :, None]
     edge = points.edges[:, :, None]
     other_edge = others.edges[:, None]
-    apart = others[:, None, :-1] - start
+    other_start = others.starts[:, None]
+    apart = other_start - start
     across = edge.cross(other_edge)
     parallel = across.real == 0.0
     divisor = np.where(parallel, 1.0, across)
@@ -215,7 +223,7 @@ def _within_edge(share: Floats) -> Flags:
 
 def edge_below(line: Floats, x: Floats, middle: Floats) -> tuple[Floats, Floats]:
     """y of lines (n or 1, V, 2) at x (n, M), and their slopes, of the edges below or above the points ``middle``."""
-    of_points = np.broadcast_to(line, (len(x), *line.shape[1:]))
+    of_points = each_lane(line, len(x))
     vertices = Vectors.of(of_points)
     place = middle[..., None]
     behind = vertices.x[:, None].real <= place.real
@@ -228,6 +236,7 @@ def edge_below(line: Floats, x: Floats, middle: Floats) -> tuple[Floats, Floats]
     edge = end - start
     upright = edge.x.real <= 0.0
     divisor = np.where(upright, 1.0, edge.x)
-    slope = np.where(upright, 0.0, edge.y / divisor)
+    steepness = edge.y / divisor
+    slope = np.where(upright, 0.0, steepness)
     along = x - start.x
     return start.y + slope * along, slope

@@ -73,8 +73,9 @@ def _vertices_above(section: Section) -> range:
 def through_vertex(section: Section) -> bool:
     """Whether an end of the arc of a single section is a vertex of its ground."""
     ends = np.array([section.entry, section.exit])
+    end = ends[:, None]
     ground, _, _ = section._circle
-    same_coordinate = np.isclose(ends[:, None], ground, rtol=1e-14, atol=0.0)
+    same_coordinate = np.isclose(end, ground, rtol=1e-14, atol=0.0)
     same_point = same_coordinate.all(axis=2)
     return bool(np.any(same_point))
 
@@ -116,14 +117,17 @@ def _chain_rule(section: Section, names: Sequence[str]) -> _Chain:
         known = {}
         for name, index in indices_of(section, field).items():
             known[name] = by_vertex[(..., *index)]
-        x_dot, y_dot = np.moveaxis(by_vertex, -1, 0)
-        known["centre.x"] = -x_dot.sum(axis=-1)
-        known["centre.y"] = -y_dot.sum(axis=-1)
+        of_all = by_vertex.sum(axis=-2)
+        x_dot, y_dot = np.moveaxis(of_all, -1, 0)
+        known["centre.x"] = -x_dot
+        known["centre.y"] = -y_dot
         shrinking = by_vertex * vertices
-        known["radius"] = -shrinking.sum(axis=(-2, -1))
-        unaffected = np.zeros(by_vertex.shape[:-2])
+        total = shrinking.sum(axis=(-2, -1))
+        known["radius"] = -total
+        unaffected = np.zeros_like(x_dot)
         columns = [known.get(name, unaffected) for name in names]
-        return np.stack(columns, axis=-1) / radius
+        by_number = np.stack(columns, axis=-1)
+        return by_number / radius
 
     return by_numbers
 
@@ -135,8 +139,9 @@ def _surface(section: Section, ground: Vectors) -> _Surface:
     start = section._cut.start[0, vertex]
     part = section._cut.part[0, vertex]
     before = start - ground[vertex]
-    skipped = before.dot(edge) / edge.square
-    share = part.dot(edge) / edge.square
+    square = edge.square
+    skipped = before.dot(edge) / square
+    share = part.dot(edge) / square
     return _Surface(vertex, edge, start, part, skipped, share)
 
 
@@ -150,7 +155,8 @@ def _moments_by_vertex(surface: _Surface, vertices: int) -> dict[str, Floats]:
     unit_x = point.x / r
     unit_y = point.y / r
     names = ("polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
-    integrands = np.stack([r, r * r, unit_x, unit_y, *point])
+    square = r * r
+    integrands = np.stack([r, square, unit_x, unit_y, *point])
 
     skipped = surface.skipped[:, None]
     share = surface.share[:, None]
@@ -160,10 +166,12 @@ def _moments_by_vertex(surface: _Surface, vertices: int) -> dict[str, Floats]:
     weighted_hats = hats * weight
     along_edges = np.einsum("fkn,hkn->hfk", integrands, weighted_hats)
     normal = Vectors(-surface.part.y, surface.part.x)
-    by_first, by_second = along_edges[..., None] * normal.points
+    by_hat = along_edges[..., None] * normal.points
+    by_first, by_second = by_hat
     by_vertex = np.zeros((len(names), vertices, 2))
+    second_vertex = surface.vertex + 1
     by_vertex[:, surface.vertex] += by_first
-    by_vertex[:, surface.vertex + 1] += by_second
+    by_vertex[:, second_vertex] += by_second
     return dict(zip(names, by_vertex, strict=True))
 
 
@@ -175,7 +183,8 @@ def _ends_by_vertex(surface: _Surface, angles: Floats, vertices: int) -> Floats:
     by_vertex = np.zeros((2, vertices, 2))
     passed = surface.skipped + surface.share
     shares = (surface.skipped[0], passed[-1])
-    tangent = Vectors(np.cos(angles), np.sin(angles))
+    sine = np.sin(angles)
+    tangent = Vectors(np.cos(angles), sine)
     for end, share in enumerate(shares):
         part = -end  # the first one or the last one
         edge = surface.edge[part]
@@ -198,7 +207,8 @@ def _along(start: Vectors, edge: Vectors) -> tuple[Floats, Floats]:
     length = edge.length
     first = start.dot(edge) / length
     last = first + length
-    distance = np.abs(start.cross(edge)) / length
+    cross = start.cross(edge)
+    distance = np.abs(cross) / length
     long = length > distance
     not_zero = np.maximum(distance, 1e-9)
     p = np.where(long, not_zero, 1.0)
@@ -215,8 +225,8 @@ def _along(start: Vectors, edge: Vectors) -> tuple[Floats, Floats]:
     t = np.where(long, t_of_long, node)
     dt = np.where(long, derivative, 1.0)  # by the node
     place = (t - first) / length
-    weight = dt * half * _WEIGHTS / length
-    return place, weight
+    weight_of_node = dt * half * _WEIGHTS
+    return place, weight_of_node / length
 
 
 def _ground_heights(section: Section) -> HeightIntegrals:
@@ -236,7 +246,8 @@ def _pressure(section: Section, ends: Floats, chain: _Chain, of_scale: Floats) -
     (way,) = section._facing
     (radius,) = section._circle[2]
     unit = radius * section.water_unit_weight
-    line = water.line[0, 1:-1]
+    (with_continuations,) = water.line
+    line = with_continuations[1:-1]
     first_by_numbers, last_by_numbers = ends
     angle = last - first
     angle_by_numbers = last_by_numbers - first_by_numbers
@@ -255,7 +266,9 @@ def _pressure(section: Section, ends: Floats, chain: _Chain, of_scale: Floats) -
         by_ends = by_end - by_begin
         mean = section.mean_pressure(rotation)[..., None]
         total = unit * (by_level + by_ends)
-        of_mean = (total - mean * angle_by_numbers) / angle
-        return of_mean + mean * of_scale
+        by_angle = mean * angle_by_numbers
+        of_mean = (total - by_angle) / angle
+        by_scale = mean * of_scale
+        return of_mean + by_scale
 
     return pressure
