@@ -196,14 +196,14 @@ def test_one_clear_error(tmp_path: Path, read: Any, row: tuple[str, dict[str, An
 
 
 def test_missing_and_huge_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = write(tmp_path, HEAD + "0,1\n1,2\n")
     with pytest.raises(ValueError, match=r"none\.csv: No such file"):
         read_record(tmp_path / "none.csv", holds="driving")
-    path = write(tmp_path, HEAD + "0,1\n1,2\n")
+    with pytest.raises(ValueError, match="holds = 'both': must be"):
+        read_record(path, holds="both")  # type: ignore[arg-type]
     monkeypatch.setattr(recordfiles, "MOST_BYTES", 10)
     with pytest.raises(ValueError, match="must be at most 1 GB"):
         read_record(path, holds="driving")
-    with pytest.raises(ValueError, match="holds = 'both': must be"):
-        read_record(path, holds="both")  # type: ignore[arg-type]
 
 
 def test_a_gap_may_be_bridged_and_uneven_samples_have_none(tmp_path: Path) -> None:
