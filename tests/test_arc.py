@@ -1,6 +1,5 @@
 """The arc's quantities, against the paper's tables, ball arithmetic and integrals in SI units; and what it refuses."""
 
-import dataclasses
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
@@ -88,17 +87,6 @@ def test_dimensionless_coefficients() -> None:
             size = oracle.whole(name, *ends(arc))[1] if name in oracle.WHOLE else None
             error = oracle.ulps(value, reference, size)
             assert error <= (8 if size is not None else 10), f"{name} of {arc} is wrong by {error:.3g} ulp"
-
-
-@pytest.mark.parametrize("distance", [1e-2, 1e-5, 1e-8])
-def test_a_steep_arc_loses_no_digits(distance: float) -> None:
-    """Near a vertical chord J_r is small; the drive is made of quotients with it."""
-    for shift, half in zip(np.linspace(0.9, 1.1, 9), np.linspace(1.21, 1.37, 9), strict=True):
-        for middle in (np.pi + shift * distance, 2 * np.pi - shift * distance):
-            arc = Arc(100.0, middle - half, middle + half, 2e4)  # sums of the ends round
-            reference = references(arc)
-            for name in ("radial_weight_per_inertia", "static_normal_stress", "limit_friction"):
-                assert oracle.ulps(float(getattr(arc.dimensionless, name)), reference[name]) <= 10, (name, arc)
 
 
 def over_the_section(arc: Arc, weight: Callable[[mpf, mpf], mpf]) -> mpf:
@@ -193,14 +181,6 @@ def test_given_is_checked(changes: dict[str, Any], said: str) -> None:
     assert said in str(caught.value)
 
 
-def test_given_takes_all_coefficients_and_a_negative_moment() -> None:
-    with pytest.raises(ValueError, match="given: 'dynamic_coefficient' is missing"):
-        vaiont(given={n: v for n, v in TABLE_4_1.items() if n != "dynamic_coefficient"})
-    one, other = (vaiont(given=TABLE_4_1 | {"weight_moment": moment}) for moment in (0.0387, -0.0387))
-    assert (one.facing, other.facing) == (1, -1)
-    assert other.dimensionless == one.dimensionless
-
-
 # --- what is refused -----------------------------------------------------------------------------------------------
 
 BAD: list[tuple[dict[str, Any], str]] = [
@@ -244,13 +224,14 @@ def test_all_mistakes_are_listed_at_once() -> None:
     assert message.count("is missing") == len(GIVEN)
 
 
-def test_frozen() -> None:
+def test_given_is_a_copy() -> None:
     given = dict(TABLE_4_1)
     arc = vaiont(given=given)
-    with pytest.raises(dataclasses.FrozenInstanceError):
-        arc.radius = 5.0  # type: ignore[misc]
-    with pytest.raises(dataclasses.FrozenInstanceError):
-        arc.dimensionless.radial_weight = 1.0  # type: ignore[misc]
-    given["radial_weight"] = -1.0  # the caller's own dictionary
+    given["radial_weight"] = -1.0
     assert arc.dimensionless.radial_weight == 0.0870
-    assert dataclasses.replace(arc, width=2.0).width == 2.0
+
+
+def test_a_negative_moment_faces_the_other_way() -> None:
+    one, other = (vaiont(given=TABLE_4_1 | {"weight_moment": moment}) for moment in (0.0387, -0.0387))
+    assert (one.facing, other.facing) == (1, -1)
+    assert other.dimensionless == one.dimensionless

@@ -281,14 +281,12 @@ def test_links_and_pipes_stay_what_they_are(tmp_path: Path) -> None:
     link, pipe = tmp_path / "link", tmp_path / "pipe"
     link.symlink_to("target")
     write(link, b"through it")
-    assert link.is_symlink()
-    assert (tmp_path / "target").read_bytes() == b"through it"
+    assert (link.is_symlink(), link.read_bytes()) == (True, b"through it")
     os.mkfifo(pipe)
     with ThreadPoolExecutor(1) as reader:
         read = reader.submit(pipe.read_bytes)
         write(pipe, b"once")
         assert read.result(10) == b"once"
-    assert pipe.is_fifo()
 
 
 @pytest.mark.parametrize("gone", [BrokenExecutor, CancelledError])

@@ -150,11 +150,9 @@ def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
         return answer("no friction")
     if name in ("thirty years, frozen", "thirty years, hyperbolic, terminal"):  # at its terminal velocity
         m = oracle.numbers(Arc(**SLOPE))
-        a = m["fall"] * mpmath.sin(m["dip"]) - mpf(0.2) * m["press"] * mpmath.cos(m["dip"])
-        start = a, mpf(0.2) * m["polar"], mpf(0), mpf(1e9) / m["scale"]
-        with ctx.workprec(400):
-            balls = [arb(mpmath.nstr(x, 50)) for x in start]
-            turned, omega = (oracle.digits_of(f(*balls)) for f in (oracle.rotation, oracle.angular_velocity))
+        brake, time = mpf(0.2) * m["polar"], mpf(1e9) / m["scale"]
+        rate = mpmath.sqrt(brake * (m["fall"] * mpmath.sin(m["dip"]) - mpf(0.2) * m["press"] * mpmath.cos(m["dip"])))
+        turned, omega = mpmath.log(mpmath.cosh(rate * time)) / brake, rate / brake * mpmath.tanh(rate * time)
         return False, (turned * m["radius"], mpf(1e9), omega * m["radius"] / m["scale"])
     with ctx.workprec(400):
         p = taylor.Problem(case.data)

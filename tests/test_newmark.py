@@ -93,17 +93,6 @@ def test_earthquake_against_an_exact_double_integral() -> None:
     assert len(motion.phases) > 8
 
 
-LEVEL = Arc(60.0, math.radians(235.0), math.radians(305.0), 19e3)
-
-
-def test_two_way_on_level_ground_mirrors_with_the_record() -> None:
-    record = earthquake(800)
-    one, other = (shaken(record.scaled(s), None, 0.1, LEVEL, two_way=True) for s in (1.0, -1.0))
-    assert (one.run_out, one.duration) == pytest.approx((-other.run_out, other.duration), rel=1e-12)
-    forward, back = (shaken(record.scaled(s), None, 0.1, LEVEL) for s in (1.0, -1.0))
-    assert min(forward.run_out, back.run_out) > 0.0  # one-way: a positive dip, and none, go the same way
-
-
 # --- hard cases ----------------------------------------------------------------------------------------------------
 
 
@@ -145,20 +134,3 @@ def test_huge_amplitudes_and_an_error_where_they_overflow() -> None:
     assert abs(braked.duration / rest - 1) < braked.error_estimate < 1e-2
     with pytest.raises(ValueError, match="overflows"):
         shaken(Pulse("rectangular", 1e300, 0.0, 1e10))
-
-
-def test_the_end_time_cuts_a_record() -> None:
-    whole, cut = shaken(earthquake(), accuracy=1e-10), shaken(earthquake(), end_time=4.0)
-    assert (cut.duration, cut.arrested) == (max(phase.end for phase in whole.phases if phase.end < 4.0), True)
-    assert cut.run_out == pytest.approx(float(whole.at(4.0).displacement), rel=1e-13)
-
-
-def test_a_hundred_thousand_samples() -> None:
-    """The same straight lines in a hundred thousand samples: the same motion, and its energy still balances."""
-    record = earthquake(500)
-    t = np.unique(np.concatenate([record.time, np.linspace(record.time[0], record.time[-1], 10**5)]))
-    motion, plain = shaken(series(t, record(t))), shaken(record)
-    assert motion.run_out == pytest.approx(plain.run_out, rel=1e-12)
-    assert motion.duration == pytest.approx(plain.duration, rel=1e-12)
-    assert abs(motion.energy.residual) < 1e-12 * motion.energy.work
-    assert motion.error_estimate < 1e-9

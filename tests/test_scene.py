@@ -1,6 +1,5 @@
 """What a scene and the calls of Python accept, and what they say when they do not."""
 
-import dataclasses
 import math
 import re
 from collections.abc import Callable
@@ -30,15 +29,6 @@ def test_effects_by_name_or_as_a_mapping() -> None:
         assert Scene(ARC, 0.2, names) == mapping
     assert Scene(ARC, 0.2) == Scene(ARC, 0.2, {}) == Scene(ARC, 0.2, ())
     assert Scene(ARC, 0.2) != mapping
-
-
-def test_a_scene_is_frozen_and_keeps_its_own_effects() -> None:
-    effects: dict[str, dict[str, float]] = {}
-    scene = Scene(ARC, 0.2, effects)
-    effects["centripetal"] = {}
-    assert scene.effects == {}
-    with pytest.raises(dataclasses.FrozenInstanceError):
-        scene.friction = 0.5  # type: ignore[misc]
 
 
 @pytest.mark.parametrize("friction", [0, 0.0, -0.0, 5e-324, 0.2, 7, np.float32(0.5), [0.1, 0.2], np.arange(3)])

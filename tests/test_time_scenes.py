@@ -11,7 +11,7 @@ from mpmath import mpf
 
 from slipcircle import Scene, load, solve
 from slipcircle.base.series import Pulse, Series
-from tests.support import golden, oracle, taylor
+from tests.support import golden
 
 ARC: Any = load("vaiont").arc
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
@@ -33,18 +33,6 @@ def test_undrained_adiabatic_decay(friction: Any, heat: float) -> None:
     expected = float(ARC.static_normal_stress) * decay
     effective = state.normal_stress - motion.pore_pressure_at(times)
     np.testing.assert_allclose(effective, expected, rtol=0, atol=1e-12 * effective[0])
-
-
-def test_viscous_terminal_velocity() -> None:
-    """Frozen: v = drive/(eta A_s/h), reached exponentially at the rate of the drag."""
-    eta, h, mu = 1e8, 0.5, 0.1
-    motion = solve(Scene(ARC, mu, {"viscosity": {"viscosity": eta, "thickness": h}}, end_time=200.0))
-    resistance = eta / h * 2 * ARC.half_angle * ARC.radius
-    mass = ARC.unit_weight / ARC.gravity * ARC.radius**2 * ARC.dimensionless.moment_of_inertia
-    terminal, rate = float((FALL - mu * PRESS) * mass / resistance), float(resistance / mass)
-    assert motion.end.velocity == pytest.approx(terminal, rel=1e-9)
-    times = np.array([0.1, 1.0, 3.0]) / rate
-    np.testing.assert_allclose(motion.at(times).velocity, -terminal * np.expm1(-rate * times), rtol=1e-9)
 
 
 # --- starts, stops and restarts --------------------------------------------------------------------------------------
@@ -72,30 +60,7 @@ def test_what_happens_after_the_end_time_decides_nothing_before_it() -> None:
         cut.at(9.5)
 
 
-def test_water_that_rises_later_starts_it_later() -> None:
-    motion = solve(Scene(ARC, 0.6, TURNING | {"pore_pressure": {"time": [0, 50, 100], "pressure": [0, 2e6, 0]}}))
-    start = next(t for t, before, _ in golden.changes(motion) if before == 0)
-    pressed = float(ARC.static_normal_stress)
-    limit = float(ARC.dimensionless.limit_friction)
-    assert start == pytest.approx(50.0 * (pressed - pressed * limit / 0.6) / 2e6, rel=1e-7)  # slower than rounding
-    assert motion.limit_friction == pytest.approx(limit, rel=1e-14)  # at the start there is no water
-
-
 # --- hard cases ------------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("vertical", [0.9, 0.999999, 1.0, 1.000001])
-def test_weightless(vertical: float) -> None:
-    """k_v -> 1: nothing presses and nothing falls; from motion it coasts, once it weighs nothing at all."""
-    shaking = {"pulse": "rectangular", "amplitude": 0.0, "vertical_amplitude": vertical, "duration": 3.0}
-    motion = solve(Scene(ARC, 0.3, {"rotation": {}, "shaking": shaking}, initial_velocity=5.0, end_time=3.0))
-    speed = motion.at(np.linspace(0.0, 3.0, 7)).velocity
-    if vertical == 1.0:
-        np.testing.assert_allclose(speed, 5.0, rtol=1e-12)
-    else:
-        limit = (1 - vertical) * 3.0 * 9.81
-        np.testing.assert_allclose(speed, 5.0, atol=abs(limit))
-        assert bool(motion.lift_off) == (vertical > 1.0)
 
 
 @pytest.mark.parametrize("amplitude", [1e3, 1e9])
@@ -113,26 +78,6 @@ def test_pressurisation_that_removes_all_strength(heat: float) -> None:
     assert abs(motion.energy.residual) < 1e-6 * motion.energy.work
     if heat == 1e9:
         assert motion.run_out == pytest.approx(solve(Scene(ARC, 0.0, TURNING)).run_out, rel=1e-6)
-
-
-def test_heat_that_leaves_little_strength() -> None:
-    """What presses falls below a hundredth of the weight, and still stops the mass: in its sixth swing."""
-    effects = TURNING | {"thermal_pressurisation": HEAT | {"pressurisation": 3300.0},
-                         "viscosity": {"viscosity": 3e3, "thickness": 0.5}}  # fmt: skip
-    motion = solve(Scene(ARC, 0.3, effects))
-    given = {"arc": oracle.plain(ARC), "friction": 0.3, "effects": effects, "initial_velocity": 0.0, "end_time": None}
-    known = taylor.solve(given, (0.5,), 20)
-    assert (motion.arrested, len(motion.phases)) == (known["arrested"], known["phases"]) == (True, 6)
-    for value, name in ((motion.run_out, "run_out"), (motion.duration, "duration")):
-        assert abs(value / float(known[name]) - 1) < motion.error_estimate < 1e-12
-
-
-def test_friction_that_vanishes_with_speed() -> None:
-    motion = solve(Scene(ARC, RATE | {"residual": 0.0, "velocity": 0.1}, TURNING, end_time=60.0))
-    free = solve(Scene(ARC, 0.0, TURNING))
-    assert 0.95 * free.peak.velocity < motion.peak.velocity < free.peak.velocity
-    with pytest.raises(ValueError, match="never rests"):
-        solve(Scene(ARC, RATE | {"residual": 0.0}))
 
 
 def test_swings_that_hardly_die_away_are_refused() -> None:
