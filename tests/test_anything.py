@@ -3,7 +3,6 @@
 import math
 import re
 from collections import Counter
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -46,7 +45,7 @@ def anything(rng: np.random.Generator) -> dict[str, Any]:
     return changed | {"law": law, "arc": arc, "end_time": float(pace * 10.0 ** rng.uniform(-9, 1.5))}
 
 
-def run_anything(fields: Mapping[str, Any]) -> str:
+def run_anything(fields: dict[str, Any]) -> str:
     """What became of it: an answer that is consistent, or one sentence that begins with a field.
 
     The energy balances to 1e-12, or to the estimate where the answer says that it is ill-conditioned.
