@@ -136,15 +136,6 @@ def test_every_repair_is_needed(appendix: Appendix) -> None:
             assert abs(evaluate(parse(appendix, (place,)), *PAPER).real / integral - 1) > 1e-2
 
 
-@each
-def test_final_division_is_of_the_whole_bracket(appendix: Appendix) -> None:
-    # Closing the bracket at the very end instead, so that only the last term is divided, can be read too.
-    late = replace(appendix, printed=appendix.printed.rstrip() + ")")
-    (last,) = (x for x in repairs(late) if x.mended == ")")
-    integral = quadrature(simplified(appendix).integrand, *PAPER, 15)
-    assert abs(evaluate(parse(late, (last,)), *PAPER).real / integral - 1) > 1e-2
-
-
 def test_unknown_notation_is_refused() -> None:
     with pytest.raises(ValueError, match="unknown notation"):
         parse(replace(APPENDIX_I, printed="1 + x?"))

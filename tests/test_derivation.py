@@ -4,18 +4,14 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-import mpmath
 import pytest
 import sympy as sp
-from mpmath import mpf
 
 from derive.algebra import dynamics, integrate, rules
-from derive.algebra.integrate import PSI, Derivation, closed_forms
-from derive.algebra.remainders import unfold
+from derive.algebra.integrate import PSI, Derivation
 from derive.check.proof import ProofError
-from derive.declare.quantities import CHORD, MOMENTS, QUOTIENTS, Moment
+from derive.declare.quantities import CHORD, MOMENTS, Moment
 from derive.declare.symbols import a, alpha, r, theta, theta_1
-from derive.generate import functions
 from tests.support import oracle
 
 DIGITS = 40
@@ -26,16 +22,6 @@ def test_the_chord_is_the_paper_s() -> None:
     for end in (theta_1, theta_1 + 2 * alpha):
         assert sp.simplify(CHORD.subs(theta, end)) == 1
     assert sp.diff(CHORD * sp.cos(theta - theta_1 - alpha), theta) == 0
-
-
-@pytest.mark.parametrize("quotient", QUOTIENTS, ids=lambda q: q.name)
-@pytest.mark.parametrize("half", ["0.001", "0.8", "1.5697"])
-def test_stable_quotient_equals_the_ratio_of_closed_forms(quotient: object, half: str) -> None:
-    name, numerator, denominator = (getattr(quotient, x) for x in ("name", "numerator", "denominator"))
-    with mpmath.workdps(80):
-        ours = sp.lambdify(alpha, unfold(functions.stable_forms(closed_forms())[name]), "mpmath")(mpf(half))
-        ratio = closed_forms()[numerator] / closed_forms()[denominator]
-        assert abs(ours / sp.lambdify(alpha, ratio, "mpmath")(mpf(half)) - 1) < mpf(10) ** -DIGITS
 
 
 @pytest.mark.parametrize("name", oracle.BASE)

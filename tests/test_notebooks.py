@@ -232,28 +232,23 @@ def test_key_numbers_of_the_paper() -> None:
     numbers, arc = key_numbers("2_the_paper_reproduced.ipynb"), load("vaiont-frozen").arc
     assert isinstance(arc, Arc)
     d = arc.dimensionless
-    package = {
-        "Table 2-1 2alpha": np.degrees(2 * arc.half_angle),
-        "Table 2-1 I_p": arc.polar_moment / 1e9,
-        "Table 2-1 sigma_ref": arc.reference_stress / 1e6,
-        "Table 2-1 sigma_n0": arc.static_normal_stress / 1e6,
-        "Table 2-1 A": d.dynamic_coefficient,
-        "Table 4-1 Theta*": d.moment_of_inertia,
-        "Table 4-1 J_r": d.radial_weight,
-        "Table 4-1 J_theta": d.weight_moment,
-        "Table 4-1 lambda": d.resistance_factor,
-        "Table 4-1 sigma*_n0": d.static_normal_stress,
-        "Table 4-1 A": d.dynamic_coefficient,
+    computed = {
+        "Table 2-1 2alpha": np.degrees(2 * arc.half_angle), "Table 2-1 I_p": arc.polar_moment / 1e9,
+        "Table 2-1 sigma_ref": arc.reference_stress / 1e6, "Table 2-1 sigma_n0": arc.static_normal_stress / 1e6,
+        "Table 2-1 A": d.dynamic_coefficient, "Table 4-1 Theta*": d.moment_of_inertia, "Table 4-1 J_r": d.radial_weight,
+        "Table 4-1 J_theta": d.weight_moment, "Table 4-1 lambda": d.resistance_factor,
+        "Table 4-1 sigma*_n0": d.static_normal_stress, "Table 4-1 A": d.dynamic_coefficient,
         "Table 4-1 phi_C,eq": np.degrees(arc.limit_friction_angle),
-    }
+    }  # fmt: skip
+    package = {name: float(value) for name, value in computed.items()}
     assert numbers["tables"].keys() == package.keys()
     in_paper = {claim.id: claim.printed for claim in CLAIMS}
     wrong = []
-    for entry, (shown, computed) in numbers["tables"].items():
+    for entry, (shown, judged) in numbers["tables"].items():
         assert shown == in_paper[entry]
-        assert float(computed) == pytest.approx(float(package[entry]), rel=1e-6)
+        assert float(judged) == pytest.approx(package[entry], rel=1e-6)
         unit = 10.0 ** int(Decimal(shown).as_tuple().exponent)
-        wrong += [entry] if abs(float(shown) - float(package[entry])) >= unit else []
+        wrong += [entry] if abs(float(shown) - package[entry]) >= unit else []
     assert numbers["wrong"] == wrong
     assert len(wrong) == 5  # of 16 entries, as the first sentence says
     scenes = {"as printed": "vaiont-as-printed", "corrected": "vaiont-frozen", "turning": "vaiont"}

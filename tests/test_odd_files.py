@@ -2,7 +2,6 @@
 
 import sys
 from pathlib import Path
-from random import Random
 from typing import Any
 
 import pytest
@@ -31,7 +30,7 @@ def test_odd_scene_files_end_in_an_answer_or_a_refusal(part: int, tmp_path: Path
 
 
 def test_the_fuzz_sees_faults(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A traceback, a NaN, a refusal with an interpreter's words, silence; and its files are many things."""
+    """A traceback, a NaN, a refusal with an interpreter's words, silence."""
     path = tmp_path / "a.toml"
     path.write_text("x" * 2, "utf-8")
     for work, said in (
@@ -41,10 +40,6 @@ def test_the_fuzz_sees_faults(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     ):  # fmt: skip
         monkeypatch.setattr(fuzz_scenes, "main", work)
         assert said in fuzz_scenes.fault(path)
-    texts = [fuzz_scenes.toml(fuzz_scenes.document(Random(k))) for k in range(1000)]
-    words = "nan inf \\u [[ 1e+300 distribution rate_weakening ground level_m critical search true"
-    for word in words.split():
-        assert any(word in text for text in texts), word
 
 
 def test_a_level_and_a_pore_ratio_exclude_each_other() -> None:

@@ -10,11 +10,8 @@ import pytest
 
 from derive.approximate import certificates
 from derive.approximate.programs import variants
-from derive.approximate.shapes import kernels as kernels_of_alpha
-from derive.approximate.shapes import limit as limit_at_0
-from derive.approximate.shapes import near_fit, records
+from derive.approximate.shapes import records
 from derive.check.truth import TOP
-from derive.code.program import Op, Program
 from generated import _compiled, kernels
 from tests.campaigns import seen, seen32
 from tests.campaigns.seen import BASES, DEFINITIONS, KERNELS, Inputs, Numbers, Reference, Run, Seen
@@ -79,26 +76,6 @@ def test_errors_are_in_ulp_of_the_exact_value(tier: str) -> None:
 
 
 # --- planted bugs ----------------------------------------------------------------------------------------------------
-
-
-def changed(kernel: str, old: float, new: float) -> Callable[[Numbers], Numbers]:
-    """The best fused program with another constant, interpreted."""
-    (program,) = [v.program for v in variants() if (v.kernel, v.tier, v.form) == (kernel, "best", "fused")]
-    ops = list(program.ops)
-    ops[ops.index(Op("const", (), old))] = Op("const", (), new)
-    wrong = Program(program.name, program.inputs, tuple(ops), program.outputs)
-    return lambda alpha: wrong.run(alpha)
-
-
-@pytest.mark.parametrize("kernel", ["polar_moment", "resistance_factor"])  # in two pieces, and in one
-def test_a_coefficient_off_in_its_14th_digit_is_seen(kernel: str) -> None:
-    ((closed,),) = [k.closed for k in kernels_of_alpha() if k.name == kernel]
-    shape = records()[DEFINITIONS[kernel]].best[0]
-    old = near_fit(closed, shape.seam, shape.count, limit_at_0(closed))[0]
-    run = replace(find(kernel, form="fused"), level="exact")
-    assert not some(replace(run, call=changed(kernel, old, old))).faults
-    faults = some(replace(run, call=changed(kernel, old, old * (1 + 1e-14)))).faults
-    assert any(f"{kernel}, best, fused, exact: " in f and " bound is " in f for f in faults)
 
 
 def test_a_lean_within_the_bound_is_seen() -> None:

@@ -12,7 +12,7 @@ from generated import slopes
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.core.scene.doubledouble import DoubleDouble
-from slipcircle.core.scene.plane import Vectors
+from slipcircle.core.scene.plane import Vectors, each_lane
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(slopes.NODES)
 _PLACES = (1.0 + _NODES) / 2  # for integrals from 0 to 1
@@ -61,7 +61,7 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
 
     A vertex as near to a circle as rounding of its coordinates goes lies on it, and parts two stretches.
     """
-    of_circles = np.broadcast_to(points, (len(radius), *points.shape[1:]))
+    of_circles = each_lane(points, len(radius))
     line = Vectors.of(of_circles)
     middle = Vectors.of(centre)
     from_centre = line - middle[:, None]
@@ -105,7 +105,8 @@ def _clearances(line: Vectors, from_centre: Vectors, centre: Vectors, radius: Fl
     is_near = np.abs(clear) < 0.1 * square  # a difference of near equals takes two doubles
     near = np.nonzero(is_near)
     lane, _ = near
-    vertex = _doubled(line[near]) - _doubled(centre[lane])
+    origin = _doubled(centre[lane])
+    vertex = _doubled(line[near]) - origin
     accurate = _clearance(vertex, radius[lane])
     clear[near] = accurate.high
     size = line.largest + centre.largest[:, None]
@@ -160,8 +161,8 @@ def _share_from_inside(edges: _Edges) -> Floats:
 def _may_pass_through(edges: _Edges) -> Flags:
     """Edges with both ends outside and the foot of the perpendicular from the centre between them."""
     to_foot = -edges.first.dot(edges.edge)
-    length = edges.edge.square
-    foot_on_edge = (to_foot > 0.0) & (to_foot < length)
+    square = edges.edge.square
+    foot_on_edge = (to_foot > 0.0) & (to_foot < square)
     first_outside = edges.first_clear == 0.0
     last_outside = edges.last_clear == 0.0
     passes: Flags = foot_on_edge & first_outside & last_outside
@@ -301,7 +302,8 @@ def thickness(parts: Cut, mine: Flags) -> Floats:
     along = parts.start.dot(parts.part)
     to_foot = -along  # of the perpendicular from the centre
     on_edge = (to_foot > 0.0) & (to_foot < square)
-    share = np.divide(to_foot, square, out=np.zeros_like(square), where=on_edge)
+    nowhere = np.zeros_like(square)
+    share = np.divide(to_foot, square, out=nowhere, where=on_edge)
     rest = 1.0 - share
     along_chord = rest * parts.first + share * parts.second
     bulge = share * rest * square

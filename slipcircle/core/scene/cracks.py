@@ -15,6 +15,7 @@ from slipcircle.base.checks import Fault, complaint, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.errors import geometry_errors
+from slipcircle.core.scene.plane import each_lane
 from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.strips import arc_crossings, edge_below
 
@@ -142,7 +143,7 @@ class CrackedSection(Section):
 
 def _with_slits(ground: Floats, bottom: Floats, x: Floats) -> Floats:
     """Grounds (lanes, V + 3, 2) with a slit down to a height at an x of each lane."""
-    lines = np.broadcast_to(ground, (len(x), *ground.shape[1:]))
+    lines = each_lane(ground, len(x))
     across = x[:, None]
     heights, _ = edge_below(lines, across, across)
     top = heights[:, 0]

@@ -4,7 +4,7 @@ Each is a pair: which lanes have it, and the sentence for one of them. A kind is
 not, since it may need them.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -39,20 +39,25 @@ def _not_one_stretch(section: Any) -> Fault:
         one_besides_an_end = count[k] == 1 and held[k]
         if count[k] > 1 or one_besides_an_end:
             ends = zip(left[mine], right[mine], strict=True)
-            ranges = [f"[{first:.6g}, {last:.6g}]" for first, last in ends]
-            stretches = ", ".join(ranges)
+            stretches = ", ".join(_pairs(ends))
             short = " besides one that an end of the ground cuts short" if held[k] else ""
             return f"{which}: cuts off several masses; choose one by {{between}} = {stretches}{short}"
         if held[k]:
             beyond = f"x = {x - r:.6g} or {x + r:.6g}"
             return f"{which}: an end of the ground lies inside the circle; the ground must continue beyond {beyond}"
-        of_circle, _, _ = circles.stretches(section._cut.only([k]))
+        cut = section._cut.only([k])
+        of_circle, _, _ = circles.stretches(cut)
         if section.between is not None and of_circle.size:
             return f"{{between}} = {section.between!r}: the circle cuts off no mass there"
-        first, *_, last = [f"[{x:.6g}, {y:.6g}]" for x, y in line]
+        first, *_, last = _pairs(line)
         return f"{which}: misses the ground, which reaches from {first} to {last}"
 
     return (count != 1) | held, sentence
+
+
+def _pairs(numbers: Iterable[Any]) -> list[str]:
+    """Pairs of numbers in brackets."""
+    return [f"[{first:.6g}, {second:.6g}]" for first, second in numbers]
 
 
 def _below_ground(section: Any) -> Fault:

@@ -32,7 +32,8 @@ def resolved(name: str, given: Parameters) -> dict[str, Any]:
         if name == "pore_pressure":
             return _water(given)
     except InputError as error:
-        raise InputError("", [message.within(f"effects.{name}") for message in error.messages]) from error
+        messages = [message.within(f"effects.{name}") for message in error.messages]
+        raise InputError("", messages) from error
     except ValueError as error:
         raise InputError("", [f"{{effects.{name}}}: {error}"]) from error
     return dict(given)
@@ -63,16 +64,18 @@ def in_time(called: Effects) -> dict[str, Series | Pulse]:
 
 def _water(given: Parameters) -> dict[str, Any]:
     """A ratio and a pressure: numbers, or functions of time from lists with their times."""
-    rest = {k: v for k, v in given.items() if k != "time"}
+    rest = dict(given)
+    rest.pop("time", None)
     if "record" in given:
         raise InputError("", [_IN_FILES.format("pressure")])
-    strange = next((k for k in _OF_RECORDS if k in given), None)
-    if strange is not None:
-        raise InputError("", [f"{{{strange}}}: applies to a record; remove it, or give {{record}}"])
+    for name in _OF_RECORDS:
+        if name in given:
+            raise InputError("", [f"{{{name}}}: applies to a record; remove it, or give {{record}}"])
     if "time" not in given:  # without it a list is an ensemble
         return rest
     time = np.asarray(given["time"])
-    lists = [name for name, value in rest.items() if not callable(value) and np.ndim(value) == 1]
+    numbers = {name: value for name, value in rest.items() if not callable(value)}
+    lists = [name for name in numbers if np.ndim(numbers[name]) == 1]
     if time.ndim != 1 or not lists:
         raise InputError("", ["{time} and {ratio} or {pressure}: must be lists of numbers"])
     for name in lists:
@@ -111,11 +114,13 @@ def _as_series(given: Parameters) -> dict[str, Any]:
     duration = float(given["duration"])
     cycles = float(given.get("cycles", 1.0))
     pulse = Pulse(given["pulse"], 1.0, start, duration, cycles)
-    made = {"horizontal": pulse}
+    made: dict[str, Any] = {"horizontal": pulse}
     if "vertical_amplitude" in given:
         made["vertical"] = pulse
-    kept = (*_FACTORS, "two_way")
-    return made | {name: given[name] for name in kept if name in given}
+    for name in (*_FACTORS, "two_way"):
+        if name in given:
+            made[name] = given[name]
+    return made
 
 
 def _check_strength(given: Parameters) -> None:
@@ -124,7 +129,8 @@ def _check_strength(given: Parameters) -> None:
         record = given.get(name)
         if not isinstance(record, Series):
             continue
-        greatest_factor = float(np.max(np.abs(factor("shaking", given, name))))
+        factors = np.abs(factor("shaking", given, name))
+        greatest_factor = float(np.max(factors))
         peak = greatest_factor * record.greatest
         if peak > STRONGEST:
             unlikely = f"{{{name}}} reaches {peak:.6g} g, more than any recorded ground motion ({STRONGEST:g} g)"

@@ -10,7 +10,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.core.scene import circles
 from slipcircle.core.scene.circles import Cut
 from slipcircle.core.scene.coordinates import leading_shape
-from slipcircle.core.scene.heights import height_integrals, integral_inside
+from slipcircle.core.scene.heights import HeightIntegrals, height_integrals, integral_inside
 from slipcircle.core.scene.plane import Vectors
 from slipcircle.core.scene.turning import TurningMass
 
@@ -189,6 +189,14 @@ class SectionGeometry(TurningMass):
         """Greatest thickness of the mass along a radius, m."""
         thickness = circles.thickness(self._cut, self._mine)
         return self._shaped(thickness) * self.radius
+
+    @cached_property
+    def _level(self) -> Floats:
+        return self._lines(self.level)
+
+    @cached_property
+    def _water(self) -> HeightIntegrals:
+        return height_integrals(self._level, *self._circle[1:])
 
     @cached_property
     def mean_cover(self) -> Any:

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import INFINITY, Bounds, Fault, complaint, mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Floats, Values
 from slipcircle.core.scene.coordinates import leading_shape
-from slipcircle.core.scene.plane import Vectors
+from slipcircle.core.scene.plane import Vectors, each_lane
 
 FAR = 1e9  # m; coordinates are smaller
 
@@ -35,7 +35,8 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
     yield at(~step.any(axis=2), "is equal to the point before it; remove one")
     yield at(step[..., 0] < 0.0, "lies left of the point before it; order them by x")
     x = lines[..., 0]
-    is_upright = x[:, -1] == x[:, 0]
+    first_x = x[:, 0]
+    is_upright = x[:, -1] == first_x
     yield is_upright, lambda _: f"{{{name}}}: all points have the same x; it must extend from left to right"
 
 
@@ -49,7 +50,8 @@ def points_errors(name: str, given: Any, many: bool) -> list[str]:
     shape = points.shape
     are_numbers = points.dtype.kind in "iuf"
     has_axes = 2 <= points.ndim <= most_axes
-    if not are_numbers or not has_axes or shape[-1] != 2 or shape[-2] < 2:
+    are_points = has_axes and shape[-1] == 2
+    if not are_numbers or not are_points or shape[-2] < 2:
         return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
     *lanes, count, _ = shape
     one_axis = points.reshape(-1, count, 2)
@@ -92,8 +94,8 @@ def _upper(lines: Floats, x: Floats) -> Floats:
 def pond_errors(grounds: Floats, levels: Floats) -> Fault:
     """Where water levels (n or 1, W, 2) stand above grounds (n or 1, V, 2), or beside them; and what to say of one."""
     lanes = max(len(grounds), len(levels))
-    of_grounds = np.broadcast_to(grounds, (lanes, *grounds.shape[1:]))
-    of_levels = np.broadcast_to(levels, (lanes, *levels.shape[1:]))
+    of_grounds = each_lane(grounds, lanes)
+    of_levels = each_lane(levels, lanes)
     vertices = np.concatenate([of_grounds, of_levels], axis=1)
     x = vertices[..., 0]
     ground = _upper(grounds, x)
@@ -175,8 +177,10 @@ def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
     if coordinates != 2:
         wrong.append("centre")
     pair = given["between"]
-    if (pair is not None and np.shape(pair) != (2,)) or (pair is not None and pair[0] >= pair[1]):
-        wrong.append("between")
+    if pair is not None:
+        are_two = np.shape(pair) == (2,)
+        if not are_two or pair[0] >= pair[1]:
+            wrong.append("between")
     errors = []
     for name in wrong:
         _, _, allowed = bounds[name]
@@ -225,10 +229,12 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
     raise_all("simple_slope", errors)
     if angle is not None:
         is_upright = angle > 1.5707963
-        run = 0.0 if is_upright else height / float(np.tan(angle))
+        slope = float(np.tan(angle))
+        run = 0.0 if is_upright else height / slope
     assert run is not None
     flat = 4 * height + run
-    x = [-run - flat, -run, 0.0, flat]
+    left = -run - flat
+    x = [left, -run, 0.0, flat]
     y = [height, height, 0.0, 0.0]
     return np.stack([x, y], axis=1)
 
@@ -328,6 +334,8 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     sum_of_squares = away**2 + high**2
     radius = sum_of_squares / (2 * high)
     left_is_higher = left_height >= right_height
-    x = np.where(left_is_higher, p.x + away, q.x - away)
+    from_left = p.x + away
+    from_right = q.x - away
+    x = np.where(left_is_higher, from_left, from_right)
     centre = Vectors(x, base + radius)
     return centre.points, radius[()]

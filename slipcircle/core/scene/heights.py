@@ -17,7 +17,7 @@ from generated import slopes
 from slipcircle.base.kinds import Floats, Integers
 from slipcircle.core.scene.circles import Cut, cut
 from slipcircle.core.scene.ground import continued
-from slipcircle.core.scene.plane import Vectors
+from slipcircle.core.scene.plane import Vectors, each_lane
 
 _TOGETHER = 1 << 14  # arcs times pieces at a time: their arrays stay in the caches
 
@@ -104,7 +104,8 @@ class HeightIntegrals(NamedTuple):
         second_x = line_x[self.edge + 1]
         run = second_x - x
         angle = stop - start
-        sine_integral = np.cos(start) - np.cos(stop)
+        start_cosine = np.cos(start)
+        sine_integral = start_cosine - np.cos(stop)
         from_first = sine_integral - x * angle
         second = from_first / run
         return angle - second, second
@@ -142,7 +143,8 @@ def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> 
     half_sine = np.sin(ahead / 2)
     bent = 2 * half_sine**2  # 1 - cos(ahead)
     more_sine = cosine * along - sine * bent
-    more_cosine = -sine * along - cosine * bent
+    fall = sine * along
+    more_cosine = -fall - cosine * bent
     rise = slope * more_sine
     start_height = height + rise + more_cosine
     start_sine = sine + more_sine
@@ -175,7 +177,7 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     Each edge has three parts: before it enters the circle, inside, and after; it may be all before. Outside and above
     the circle, it is over the upper half, which angles pass from right to left, as over the lower half.
     """
-    of_circles = np.broadcast_to(points, (len(radius), *points.shape[1:]))
+    of_circles = each_lane(points, len(radius))
     x = centre[:, 0]
     beyond = 2 * radius
     left = x - beyond
@@ -186,7 +188,8 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     edges = Vectors.of(points).edges
     slope = _slope(edges)
     parts = cut(points, centre, radius)
-    lower, upper = _halves(parts, Vectors.of(line), slope)
+    vertices = Vectors.of(line)
+    lower, upper = _halves(parts, vertices, slope)
 
     turn = 2 * np.pi
     before = [pieces.turned(-turn) for pieces in upper]
@@ -219,7 +222,8 @@ def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[_Pieces], li
 
 def _slope(edge: Vectors) -> Floats:
     of_scarps = np.zeros_like(edge.x)
-    return np.divide(edge.y, edge.x, out=of_scarps, where=edge.x > 0.0)
+    has_run = edge.x > 0.0
+    return np.divide(edge.y, edge.x, out=of_scarps, where=has_run)
 
 
 def _inside(parts: Cut) -> _Pieces:
@@ -236,7 +240,8 @@ def _inside(parts: Cut) -> _Pieces:
     end_cosine = np.sqrt(end_cosine_squared)
     difference = cosine - y
     total = cosine + y
-    height = np.divide(parts.first, difference, out=total, where=y < 0.0)
+    is_lower = y < 0.0
+    height = np.divide(parts.first, difference, out=total, where=is_lower)
     low = np.arctan2(x, cosine)
     high = np.arctan2(end.x, end_cosine)
     span = _span(parts.part.x, cosine, end_cosine)

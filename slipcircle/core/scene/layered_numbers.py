@@ -54,7 +54,8 @@ class LayeredNumbers:
     def fields_with(self, values: Values) -> dict[str, Any]:
         """The fields that these numbers are of, with other values."""
         known = self.other_numbers()
-        changed = {name: values[name] for name in values if values[name] is not known[name]}
+        names = [name for name in values if values[name] is not known[name]]
+        changed = {name: values[name] for name in names}
         if not changed:
             return {}
         if share_one_law(self.soils):
@@ -150,7 +151,9 @@ def _scaled(load: Load, greatest: Any) -> Load:
     unit = np.where(is_none, 1.0, known)
     left_share = np.where(is_none, 1.0, left / unit)
     right_share = np.where(is_none, 1.0, right / unit)
-    return first, last, greatest * left_share, greatest * right_share
+    new_left = greatest * left_share
+    new_right = greatest * right_share
+    return first, last, new_left, new_right
 
 
 def _moved(top: Any, height: Any) -> Any:

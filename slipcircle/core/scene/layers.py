@@ -165,11 +165,9 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     def _by_lane(self, numbers: Sequence[Any]) -> Floats:
         """Numbers or arrays of them, (numbers, lanes)."""
-        kind = np.result_type(np.float64, *map(np.asarray, numbers))
-        rows = np.empty((len(numbers), *self.lanes_shape), dtype=kind)
-        for k, number in enumerate(numbers):
-            rows[k] = number
-        return rows.reshape(len(rows), -1)
+        of_lanes = [np.broadcast_to(number, self.lanes_shape) for number in numbers]
+        rows: Floats = np.add(of_lanes, 0.0)
+        return rows.reshape(len(numbers), -1)
 
     def _shaped(self, values: Any) -> Any:
         """Values by lane in the shape of the results, of geometry or of all."""

@@ -6,6 +6,14 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
+
+
+def each_lane(lines: Floats, lanes: int) -> Floats:
+    """Lines (lanes, V, 2), of (lanes or 1, V, 2)."""
+    _, *of_one = lines.shape
+    return np.broadcast_to(lines, (lanes, *of_one))
+
 
 @dataclass(slots=True)
 class Vectors:
@@ -64,7 +72,9 @@ class Vectors:
     @property
     def largest(self) -> Any:
         """The greater one of the absolute values of both components."""
-        return np.maximum(np.abs(self.x), np.abs(self.y))
+        x = np.abs(self.x)
+        y = np.abs(self.y)
+        return np.maximum(x, y)
 
     @property
     def is_nonzero(self) -> Any:

@@ -31,8 +31,10 @@ def questions(scene: Scene) -> Iterator[str]:
 
 
 def _of_unit(value: float, unit: str) -> str:
-    least, most = declared.USUAL.get(unit, (-math.inf, math.inf))
-    if value == 0.0 or least <= value <= most:
+    if value == 0.0 or unit not in declared.USUAL:
+        return ""
+    least, most = declared.USUAL[unit]
+    if least <= value <= most:
         return ""
     for other, size in declared.OTHER_UNITS[unit].items():
         if least <= value * size <= most:

@@ -222,9 +222,11 @@ def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
     ratio = (inward + h) / to_top
     log = np.log1p(ratio)
     square = x * x
-    polar = h * rho + c * inward + square * log
+    of_log = square * log
+    polar = h * rho + c * inward + of_log
     of_heights = h * h - 3.0 * c * h
-    mean_square = square + of_heights / 3 + c * c
+    on_arc = c * c
+    mean_square = square + of_heights / 3 + on_arc
     rows = {
         AREA: h,
         POLAR: polar / 2,

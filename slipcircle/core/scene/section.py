@@ -16,17 +16,13 @@ from slipcircle.base.kinds import Effects, Floats
 from slipcircle.core.scene.errors import geometry_errors, motion_errors
 from slipcircle.core.scene.geometry import SectionGeometry
 from slipcircle.core.scene.ground import line_errors, section_errors
-from slipcircle.core.scene.heights import HeightIntegrals, height_integrals
 from slipcircle.core.scene.plane import Vectors
 from slipcircle.core.scene.weights import Dimensionless, MomentCoefficients, SlidingBody
 
 # The fields that the geometry consists of, and what is computed of them alone.
 _GEOMETRY = ("ground", "centre", "radius", "between", "level")
-_OF_GEOMETRY = (
-    *("shape", "_circle", "_cut", "_candidates", "_ends", "_mine", "_moments", "_facing", "facing", "_angles"),
-    *("_chord", "half_angle", "dip", "entry", "exit", "area", "depth", "mean_cover", "sagitta", "_level", "_water"),
-    *("pressure_kinks", "_lines_over_radius", "_strips", "profile"),
-)
+_OF_GEOMETRY = [name for name, value in vars(SectionGeometry).items() if isinstance(value, cached_property)]
+_OF_GEOMETRY += ["sagitta", "pressure_kinks", "_lines_over_radius", "_strips", "profile"]
 
 
 @dataclass(frozen=True)
@@ -207,14 +203,6 @@ class Section(SlidingBody, SectionGeometry):
         )
 
     # --- water -------------------------------------------------------------------------------------------------------
-
-    @cached_property
-    def _level(self) -> Floats:
-        return self._lines(self.level)
-
-    @cached_property
-    def _water(self) -> HeightIntegrals:
-        return height_integrals(self._level, *self._circle[1:])
 
     def mean_pressure(self, rotation: Any = 0.0) -> Any:
         """Mean pore pressure on the arc under the mass after a rotation, Pa.

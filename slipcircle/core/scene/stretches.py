@@ -94,7 +94,8 @@ class StretchIntegrals:
         """
         first, last = self.span
         moved = rotation if self._base_stays else np.zeros_like(rotation)
-        met = [np.clip(joint - moved, first, last) for joint in self._joints]
+        in_mass = [joint - moved for joint in self._joints]
+        met = [np.clip(joint, first, last) for joint in in_mass]
         exit_ = np.broadcast_to(last, rotation.shape)
         return np.stack([*met, exit_])
 
@@ -194,7 +195,8 @@ class StretchIntegrals:
             end = np.clip(b, -reach, reach)
             angle = end - start
             above_level = level * angle
-            integral = above_level + np.sin(end) - np.sin(start)
+            sine_of_start = np.sin(start)
+            integral = above_level + np.sin(end) - sine_of_start
             rows.append(integral)
         return np.stack(rows)
 
@@ -279,7 +281,8 @@ class StretchIntegrals:
         after = of_soil[joints.after.T]
         at_exit = of_soil[joints.last]
         at_entry = of_soil[joints.first]
-        by_soil = np.stack([*(before - after), at_exit, -at_entry])
+        at_joints = before - after
+        by_soil = np.stack([*at_joints, at_exit, -at_entry])
         incidence: Floats = by_soil.transpose(0, 2, 1)
         return incidence
 

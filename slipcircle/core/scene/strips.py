@@ -18,7 +18,7 @@ import numpy as np
 
 from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.core.scene.ground import continued
-from slipcircle.core.scene.plane import Vectors
+from slipcircle.core.scene.plane import Vectors, each_lane
 
 _THIN = 1e-14  # narrower strips are rounding
 _ON_ARC = 1e-9
@@ -223,7 +223,7 @@ def _within_edge(share: Floats) -> Flags:
 
 def edge_below(line: Floats, x: Floats, middle: Floats) -> tuple[Floats, Floats]:
     """y of lines (n or 1, V, 2) at x (n, M), and their slopes, of the edges below or above the points ``middle``."""
-    of_points = np.broadcast_to(line, (len(x), *line.shape[1:]))
+    of_points = each_lane(line, len(x))
     vertices = Vectors.of(of_points)
     place = middle[..., None]
     behind = vertices.x[:, None].real <= place.real

@@ -122,7 +122,8 @@ def _chain_rule(section: Section, names: Sequence[str]) -> _Chain:
         known["centre.x"] = -x_dot
         known["centre.y"] = -y_dot
         shrinking = by_vertex * vertices
-        known["radius"] = -shrinking.sum(axis=(-2, -1))
+        total = shrinking.sum(axis=(-2, -1))
+        known["radius"] = -total
         unaffected = np.zeros_like(x_dot)
         columns = [known.get(name, unaffected) for name in names]
         by_number = np.stack(columns, axis=-1)
@@ -154,7 +155,8 @@ def _moments_by_vertex(surface: _Surface, vertices: int) -> dict[str, Floats]:
     unit_x = point.x / r
     unit_y = point.y / r
     names = ("polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
-    integrands = np.stack([r, r * r, unit_x, unit_y, *point])
+    square = r * r
+    integrands = np.stack([r, square, unit_x, unit_y, *point])
 
     skipped = surface.skipped[:, None]
     share = surface.share[:, None]
@@ -181,7 +183,8 @@ def _ends_by_vertex(surface: _Surface, angles: Floats, vertices: int) -> Floats:
     by_vertex = np.zeros((2, vertices, 2))
     passed = surface.skipped + surface.share
     shares = (surface.skipped[0], passed[-1])
-    tangent = Vectors(np.cos(angles), np.sin(angles))
+    sine = np.sin(angles)
+    tangent = Vectors(np.cos(angles), sine)
     for end, share in enumerate(shares):
         part = -end  # the first one or the last one
         edge = surface.edge[part]

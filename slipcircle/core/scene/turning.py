@@ -40,7 +40,8 @@ class TurningMass:
     @cached_property
     def surface(self) -> Floats:
         """The ground over the mass of one section, from its left to its right end, m."""
-        left, right = sorted([tuple(self.entry), tuple(self.exit)])
+        ends = [tuple(self.entry), tuple(self.exit)]
+        left, right = sorted(ends)
         ground = np.asarray(self.ground, dtype=np.float64)
         x = ground[:, 0]
         after_left = x > left[0]
@@ -62,7 +63,8 @@ class TurningMass:
     def placed(self, points: Any, rotation: Any) -> Any:
         """Points (..., 2) of the mass after a rotation, m."""
         turn = np.multiply(rotation, self.facing)
-        x, y = Vectors.of(np.subtract(points, self.centre))
+        from_centre = np.subtract(points, self.centre)
+        x, y = Vectors.of(from_centre)
         cosine = np.cos(turn)
         sine = np.sin(turn)
         turned_x = x * cosine - y * sine
@@ -79,16 +81,17 @@ class TurningMass:
         moved = Vectors.of(toe - self.exit)
         run_out = moved.x * self.facing
         centroid = self.placed(self.centroid, rotation)
-        risen = Vectors.of(centroid - self.centroid)
+        fallen = Vectors.of(self.centroid - centroid)
         half_rotation = np.multiply(rotation, 0.5)
         at_half = self.placed(self.centroid, half_rotation)
-        half_way = Vectors.of(at_half - np.asarray(self.centre))
+        from_centre = np.subtract(at_half, self.centre)
+        half_way = Vectors.of(from_centre)
         moves_back = np.less(rotation, 0.0)
         sign = np.where(moves_back, 1.0, -1.0)
-        down = sign * self.facing * half_way.x
-        along = sign * half_way.y
-        travel_angle = np.arctan2(down, along)
-        return Journey(toe, run_out, -risen.y, travel_angle)
+        fall = sign * self.facing * half_way.x
+        run = sign * half_way.y
+        travel_angle = np.arctan2(fall, run)
+        return Journey(toe, run_out, fallen.y, travel_angle)
 
 
 def _greatest_depth(line: Floats, level: Floats) -> float:
