@@ -250,8 +250,8 @@ print(*(import_module(name).__file__ for name in sys.argv[2:]), sep="\\n")
 WORKBENCH = sorted((ROOT / "slipcircle" / "workbench").glob("*/__init__.py"))
 DENSITY = {
     "derive": 11.1,
-    "slipcircle/base": 10.2,
-    "slipcircle/core": 10.5,
+    "slipcircle/base": 10.1,
+    "slipcircle/core": 10.4,
     **{str(path.parent.relative_to(ROOT)): 12.0 for path in WORKBENCH},
 }
 

@@ -7,7 +7,7 @@ coefficients, is the motion to rounding; events and samples are read off it. Pha
 `slipcircle.core.flow.integrate`.
 """
 
-from typing import Any, NamedTuple
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from generated import layout as ix
 from slipcircle.base.checks import EPS
 from slipcircle.core.flow.compiled import engine
+from slipcircle.core.flow.events import Event
 from slipcircle.core.flow.integrate import Integrator
 from slipcircle.core.flow.lane_state import LaneState
 from slipcircle.core.flow.problem import Problem, common_cells
@@ -69,19 +70,6 @@ def integrate(
         cells[result_cells, number] = lane.cells[own_cells, 0]
 
 
-class _Event(NamedTuple):
-    """An event: a register reaches a bound, from above, or with a negative sign from below."""
-
-    kind: int
-    register: int
-    bound: float = 0.0
-    sign: float = 1.0
-
-    def margin(self, registers: Floats) -> Any:
-        """Positive before the event; of one number of each register, or of one a time."""
-        return self.sign * (registers[self.register] - self.bound)
-
-
 class _Implicit(Integrator):
     """One lane; its step extends to the next event or break and consists of any number of implicit steps."""
 
@@ -92,17 +80,17 @@ class _Implicit(Integrator):
         """Implicit steps up to the next event or break."""
         self._prepare()
         self.begin = float(self.time[0])
-        start = self._at(self.begin, self.cells[self.state_cells, 0])
+        start = self._at(self.begin, self.cells[self.state_cells])
         now, event = self._follow(start)
-        times = np.array([now.time])
-        self.cells[:] = self._cells_at(times, now.states[:, None])
+        time = np.array([now.time])
+        self.cells[:] = self._cells_at(time, now.states)
         uneventful = event == ix.EVENT_NONE
         if uneventful and now.time < self.limit:
             self.status = ix.TOO_LONG
             return
-        net = self.roles["net"]
-        rate = now.registers[[net]]
-        self.settle(np.array([event]), rate, np.array([uneventful]))
+        rate = now.registers[self.roles["net"]]
+        kind = np.array([event])
+        self.settle(kind, rate, kind == ix.EVENT_NONE)
 
     def _prepare(self) -> None:
         """Prepare the quantities that all implicit steps up to the next event share."""
@@ -117,7 +105,8 @@ class _Implicit(Integrator):
         self.first_values = [piece.taylor(1)[0, 0] for piece in self.timed]
         self.first_increments = [piece.increment[0] for piece in self.timed]
         self.explicit = self._explicit_step()
-        self.events = self._possible_events()
+        standstill = Event(ix.EVENT_STANDSTILL, self.roles["omega"])
+        self.events = [standstill, *self.possible_events()]
 
     def _explicit_step(self) -> float:
         """The step that explicit integration would take."""
@@ -129,7 +118,7 @@ class _Implicit(Integrator):
     def _follow(self, now: Present) -> tuple[Present, int]:
         """Steps up to the next event or the greatest number of steps: the state there, and the event."""
         h = FIRST * self.explicit
-        while now.time < self.limit and not self._creeps(now):
+        while now.time < self.limit and not self._is_endless(now):
             left = self.limit - now.time
             to_limit = h >= left
             h = min(h, left)
@@ -137,7 +126,7 @@ class _Implicit(Integrator):
             if not to_limit:
                 is_long = h > EXPLICIT * self.explicit
                 self.steps_left -= 1 if is_long else SHORT_STEP
-            if self.steps_left <= 0 or end == now.time or self._is_endless(now):
+            if self.steps_left <= 0 or end == now.time:
                 break
             step = self._newton(now, h)
             if step is None:
@@ -152,22 +141,20 @@ class _Implicit(Integrator):
             end, event = self._first_event(step, now, end)
             self._keep_peak(step, now, end)
             self._write(step, now.time, end)
-            now = self._at(end, _states_at(step, now, end))
+            now = self._within(step, now, end)
             if event != ix.EVENT_NONE:
                 return now, event
             h *= min(GROWS, factor)
         return now, ix.EVENT_NONE
 
-    def _creeps(self, now: Present) -> bool:
-        """Whether a mass without an end time has become so slow that it creeps without end."""
-        omega = abs(now.states[1])
-        is_slow = omega < CREEP * abs(self.peak_omega[0])
-        has_begun = now.time > self.begin
-        return bool(np.isinf(self.limit) and is_slow and has_begun)
-
     def _is_endless(self, now: Present) -> bool:
+        """Whether a mass without an end time has become so slow, or moved so long, that it creeps without end."""
         duration = now.time - self.begin
-        return bool(np.isinf(self.limit) and duration > ENDLESS)
+        if np.isfinite(self.limit) or duration == 0.0:
+            return False
+        omega = abs(now.states[1, 0])
+        peak = abs(self.peak_omega[0])
+        return bool(omega < CREEP * peak or duration > ENDLESS)
 
     # --- one step ----------------------------------------------------------------------------------------------------
 
@@ -197,8 +184,14 @@ class _Implicit(Integrator):
         return self._registers_in(cells)
 
     def _at(self, time: float, states: Floats) -> Present:
-        registers = self._registers_at(np.array([time]), states[:, None])
-        return Present(time, states, registers[:, 0])
+        registers = self._registers_at(np.array([time]), states)
+        return Present(time, states, registers)
+
+    def _within(self, step: Step, start: Present, time: float) -> Present:
+        """States and registers at a time within a step."""
+        since = np.array([time - start.time])
+        states = step.states(since)
+        return self._at(time, states)
 
     def _jacobian(self, times: Floats, points: Floats) -> Floats:
         """df_j/dy_i at points (points, states), as (i, points, j), by the program's tangents in the states' directions.
@@ -206,6 +199,20 @@ class _Implicit(Integrator):
         Tangents that are integrated beside the states have the same; how it changes with the states is neglected, as
         their own equations are linear.
         """
+        count = len(times)
+        registers = self._in_directions_of_states(times, points)
+        states = self.without_tangents
+        jacobian = np.zeros((states, count, states))
+        for j, rate in enumerate(self.rates[:states]):
+            rate_dot = self.tangent.registers.get(rate)
+            if rate_dot is not None:
+                jacobian[:, :, j] = registers[rate_dot]
+        copies = np.eye(self.integrated // states)
+        blocks = np.einsum("ab,ikj->aikbj", copies, jacobian)
+        return blocks.reshape(self.integrated, count, self.integrated)
+
+    def _in_directions_of_states(self, times: Floats, points: Floats) -> Floats:
+        """Registers with the tangents of each state set to 1 in turn, (registers, states, points)."""
         states = self.without_tangents
         count = len(times)
         every_time = np.tile(times, states)
@@ -214,30 +221,25 @@ class _Implicit(Integrator):
         tangent_cells = self.tangent.cells
         cells[list(tangent_cells.values())] = 0.0
         directions = [tangent_cells[cell] for cell in self.state_cells[:states]]
-        cells[directions] = np.repeat(np.eye(states), count, axis=1)
+        unit_directions = np.eye(states)
+        cells[directions] = np.repeat(unit_directions, count, axis=1)
         registers = self._registers_in(cells)
-        jacobian = np.zeros((states, count, states))
-        for j, rate in enumerate(self.rates[:states]):
-            rate_dot = self.tangent.registers.get(rate)
-            if rate_dot is not None:
-                jacobian[:, :, j] = registers[rate_dot].reshape(states, count)
-        copies = np.eye(self.integrated // states)
-        blocks = np.einsum("ab,ikj->aikbj", copies, jacobian)
-        return blocks.reshape(self.integrated, count, self.integrated)
+        return registers.reshape(-1, states, count)
 
     def _newton(self, now: Present, h: float) -> Step | None:
         """A step; none where Newton's iteration does not converge."""
         times = now.time + AT * h
-        first_change = h * now.registers[self.rates]
+        start = now.states.T
+        first_change = h * now.registers[self.rates].T
         least_size = np.maximum(np.abs(first_change), LEAST_SIZE)
-        least_size = np.maximum(np.abs(now.states), least_size)
-        points = now.states + AT[:, None] * first_change
+        least_size = np.maximum(np.abs(start), least_size)
+        points = start + AT[:, None] * first_change
         before = np.inf
         for _ in range(ITERATIONS):
             registers = self._registers_at(times, points.T)
             rates = registers[self.rates].T
             change = h * WEIGHTS @ rates
-            residual = points - now.states - change
+            residual = points - start - change
             size = np.maximum(np.abs(points), least_size)
             jacobian = self._jacobian(times, points)
             correction = newton_correction(jacobian, h, residual, size)
@@ -255,32 +257,6 @@ class _Implicit(Integrator):
 
     # --- events ------------------------------------------------------------------------------------------------------
 
-    def _possible_events(self) -> list[_Event]:
-        """The events that may end the phase."""
-        roles = self.roles
-        omega = roles["omega"]
-        normal = roles["normal"]
-        upright = roles["upright"]
-        events = [_Event(ix.EVENT_STANDSTILL, omega)]
-        if normal >= 0:
-            sign = -1.0 if self.lifted[0] > 0.0 else 1.0
-            events.append(_Event(ix.EVENT_LIFT_OFF, normal, sign=sign))
-        if upright >= 0:
-            events.append(_Event(ix.EVENT_CHORD_UPRIGHT, upright))
-        for number, piece in enumerate(self.pieces):
-            if piece.kind == "time":
-                continue
-            event = ix.EVENT_BREAKPOINT + 2 * number
-            of_speed = piece.kind == "speed"
-            register = omega if of_speed else roles["x"]
-            lower = float(piece.lower[0])
-            upper = float(piece.upper[0])
-            if np.isfinite(upper):
-                events.append(_Event(event, register, upper, -1.0))
-            if of_speed and lower:
-                events.append(_Event(event + 1, register, lower))
-        return events
-
     def _first_event(self, step: Step, now: Present, end: float) -> tuple[float, int]:
         """Time and kind of the first event of a step."""
         first = ix.EVENT_NONE
@@ -291,42 +267,37 @@ class _Implicit(Integrator):
                 first = event.kind
         return end, first
 
-    def _first_time(self, event: _Event, step: Step, now: Present) -> float:
+    def _first_time(self, event: Event, step: Step, now: Present) -> float:
         """Time of the first event of a kind within a step; infinity without one."""
 
         def margin(time: float) -> float:
-            there = self._at(time, _states_at(step, now, time))
-            return float(event.margin(there.registers))
+            registers = self._within(step, now, time).registers
+            return float(event.margin(registers)[0])
 
-        margins = np.array([event.margin(now.registers), *event.margin(step.registers)])
-        reached = margins[1:] <= 0.0
-        passes = np.flatnonzero(reached & (margins[:-1] > 0.0))
-        if not passes.size:
-            return np.inf
-        times = (now.time, *step.times)
-        low = passes[0]
-        high = low + 1
-        return falling_zero(margin, times[low], times[high], margins[low], margins[high])
+        times = [now.time, *step.times]
+        margins = [*event.margin(now.registers), *event.margin(step.registers)]
+        for low, high in pairwise(zip(times, margins, strict=True)):
+            if low[1] > 0.0 >= high[1]:
+                return falling_zero(margin, low, high)
+        return np.inf
 
     def _keep_peak(self, step: Step, now: Present, end: float) -> None:
         """Greatest speed within the step, where the net moment passes zero."""
-        peak = _Event(ix.EVENT_NONE, self.roles["net"])
+        peak = Event(ix.EVENT_NONE, self.roles["net"])
         time = self._first_time(peak, step, now)
         if time <= end:
-            x, omega, *_ = _states_at(step, now, time)
-            self.keep_faster(np.array([time]), np.array([x]), np.array([omega]), np.zeros(1))
+            there = self._within(step, now, time)
+            x, omega, *_ = there.states
+            zero = np.zeros(1)
+            self.keep_faster(zero + time, x, omega, zero)
 
     def _write(self, step: Step, begin: float, end: float) -> None:
         """Evaluate the states at the sample times between two times."""
-        for sample in self.samples_between(np.array([begin]), np.array([end])):
+        first = np.array([begin])
+        last = np.array([end])
+        for sample in self.samples_between(first, last):
             states = step.states(sample.since)
-            registers = self._registers_at(begin + sample.since, states)
             x, omega, *further = states
+            registers = self._registers_at(first + sample.since, states)
             net = registers[self.roles["net"]]
             self.fill(sample, x, omega, net, *further)
-
-
-def _states_at(step: Step, now: Present, time: float) -> Floats:
-    """States at a time within a step."""
-    since = np.array([time - now.time])
-    return step.states(since)[:, 0]

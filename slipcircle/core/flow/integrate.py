@@ -11,7 +11,7 @@ mu        friction, of slip, speed or time; no friction where contact is lost, t
 other     cohesion, drag, viscosity
 
 A scene's program (`slipcircle.core.flow.program`) has the terms of its effects only, as increments since its phase
-began. A step is a Taylor series in time, as long as its radius of convergence allows. Events are roots of series that
+began. A step is a Taylor series in time, as long as its radius of convergence allows. Kinds are roots of series that
 the step has anyway: standstill, lift-off and landing, an upright chord, edges of tables. A round makes one step of
 every lane: of a moving one along its series, of a resting one to the next break of what changes with time.
 """
@@ -24,8 +24,8 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS
+from slipcircle.core.flow.events import Event, FirstEvent, Kinds
 from slipcircle.core.flow.lane_state import LaneState
-from slipcircle.core.flow.pieces import Piece
 from slipcircle.core.flow.polynomials import (
     divided_by_time,
     first_root,
@@ -39,7 +39,6 @@ from slipcircle.core.flow.stick_slip import StickPhase
 from slipcircle.core.flow.tables import Data
 
 Floats = NDArray[np.float64]
-Events = NDArray[np.intp]  # kinds of events, one of each lane
 ROUNDS = 10_000  # after which lanes that have ended make room at the latest
 FAR = 1e300  # a bound that is never reached
 
@@ -125,8 +124,8 @@ class Integrator(StickPhase):
         if not self.timed:
             too_long |= self.turns > ix.MOST_TURNS
         self.status[active & too_long] = ix.TOO_LONG
-        state = self.time + self.x + self.omega + self.rotation
-        overflow = ~np.isfinite(state)
+        position = self.x + self.rotation
+        overflow = ~np.isfinite(self.time + position + self.omega)
         self.status[active & overflow] = ix.FAILED
 
     def start(self) -> None:
@@ -150,14 +149,15 @@ class Integrator(StickPhase):
         h = self._step_size(series, order, room)
         tau, event = self.find_event(series, h)
         net = self.net_moment(series)
+        change = net[0] * tau
         uneventful = event == ix.EVENT_NONE
-        endless = uneventful & self._endless(net[0] * tau, room)
+        endless = uneventful & self._endless(change, room)
         tau = np.where(endless, 0.0, tau)
         at_limit = uneventful & (h >= room) & ~endless
         until = np.where(at_limit, limit, self.time + tau)
         self.update_peak_within(series, tau)
         self.read_samples(self.time, until, series)
-        self._count(uneventful, at_limit, net[0] * tau)
+        self._count(uneventful, at_limit, change)
         if self.tangents:
             self.tangents.end_step(series, tau)
         self._advance(series, tau)
@@ -198,7 +198,7 @@ class Integrator(StickPhase):
         for piece in self.timed:
             piece.increment += increment(series[piece.register], tau)
 
-    def settle(self, event: Events, rate: Floats, at_limit: Any) -> None:
+    def settle(self, event: Kinds, rate: Floats, at_limit: Any) -> None:
         """Handle the end of a step: an event, a break of a function of time, or the end time."""
         self.passed = ix.NOTHING
         self.update_peak(rate)
@@ -215,28 +215,43 @@ class Integrator(StickPhase):
 
     # --- events ------------------------------------------------------------------------------------------------------
 
-    def find_event(self, series: Floats, h: Floats) -> tuple[Floats, Events]:
+    def find_event(self, series: Floats, h: Floats) -> tuple[Floats, Kinds]:
         """Time and kind of the first event of the step; of equal times the event that is searched last."""
-        first = _FirstEvent(h)
+        first = FirstEvent(h)
         standstill = self._standstill(series, h)
         first.consider(ix.EVENT_STANDSTILL, standstill)
-        upright = self.roles["upright"]
+        for event in self.possible_events():
+            time = event.time(series, first.time)
+            first.consider(event.kind, time)
+        return first.time, first.kind
+
+    def possible_events(self) -> list[Event]:
+        """The events beside a standstill, in the order in which they are searched."""
+        roles = self.roles
+        omega = roles["omega"]
+        upright = roles["upright"]
+        events = []
         if upright >= 0:
-            first.consider_root(ix.EVENT_CHORD_UPRIGHT, series[upright, :-1])
+            events.append(Event(ix.EVENT_CHORD_UPRIGHT, upright))
         for number, piece in enumerate(self.pieces):
-            event = ix.EVENT_BREAKPOINT + 2 * number
-            if piece.kind == "speed":
-                self._find_edges_of_speed(first, event, piece, series)
-            elif piece.kind != "time":
-                x = series[self.roles["x"]]
-                first.consider_root(event, _distance_to(piece.upper, x))
-        normal = self.roles["normal"]
-        if normal >= 0:
+            if piece.kind == "time":
+                continue
+            kind = ix.EVENT_BREAKPOINT + 2 * number
+            upper = np.minimum(piece.upper, FAR)
+            if piece.kind != "speed":
+                events.append(Event(kind, roles["x"], -1.0, upper))
+                continue
+            varies = piece.lower > 0.0
+            lower = np.where(varies, piece.lower, -FAR)
+            slower = self.passed == ix.SLOWER
+            faster = self.passed == ix.FASTER
+            events.append(Event(kind, omega, -1.0, upper, slower))
+            events.append(Event(kind + 1, omega, 1.0, lower, faster))
+        if roles["normal"] >= 0:
             # Water may change faster than the motion for which the step was chosen: the normal force is a function of
             # the position until the first other event only, and may pass zero twice beyond it.
-            margin = self.contact_margin(series[normal, :-1])
-            first.consider_root(ix.EVENT_LIFT_OFF, margin, self.passed == ix.LIFT)
-        return first.time, first.event
+            events.append(self.contact_event())
+        return events
 
     def _standstill(self, series: Floats, h: Floats) -> Floats:
         """When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding."""
@@ -259,17 +274,6 @@ class Integrator(StickPhase):
         root[at_once] = 0.0
         root[~possible] = np.inf
         return root
-
-    def _find_edges_of_speed(self, first: "_FirstEvent", event: int, piece: Piece, series: Floats) -> None:
-        """Times at which the speed passes the upper or the lower edge of a piece."""
-        omega = series[self.roles["omega"]]
-        slower = self.passed == ix.SLOWER
-        first.consider_root(event, _distance_to(piece.upper, omega), slower)
-        above = omega.copy()
-        varies = piece.lower > 0.0
-        above[0] = np.where(varies, above[0] - piece.lower, FAR)
-        faster = self.passed == ix.FASTER
-        first.consider_root(event + 1, above, faster)
 
     def on_standstill(self) -> None:
         """At a standstill the lane turns back or rests."""
@@ -295,7 +299,7 @@ class Integrator(StickPhase):
         self._enter_phase(rate)
         self.passed = ix.LIFT
 
-    def on_breakpoint(self, event: Events, rate: Floats) -> None:
+    def on_breakpoint(self, event: Kinds, rate: Floats) -> None:
         """An edge of a table of slip, speed or rotation is passed."""
         number, is_lower = np.divmod(event - ix.EVENT_BREAKPOINT, 2)
         if self.tangents:
@@ -306,7 +310,7 @@ class Integrator(StickPhase):
             self.apply_to(number == k, "_pass_edge", number, is_lower)
         self._enter_phase(rate)
 
-    def _pass_edge(self, number: Events, is_lower: Events) -> None:
+    def _pass_edge(self, number: Kinds, is_lower: Kinds) -> None:
         """Lanes pass an edge of the same table: set them exactly there, in the next piece."""
         piece = self.pieces[number[0]]
         edge = np.where(is_lower, piece.lower, piece.upper)
@@ -317,7 +321,8 @@ class Integrator(StickPhase):
             return
         piece.number += 1.0 - 2.0 * is_lower
         if piece.kind == "slip":
-            self.slip = piece.data.breaks[piece.index] / piece.scale
+            begin = piece.data.breaks[piece.index]
+            self.slip = begin / piece.scale
         else:
             self.omega = edge
             self.passed = np.where(is_lower, ix.SLOWER, ix.FASTER)
@@ -344,8 +349,8 @@ class Integrator(StickPhase):
         fresh = self.role("drive")
         fresh_scale = self.role("drive_scale")
         other_terms = np.abs(net - fresh)
-        terms = np.abs(rate) + other_terms + np.abs(drive)
-        carried_scale = scale + EPS * terms
+        all_terms = np.abs(rate) + other_terms + np.abs(drive)
+        carried_scale = scale + EPS * all_terms
         better = carried_scale < fresh_scale
         correction = rate - net
         fresh[better] += correction[better]
@@ -361,32 +366,7 @@ class Integrator(StickPhase):
     def end(self, rate: Floats, status: Floats) -> None:
         """The integration ends while the lane moves."""
         self.status = status
-        self.end_rotation = self.rotation + self.direction * self.x
+        self.end_rotation = self.rotation_after(self.x)
         self.end_omega = self.direction * self.omega
         self.end_rate = self.direction * rate
         self.update_reach()
-
-
-class _FirstEvent:
-    """The first event of a step in each lane: each event is searched in what the events before leave of the step."""
-
-    def __init__(self, h: Floats) -> None:
-        self.time = h
-        self.event = np.full(h.shape, ix.EVENT_NONE)
-
-    def consider(self, event: int, at: Floats) -> None:
-        self.event = np.where(at <= self.time, event, self.event)
-        self.time = np.minimum(self.time, at)
-
-    def consider_root(self, event: int, series: Floats, passed: Any = False) -> None:
-        """An event where a series that is positive at first falls to zero, except a root at the start."""
-        later = divided_by_time(series, passed)
-        root = first_root(later, self.time)
-        self.consider(event, root)
-
-
-def _distance_to(upper: Floats, argument: Floats) -> Floats:
-    """Series of how far an argument is below the upper edge of a piece."""
-    below = -argument
-    below[0] += np.minimum(upper, FAR)
-    return below

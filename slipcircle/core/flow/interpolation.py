@@ -13,20 +13,24 @@ from numpy.polynomial.chebyshev import cheb2poly, chebfit, chebval
 
 from slipcircle.core.flow.tables import Data, Floats
 
+Function = Callable[[Any], Any]
 TERMS = 8  # of a piece
 _ORDERS = np.arange(TERMS)
-_NODES = np.cos(np.pi * (_ORDERS + 0.5) / TERMS)
-_TO_CHEBYSHEV = np.linalg.inv(np.cos(np.outer(np.arccos(_NODES), _ORDERS)))
+_ANGLES = np.pi * (_ORDERS + 0.5) / TERMS
+_NODES = np.cos(_ANGLES)
+_POLYNOMIALS = np.cos(np.outer(np.arccos(_NODES), _ORDERS))
+_TO_CHEBYSHEV = np.linalg.inv(_POLYNOMIALS)
 _SHORTEST = 2e-3  # width of a piece of a function of the rotation, rad
 _SAME = 1e-13  # rad, between kinks that are one
 
 
 def _powers_of_chebyshev() -> Floats:
     """T_0 to T_7 in powers of 1 + x, the distance to the left end of a piece over half its width; (powers, T)."""
+    from_middle = Polynomial([-1.0, 1.0])
     powers = np.zeros((TERMS, TERMS))
     for k in range(TERMS):
-        shifted = Chebyshev.basis(k)(Polynomial([-1.0, 1.0]))
-        powers[: k + 1, k] = shifted.coef
+        polynomial = Chebyshev.basis(k)(from_middle)
+        powers[: k + 1, k] = polynomial.coef
     return powers
 
 
@@ -36,7 +40,7 @@ _POWERS = _powers_of_chebyshev()
 
 
 def between_kinks(
-    function: Callable[[Any], Any], kinks: Floats, least: Floats, most: Floats, tolerance: float
+    function: Function, kinks: Floats, least: Floats, most: Floats, tolerance: float
 ) -> tuple[Floats, Floats]:
     """Functions of the rotation as piecewise polynomials of degree 7.
 
@@ -79,14 +83,16 @@ def between_kinks(
     constant = _constant(function, end)
     start = np.concatenate(starts)
     order = np.argsort(start.sum(axis=1), kind="stable")
-    powers = np.concatenate(coefficients)[order]
-    return np.vstack([start[order], end]), np.concatenate([powers, constant])
+    powers = np.concatenate(coefficients)
+    breaks = np.vstack([start[order], end])
+    return breaks, np.concatenate([powers[order], constant])
 
 
 def _widest(tolerance: float) -> float:
     """Width of a piece that interpolation meets the tolerance on, if no derivative exceeds 1."""
-    error_at_width_2 = 2.0 ** (TERMS - 1) * math.factorial(TERMS)
-    return float(2 * (tolerance * error_at_width_2) ** (1 / TERMS))
+    inverse_error = 2.0 ** (TERMS - 1) * math.factorial(TERMS)  # at width 2
+    half = (tolerance * inverse_error) ** (1 / TERMS)
+    return float(2 * half)
 
 
 def _first_pieces(kinks: Floats, least: Floats, most: Floats, widest: float) -> tuple[Floats, Floats]:
@@ -97,16 +103,17 @@ def _first_pieces(kinks: Floats, least: Floats, most: Floats, widest: float) -> 
     pieces = np.ceil(greatest_width / widest - 1e-9)
     pieces[greatest_width <= _SAME] = 0
     count = pieces.astype(np.intp)
-    number = np.concatenate([np.arange(1, n + 1) for n in count])  # of a piece between its kinks
+    numbers = map(np.arange, count)
+    number = np.concatenate([*numbers])  # of a piece between its kinks
     of = np.repeat(count, count)
     start = np.repeat(edges[:-1], count, axis=0)
     end = np.repeat(edges[1:], count, axis=0)
     width = end - start
-    share_before = (number - 1) / of
-    share_after = number / of
+    share_before = number / of
+    share_after = (number + 1) / of
     first = start + width * share_before[:, None]
     last = start + width * share_after[:, None]
-    at_end = number == of
+    at_end = share_after == 1.0
     last[at_end] = end[at_end]
     return first, last
 
@@ -114,16 +121,20 @@ def _first_pieces(kinks: Floats, least: Floats, most: Floats, widest: float) -> 
 def _halves(first: Floats, last: Floats) -> tuple[Floats, Floats]:
     """Both ends of the two halves of each piece."""
     middle = (first + last) / 2
-    return np.concatenate([first, middle]), np.concatenate([middle, last])
+    firsts = np.concatenate([first, middle])
+    lasts = np.concatenate([middle, last])
+    return firsts, lasts
 
 
-def _chebyshev(function: Callable[[Any], Any], first: Floats, last: Floats) -> Floats:
+def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
     """Chebyshev coefficients of functions on pieces (pieces, n): (pieces, TERMS, functions, n)."""
     half = (last - first) / 2
     from_first = 1.0 + _NODES[:, None]
-    rotation = first[:, None] + half[:, None] * from_first  # pieces, nodes, n
+    distance = half[:, None] * from_first  # pieces, nodes, n
+    rotation = first[:, None] + distance
     lanes = rotation.shape[-1]
-    values = function(rotation.reshape(-1, lanes))
+    every_rotation = rotation.reshape(-1, lanes)
+    values = function(every_rotation)
     by_piece = values.reshape(-1, *rotation.shape)
     return np.einsum("kj,fpjn->pkfn", _TO_CHEBYSHEV, by_piece)
 
@@ -142,13 +153,14 @@ def _next_coefficients(chebyshev: Floats) -> Floats:
 def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
     """The same polynomials in powers of the distance to the beginning of each piece."""
     powers = np.einsum("tk,pkfn->ptfn", _POWERS, chebyshev)
-    half = np.where(width > 0.0, width / 2, np.inf)
+    is_empty = width == 0.0
+    half = np.where(is_empty, np.inf, width / 2)
     exponents = _ORDERS[:, None, None]
     units = half[:, None, None] ** exponents
     return np.asarray(powers / units)
 
 
-def _constant(function: Callable[[Any], Any], end: Floats) -> Floats:
+def _constant(function: Function, end: Floats) -> Floats:
     """Coefficients of the values at the end, (1, TERMS, functions, n)."""
     value = function(end[None])[:, 0]
     coefficients = np.zeros((1, TERMS, *value.shape))
@@ -156,7 +168,7 @@ def _constant(function: Callable[[Any], Any], end: Floats) -> Floats:
     return coefficients
 
 
-def in_pieces(function: Callable[[Any], Any], breaks: Floats) -> Floats:
+def in_pieces(function: Function, breaks: Floats) -> Floats:
     """Coefficients of other functions on the same pieces, (pieces, TERMS, functions); the last piece is constant.
 
     The functions take rotations (M, 1) and return values (functions, M, 1); ``breaks`` are (pieces,).
@@ -173,13 +185,13 @@ def in_pieces(function: Callable[[Any], Any], breaks: Floats) -> Floats:
 
 # --- friction as a Python function of slip ---------------------------------------------------------------------------
 
-_CHECKED = np.cos(np.pi * np.arange(2 * TERMS + 1) / (2 * TERMS))
+_CHECKED = np.cos(np.linspace(0.0, np.pi, 2 * TERMS + 1))
 _PLACES = 1.0 + np.concatenate([_NODES, _CHECKED])  # from the left end, over half a width
 CLOSE = 1e-13  # error of a piece, over its greatest value
 NARROWEST = 2.0**-40  # width of a piece, over the slip up to which the function is sampled
 
 
-def sampled(function: Callable[[Any], Any], end: float, known: Data | None = None) -> Data:
+def sampled(function: Function, end: float, known: Data | None = None) -> Data:
     """A Python function of slip up to an end, starting from a known table; error 1e-13 of its greatest value.
 
     Raises
@@ -209,12 +221,13 @@ def sampled(function: Callable[[Any], Any], end: float, known: Data | None = Non
                 f"friction: the function changes too sharply near {left:.17g} to be followed; give a law by "
                 "name or a table whose kinks are known"
             )
-    coefficients = np.array([*pieces, pieces[-1]])
-    jumps = np.zeros(len(coefficients))
-    return Data(np.array([*breaks, end]), coefficients, jumps, open=True)
+    breaks.append(end)
+    pieces.append(pieces[-1])
+    jumps = np.zeros(len(pieces))
+    return Data(np.array(breaks), np.array(pieces), jumps, open=True)
 
 
-def _piece(function: Callable[[Any], Any], left: float, width: float) -> Floats | None:
+def _piece(function: Function, left: float, width: float) -> Floats | None:
     """Coefficients of a function in powers of the distance to the left end; None where they are not close to it."""
     half = width / 2
     values = _values(function, left + half * _PLACES)
@@ -231,7 +244,7 @@ def _piece(function: Callable[[Any], Any], left: float, width: float) -> Floats 
     return np.pad(coefficients, (0, missing))
 
 
-def _values(function: Callable[[Any], Any], slip: Floats) -> Floats:
+def _values(function: Function, slip: Floats) -> Floats:
     """The values of a user's function, checked."""
     try:
         values = np.asarray(function(slip))
@@ -248,6 +261,8 @@ def _values(function: Callable[[Any], Any], slip: Floats) -> Floats:
         raise ValueError(f"friction: {reason}")
     bad = ~np.isfinite(values) | (values < 0.0)
     if np.any(bad):
-        k = int(np.argmax(bad))
-        raise ValueError(f"friction({float(slip[k]):.6g}) = {float(values[k])!r}: must be a number of at least 0")
+        first = np.argmax(bad)
+        at = float(slip[first])
+        value = float(values[first])
+        raise ValueError(f"friction({at:.6g}) = {value!r}: must be a number of at least 0")
     return values

@@ -163,12 +163,6 @@ class LaneState(LaneEntries):
             return self.role("normal0")
         return self.registers()[normal]
 
-    def contact_margin(self, normal: Floats) -> Floats:
-        """Series of the normal force, with the sign that makes it positive until contact changes."""
-        is_lifted = self.lifted > 0.0
-        sign = np.where(is_lifted, -1.0, 1.0)
-        return normal * sign
-
     def expand(self, room: Floats, at_rest: bool = False) -> tuple[Floats, Floats]:
         """Taylor series of all registers in the time from now, and their order in each lane.
 

@@ -108,16 +108,19 @@ class Piece:
         down_slope = direction > 0.0
         self.number = self.data.entered(rotation, down_slope)
         edge, above = self._edges()
-        below = np.where(self.number > 0, edge, -np.inf)
+        is_first = self.number == 0
+        below = np.where(is_first, -np.inf, edge)
         ahead = np.where(down_slope, above, below)
-        self.upper = direction * (ahead - rotation)
+        distance = ahead - rotation
+        self.upper = direction * distance
         return rotation - edge, direction
 
     def _enter_slip(self) -> tuple[Floats, Floats]:
         edge, next_edge = self._edges()
-        beyond = self.state.slip * self.scale - edge
-        local = np.maximum(beyond, 0.0)
-        self.upper = (next_edge - edge - local) / self.scale
+        slip = self.state.slip * self.scale
+        local = np.maximum(slip - edge, 0.0)
+        distance = next_edge - edge - local
+        self.upper = distance / self.scale
         return local, self.scale
 
     def _enter_speed(self) -> tuple[Floats, Floats]:
@@ -150,8 +153,8 @@ class Piece:
         """The end of the piece and the increment there, with one rounding error whatever the number of steps."""
         _, next_edge = self._edges()
         self.upper = next_edge / self.scale
-        is_last = np.isinf(next_edge)
-        time_left = np.where(is_last, 0.0, self.upper - self.state.time)
+        time_left = self.upper - self.state.time
+        time_left[np.isinf(next_edge)] = 0.0
         if self.data.sine:
             rise = self._rise_of_sine(time_left)
         else:
@@ -164,7 +167,8 @@ class Piece:
         sine = self._sine()
         half = 0.5 * sine.rate * time_left * self.scale
         doubled = 2.0 * sine.amplitude * np.sin(half)
-        return np.asarray(doubled * np.cos(sine.angle + half))
+        middle = np.cos(sine.angle + half)
+        return np.asarray(doubled * middle)
 
     def _sine(self) -> _Sine:
         """A sine at the present."""
@@ -175,7 +179,8 @@ class Piece:
     def _local(self) -> Floats:
         """The time since the piece began, in its own unit."""
         time = self.state.time * self.scale
-        return np.asarray(time - self.data.breaks[self.index])
+        begin = self.data.breaks[self.index]
+        return np.asarray(time - begin)
 
     def taylor(self, order: int) -> Floats:
         """Taylor coefficients of a function of time about the present, in the dimensionless time."""
@@ -184,7 +189,8 @@ class Piece:
         polynomial = self.data.polynomial(self.index)
         powers = np.arange(len(polynomial))
         units = self.scale ** powers[:, None]
-        return shifted(polynomial, self._local()) * units * self.factor
+        terms = shifted(polynomial, self._local())
+        return terms * units * self.factor
 
     def _taylor_of_sine(self, order: int) -> Floats:
         sine = self._sine()
@@ -214,7 +220,8 @@ class Piece:
         way = self.way + np.abs(jump)
         is_long = way > rounding
         difference = value - self.value
-        self.increment = np.where(is_long, difference, self.lower + jump)
+        continued = self.lower + jump
+        self.increment = np.where(is_long, difference, continued)
         self.way = np.minimum(way, rounding)
         self._find_end()
         return jump != 0.0

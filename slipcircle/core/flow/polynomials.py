@@ -49,9 +49,10 @@ def derivative(series: Floats) -> Floats:
 def shifted(series: Floats, by: Floats) -> Floats:
     """The same polynomial about another point: Taylor's shift by Horner's scheme."""
     coefficients = np.array(series, dtype=np.float64)
-    for first in range(len(coefficients) - 1):
-        for k in range(len(coefficients) - 2, first - 1, -1):
-            coefficients[k] += by * coefficients[k + 1]
+    degree = len(coefficients) - 1
+    for lowest in range(degree):
+        for power in reversed(range(lowest, degree)):
+            coefficients[power] += by * coefficients[power + 1]
     return coefficients
 
 
@@ -59,7 +60,8 @@ def divided_by_time(series: Floats, where: Any) -> Floats:
     """Divided by the time in some lanes, which removes a root at time 0."""
     if not np.any(where):
         return series
-    lowered = np.vstack([series[1:], 0.0 * series[:1]])
+    lowered = np.roll(series, -1, axis=0)
+    lowered[-1] = 0.0
     return np.where(where, lowered, series)
 
 
@@ -76,14 +78,15 @@ def first_root(series: Floats, h: Floats) -> Floats:
     falls_and_rises = (series[1] < 0.0) & (slope > 0.0)
     dips = np.flatnonzero(falls_and_rises & ~crosses)
     if dips.size:
-        lowest, least = _lowest(series[:, dips], h[dips])
-        end[dips] = lowest
+        dipping = series[:, dips]
+        end[dips], least = _lowest(dipping, h[dips])
         crosses[dips] = least < 0.0
     root = np.full(h.shape, np.inf)
-    crossing = np.flatnonzero(crosses)
-    if crossing.size:
-        start = np.zeros(crossing.size)
-        root[crossing] = bracketed_root(series[:, crossing], start, end[crossing])
+    if np.any(crosses):
+        crossing = series[:, crosses]
+        bound = end[crosses]
+        start = np.zeros_like(bound)
+        root[crosses] = bracketed_root(crossing, start, bound)
     return root
 
 
@@ -109,7 +112,8 @@ def bracketed_root(series: Floats, low: Floats, high: Floats) -> Floats:
     at_low = value(series, low)
     at_high = value(series, high)
     falls = at_low > 0.0
-    share = at_low / (at_low - at_high)
+    change = at_low - at_high
+    share = at_low / change
     chord = low + (high - low) * share
     root = _inside_or_middle(chord, low, high)
     active = np.ones(root.shape, dtype=bool)
@@ -153,15 +157,17 @@ def radius_of_convergence(series: Floats, order: Floats) -> Floats:
     first = series[:COMPARED]
     comparable = np.any(first != 0.0, axis=0)
     log_first = _log2(first)
-    powers = np.arange(COMPARED)[:, None]
+    powers = np.arange(COMPARED)
     log_radius = np.full(order.shape, LARGEST)
     lowest_order = int(order.min()) - LAST + 1
     for n in range(max(COMPARED, lowest_order), len(series)):
-        log_ratio = log_first - _log2(series[n])
+        last = series[n]
+        log_ratio = log_first - _log2(last)
         per_order = 1.0 / (n - powers)
-        suggested = (log_ratio * per_order).max(axis=0)
+        log_radii = log_ratio * per_order[:, None]
+        suggested = log_radii.max(axis=0)
         among_last = (order >= n) & (order < n + LAST)
-        counts = among_last & comparable & (series[n] != 0.0)
+        counts = among_last & comparable & (last != 0.0)
         suggested[~counts] = LARGEST
         log_radius = np.minimum(log_radius, suggested)
     return _power_of_two(log_radius)

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from slipcircle.base.checks import EPS
 
 Floats = NDArray[np.float64]
+TimeAndValue = tuple[float, float]
 POINTS = 12
 LEAST_SIZE = 1e-300  # by which what is 0 is divided
 TOLERANCE = 1e-13  # of the last coefficients of a step's polynomial, relative
@@ -37,14 +38,15 @@ def _radau(count: int) -> tuple[Floats, Floats, Floats]:
     weights = at_points @ np.linalg.inv(values)
     with_start = np.array([-1.0, *points])
     values_with_start = legendre.legvander(with_start, count)
-    return (points + 1) / 2, weights / 2, np.linalg.inv(values_with_start)
+    to_legendre = np.linalg.inv(values_with_start)
+    return (points + 1) / 2, weights / 2, to_legendre
 
 
 AT, WEIGHTS, TO_LEGENDRE = _radau(POINTS)
 
 
 class Present(NamedTuple):
-    """A time, with the states and all registers there."""
+    """A time, with the states and all registers there, (states, 1) and (registers, 1)."""
 
     time: float
     states: Floats
@@ -72,12 +74,13 @@ def step_through(start: Present, h: float, points: Floats, registers: Floats, ra
     This is the size of its last coefficients, beside rounding, of which that of the time moves every state by as much
     as its rate.
     """
-    values = np.vstack([start.states, points])
+    values = np.vstack([start.states.T, points])
     coefficients = TO_LEGENDRE @ values
     largest_state = np.abs(values).max(axis=0)
     largest_rate = np.abs(rates).max(axis=0)
     rounding_of_time = 8 * EPS / TOLERANCE * start.time
-    size = np.maximum(largest_state, LEAST_SIZE) + rounding_of_time * largest_rate
+    size = np.maximum(largest_state, LEAST_SIZE)
+    size += rounding_of_time * largest_rate
     tail = np.abs(coefficients[-2:]).max(axis=0)
     error = np.max(tail / size)
     times = start.time + AT * h
@@ -94,7 +97,8 @@ def newton_correction(jacobian: Floats, h: float, residual: Floats, size: Floats
     """(I - h a x df/dy)^-1 residual, all in units of ``size``; none where that is singular."""
     unknowns = residual.size
     coupling = np.einsum("ij,kjl->iljk", WEIGHTS, jacobian)
-    matrix = np.eye(unknowns) - h * coupling.reshape(unknowns, unknowns)
+    coupling = coupling.reshape(unknowns, unknowns)
+    matrix = np.eye(unknowns) - h * coupling
     sizes = size.ravel()
     relative_matrix = matrix * (sizes / sizes[:, None])
     relative_residual = residual / size
@@ -105,22 +109,24 @@ def newton_correction(jacobian: Floats, h: float, residual: Floats, size: Floats
     return np.asarray(correction.reshape(residual.shape))
 
 
-def falling_zero(function: Callable[[float], float], low: float, high: float, at_low: float, at_high: float) -> float:
+def falling_zero(function: Callable[[float], float], low: TimeAndValue, high: TimeAndValue) -> float:
     """Where a function falls through zero between two times, by false position and, each third time, bisection."""
-    least = 2 * EPS * abs(high)
+    begin, at_begin = low
+    end, at_end = high
+    least = 2 * EPS * abs(end)
     evaluations = 0
-    while high - low > 2 * least:
+    while end - begin > 2 * least:
         bisects = evaluations % 3 == 2
-        share = 0.5 if bisects else at_low / (at_low - at_high)
-        middle = low + share * (high - low)
-        middle = max(middle, low + least)  # or only one end would move
-        middle = min(middle, high - least)
+        share = 0.5 if bisects else at_begin / (at_begin - at_end)
+        middle = begin + share * (end - begin)
+        middle = max(middle, begin + least)  # or only one end would move
+        middle = min(middle, end - least)
         value = function(middle)
         evaluations += 1
         if value > 0.0:
-            low = middle
-            at_low = value
+            begin = middle
+            at_begin = value
         else:
-            high = middle
-            at_high = value
-    return float(high)
+            end = middle
+            at_end = value
+    return float(end)

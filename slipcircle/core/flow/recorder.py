@@ -1,7 +1,7 @@
 """Records of a motion: greatest speed and rotation, events, and states at sample times."""
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,8 +37,8 @@ class Recorder(LaneState):
         return self.program.roles
 
     def net_moment(self, series: Floats) -> Floats:
-        """Series of the rate of the speed, as far as it is known."""
-        return series[self.roles["net"], :-1]
+        """Series of the rate of the speed."""
+        return series[self.roles["net"]]
 
     # --- the greatest speed and rotation -----------------------------------------------------------------------------
 
@@ -67,14 +67,24 @@ class Recorder(LaneState):
 
     def keep_faster(self, time: Floats, x: Floats, speed: Floats, rate: Floats) -> bool:
         """Record a candidate for the greatest speed where it exceeds the record; whether it does in any lane."""
-        faster = np.flatnonzero(speed > np.abs(self.peak_omega))
-        direction = self.direction[faster]
-        travelled = direction * x[faster]
-        self.peak_time[faster] = time[faster]
-        self.peak_rotation[faster] = self.rotation[faster] + travelled
-        self.peak_omega[faster] = direction * speed[faster]
-        self.peak_rate[faster] = direction * rate[faster]
-        return faster.size > 0
+        faster = speed > np.abs(self.peak_omega)
+        candidate = {
+            ix.PEAK_TIME: time,
+            ix.PEAK_ROTATION: self.rotation_after(x),
+            ix.PEAK_OMEGA: self.direction * speed,
+            ix.PEAK_RATE: self.direction * rate,
+        }
+        self._set(faster, candidate)
+        return bool(np.any(faster))
+
+    def rotation_after(self, x: Floats) -> Floats:
+        """Rotation after some way since the phase began, signed."""
+        return self.rotation + self.direction * x
+
+    def _set(self, lanes: Any, entries: Mapping[int, Floats]) -> None:
+        """Set entries of some of the lanes."""
+        for row, values in entries.items():
+            self.cells[row, lanes] = values[lanes]
 
     def _peak_time(self, net: Floats, tau: Floats) -> Floats:
         """Time at which the net moment falls through zero, possibly after a maximum; infinite without one."""
@@ -98,11 +108,10 @@ class Recorder(LaneState):
 
     def update_reach(self) -> None:
         """Record the present rotation if it is the greatest."""
-        rotation = self.rotation + self.direction * self.x
-        farther = np.flatnonzero(np.abs(rotation) > np.abs(self.reach_rotation))
-        self.reach_time[farther] = self.time[farther]
-        self.reach_rotation[farther] = rotation[farther]
-        if self.tangents and farther.size:
+        rotation = self.rotation_after(self.x)
+        farther = np.abs(rotation) > np.abs(self.reach_rotation)
+        self._set(farther, {ix.REACH_TIME: self.time, ix.REACH_ROTATION: rotation})
+        if self.tangents and np.any(farther):
             self.tangents.keep_reach()
 
     # --- events ------------------------------------------------------------------------------------------------------
@@ -145,20 +154,24 @@ class Recorder(LaneState):
         if series is None:
             series = self._started(0)
         roles = self.roles
+        further_states = self.program.states[2:]
         registers = [roles["x"], roles["omega"], roles["net"]]
-        registers += [register for _, register, _ in self.program.states[2:]]
+        registers += [register for _, register, _ in further_states]
         for sample in self.samples_between(begin, end):
             polynomials = series[registers, :, sample.lane].T
-            x, omega, net, *further = value(polynomials[:, :, None], sample.since)
-            self.fill(sample, x, omega, net, *further)
+            values = value(polynomials[:, :, None], sample.since)
+            self.fill(sample, *values)
 
     def fill(self, sample: _Sampled, x: Floats, omega: Floats, net: Floats, *further: Floats) -> None:
         """Sample rotation, angular velocity, its rate, slip and as many further states as there are rows for."""
         direction = self.direction[sample.lane]
         rotation = self.rotation[sample.lane] + direction * x
         slip = self.slip[sample.lane] + x
-        rows = [rotation, direction * omega, direction * net, slip, *further]
-        sample.states[:] = rows[: len(sample.states)]
+        signed_omega = direction * omega
+        signed_rate = direction * net
+        rows = [rotation, signed_omega, signed_rate, slip, *further]
+        sampled = len(sample.states)
+        sample.states[:] = rows[:sampled]
 
 
 def _root_beyond_hump(net: Floats, tau: Floats) -> Floats:

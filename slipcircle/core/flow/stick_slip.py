@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS
+from slipcircle.core.flow.events import Event
 from slipcircle.core.flow.polynomials import divided_by_time, first_root, radius_of_convergence
 from slipcircle.core.flow.recorder import Recorder
 
@@ -107,11 +108,14 @@ class StickPhase(Recorder):
     def _slips(self) -> Any:
         """Whether the drive exceeds the resistance; lanes that nothing brings to rest are stopped."""
         self.face()
-        never = (self.first_only > 0.0) & (self.phases > 0.0) & self._never_rests()
-        self.apply_to(never, "stay", np.full(self.count, ix.STOPPED))
+        has_moved = self.phases > 0.0
+        never = has_moved & (self.first_only > 0.0) & self._never_rests()
+        stopped = np.full(self.count, ix.STOPPED)
+        self.apply_to(never, "stay", stopped)
         allowed = self.may_start() & ~never
         drive = self.role("drive")
-        friction = self.role("mu") * np.abs(self.role("normal0"))
+        normal = np.abs(self.role("normal0"))
+        friction = self.role("mu") * normal
         driving = np.abs(self.role("driving"))
         terms = driving + self.role("resisting") + friction
         rounding = np.maximum(EPS * terms, SMALLEST)
@@ -154,7 +158,8 @@ class StickPhase(Recorder):
     def wait(self) -> None:
         """One step of lanes at rest: to the next break of a function of time, or to the start of slip."""
         limit = self.next_break()
-        room = np.where(np.isinf(limit), 1.0, limit - self.time)
+        unlimited = np.isinf(limit)
+        room = np.where(unlimited, 1.0, limit - self.time)
         never = np.full(self.count, np.inf)
         nothing = _Ahead(room, never, never, never, never)
         ahead = self._look_ahead(room, nothing)
@@ -181,19 +186,18 @@ class StickPhase(Recorder):
         direction = np.where(sooner, self.direction, before.direction)
         sudden = np.where(sooner, sudden, before.sudden)
         lift = before.lift
-        normal = self.roles["normal"]
-        if normal >= 0:
-            margin = self.contact_margin(series[normal, :-1])
-            later = divided_by_time(margin, self.passed == ix.LIFT)
-            contact_changes = first_root(later, stretch)
+        if self.roles["normal"] >= 0:
+            contact_changes = self.contact_event().time(series, stretch)
             lift = np.minimum(lift, contact_changes)
             stretch = np.minimum(stretch, contact_changes)
         return _Ahead(stretch, start, direction, sudden, lift)
 
     def _find_start(self, net: Floats, stretch: Floats) -> tuple[Floats, Floats]:
         """Time at which the net moment passes zero: immediately if it is zero and rises, or has jumped above it."""
-        touches = np.abs(net[0]) <= TOUCHES * self.role("drive_scale")
-        sudden = ~touches & (net[0] > 0.0)
+        at_present = net[0]
+        rounding = TOUCHES * self.role("drive_scale")
+        touches = np.abs(at_present) <= rounding
+        sudden = at_present > rounding
         resistance = divided_by_time(-net, touches)
         rises = touches & (resistance[0] < 0.0)
         start = first_root(resistance, stretch)
@@ -203,11 +207,13 @@ class StickPhase(Recorder):
     def _go_on(self, limit: Floats, room: Floats, ahead: _Ahead) -> None:
         """Advance lanes at rest to the first event: start of slip, change of contact, break, or none."""
         stretch, start, direction, sudden, lift = ahead
-        lifts = (lift <= stretch) & (lift <= start * (1.0 + TOGETHER))  # where both pass zero it does not start
+        before_start = lift <= start * (1.0 + TOGETHER)  # where both pass zero it does not start
+        lifts = before_start & (lift <= stretch)
         starts = ~lifts & (start <= stretch)
-        breaks = ~lifts & ~starts & (stretch >= room)
-        until = self.time + np.where(starts, start, stretch)
-        until = np.where(breaks, limit, until)
+        uneventful = ~lifts & ~starts
+        breaks = uneventful & (stretch >= room)
+        time_left = np.where(starts, start, stretch)
+        until = np.where(breaks, limit, self.time + time_left)
         for_ever = ~starts & np.isinf(until)
         paused = ~for_ever & (until >= self.end_time)  # events after the end time do not count
         until = np.minimum(until, self.end_time)
@@ -234,6 +240,13 @@ class StickPhase(Recorder):
     def pass_breaks_at_rest(self) -> None:
         jumps = self.pass_breaks()
         self.apply_to(jumps, "on_discontinuity")
+
+    def contact_event(self) -> Event:
+        """Contact with the slip surface is lost or regained."""
+        is_lifted = self.lifted > 0.0
+        sign = np.where(is_lifted, -1.0, 1.0)
+        just_changed = self.passed == ix.LIFT
+        return Event(ix.EVENT_LIFT_OFF, self.roles["normal"], sign, passed=just_changed)
 
     # --- jumps of what changes with time -----------------------------------------------------------------------------
 

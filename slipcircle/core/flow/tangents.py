@@ -83,7 +83,8 @@ class Tangents:
         self.roles = program.roles
         self.cells_of = tangent.cells
         self.registers_of = tangent.registers
-        self.rate_registers = {cell: rate for cell, _, rate in program.states[1:count]}  # of all states but x
+        states = program.states[1:count]  # but x
+        self.rate_registers = {cell: rate for cell, _, rate in states}
         self.rates = dict.fromkeys(self.rate_registers, 0.0)  # before the event
         self.totals: dict[int, Floats] = {}
         self.none = np.zeros(state.count)
@@ -154,8 +155,9 @@ class Tangents:
             dots = terms[power] * relative + slope * local_dot
             if power < len(by_table):
                 dots = dots + by_table[power]
-            cell = ix.VALUE if power == 0 else ix.Q1 + power - 1
-            self.put(first_cell + cell, factor * unit**power * dots)
+            cell = ix.Q1 + power - 1 if power else ix.VALUE
+            size = factor * unit**power
+            self.put(first_cell + cell, size * dots)
 
     def _argument(self, piece: Piece) -> _Argument:
         state = self.state
@@ -189,8 +191,10 @@ class Tangents:
         terms = every[:-1]
         n = np.arange(order + 1)
         slopes = (n + 1) * every[1:]
-        by_scale = self.state.time[0] * slopes + n * terms
-        return np.outer(terms, growth.factor) + np.outer(by_scale, growth.scale)
+        relative = self.state.time[0] * slopes + n * terms
+        by_scale = np.outer(relative, growth.scale)
+        by_factor = np.outer(terms, growth.factor)
+        return by_factor + by_scale
 
     def start_series(self, series: Floats) -> None:
         """The tangents of functions of time, as increments since the phase began."""
@@ -199,7 +203,8 @@ class Tangents:
             tangent = self.registers_of.get(piece.register)
             if tangent is not None:
                 dots = self._taylor_dots(piece, order)
-                dots[0] -= self.dot(piece.slot.cells + ix.VALUE)
+                value_cell = piece.slot.cells + ix.VALUE
+                dots[0] -= self.dot(value_cell)
                 series[tangent] = dots
 
     # --- events ------------------------------------------------------------------------------------------------------
@@ -219,7 +224,8 @@ class Tangents:
 
     def leave_standstill(self) -> None:
         """g = omega."""
-        self.rest_dot = -self.omega_dot / self.rates[ix.OMEGA]
+        rate = self.rates[ix.OMEGA]
+        self.rest_dot = -self.omega_dot / rate
         self.state.omega = 0.0
         self._leave(self.rest_dot)
 
@@ -236,13 +242,15 @@ class Tangents:
             self._leave(self.none)
             return
         next_piece = piece.index[0] + (not lower)
-        edge = float(piece.data.breaks[next_piece]) / float(piece.scale[0])
-        scale_growth = self.growth.tables[piece.slot.name].scale
+        edge = piece.data.breaks[next_piece] / piece.scale[0]
+        growth = self.growth.tables[piece.slot.name]
+        edge_growth = edge * growth.scale
         if piece.kind == "slip":
             slip_dot = self.slip_dot + self.x_dot
-            event_dot = -(edge * scale_growth + slip_dot) / self.state.omega[0]
+            speed = self.state.omega[0]
+            event_dot = -(edge_growth + slip_dot) / speed
         else:
-            event_dot = -(edge * scale_growth + self.omega_dot) / rate
+            event_dot = -(edge_growth + self.omega_dot) / rate
         self._leave(event_dot)
 
     def leave_rest(self, sudden: bool) -> None:
@@ -254,7 +262,8 @@ class Tangents:
             time = np.ones(self.state.count)
             series, _ = self.state.expand(time, at_rest=True)
             drive_rate = series[self.roles["net"], 1, 0]
-            event_dot = -self.dot(self.roles["cell_drive"]) / drive_rate
+            drive_dot = self.dot(self.roles["cell_drive"])
+            event_dot = -drive_dot / drive_rate
         self.rates = dict.fromkeys(self.rates, 0.0)
         self._leave(event_dot)
 
@@ -265,18 +274,21 @@ class Tangents:
 
     def _rates_now(self) -> dict[int, float]:
         registers = self.state.registers()
-        return {cell: float(registers[rate, 0]) for cell, rate in self.rate_registers.items()}
+        values = registers[:, 0].tolist()
+        return {cell: values[rate] for cell, rate in self.rate_registers.items()}
 
     def _leave(self, event_dot: Floats) -> None:
         """Total derivatives in the present state, for a phase that begins here."""
-        travelled = self.state.omega[0] * event_dot
+        state = self.state
+        travelled = state.omega[0] * event_dot
         moved = self.x_dot + travelled
-        turned = self.state.direction[0] * moved
+        turned = state.direction[0] * moved
         self.rotation_dot = self.rotation_dot + turned
         self.slip_dot = self.slip_dot + moved
         self.x_dot = -travelled
         for cell, rate in self.rates.items():
-            self.totals[cell] = self.dot(cell) + rate * event_dot
+            change = rate * event_dot
+            self.totals[cell] = self.dot(cell) + change
         self.event_dot = event_dot
 
     def enter(self) -> None:
@@ -324,8 +336,10 @@ class Tangents:
 
     def present_rotation_dot(self) -> Floats:
         """Derivatives of the present rotation, or of that at the end time."""
-        travelled = self.x_dot + self.state.omega[0] * self.end_dot
-        return self.rotation_dot + self.state.direction[0] * travelled
+        state = self.state
+        travelled = state.omega[0] * self.end_dot
+        moved = self.x_dot + travelled
+        return self.rotation_dot + state.direction[0] * moved
 
     def keep_reach(self) -> None:
         """Derivatives of the greatest rotation."""
