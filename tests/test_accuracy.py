@@ -1,6 +1,6 @@
 """Accuracy is what the user gets: 400 random scenes against their motion to 20 and 30 digits, and the estimated error.
 
-300 are of position and speed, 100 of time, rates and heat. `python -m tests.campaigns.references --fresh 1000` takes
+300 are of position and speed, 100 of time, rates and heat. `python -m tests.campaigns.references 1000` takes
 new ones.
 """
 
@@ -115,7 +115,7 @@ def test_a_decision_that_rounding_makes_is_not_silent(near: float) -> None:
 
 
 def test_six_references_are_derived_again() -> None:
-    """To their last digits; all by ``python -m tests.campaigns.references``."""
+    """To their last digits."""
     rng = np.random.default_rng(int.from_bytes(hashlib.sha256(DATA).digest()[:8]))
     few = [k for k in NUMBERS if ROWS[k]["reference"]["phases"] < MANY // 5]
     for k in [*rng.choice(few, 4, False).tolist(), *rng.choice([*TIMED], 2, False).tolist()]:

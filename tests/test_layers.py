@@ -40,7 +40,7 @@ MOTIONS = {
 
 
 def test_moments_and_stretches_are_those_of_the_definitions() -> None:
-    """To 30 digits; 200 sections by ``python -m tests.campaigns.layered_sections``."""
+    """By quadrature along the arc; 200 sections by ``python -m tests.campaigns.layered_sections``."""
     rng = np.random.default_rng(7)
     for _ in range(5):
         assert max(differences(random_section(rng))) < 1e-12

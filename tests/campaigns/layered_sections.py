@@ -1,17 +1,14 @@
-"""Layered sections against their definitions: random ones, and quadrature to 30 digits that knows nothing of strips.
+"""Random layered sections against the definitions of their moments and of the strength along the arc.
 
 ``python -m tests.campaigns.layered_sections --count 200 --motions 40 --seed 1`` compares the moments and the parts of
-J_r, of its slope and of I_p on the stretches of every soil, and motions with collocation of the definition along the
-arc between its kinks; it prints the largest differences.
+J_r, of its slope and of I_p on the stretches of every soil with quadrature, and motions with collocation of the
+definition along the arc between its kinks; it prints the largest differences.
 """
 
 import argparse
-from collections.abc import Iterator
-from functools import lru_cache
 from itertools import pairwise
 from typing import Any
 
-import mpmath as mp
 import numpy as np
 from numpy.polynomial import Legendre
 from scipy.optimize import brentq
@@ -20,9 +17,7 @@ from slipcircle import Scene, solve
 from slipcircle.core import LayeredSection, Soil
 from slipcircle.core.scene.strength import Needs
 
-DIGITS = 30
 COLLOCATION, COLLOCATION_WEIGHTS = np.polynomial.legendre.leggauss(10)
-NAMES = ("weight", "weight rho", "weight rho^2", "weight x/rho", "weight y/rho", "weight x", "weight y")
 
 
 def random_section(
@@ -71,130 +66,6 @@ def random_section(
             continue
         if section.no_motion is None and max(np.abs(section._angles)) < 1.5:
             return section
-
-
-def _line(points: Any) -> list[tuple[mp.mpf, mp.mpf]]:
-    points = np.asarray(points, dtype=np.float64)
-    if points.ndim == 0:
-        points = np.array([[-1.0, points], [1.0, points]])
-    inner = [(mp.mpf(float(x)), mp.mpf(float(y))) for x, y in points]
-    return [(mp.mpf(-1000), inner[0][1]), *inner, (mp.mpf(1000), inner[-1][1])]
-
-
-def _height(line: list[tuple[mp.mpf, mp.mpf]], x: mp.mpf) -> mp.mpf:
-    for (x1, y1), (x2, y2) in pairwise(line):
-        if x1 <= x <= x2 and x2 > x1:
-            return y1 + (y2 - y1) * (x - x1) / (x2 - x1)
-    raise AssertionError(x)
-
-
-def _kinks(lines: list[Any], cx: mp.mpf, cy: mp.mpf, radius: mp.mpf) -> Iterator[mp.mpf]:
-    """x of vertices, of crossings of lines with each other and with the circle."""
-    edges = [edge for line in lines for edge in pairwise(line)]
-    for (x1, y1), (x2, y2) in edges:
-        yield x1
-        u, v = x2 - x1, y2 - y1
-        p, q = x1 - cx, y1 - cy
-        a, b, c = u * u + v * v, p * u + q * v, p * p + q * q - radius**2
-        if a > 0 and b * b > a * c:
-            for sign in (-1, 1):
-                s = (-b + sign * mp.sqrt(b * b - a * c)) / a
-                if 0 <= s <= 1:
-                    yield x1 + s * u
-        for (x3, y3), (x4, y4) in edges:
-            w, z = x4 - x3, y4 - y3
-            across = u * z - v * w
-            if across != 0:
-                s = ((x3 - x1) * z - (y3 - y1) * w) / across
-                t = ((x3 - x1) * v - (y3 - y1) * u) / across
-                if 0 < s < 1 and 0 < t < 1:
-                    yield x1 + s * u
-
-
-def reference(section: Any) -> tuple[list[mp.mpf], list[list[mp.mpf]]]:
-    """Moments `NAMES` about the centre, x down-slope; for each layer the parts of J_r, its slope and I_p at its base.
-
-    Strips of no width: over x the integral of the weight's closed integral over y; in N, m and rad.
-    """
-    with mp.workdps(DIGITS + 5):
-        (cx, cy), radius = (mp.mpf(float(v)) for v in section.centre), mp.mpf(float(section.radius))
-        facing = int(section.facing)
-        lines = [_line(section.ground), *(_line(top) for _, top in section.layers[1:])]
-        weights = [mp.mpf(float(soil.unit_weight)) for soil, _ in section.layers]
-        left, right = sorted((mp.mpf(float(section.entry[0])), mp.mpf(float(section.exit[0]))))
-        every = sorted(set(_kinks(lines, cx, cy, radius)))
-        left, right = (min(every, key=lambda x: abs(x - end)) for end in (left, right))
-        cuts = [left, *(x for x in every if left < x < right), right]
-        moments = [mp.mpf(0)] * 7
-        parts = [[mp.mpf(0)] * 3 for _ in lines]
-        for a, b in pairwise(cuts):
-            if b - a < mp.mpf(10) ** -(DIGITS - 5):
-                continue
-            middle = (a + b) / 2
-            arc = cy - mp.sqrt(radius**2 - (middle - cx) ** 2)
-            envelope = [min(_height(line, middle) for line in lines[: k + 1]) for k in range(len(lines))]
-            base = max(sum(top > arc for top in envelope) - 1, 0)
-            chosen = [min(lines[: k + 1], key=lambda line: _height(line, middle)) for k in range(len(lines))]
-            for k, line in enumerate(chosen):
-                step = weights[k] - (weights[k - 1] if k else 0)
-                if step == 0 or envelope[k] <= arc:
-                    continue
-
-                def column(x: mp.mpf, line: Any = line) -> list[mp.mpf]:
-                    """Integrals over y of 1, rho, rho^2, x/rho, y/rho, x, y."""
-                    u = x - cx
-                    low, high = -mp.sqrt(radius**2 - u * u), _height(line, x) - cy
-                    rho_1, rho_2 = (mp.sqrt(u * u + v * v) for v in (low, high))
-                    log = mp.log((high + rho_2) / (low + rho_1)) if high > 0 else mp.log((rho_1 - low) / (rho_2 - high))
-                    return [
-                        high - low,
-                        (high * rho_2 - low * rho_1 + u * u * log) / 2,
-                        u * u * (high - low) + (high**3 - low**3) / 3,
-                        facing * u * log,
-                        rho_2 - rho_1,
-                        facing * u * (high - low),
-                        (high**2 - low**2) / 2,
-                    ]
-
-                sums = integrated(column, a, b)
-                moments = [m + step * n for m, n in zip(moments, sums, strict=True)]
-                for row, n in enumerate((-sums[4], sums[3], sums[1])):
-                    parts[base][row] += step * n
-        return moments, parts
-
-
-@lru_cache
-def _rule(degree: int) -> list[tuple[mp.mpf, mp.mpf]]:
-    return list(mp.calculus.quadrature.GaussLegendre(mp.mp).calc_nodes(degree, mp.mp.prec))
-
-
-def integrated(column: Any, a: mp.mpf, b: mp.mpf) -> list[mp.mpf]:
-    """Integrals over x by Gauss' rules of 24 and 48 points, halved until they agree to 20 digits."""
-    middle, half = (a + b) / 2, (b - a) / 2
-    values = []
-    for degree in (4, 5):
-        total = [mp.mpf(0)] * 7
-        for node, weight in _rule(degree):
-            total = [s + half * weight * v for s, v in zip(total, column(middle + half * node), strict=True)]
-        values.append(total)
-    size = max(map(abs, values[1]))
-    if all(abs(x - y) <= size * mp.mpf(10) ** -20 for x, y in zip(*values, strict=True)):
-        return values[1]
-    return [x + y for x, y in zip(integrated(column, a, middle), integrated(column, middle, b), strict=True)]
-
-
-def computed(section: Any) -> tuple[list[float], list[list[float]]]:
-    """The same by the package."""
-    radius, facing = float(section.radius), float(section.facing)
-    powers, signs = np.array([2, 3, 4, 2, 2, 3, 3]), np.array([1, 1, 1, facing, 1, facing, 1])
-    moments = section._moments_of_weight[:, 0] * radius**powers * signs
-    still = section.arc_strength.parts(np.zeros((1, 1)), ["normal"])
-    by_joint = np.stack([still[name][:, 0, 0] for name in ("normal", "tilt", "inertia")])
-    parts = []
-    for k in range(len(section.layers)):
-        sums = by_joint @ section.arc_strength.incidence[:-1, k, 0]
-        parts.append((sums * radius ** np.array([2, 2, 3])).tolist())
-    return moments.tolist(), parts
 
 
 def coefficient(law: Any, slip: float) -> float:
@@ -412,19 +283,31 @@ def strength_by_quadrature(section: Any, rotation: float, omega_2: float) -> tup
 
 
 def differences(section: LayeredSection) -> tuple[float, float]:
-    """The largest difference of the moments and of the parts, relative: of vectors to their length."""
-    (moments, parts), (exact, exact_parts) = computed(section), reference(section)
-    sizes = [float(abs(v)) for v in exact]
-    for i, j in ((3, 4), (5, 6)):
-        sizes[i] = sizes[j] = float(np.hypot(sizes[i], sizes[j]))
-    of_moments = max(abs(a - float(b)) / s for a, b, s in zip(moments, exact, sizes, strict=True))
-    whole = [sizes[4], sizes[4], sizes[1]]
-    of_parts = max(
-        abs(a - float(b)) / s
-        for p, q in zip(parts, exact_parts, strict=True)
-        for a, b, s in zip(p, q, whole, strict=True)
-    )
-    return of_moments, of_parts
+    """The largest difference from quadrature of the moments and of the parts of layers; of vectors to their length.
+
+    Moments are integrals of the weight times 1, rho, rho^2, x/rho, y/rho, x and y; the parts are those of J_r, of its
+    slope and of I_p on the stretches whose base is a layer.
+    """
+    arc = AlongTheArc(section)
+    radius, facing = arc.radius, arc.facing
+    b, step = arc.broken_at(arc.joints)
+    strips = {name: step * value for name, value in arc.strips(b).items()}
+    weight = strips["vertical"] * radius * np.cos(b)
+    columns = [weight, *(strips[name] for name in ("inertia", "square", "tangential")), -strips["radial"]]
+    exact = np.array([column.sum() for column in (*columns, strips["x"], strips["y"])])
+    powers, signs = np.array([2, 3, 4, 2, 2, 3, 3]), np.array([1, 1, 1, facing, 1, facing, 1])
+    moments = section._moments_of_weight[:, 0] * radius**powers * signs
+    sizes = np.abs(exact)
+    sizes[3:] = np.repeat(np.hypot(exact[3::2], exact[4::2]), 2)
+
+    at_rest = section.arc_strength.parts(np.zeros((1, 1)), ["normal"])
+    by_joint = np.stack([at_rest[name][:, 0, 0] for name in ("normal", "tilt", "inertia")])
+    parts = by_joint @ section.arc_strength.incidence[:-1, :, 0] * radius ** np.array([[2], [2], [3]])
+    base = arc.soil_at(b)
+    exact_parts = [[strips[name][base == k].sum() for k in range(len(arc.soils))]
+                   for name in ("radial", "tangential", "inertia")]  # fmt: skip
+    of_parts = np.abs(parts - exact_parts) / sizes[[4, 4, 1], None]
+    return float(np.max(np.abs(moments - exact) / sizes)), float(np.max(of_parts))
 
 
 def random_motions(rng: np.random.Generator, count: int) -> np.ndarray:

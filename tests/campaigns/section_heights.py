@@ -27,15 +27,17 @@ Point = tuple[Any, Any]
 
 
 class Compared(NamedTuple):
+    """Errors of the mean pressure and of the mean cover of a section, over the greatest height above its arc."""
+
     section: Section
-    turn: float
     overhangs: bool
-    pressure: tuple[float, float]  # ours and the error, over the greatest pressure on the arc
-    cover: tuple[float, float]
+    wet: bool
+    pressure: float
+    cover: float
 
 
-def _sections(rng: np.random.Generator) -> Section:
-    """One of any kind."""
+def random_section(rng: np.random.Generator) -> Section:
+    """A section of any kind."""
     while True:
         count = int(rng.integers(2, 9))
         x = np.cumsum(np.where(rng.random(count) < 0.15, 0.0, rng.exponential(10.0, count)))
@@ -64,39 +66,15 @@ def _sections(rng: np.random.Generator) -> Section:
             continue
 
 
-def _radius(section: Section) -> float:
-    return float(np.asarray(section.radius))
-
-
-def _line(points: Any, section: Section) -> list[Point]:
+def _line(points: Any, section: Any) -> list[Point]:
     """A line with its level continuations, from the centre and over R."""
-    (x_0, y_0), radius = map(mpmath.mpf, np.asarray(section.centre).tolist()), mpmath.mpf(_radius(section))
+    x_0, y_0, radius = map(mpmath.mpf, [*np.asarray(section.centre).tolist(), float(section.radius)])
     line = [((mpmath.mpf(x) - x_0) / radius, (mpmath.mpf(y) - y_0) / radius) for x, y in np.asarray(points).tolist()]
     return [(line[0][0] - 10, line[0][1]), *line, (line[-1][0] + 10, line[-1][1])]
 
 
-def _end(section: Section, end: Any) -> Any:
-    """Angle of an end of the arc: of the vertex that it is, else of the crossing next to it."""
-    (x_0, y_0), radius = np.asarray(section.centre), _radius(section)
-    near = complex(end[0] - x_0, end[1] - y_0) / radius
-    found: list[tuple[float, Any]] = []
-    line = _line(section.ground, section)
-    for x, y in line:
-        if abs(complex(x, y) - near) < 1e-13 * (1 + abs(complex(x_0, y_0)) / radius):
-            return mpmath.atan2(x, -y)
-    for (x, y), (x_2, y_2) in pairwise(line):
-        u, v = x_2 - x, y_2 - y
-        a, b, c = u * u + v * v, x * u + y * v, x * x + y * y - 1
-        root = mpmath.sqrt(max(b * b - a * c, 0))
-        for share in ((-b - root) / a, (-b + root) / a):
-            if 0 <= share <= 1:
-                at = x + share * u, y + share * v
-                found.append((abs(complex(*at) - near), mpmath.atan2(at[0], -at[1])))
-    return min(found, key=lambda pair: pair[0])[1]
-
-
-def _kinks(line: list[Point], first: Any, last: Any) -> list[Any]:
-    """Angles between which the height of a line above the arc is one formula."""
+def _kinks(line: list[Point]) -> list[Any]:
+    """Angles on the circle, in three turns, between which the height of a line above it is one formula."""
     angles = [mpmath.asin(x) for x, _ in line if abs(x) < 1]
     angles += [mpmath.pi - b for b in angles]
     for (x, y), (x_2, y_2) in pairwise(line):
@@ -105,53 +83,51 @@ def _kinks(line: list[Point], first: Any, last: Any) -> list[Any]:
             share = (slope * x - y) / mpmath.sqrt(1 + slope**2)
             if abs(share) <= 1:
                 angles += [mpmath.atan(slope) + sign * mpmath.acos(share) for sign in (-1, 1)]
-    inner = [b + 2 * k * mpmath.pi for b in angles for k in (-2, -1, 0, 1, 2)]
-    return [first, *sorted(b for b in inner if first < b < last), last]
+    return sorted(b + 2 * k * mpmath.pi for b in angles for k in (-2, -1, 0, 1, 2))
 
 
 def mean_height(line: list[Point], first: Any, last: Any) -> tuple[Any, Any]:
-    """Of a line above the arc between two angles, over R; and the greatest."""
+    """Mean height of a line above the arc between two angles, over R; and the greatest height."""
     total, greatest = mpmath.mpf(0), mpmath.mpf(0)
-    for low, high in pairwise(_kinks(line, first, last)):
+    for low, high in pairwise([first, *(b for b in _kinks(line) if first < b < last), last]):
         middle, half = (low + high) / 2, (high - low) / 2
         x = mpmath.sin(middle)
-        (x_1, y), (x_2, y_2) = next((p, q) for p, q in pairwise(line) if p[0] <= x <= q[0] and p[0] < q[0])
-        slope = (y_2 - y) / (x_2 - x_1)
-
-        def height(b: Any, y: Any = y, slope: Any = slope, x_1: Any = x_1) -> Any:
-            return y + slope * (mpmath.sin(b) - x_1) + mpmath.cos(b)
-
-        if height(middle) > 0:
-            total += half * sum(w * height(middle + half * node) for node, w in _RULE)
-            greatest = max(greatest, height(low), height(middle), height(high))
+        p, q = next((p, q) for p, q in pairwise(line) if p[0] <= x <= q[0] and p[0] < q[0])
+        angles = [middle, low, high, *(middle + half * node for node, _ in _RULE)]
+        heights = [p[1] + (q[1] - p[1]) / (q[0] - p[0]) * (mpmath.sin(b) - p[0]) + mpmath.cos(b) for b in angles]
+        if heights[0] > 0:
+            total += half * sum(weight * h for (_, weight), h in zip(_RULE, heights[3:], strict=True))
+            greatest = max(greatest, *heights[:3])
     return total / (last - first), greatest
 
 
 def compared(seed: int, index: int) -> Compared:
-    """A random section and turn: ours, and errors over the greatest height of the line above the arc."""
+    """A random section and turn, and the errors of its mean heights."""
     rng = np.random.default_rng([seed, index])
-    section, turn = _sections(rng), float(rng.choice([0.0, rng.normal(0.0, 0.5), rng.uniform(-3.0, 3.0)]))
-    first, last = sorted(_end(section, end) for end in (section.entry, section.exit))
-    radius, gamma = mpmath.mpf(_radius(section)), mpmath.mpf(section.water_unit_weight)
-    turned = mpmath.mpf(turn) * int(section.facing)
+    section: Any = random_section(rng)
+    turn = float(rng.choice([0.0, rng.normal(0.0, 0.5), rng.uniform(-3.0, 3.0)]))
+    radius, ends = float(section.radius), np.stack([section.entry, section.exit])
+    from_centre = ends - section.centre
+    kinks = _kinks(_line(section.ground, section))
+    first, last = sorted(min(kinks, key=lambda b: abs(b - angle)) for angle in np.arctan2(*(from_centre * [1, -1]).T))
 
-    size = float(radius) + np.abs(section.centre).max() + np.abs([section.entry, section.exit]).max()
-    ends = np.stack([section.entry, section.exit])[:, None]
-    on_vertex = bool(np.any(np.all(np.abs(ends - section.ground) < 1e-13 * size, axis=2)))
+    size = radius + np.abs(section.centre).max() + np.abs(ends).max()
+    on_vertex = bool(np.any(np.all(np.abs(ends[:, None] - section.ground) < 1e-13 * size, axis=2)))
     steep = min(abs(np.cos(float(b))) for b in (first, last))  # heights are upright
-    rounding = 2.0**-50 * size / float(radius) / steep if on_vertex else 0.0
+    rounding = 2.0**-50 * size / radius / steep if on_vertex else 0.0
 
-    def judged(ours: float, points: Any, turn: Any, unit: Any) -> tuple[float, float]:
+    def error(mean_over_radius: Any, points: Any, turn: Any) -> float:
         mean, greatest = mean_height(_line(points, section), first + turn, last + turn)
-        error = max(abs(ours / unit - mean) - rounding, 0)
-        return ours, float(error / greatest) if greatest else float(error)
+        return float(max(abs(mean_over_radius - mean) - rounding, 0) / (greatest or 1))
 
+    pressure = float(section.mean_pressure(turn))
+    head = mpmath.mpf(pressure) / section.water_unit_weight / radius
     return Compared(
         section,
-        turn,
         bool(first < -mpmath.pi / 2 or last > mpmath.pi / 2),
-        judged(float(section.mean_pressure(turn)), section.level, turned, radius * gamma),
-        judged(float(section.mean_cover), section.ground, mpmath.mpf(0), radius),
+        pressure > 0.0,
+        error(head, section.level, mpmath.mpf(turn) * int(section.facing)),
+        error(mpmath.mpf(float(section.mean_cover)) / radius, section.ground, mpmath.mpf(0)),
     )
 
 
@@ -161,13 +137,13 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=24)
     options = parser.parse_args()
     every = [compared(options.seed, k) for k in range(options.count)]
-    wet, overhang = sum(c.pressure[0] > 0.0 for c in every), sum(c.overhangs for c in every)
     half = np.array([float(c.section.half_angle) for c in every])
-    print(f"{len(every)} arcs, {wet} wet, {overhang} overhang; errors over the greatest height")
-    for name, errors in (("pressure", [c.pressure[1] for c in every]), ("cover", [c.cover[1] for c in every])):
+    wet, overhangs = sum(c.wet for c in every), sum(c.overhangs for c in every)
+    print(f"{len(every)} arcs, {wet} wet, {overhangs} overhang; errors over the greatest height")
+    for name in ("pressure", "cover"):
+        errors = np.array([getattr(c, name) for c in every])
         k = int(np.argmax(errors))
-        by_angle = np.max(np.array(errors) * half)
-        print(f"{name}: worst {errors[k]:.1e} (arc {k}, alpha {half[k]:.2g}), worst times alpha {by_angle:.1e}")
+        print(f"{name}: worst {errors[k]:.1e} (arc {k}, alpha {half[k]:.2g}), times alpha {np.max(errors * half):.1e}")
 
 
 if __name__ == "__main__":
