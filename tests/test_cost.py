@@ -131,6 +131,14 @@ def test_measured_rows(rows: list[Row]) -> None:
         assert ("above what is proved" in costtext.verdict([measured])) == above_it
 
 
+def test_slow_ways_get_few_elements(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No pass takes long: ten times as many elements only as long as the last pass says so."""
+    monkeypatch.setattr(cost, "_timed", lambda work, loops: 5e-4 * np.size(work.args[0]))
+    slow, subject = ways.Way("slow", np.copy), ways.Subject("f", [], reference.kernel, ways.angles)
+    for size, patience, count in ((400, 1.0, 10), (400, 20.0, 400), (400, 5.0, 100), (1, 1.0, 1)):
+        assert cost._fitting(slow, replace(subject, patience=patience), size) == count
+
+
 def test_everything_is_timed_in_turns(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cost, "_LONG", 1.0)
     calls: list[str] = []

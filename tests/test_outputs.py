@@ -17,7 +17,7 @@ from tests.support import golden
 
 SCENES = (
     "constant, rising water", "exponential, cohesion", "rate, turning, mirrored", "rests in between, turning",
-    "lifts off and lands, pushed up", "lifted from the start", "stays", "swings back, mirrored", "vaiont-heated",
+    "lifts off and lands, pushed up", "lifted from the start, mirrored", "stays", "swings back twice", "vaiont-heated",
 )  # fmt: skip
 EACH = pytest.mark.parametrize("name", SCENES)
 COEFFICIENTS = {"Theta*": "moment_of_inertia", "J_theta": "weight_moment", "J_r": "radial_weight",
