@@ -69,6 +69,8 @@ class Recorder(LaneState):
     def keep_faster(self, time: Floats, x: Floats, speed: Floats, rate: Floats) -> bool:
         """Record a candidate for the greatest speed where it exceeds the record; whether it does in any lane."""
         faster = speed > np.abs(self.peak_omega)
+        if not np.any(faster):
+            return False
         candidate = {
             ix.PEAK_TIME: time,
             ix.PEAK_ROTATION: self.rotation_after(x),
@@ -76,7 +78,7 @@ class Recorder(LaneState):
             ix.PEAK_RATE: self.direction * rate,
         }
         self._set(faster, candidate)
-        return bool(np.any(faster))
+        return True
 
     def rotation_after(self, x: Floats) -> Floats:
         """Rotation after some way since the phase began, signed."""
@@ -114,8 +116,10 @@ class Recorder(LaneState):
         """Record the present rotation if it is the greatest."""
         rotation = self.rotation_after(self.x)
         farther = np.abs(rotation) > np.abs(self.reach_rotation)
+        if not np.any(farther):
+            return
         self._set(farther, {ix.REACH_TIME: self.time, ix.REACH_ROTATION: rotation})
-        if self.tangents and np.any(farther):
+        if self.tangents:
             self.tangents.keep_reach()
 
     # --- events ------------------------------------------------------------------------------------------------------
