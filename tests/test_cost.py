@@ -116,7 +116,11 @@ def test_measured_rows(rows: list[Row]) -> None:
     ours = {r.way: r for r in rows if r.ours}
     assert list(ours) == [f"{tier}, {word}" for tier in BOUNDS[MEASURED] for word in words]
     assert "above what is proved" not in costtext.verdict(rows)
+    head, cells = costtext.table(rows)
+    proved = {cell[head.index("way")]: cell[head.index("proved")] for cell in cells}
+    assert proved["printed, float64"] == proved["half-angle, NumPy"] == "sampled only"
     for way, row in ours.items():
+        assert proved[way] == (f"{row.bound_ulp:.3g} ulp" if row.bound_ulp else f"{row.bound:.3g}")
         tier, _, word = way.partition(", ")
         assert (row.bound, row.bound_ulp) == BOUNDS[MEASURED][tier]["fused" if word == "fused" else "plain"]
         assert row.error <= (row.bound or 0.0)
@@ -129,6 +133,26 @@ def test_measured_rows(rows: list[Row]) -> None:
         ulp = np.array([0.94, second])
         measured = replace(row, profile=cost.Profile(np.array([3e-103, 1e-90]), ulp, ulp))
         assert ("above what is proved" in costtext.verdict([measured])) == above_it
+
+
+def test_the_worst_input_shows_the_error(rows: list[Row]) -> None:
+    """An error can be seen again at the input that is printed with it, against ball arithmetic."""
+    functions = {way.name: way.function for way in ways.FUNCTIONS[MEASURED]().ways}
+    for row in rows[:-1]:
+        (alpha,) = row.worst_input
+        value = float(np.asarray(functions[row.way](np.array([alpha], row.kind)))[0])
+        with mpmath.workdps(60):
+            exact = digits(oracle.kernel(MEASURED, Fraction(alpha)))
+            error = abs(mpf(value) - exact) / max(exact, mpf(float(np.finfo(row.kind).smallest_normal)))
+        assert row.error == pytest.approx(float(error), rel=1e-3), row.way
+
+
+def test_slow_ways_get_few_elements(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No pass takes long: ten times as many elements only as long as the last pass says so."""
+    monkeypatch.setattr(cost, "_timed", lambda work, loops: 5e-4 * np.size(work.args[0]))
+    slow, subject = ways.Way("slow", np.copy), ways.Subject("f", [], reference.kernel, ways.angles)
+    for size, patience, count in ((400, 1.0, 10), (400, 20.0, 400), (400, 5.0, 100), (1, 1.0, 1)):
+        assert cost._fitting(slow, replace(subject, patience=patience), size) == count
 
 
 def test_everything_is_timed_in_turns(monkeypatch: pytest.MonkeyPatch) -> None:

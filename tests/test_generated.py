@@ -235,19 +235,19 @@ def test_types_that_are_refused(name: str) -> None:
                 function(*[*args[:i], bad, *args[i + 1 :]])
 
 
+# Numbers outside each argument's domain, beside those that are not finite; of an arrest a is negative.
+OUTSIDE = {
+    "alpha": [-5e-324, -1e-300, -1.0, float(np.pi / 2 * (1 + 1e-14)), 1.6, np.pi, 1e308], "t": [-5e-324, -1.0],
+    "mu": [-5e-324, -1.0], "theta_2": [INSIDE["theta_1"] + x for x in (-1e-15, -1.0, 3.1416, 1e308)],
+}  # fmt: skip
+OF_ARREST = {"a": [0.0, 1.0], "b": [-1.0], "omega_0": [-1.0]}
+
+
 def outside(name: str) -> Iterator[tuple[float, ...]]:
     """Arguments outside the domain of one function."""
-    args, of = inside(name), ARGUMENTS[name]
-    for i, x in enumerate(of):
-        bad = [np.nan, np.inf, -np.inf]
-        if x == "alpha":
-            bad += [-5e-324, -1e-300, -1.0, float(np.pi / 2 * (1 + 1e-14)), 1.6, np.pi, 1e308]
-        elif x in ("t", "mu"):
-            bad += [-5e-324, -1.0]
-        elif x == "theta_2":
-            bad += [args[0] - 1e-15, args[0] - 1.0, args[0] + 3.1416, 1e308]
-        elif "arrest" in name:
-            bad += [0.0, 1.0] if x == "a" else [-1.0]
+    args = inside(name)
+    for i, x in enumerate(ARGUMENTS[name]):
+        bad = [np.nan, np.inf, -np.inf, *(OF_ARREST if "arrest" in name else OUTSIDE).get(x, [])]
         yield from ((*args[:i], v, *args[i + 1 :]) for v in bad)
 
 

@@ -17,7 +17,7 @@ from tests.support import golden
 
 SCENES = (
     "constant, rising water", "exponential, cohesion", "rate, turning, mirrored", "rests in between, turning",
-    "lifts off and lands, pushed up", "lifted from the start", "stays", "swings back, mirrored", "vaiont-heated",
+    "lifts off and lands, pushed up", "lifted from the start, mirrored", "stays", "swings back twice", "vaiont-heated",
 )  # fmt: skip
 EACH = pytest.mark.parametrize("name", SCENES)
 COEFFICIENTS = {"Theta*": "moment_of_inertia", "J_theta": "weight_moment", "J_r": "radial_weight",
@@ -92,6 +92,7 @@ def test_every_column_of_the_csv(name: str) -> None:
         if not {"shaking", "thermal_pressurisation"} & {*m.plan.effects}:
             needed = holding(m, float(state.rotation[k]), float(pressure[k])) if left[k] > 0.0 else math.nan
             assert columns["holding_friction"][k] == pytest.approx(needed, rel=1e-9, abs=1e-9, nan_ok=True), times[k]
+    assert len(csv([m]).splitlines()) == (402 if m.moves else 2)  # by default at even times
     if "shaking" in m.plan.effects:  # it starts where friction falls to what holds it, and stands where that is less
         rests = (state.velocity == 0.0) & (times > 0.0)
         assert np.all(columns["holding_friction"][rests] <= columns["friction"][rests] * (1.0 + 1e-6))

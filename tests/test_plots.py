@@ -153,13 +153,10 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
 @pytest.mark.parametrize(("name", "way"), [("vaiont", 1), ("to the left", -1), ("pushed up", -1)])
 def test_reactions_push_inwards_and_against_the_motion(name: str, way: int) -> None:
     arrows = [a for a in plots.section(motion(name), drawn(), forces=True).texts if hasattr(a, "arrow_patch")]
-    weight, *rest = (np.array([a.xyann, a.xy]) for a in arrows if a.arrow_patch and not hasattr(a, "anchors"))
-    across, along = weight[1] - weight[0]
-    assert across == 0.0 > along
-    for normal, tangential in zip(rest[::2], rest[1::2], strict=True):
+    _, *reactions = (np.array([a.xyann, a.xy]) for a in arrows if a.arrow_patch and not hasattr(a, "anchors"))
+    for normal, tangential in zip(reactions[::2], reactions[1::2], strict=True):
         assert np.hypot(*normal[1]) < np.hypot(*normal[0])
-        (x, y), (dx, dy) = tangential[0], tangential[1] - tangential[0]
-        assert np.sign(x * dy - y * dx) == -way  # counterclockwise is positive
+        assert np.sign(np.linalg.det([tangential[0], np.diff(tangential, axis=0)[0]])) == -way  # counterclockwise: > 0
 
 
 def test_ladder_is_drawn() -> None:
@@ -258,7 +255,9 @@ def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
 
 
 def test_stresses_along_a_layered_arc_have_its_mean() -> None:
+    """In a section whose bands have the names of their soils."""
     slide = solve(Scene(profile("softening"), effects=TURNING))
+    assert {f"soil {k}" for k in range(4)} <= {*legend(plots.section(slide, drawn()))}
     ax = layerplot.stress_along(slide, drawn())
     along, stress = ax.lines[0].get_data()
     mean = float(slide.at(0.0).normal_stress) / 1e3

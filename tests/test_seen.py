@@ -98,17 +98,6 @@ def at_level(kernel: str, level: str) -> Callable[..., Any]:
 
 
 @each_level
-@each_kernel
-def test_zero_at_zero(kernel: str, level: str) -> None:
-    """Exactly; a quotient's limit, 1 or 2/3, rounded."""
-    limit = {"dynamic_coefficient": 2 / 3}.get(kernel, 1.0) if kernel not in BASES else 0.0
-    function = at_level(kernel, level)
-    for kind in (np.float64, np.float32):
-        assert function(kind(0)) == kind(limit)
-        np.testing.assert_array_equal(function(np.zeros(300, kind)), kind(limit))
-
-
-@each_level
 @each_base
 def test_the_limit_at_a_right_angle(kernel: str, level: str) -> None:
     """That of float64's pi/2, rounded; also at the numbers above pi/2 that the domain takes in."""

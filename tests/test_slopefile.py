@@ -246,6 +246,15 @@ def test_means_given_with_the_command_have_their_own_circle(
     assert "the critical circle of the scene as it is given" in err
 
 
+def test_a_folder_knows_one_circle_from_another(write: Write, tmp_path: Path) -> None:
+    drawn = {"friction.peak_deg": {"distribution": "normal", "mean": 15, "std": 2}}
+    one = replace(slipcircle.load(write(FIXED)), uncertain=drawn)
+    slipcircle.ensemble(one, 64, rng=1, folder=tmp_path / "kept")
+    other = replace(one, arc=replace(one.arc, radius=28.55))
+    with pytest.raises(ValueError, match="another study: section"):
+        slipcircle.ensemble(other, 64, rng=1, folder=tmp_path / "kept")
+
+
 def test_the_guide_tells_by_how_much_the_methods_differ() -> None:
     text = " ".join(guide().split()).replace("real- slope", "real-slope")
     stability = stability_of(slipcircle.load("real-slope"))

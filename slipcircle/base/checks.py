@@ -28,7 +28,8 @@ class Message(str):
     template: str
 
     def __new__(cls, template: str) -> Self:
-        message = super().__new__(cls, _worded(template, str))
+        text = _worded(template, str)
+        message = super().__new__(cls, text)
         message.template = template
         return message
 
@@ -147,11 +148,13 @@ def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> 
         return [f"{{{name}}} = {shown(value)}: must be {allowed}"]
     above = array > lower
     below = array < upper
-    outside = array[~(np.isfinite(array) & above & below)]
+    allowed_values = np.isfinite(array) & above & below
+    outside = array[~allowed_values]
     if not outside.size:
         return []
     first = float(outside[0])
-    sign_is_right = first > min(lower, 0.0) and first != 0.0
+    least = min(lower, 0.0)
+    sign_is_right = first > least and first != 0.0
     if sign_is_right and math.isfinite(first) and upper < INFINITY:
         least = 0.0 if lower == -5e-324 else lower
         allowed = f"{allowed}, between {least:g} and {upper:g}"
@@ -203,7 +206,8 @@ def _value_mistakes(path: str, p: Any, value: Any) -> list[str]:
         return []
     choices = p.kind.replace("|", ", ")
     allowed = _KINDS.get(p.kind, f"one of {choices}")
-    sentence = f"{{{path}.{p.name}}} = {shown(value)}: must be {allowed}: {p.help}"
+    name = f"{path}.{p.name}"
+    sentence = f"{{{name}}} = {shown(value)}: must be {allowed}: {p.help}"
     return [Message(sentence)]
 
 
@@ -225,8 +229,9 @@ def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
     """A sentence if the fields' shapes do not broadcast."""
     shapes = dict[str, tuple[int, ...]]()
     for name, value in fields.items():
-        if type(value) is not float and np.ndim(value):
-            shapes[name] = np.shape(value)
+        shape = () if type(value) is float else np.shape(value)
+        if shape:
+            shapes[name] = shape
     if not shapes:
         return []
     try:

@@ -198,8 +198,7 @@ class _Builder(Declarations):
                 computed.append(result)
         constants = [name for name in used if name.startswith("=")]
         self.constants = sorted(constants)
-        self.held = self.fixed + computed
-        kept = self.held + self.constants
+        kept = self.fixed + computed + self.constants
         self.place = places_of(self.scalar, kept)
         last = max(self.place.values())
         count = last + 1 - len(kept)
@@ -213,12 +212,14 @@ class _Builder(Declarations):
         registers = list(self.states)
         for _, results in self.series:
             registers += results
-        self.at = {name: k for k, name in enumerate(registers)}
+        places = range(len(registers))
+        self.at = dict(zip(registers, places, strict=True))
         self.operand = self.place | self.at
         states = list[tuple[int, int, int]]()
         for state, rate in self.states.items():
-            places = (self.place[state], self.at[state], self._register(rate))
-            states.append(places)
+            cell = self.place[state]
+            register = self.at[state]
+            states.append((cell, register, self._register(rate)))
         scalar = list[tuple[Any, ...]]()
         for operation, (result,) in self.scalar:
             encoded = self._encoded_scalar(operation, result)
@@ -232,7 +233,6 @@ class _Builder(Declarations):
         return Program(
             cells=self.cells,
             given=len(self.fixed),
-            lasting=len(self.held),
             registers=tuple(registers),
             scalar=tuple(scalar),
             series=tuple(series),
@@ -284,10 +284,12 @@ class _Builder(Declarations):
         made = [self.at[register] for register in results]
         if kind == "lin":
             constant, terms = names
-            return (kind, *made, *self._encoded_sum(constant, terms))
+            encoded = self._encoded_sum(constant, terms)
+            return (kind, *made, *encoded)
         if kind == "ramp":
             table_arguments = [table.argument for table in self.tables]
-            argument, _, _ = names[0].partition(PRIME)
+            (increment,) = names
+            argument, _, _ = increment.partition(PRIME)
             table = table_arguments.index(argument)
             return (kind, *made, table)
         operands = [self.operand[name] for name in names]

@@ -237,7 +237,7 @@ class Lanes:
             problem = self.problem
         increasing = np.argsort(times, kind="stable")
         ordered = times[increasing]
-        units = np.broadcast_to(problem.time_scale, (1, self.count))
+        units = np.broadcast_to(self.time_scale, self.count)
         dimensionless = ordered[:, None] / units
         outputs = 2 + len(problem.program.states)
         rows = np.zeros((outputs, times.size, self.count))

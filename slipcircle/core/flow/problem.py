@@ -43,12 +43,11 @@ class Recipe(NamedTuple):
 
 
 class Problem(NamedTuple):
-    """Arguments of `integrate`, and the scales that make times and lengths dimensionless."""
+    """Arguments of `integrate`, and what they were built from."""
 
     program: Program
     tables: list[Data]
     cells: Floats
-    time_scale: Any
     functions: Mapping[int, Function]  # of slip, given in Python, by the place of their table
     recipe: Recipe
     outputs: Names = ()  # further ones of the program
@@ -220,7 +219,7 @@ def _assembled(numbers: Numbers, recipe: Recipe, lanes: int) -> Problem:
         cells[first_cell + ix.SCALED_BY] = factor
         if table.name == "callable":
             functions[k] = numbers.function
-    return Problem(program, tables, cells, numbers.time_scale, functions, recipe, rotations=numbers.rotations)
+    return Problem(program, tables, cells, functions, recipe, rotations=numbers.rotations)
 
 
 def recipe_of(called: Effects, laws: Names) -> Recipe:

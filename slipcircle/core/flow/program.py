@@ -46,14 +46,13 @@ class Tangent(NamedTuple):
 class Program:
     """Cells and registers by name, operations on cells and on series by their indices, and who plays which role.
 
-    The first ``given`` cells are a lane's own at its start, the first ``lasting`` hold a lane on its way; beyond are
+    The first ``given`` cells are set at the start of a lane, the next ones computed where a phase begins; then follow
     ``constants``, by name, and what a prologue needs while it runs.
     ``states`` are (cell, register, register of the rate); the tangents of all states follow, direction by direction.
     """
 
     cells: tuple[str, ...]
     given: int
-    lasting: int
     registers: tuple[str, ...]
     scalar: tuple[tuple[Any, ...], ...]
     series: tuple[tuple[Any, ...], ...]

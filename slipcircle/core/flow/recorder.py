@@ -61,7 +61,8 @@ class Recorder(LaneState):
         omega = value(series[roles["omega"]], since)
         speed = np.where(peaks, omega, 0.0)
         rate = value(net, since)
-        exceeded = self.keep_faster(self.time + since, x, speed, rate)
+        at_peak = self.time + since
+        exceeded = self.keep_faster(at_peak, x, speed, rate)
         if exceeded and self.tangents:
             self.tangents.keep_peak_within(series, float(since[0]))
 
@@ -99,11 +100,14 @@ class Recorder(LaneState):
         falls = drives & (ends_below | dips)
         time = np.full(self.count, np.inf)
         if np.any(falls):
-            positive = divided_by_time(net, from_zero)
-            time[falls] = first_root(positive[:, falls], tau[falls])
-        humps = (first < 0.0) & rises & ends_below & (last_slope < 0.0)
-        if np.any(humps):
-            time[humps] = _root_beyond_hump(net[:, humps], tau[humps])
+            ahead = divided_by_time(net, from_zero)
+            falling = ahead[:, falls]
+            time[falls] = first_root(falling, tau[falls])
+        has_hump = rises & (last_slope < 0.0)
+        from_below = has_hump & (first < 0.0) & ends_below
+        if np.any(from_below):
+            polynomials = net[:, from_below]
+            time[from_below] = _root_beyond_hump(polynomials, tau[from_below])
         return time
 
     def update_reach(self) -> None:
@@ -140,7 +144,7 @@ class Recorder(LaneState):
             times = self.samples.times[:, column]
             first = np.searchsorted(times, begin[lane])
             last = np.searchsorted(times, until)
-            if np.isfinite(until) and until >= self.end_time[lane]:
+            if self.end_time[lane] <= until < np.inf:
                 last = np.searchsorted(times, until, side="right")
             if first < last:
                 since = times[first:last] - begin[lane]

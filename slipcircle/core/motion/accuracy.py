@@ -22,7 +22,7 @@ Final = Mapping[int, Any]  # state entries of lanes at their end, by their place
 RUNS = 8
 _FIRST = (1, 1, 1, -1, 1, -1, -1)
 _ROWS = [np.roll(_FIRST, k) for k in range(7)]
-SIGNS = np.stack(_ROWS).astype(float)
+SIGNS = np.array(_ROWS, dtype=float)
 # Steps over the radius of convergence, of the motion itself and the other runs, which go one order further. Longer ones
 # cost less than shorter ones would, and with that order still truncate less than the motion does.
 ONE_ORDER_MORE = np.ones(RUNS)
@@ -37,7 +37,7 @@ LEAST = 8 * EPS / 2  # that an estimate is
 UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
 # Shares of the duration at which states are compared, of each run the same.
 _MIDDLES = (np.arange(8) + 0.5) / 8
-SHARES = np.repeat(_MIDDLES, RUNS).reshape(-1, RUNS)
+SHARES = np.tile(_MIDDLES[:, None], RUNS)
 
 
 @lru_cache(maxsize=256)
@@ -56,7 +56,8 @@ def _signs(program: Program) -> Floats:
     for number, cell in enumerate(moved):
         factor = number % len(_FIRST)
         if cell < program.given:  # the others follow from these
-            signs[cell, 1:] = SIGNS[:, factor]
+            other_runs = SIGNS[:, factor]
+            signs[cell, 1:] = other_runs
     return signs
 
 
@@ -72,8 +73,8 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Problem:
     Of a single lane it may be several runs at once; ``rounding`` is the relative error that an input may have.
     """
     signs = _signs(problem.program)
-    factors = 1.0 + rounding * signs[:, runs]
-    cells = problem.cells * factors
+    change = rounding * signs[:, runs]
+    cells = problem.cells * (1.0 + change)
     cells[ix.ORDER] += ONE_ORDER_MORE[runs]
     cells[ix.FACTOR] = FACTORS[runs]
     return problem._replace(cells=cells)
@@ -121,7 +122,8 @@ def _of_ensemble(lanes: Lanes, final: Final) -> tuple[Floats, Any]:
 def _of_single(lanes: Lanes, final: Final) -> tuple[float, bool]:
     """The same of one lane: all runs at once, beside the motion itself, with their states along the way."""
     all_runs = slice(None)
-    problem = perturbed_runs(lanes.problem, all_runs, lanes.arc.rounding)
+    rounding = lanes.arc.rounding
+    problem = perturbed_runs(lanes.problem, all_runs, rounding)
     outputs = 2 + len(problem.program.states)
     shape = (outputs, *SHARES.shape)
     states = np.zeros(shape)

@@ -161,8 +161,8 @@ def _share_from_inside(edges: _Edges) -> Floats:
 def _may_pass_through(edges: _Edges) -> Flags:
     """Edges with both ends outside and the foot of the perpendicular from the centre between them."""
     to_foot = -edges.first.dot(edges.edge)
-    length = edges.edge.square
-    foot_on_edge = (to_foot > 0.0) & (to_foot < length)
+    square = edges.edge.square
+    foot_on_edge = (to_foot > 0.0) & (to_foot < square)
     first_outside = edges.first_clear == 0.0
     last_outside = edges.last_clear == 0.0
     passes: Flags = foot_on_edge & first_outside & last_outside

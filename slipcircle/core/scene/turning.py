@@ -81,17 +81,17 @@ class TurningMass:
         moved = Vectors.of(toe - self.exit)
         run_out = moved.x * self.facing
         centroid = self.placed(self.centroid, rotation)
-        risen = Vectors.of(centroid - self.centroid)
+        fallen = Vectors.of(self.centroid - centroid)
         half_rotation = np.multiply(rotation, 0.5)
         at_half = self.placed(self.centroid, half_rotation)
         from_centre = np.subtract(at_half, self.centre)
         half_way = Vectors.of(from_centre)
         moves_back = np.less(rotation, 0.0)
         sign = np.where(moves_back, 1.0, -1.0)
-        down = sign * self.facing * half_way.x
-        along = sign * half_way.y
-        travel_angle = np.arctan2(down, along)
-        return Journey(toe, run_out, -risen.y, travel_angle)
+        fall = sign * self.facing * half_way.x
+        run = sign * half_way.y
+        travel_angle = np.arctan2(fall, run)
+        return Journey(toe, run_out, fallen.y, travel_angle)
 
 
 def _greatest_depth(line: Floats, level: Floats) -> float:
