@@ -283,11 +283,8 @@ class Plane:
 
 
 def root(f: Callable[[mpf], mpf], low: mpf, high: mpf) -> mpf:
-    """By bisection, of a function that is positive at low."""
-    for _ in range(220):
-        middle = (low + high) / 2
-        low, high = (middle, high) if f(middle) > 0 else (low, middle)
-    return low
+    """The root between two places, by bisection to the last of 60 digits."""
+    return mpmath.findroot(f, (low, high), solver="bisect", maxsteps=220, verify=False)
 
 
 BRAKES = {  # of what drag; how near, where not just within the estimate
