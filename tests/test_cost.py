@@ -131,6 +131,18 @@ def test_measured_rows(rows: list[Row]) -> None:
         assert ("above what is proved" in costtext.verdict([measured])) == above_it
 
 
+def test_the_worst_input_shows_the_error(rows: list[Row]) -> None:
+    """An error can be seen again at the input that is printed with it, against ball arithmetic."""
+    functions = {way.name: way.function for way in ways.FUNCTIONS[MEASURED]().ways}
+    for row in rows[:-1]:
+        (alpha,) = row.worst_input
+        value = float(np.asarray(functions[row.way](np.array([alpha], row.kind)))[0])
+        with mpmath.workdps(60):
+            exact = digits(oracle.kernel(MEASURED, Fraction(alpha)))
+            error = abs(mpf(value) - exact) / max(exact, mpf(float(np.finfo(row.kind).smallest_normal)))
+        assert row.error == pytest.approx(float(error), rel=1e-3), row.way
+
+
 def test_slow_ways_get_few_elements(monkeypatch: pytest.MonkeyPatch) -> None:
     """No pass takes long: ten times as many elements only as long as the last pass says so."""
     monkeypatch.setattr(cost, "_timed", lambda work, loops: 5e-4 * np.size(work.args[0]))
