@@ -116,7 +116,11 @@ def test_measured_rows(rows: list[Row]) -> None:
     ours = {r.way: r for r in rows if r.ours}
     assert list(ours) == [f"{tier}, {word}" for tier in BOUNDS[MEASURED] for word in words]
     assert "above what is proved" not in costtext.verdict(rows)
+    head, cells = costtext.table(rows)
+    proved = {cell[head.index("way")]: cell[head.index("proved")] for cell in cells}
+    assert proved["printed, float64"] == proved["half-angle, NumPy"] == "sampled only"
     for way, row in ours.items():
+        assert proved[way] == (f"{row.bound_ulp:.3g} ulp" if row.bound_ulp else f"{row.bound:.3g}")
         tier, _, word = way.partition(", ")
         assert (row.bound, row.bound_ulp) == BOUNDS[MEASURED][tier]["fused" if word == "fused" else "plain"]
         assert row.error <= (row.bound or 0.0)

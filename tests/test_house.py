@@ -251,7 +251,7 @@ WORKBENCH = sorted((ROOT / "slipcircle" / "workbench").glob("*/__init__.py"))
 DENSITY = {
     "derive": 11.1,
     "slipcircle/base": 10.1,
-    "slipcircle/core": 10.4,
+    "slipcircle/core": 10.3,
     **{str(path.parent.relative_to(ROOT)): 12.0 for path in WORKBENCH},
 }
 

@@ -92,6 +92,7 @@ def test_every_column_of_the_csv(name: str) -> None:
         if not {"shaking", "thermal_pressurisation"} & {*m.plan.effects}:
             needed = holding(m, float(state.rotation[k]), float(pressure[k])) if left[k] > 0.0 else math.nan
             assert columns["holding_friction"][k] == pytest.approx(needed, rel=1e-9, abs=1e-9, nan_ok=True), times[k]
+    assert len(csv([m]).splitlines()) == (402 if m.moves else 2)  # by default at even times
     if "shaking" in m.plan.effects:  # it starts where friction falls to what holds it, and stands where that is less
         rests = (state.velocity == 0.0) & (times > 0.0)
         assert np.all(columns["holding_friction"][rests] <= columns["friction"][rests] * (1.0 + 1e-6))

@@ -255,7 +255,9 @@ def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
 
 
 def test_stresses_along_a_layered_arc_have_its_mean() -> None:
+    """In a section whose bands have the names of their soils."""
     slide = solve(Scene(profile("softening"), effects=TURNING))
+    assert {f"soil {k}" for k in range(4)} <= {*legend(plots.section(slide, drawn()))}
     ax = layerplot.stress_along(slide, drawn())
     along, stress = ax.lines[0].get_data()
     mean = float(slide.at(0.0).normal_stress) / 1e3

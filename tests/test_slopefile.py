@@ -202,6 +202,10 @@ def test_what_a_file_says(write: Write) -> None:
         ("cohesion_kPa = 3\n",
          "cohesion_kPa = 3\n[pore_pressure]\nratio = 0.1\n[water]\nlevel_m = [[0, 20], [90, 20]]\n",
          "pore_pressure.ratio = 0.1: and level exclude each other"),
+        ("base_m = 20", "base_m = 20\nheight_m = 3", "do not go together"),
+        ("[cohesion]", "[circle]\ncritical = 'bishp'\n[cohesion]", "did you mean bishop"),
+        ("[cohesion]", "[search]\nk_h = 9.81\n[cohesion]", "a share of g"),
+        ("[cohesion]", "[water]\nlevels_m = [[0, 1]]\n[cohesion]", "did you mean level_m"),
     ],
 )  # fmt: skip
 def test_mistakes_are_told_with_their_fix(write: Write, old: str, new: str, words: str) -> None:

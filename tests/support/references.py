@@ -13,6 +13,7 @@ import numpy as np
 from flint import arb, ctx
 
 from tests.support import taylor
+from tests.support.combinations import friction as friction_law
 from tests.support.oracle import moments
 from tests.support.taylor import Unfit
 
@@ -128,20 +129,11 @@ def called(group: str, rng: np.random.Generator, arc: dict[str, Any], limit: flo
                 given["vertical_amplitude"] = float(rng.uniform(-0.5, 0.9))
         return given | ({"two_way": True} if rng.random() < 0.3 else {})
 
-    def slip_law(peak: float, residual: float, name: str = "") -> dict[str, Any]:
+    def law(name: str, peak: float, residual: float) -> Any:
+        """A friction law of a random length and speed; without a name one of slip."""
         name = name or str(rng.choice(["exponential", "linear", "hyperbolic"]))
-        length = float(arc["radius"] * 10 ** rng.uniform(-3, -1))
-        return {"law": name, "peak": peak, "residual": residual, "length": length}
-
-    def rate(peak: float, residual: float) -> dict[str, Any]:
-        return {"law": "rate_weakening", "peak": peak, "residual": residual,
-                "velocity": float(speed * 10 ** rng.uniform(-2.5, 0))}  # fmt: skip
-
-    def table(peak: float, residual: float) -> dict[str, Any]:
-        count = int(rng.integers(3, 6))
-        values = np.linspace(peak, residual, count) * rng.uniform(0.97, 1.03, count)
-        return {"law": "rate_tabulated", "speed": (speed * np.geomspace(1e-4, 0.3, count)).tolist(),
-                "coefficient": values.tolist()}  # fmt: skip
+        share = float(10 ** rng.uniform(-3, -1))
+        return friction_law(name, residual, peak, share * arc["radius"], 30 * share * speed, pace)
 
     def heat() -> dict[str, float]:
         kappa = 10 ** rng.uniform(-1.0, 0.7)
@@ -155,12 +147,8 @@ def called(group: str, rng: np.random.Generator, arc: dict[str, Any], limit: flo
     match group:
         case "frozen":
             effects.pop("rotation")
-        case "exponential" | "linear" | "hyperbolic":
-            friction = slip_law(friction, friction * float(rng.uniform(0.1, 1.3)), group)
-        case "tabulated":
-            slip = np.cumsum([0.0, *(arc["radius"] * 10 ** rng.uniform(-2.5, -0.5, 4))])
-            values = friction * np.array([1.0, *rng.uniform(0.3, 1.0, 4)])
-            friction = {"law": group, "slip": slip.tolist(), "coefficient": values.tolist()}
+        case "exponential" | "linear" | "hyperbolic" | "tabulated":
+            friction = law(group, friction, friction * float(rng.uniform(0.1, 1.3)))
         case "viscous":
             effects["viscosity"] = viscosity()
             start = float(rng.choice([0.0, 0.1 * speed]))
@@ -168,24 +156,22 @@ def called(group: str, rng: np.random.Generator, arc: dict[str, Any], limit: flo
             effects["shaking"] = shaking(group)
             friction = float(rng.choice([low, high, high]))
             if rng.random() < 0.3:
-                friction = slip_law(high, low)
+                friction = law("", high, low)
         case "rate":
-            friction = rate(limit * float(rng.uniform(0.9, 0.99)), limit * float(rng.uniform(0.0, 0.7)))
-            if rng.random() < 0.5:
-                friction, start = friction | {"peak": high}, float(0.2 * speed)
+            start = float(rng.choice([0.0, 0.2 * speed]))
+            peak = high if start else limit * float(rng.uniform(0.9, 0.99))
+            friction = law(group, peak, limit * float(rng.uniform(0.0, 0.7)))
         case "rate table":
-            friction = table(limit * float(rng.uniform(0.8, 0.95)), low * 0.6)
+            friction = law(group, limit * float(rng.uniform(0.8, 0.95)), low * 0.6)
         case "softening":
-            friction = slip_law(limit * float(rng.uniform(0.8, 0.99)), low * 0.8)
+            friction = law("", limit * float(rng.uniform(0.8, 0.99)), low * 0.8)
         case "prescribed":
-            time = np.cumsum(pace * rng.uniform(0.2, 1.0, 4))
-            values = limit * rng.uniform([1.05, 0.5, 0.2, 0.9], [1.2, 0.8, 0.8, 1.4])
-            friction = {"law": "prescribed", "time": [0.0, *time.tolist()], "coefficient": [high, *values.tolist()]}
+            friction = law(group, high, low)
         case "product":
-            friction = slip_law(limit * 0.95, limit * 0.7) | {"rate": rate(1.0, float(rng.uniform(0.2, 0.9)))}
+            friction = law("", limit * 0.95, limit * 0.7) | {"rate": law("rate", 1.0, float(rng.uniform(0.2, 0.9)))}
         case "heated":
             effects["thermal_pressurisation"] = heat()
-            friction = low if rng.random() < 0.5 else slip_law(limit * 0.95, low)
+            friction = low if rng.random() < 0.5 else law("", limit * 0.95, low)
         case "water":
             time = np.cumsum(pace * rng.uniform(0.3, 1.5, 3))
             top = float(rng.uniform(0.3, 0.9)) * stress
@@ -194,7 +180,7 @@ def called(group: str, rng: np.random.Generator, arc: dict[str, Any], limit: flo
         case "all":
             effects |= {"viscosity": viscosity(), "shaking": shaking(str(rng.choice(["pulse", "series"]))),
                         "thermal_pressurisation": heat()}  # fmt: skip
-            friction = slip_law(high, low) | {"rate": rate(1.0, 0.5)}
+            friction = law("", high, low) | {"rate": law("rate", 1.0, 0.5)}
     end = None
     if rng.random() < 0.15 and group != "all":
         effects.pop("rotation", None)

@@ -102,8 +102,6 @@ class _Implicit(Integrator):
         self.state_cells = [cell for cell, _, _ in integrated]
         self.rates = [rate for _, _, rate in integrated]
         self.without_tangents = len(program.states) // 2  # states, the first of them
-        self.first_values = [piece.taylor(1)[0, 0] for piece in self.timed]
-        self.first_increments = [piece.increment[0] for piece in self.timed]
         self.explicit = self._explicit_step()
         standstill = Event(ix.EVENT_STANDSTILL, self.roles["omega"])
         self.events = [standstill, *self.possible_events()]
@@ -169,8 +167,9 @@ class _Implicit(Integrator):
         cells[self.state_cells] = states
         tables = self._tables(times.size)
         there = LaneState(self.program, tables, cells)
-        for piece, value, increment in zip(there.timed, self.first_values, self.first_increments, strict=True):
-            piece.increment = increment + piece.taylor(1)[0] - value
+        for piece in there.timed:
+            value = piece.taylor(0)[0]
+            piece.increment = value - piece.value  # since the phase began
         return cells
 
     def _registers_in(self, cells: Floats) -> Floats:
@@ -275,7 +274,8 @@ class _Implicit(Integrator):
             return float(event.margin(registers)[0])
 
         times = [now.time, *step.times]
-        margins = [*event.margin(now.registers), *event.margin(step.registers)]
+        registers = np.hstack([now.registers, step.registers])
+        margins = event.margin(registers)
         for low, high in pairwise(zip(times, margins, strict=True)):
             if low[1] > 0.0 >= high[1]:
                 return falling_zero(margin, low, high)

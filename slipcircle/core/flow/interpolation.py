@@ -11,7 +11,7 @@ import numpy as np
 from numpy.polynomial import Chebyshev, Polynomial
 from numpy.polynomial.chebyshev import cheb2poly, chebfit, chebval
 
-from slipcircle.core.flow.tables import Data, Floats
+from slipcircle.core.flow.tables import Data, Floats, continuous
 
 Function = Callable[[Any], Any]
 TERMS = 8  # of a piece
@@ -62,7 +62,9 @@ def between_kinks(
     coefficients : ndarray
         In powers of the distance to the break, (pieces, TERMS, functions, n).
     """
-    first, last = _first_pieces(kinks, least, most, _widest(tolerance))
+    inside = np.clip(kinks, least, most)
+    edges = np.concatenate([[least], inside, [most]])
+    first, last = _first_pieces(edges, _widest(tolerance))
     starts = list[Floats]()
     coefficients = list[Floats]()
     scale = 0.0
@@ -79,7 +81,7 @@ def between_kinks(
         starts.append(first[smooth])
         coefficients.append(powers)
         first, last = _halves(first[rough], last[rough])
-    end = np.broadcast_to(most, starts[0].shape[1:])
+    end = edges[-1]
     constant = _constant(function, end)
     start = np.concatenate(starts)
     order = np.argsort(start.sum(axis=1), kind="stable")
@@ -95,16 +97,14 @@ def _widest(tolerance: float) -> float:
     return float(2 * half)
 
 
-def _first_pieces(kinks: Floats, least: Floats, most: Floats, widest: float) -> tuple[Floats, Floats]:
-    """Both ends of the pieces to begin with, (pieces, n): between kinks, none wider than some."""
-    inside = np.clip(kinks, least, most)
-    edges = np.concatenate([[least], inside, [most]])
+def _first_pieces(edges: Floats, widest: float) -> tuple[Floats, Floats]:
+    """Both ends of the pieces to begin with, (pieces, n): between edges, none wider than some."""
     greatest_width = np.diff(edges, axis=0).max(axis=1)
     pieces = np.ceil(greatest_width / widest - 1e-9)
     pieces[greatest_width <= _SAME] = 0
     count = pieces.astype(np.intp)
     numbers = map(np.arange, count)
-    number = np.concatenate([*numbers])  # of a piece between its kinks
+    number = np.concatenate([*numbers])  # of a piece between its edges
     of = np.repeat(count, count)
     start = np.repeat(edges[:-1], count, axis=0)
     end = np.repeat(edges[1:], count, axis=0)
@@ -223,8 +223,8 @@ def sampled(function: Function, end: float, known: Data | None = None) -> Data:
             )
     breaks.append(end)
     pieces.append(pieces[-1])
-    jumps = np.zeros(len(pieces))
-    return Data(np.array(breaks), np.array(pieces), jumps, open=True)
+    table = continuous(np.array(breaks), np.array(pieces))
+    return table._replace(open=True)
 
 
 def _piece(function: Function, left: float, width: float) -> Floats | None:

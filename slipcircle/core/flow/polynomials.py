@@ -60,8 +60,8 @@ def divided_by_time(series: Floats, where: Any) -> Floats:
     """Divided by the time in some lanes, which removes a root at time 0."""
     if not np.any(where):
         return series
-    lowered = np.roll(series, -1, axis=0)
-    lowered[-1] = 0.0
+    lowered = np.zeros_like(series)
+    lowered[:-1] = series[1:]
     return np.where(where, lowered, series)
 
 

@@ -61,13 +61,16 @@ class Recorder(LaneState):
         omega = value(series[roles["omega"]], since)
         speed = np.where(peaks, omega, 0.0)
         rate = value(net, since)
-        exceeded = self.keep_faster(self.time + since, x, speed, rate)
+        at_peak = self.time + since
+        exceeded = self.keep_faster(at_peak, x, speed, rate)
         if exceeded and self.tangents:
             self.tangents.keep_peak_within(series, float(since[0]))
 
     def keep_faster(self, time: Floats, x: Floats, speed: Floats, rate: Floats) -> bool:
         """Record a candidate for the greatest speed where it exceeds the record; whether it does in any lane."""
         faster = speed > np.abs(self.peak_omega)
+        if not np.any(faster):
+            return False
         candidate = {
             ix.PEAK_TIME: time,
             ix.PEAK_ROTATION: self.rotation_after(x),
@@ -75,7 +78,7 @@ class Recorder(LaneState):
             ix.PEAK_RATE: self.direction * rate,
         }
         self._set(faster, candidate)
-        return bool(np.any(faster))
+        return True
 
     def rotation_after(self, x: Floats) -> Floats:
         """Rotation after some way since the phase began, signed."""
@@ -99,19 +102,24 @@ class Recorder(LaneState):
         falls = drives & (ends_below | dips)
         time = np.full(self.count, np.inf)
         if np.any(falls):
-            positive = divided_by_time(net, from_zero)
-            time[falls] = first_root(positive[:, falls], tau[falls])
-        humps = (first < 0.0) & rises & ends_below & (last_slope < 0.0)
-        if np.any(humps):
-            time[humps] = _root_beyond_hump(net[:, humps], tau[humps])
+            ahead = divided_by_time(net, from_zero)
+            falling = ahead[:, falls]
+            time[falls] = first_root(falling, tau[falls])
+        has_hump = rises & (last_slope < 0.0)
+        from_below = has_hump & (first < 0.0) & ends_below
+        if np.any(from_below):
+            polynomials = net[:, from_below]
+            time[from_below] = _root_beyond_hump(polynomials, tau[from_below])
         return time
 
     def update_reach(self) -> None:
         """Record the present rotation if it is the greatest."""
         rotation = self.rotation_after(self.x)
         farther = np.abs(rotation) > np.abs(self.reach_rotation)
+        if not np.any(farther):
+            return
         self._set(farther, {ix.REACH_TIME: self.time, ix.REACH_ROTATION: rotation})
-        if self.tangents and np.any(farther):
+        if self.tangents:
             self.tangents.keep_reach()
 
     # --- events ------------------------------------------------------------------------------------------------------
@@ -140,7 +148,7 @@ class Recorder(LaneState):
             times = self.samples.times[:, column]
             first = np.searchsorted(times, begin[lane])
             last = np.searchsorted(times, until)
-            if np.isfinite(until) and until >= self.end_time[lane]:
+            if self.end_time[lane] <= until < np.inf:
                 last = np.searchsorted(times, until, side="right")
             if first < last:
                 since = times[first:last] - begin[lane]
