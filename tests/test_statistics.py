@@ -31,7 +31,6 @@ SCIPY: list[tuple[str, dict[str, float], Any]] = [
     ("uniform", {"low": -1.0, "high": 3.0}, stats.uniform(-1, 4)),
     ("triangular", {"low": 1.0, "mode": 2.0, "high": 5.0}, stats.triang(0.25, 1, 4)),
     ("triangular", {"low": 1.0, "mode": 1.0, "high": 5.0}, stats.triang(0.0, 1, 4)),
-    ("truncated_normal", {"mean": 0.0, "std": 1.0, "low": -1.0, "high": 2.0}, stats.truncnorm(-1, 2)),
     ("truncated_normal", {"mean": 0.0, "std": 1.0, "low": 9.0, "high": 12.0}, stats.truncnorm(9, 12)),
     ("truncated_normal", {"mean": 3.0, "std": 2.0, "low": -22.0, "high": -19.0}, stats.truncnorm(-12.5, -11, 3, 2)),
 ]
