@@ -34,6 +34,7 @@ from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 if TYPE_CHECKING:
     from slipcircle.core import Sensitivity
 
+_RESIDUE = 1e-12  # of an outcome: what rounding leaves of a derivative that is 0
 WIDTH = 100  # of a table in files and pipes
 WIDEST = 120  # of a table in a terminal
 _LEAST = 22  # width of a column of long cells
@@ -259,6 +260,8 @@ def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
         for output in sensitivity.distinct:
             at = sensitivity.at[output]
             per_unit = float(sensitivity.derivative(output, parameter) * key.slope(value))
+            if abs(per_unit) * max(abs(value), 1.0) < _RESIDUE * abs(at):
+                per_unit = 0.0
             relative = per_unit * value / at if at else 0.0
             in_brackets = f" ({relative:+.2g})" if relative else ""
             cells.append(shown(per_unit) + in_brackets)
