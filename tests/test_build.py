@@ -86,6 +86,7 @@ assert _compiled.__file__.startswith(sys.argv[1]), _compiled.__file__
 print(_compiled.LEVEL, *(str(w.message) for w in caught), sep="\\n")
 """
     environ = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "SLIPCIRCLE_COMPILED")} | environment
+    environ["PYTHONDONTWRITEBYTECODE"] = "1"  # two sources of one second and one size share their byte code
     command = [sys.executable, "-P", "-c", code, str(place)]
     done = subprocess.run(command, capture_output=True, text=True, env=environ, cwd=place, check=False)
     assert not done.returncode, done.stderr
