@@ -5,11 +5,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
-
-Floats = NDArray[np.float64]
+from slipcircle.base.kinds import Floats
 
 PULSES = ("rectangular", "half-sine", "triangular", "sine")
 

@@ -10,16 +10,14 @@ from importlib import import_module
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import layout as ix
 from generated.series import DIGEST, SCALAR, SERIES
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow import integrate as in_numpy
 from slipcircle.core.flow.link import RESULTS
 from slipcircle.core.flow.program import Log, Program, Samples
 from slipcircle.core.flow.tables import Data
-
-Floats = NDArray[np.float64]
 
 STRIDE = 42  # coefficients from one register to the next: the highest order that C takes, and two
 ROUNDS = 50_000  # steps of some lanes between looks at the keyboard: a tenth of a second at most

@@ -2,12 +2,8 @@
 
 from typing import Any, Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-
 from generated import layout as ix
-
-Floats = NDArray[np.float64]
+from slipcircle.base.kinds import Floats
 
 
 class HasCells(Protocol):

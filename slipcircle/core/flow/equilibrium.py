@@ -3,12 +3,10 @@
 from typing import Any, NamedTuple, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow.program import Program
-
-Floats = NDArray[np.float64]
 
 
 class Forces(NamedTuple):

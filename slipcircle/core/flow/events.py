@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow.polynomials import divided_by_time, first_root
 
-Floats = NDArray[np.float64]
 Kinds = NDArray[np.intp]  # of events, one of each lane
 
 

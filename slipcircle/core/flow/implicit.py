@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow.compiled import engine
 from slipcircle.core.flow.events import Event
 from slipcircle.core.flow.integrate import Integrator
@@ -34,7 +35,6 @@ from slipcircle.core.flow.radau import (
 )
 from slipcircle.core.flow.tables import Data
 
-Floats = NDArray[np.float64]
 CREEP = 1e-12  # of the greatest speed, below which a mass without an end time creeps without end
 ENDLESS = 1e12  # dimensionless time, thirty thousand years and more, after which a motion has no end
 ITERATIONS = 12

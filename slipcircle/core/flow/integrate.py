@@ -20,10 +20,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow.events import Event, FirstEvent, Kinds
 from slipcircle.core.flow.lane_state import LaneState
 from slipcircle.core.flow.polynomials import (
@@ -38,7 +38,6 @@ from slipcircle.core.flow.program import Log, Program, Samples
 from slipcircle.core.flow.stick_slip import StickPhase
 from slipcircle.core.flow.tables import Data
 
-Floats = NDArray[np.float64]
 ROUNDS = 10_000  # after which lanes that have ended make room at the latest
 FAR = 1e300  # a bound that is never reached
 

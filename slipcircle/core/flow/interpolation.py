@@ -11,7 +11,8 @@ import numpy as np
 from numpy.polynomial import Chebyshev, Polynomial
 from numpy.polynomial.chebyshev import cheb2poly, chebfit, chebval
 
-from slipcircle.core.flow.tables import Data, Floats, continuous
+from slipcircle.base.kinds import Floats
+from slipcircle.core.flow.tables import Data, continuous
 
 Function = Callable[[Any], Any]
 TERMS = 8  # of a piece

@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.series import scalar_ops, series_ops
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow.entries import LaneEntries
 from slipcircle.core.flow.pieces import Piece
 from slipcircle.core.flow.polynomials import increment
 from slipcircle.core.flow.program import Log, Program, Samples
 from slipcircle.core.flow.tables import Data
 
-Floats = NDArray[np.float64]
 Lanes = NDArray[np.intp]
 NEGLIGIBLE = 2.0**-56  # of the largest term of a series, which a term has to be below to end the series early
 

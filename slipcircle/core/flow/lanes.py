@@ -6,11 +6,10 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import choose, plain
-from slipcircle.base.kinds import Parameters
+from slipcircle.base.kinds import Floats, Parameters
 from slipcircle.core.flow.compiled import engine
 from slipcircle.core.flow.equilibrium import Forces, equilibrium
 from slipcircle.core.flow.lane_state import LaneState
@@ -20,7 +19,6 @@ from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import by_lanes
 from slipcircle.core.scene.section import Section
 
-Floats = NDArray[np.float64]
 # Lanes in a block, so that their numbers stay in the cache; rows a power of two apart would share its lines.
 BLOCK = 16000
 OUTPUTS = ("pressing", "normal", "mu")  # registers that are evaluated beside the states

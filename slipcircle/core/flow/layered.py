@@ -5,16 +5,14 @@ from functools import reduce
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from slipcircle.base.kinds import Parameters
+from slipcircle.base.kinds import Floats, Parameters
 from slipcircle.core.flow.interpolation import between_kinks
 from slipcircle.core.flow.tables import Data, continuous
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.strength import OfRotation
 
-Floats = NDArray[np.float64]
 FINEST = 1e-14  # the first coefficients left out of tables for single scenes, over their greatest
 _SAMPLE = 256  # lanes whose reach is estimated
 _SHARES = np.linspace(0.0, 1.0, 41)  # of the rotation to upright, at which the energy is estimated

@@ -11,12 +11,11 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow.entries import Entry, LaneEntries
 from slipcircle.core.flow.polynomials import increment, shifted
 from slipcircle.core.flow.program import Table
 from slipcircle.core.flow.tables import Data
-
-Floats = NDArray[np.float64]
 
 
 class _Sine(NamedTuple):

@@ -7,11 +7,10 @@ Coefficients have the shape (order + 1, lanes). The compiled integrator has the 
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Floats
 
-Floats = NDArray[np.float64]
 MOST_ITERATIONS = 200
 LAST_STEP = 2.0**-30  # of Newton's method, relative
 

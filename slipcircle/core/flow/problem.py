@@ -6,12 +6,11 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import layout as ix
 from generated.effects import ALL_EFFECTS
 from slipcircle.base.checks import choose
-from slipcircle.base.kinds import Names, Parameters
+from slipcircle.base.kinds import Floats, Names, Parameters
 from slipcircle.core.flow.build import build_program
 from slipcircle.core.flow.interpolation import sampled
 from slipcircle.core.flow.layered import FINEST as FINEST_TABLES
@@ -24,7 +23,6 @@ from slipcircle.core.scene.friction import law_parts, without_soil
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
 
-Floats = NDArray[np.float64]
 Effects = Mapping[str, Parameters]  # by name, each with its parameters
 Function = Callable[[Any], Any]
 FINEST = 1e-14  # accuracy to which single scenes are solved

@@ -11,7 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from slipcircle.base.kinds import Floats
+
 Log = list[tuple[int, float, float, float]]  # events: kind, time, rotation, direction
 
 

@@ -13,11 +13,10 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import legendre
-from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Floats
 
-Floats = NDArray[np.float64]
 TimeAndValue = tuple[float, float]
 POINTS = 12
 LEAST_SIZE = 1e-300  # by which what is 0 is divided

@@ -4,9 +4,9 @@ from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import layout as ix
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow.lane_state import LaneState
 from slipcircle.core.flow.polynomials import (
     bracketed_root,
@@ -16,8 +16,6 @@ from slipcircle.core.flow.polynomials import (
     value,
     value_and_slope,
 )
-
-Floats = NDArray[np.float64]
 
 
 class _Sampled(NamedTuple):

@@ -6,15 +6,14 @@ At rest the net moment is a series of time alone. Its root, in the direction fac
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow.events import Event
 from slipcircle.core.flow.polynomials import divided_by_time, first_root, radius_of_convergence
 from slipcircle.core.flow.recorder import Recorder
 
-Floats = NDArray[np.float64]
 TOUCHES = 2.0  # units of rounding of the drive, within which the net moment at rest is zero
 SMALLEST = 1e-300  # size of the terms of a drive, in units of rounding, if all are zero
 TOGETHER = 1e-9  # relative times of lift-off and start that are the same

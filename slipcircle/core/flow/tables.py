@@ -8,9 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from generated.flow import PIECES
+from slipcircle.base.kinds import Floats
 from slipcircle.base.series import Pulse, Series
-
-Floats = NDArray[np.float64]
 
 
 class Data(NamedTuple):

@@ -17,12 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow.lane_state import LaneState
 from slipcircle.core.flow.pieces import Piece
 from slipcircle.core.flow.polynomials import derivative, shifted, value
 from slipcircle.core.flow.tables import Data
-
-Floats = NDArray[np.float64]
 
 
 class TableGrowth(NamedTuple):

@@ -5,16 +5,15 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS, choose
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow.lanes import Lanes, integrate_all
 from slipcircle.core.flow.numbers import STEP
 from slipcircle.core.flow.problem import Problem
 from slipcircle.core.flow.program import Program, Samples
 
-Floats = NDArray[np.float64]
 Final = Mapping[int, Any]  # state entries of lanes at their end, by their places
 
 # Plackett and Burman (1946): seven factors in eight runs, the first of which is the motion itself. Random signs miss

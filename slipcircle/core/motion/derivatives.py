@@ -4,11 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core.scene.scene import Scene
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -11,18 +11,16 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated.flow import INPUTS
 from generated.growth import arc_growth
+from slipcircle.base.kinds import Floats
 from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.complex_step import STEP, derivative, with_derivatives
+from slipcircle.core.scene.complex_step import derivative, with_derivatives, with_parts
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.transport import SectionDerivatives, section_derivatives
 from slipcircle.core.scene.weights import MomentCoefficients, SlidingBody
-
-Floats = NDArray[np.float64]
 
 
 def relative_derivative(values: Any) -> Floats:
@@ -53,11 +51,6 @@ class Directions:
     def stepped(self, name: str, value: Any) -> Any:
         """The value of a parameter as a complex number."""
         return with_parts(value, self.one(name))
-
-
-def with_parts(value: Any, derivatives: Floats) -> Any:
-    """A complex number from its value and derivatives."""
-    return float(value) + 1j * STEP * derivatives
 
 
 class ArcWithDerivatives(SlidingBody):

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from generated.effects import EFFECTS
-from slipcircle.base.kinds import Parameters
+from slipcircle.base.kinds import Floats, Parameters
 from slipcircle.base.series import Series
 from slipcircle.core.flow.interpolation import in_pieces
 from slipcircle.core.flow.lanes import Lanes
@@ -18,14 +18,8 @@ from slipcircle.core.flow.numbers import Numbers, ScaledTable, symbols_of
 from slipcircle.core.flow.program import Table
 from slipcircle.core.flow.tables import Data, continuous
 from slipcircle.core.flow.tangents import InputGrowth, TableGrowth
-from slipcircle.core.motion.geometry_derivatives import (
-    Directions,
-    Floats,
-    arc_with_derivatives,
-    relative_derivative,
-    with_parts,
-)
-from slipcircle.core.scene.complex_step import derivative
+from slipcircle.core.motion.geometry_derivatives import Directions, arc_with_derivatives, relative_derivative
+from slipcircle.core.scene.complex_step import derivative, with_parts
 from slipcircle.core.scene.forcing import factor
 from slipcircle.core.scene.friction import law_parts, law_paths
 from slipcircle.core.scene.layers import LayeredSection

@@ -11,11 +11,10 @@ from math import prod
 from typing import TYPE_CHECKING, Any, Generic, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import choose
-from slipcircle.base.kinds import Numbers
+from slipcircle.base.kinds import Floats, Numbers
 from slipcircle.core.motion.accuracy import estimate
 from slipcircle.core.motion.forms import Forms
 from slipcircle.core.motion.states import Phase, State, Status
@@ -29,7 +28,6 @@ from slipcircle.core.scene.turning import Journey
 if TYPE_CHECKING:
     from slipcircle.core.motion.derivatives import Sensitivity
 
-Floats = NDArray[np.float64]
 
 # The state entries of each lane's end that a motion is read off.
 FINAL_ENTRIES = (

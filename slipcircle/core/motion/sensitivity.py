@@ -9,9 +9,9 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import layout as ix
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow.integrate import Integrator
 from slipcircle.core.flow.lanes import Lanes, integrate_all
 from slipcircle.core.flow.problem import Problem
@@ -27,8 +27,6 @@ from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.soils import share_one_law
 from slipcircle.core.scene.transport import active_parameters, through_vertex
-
-Floats = NDArray[np.float64]
 
 OUTPUTS: Mapping[str, str] = {"peak_velocity": "m/s", "run_out": "m", "duration": "s", "reach": "m"}
 STIFF_STEPS = (1000.0, 1.0)  # steps that a step held short by what decays at once counts for: few first, then all

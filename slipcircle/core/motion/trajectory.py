@@ -10,16 +10,16 @@ from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from generated import layout as ix
 from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow.lanes import Lanes
 from slipcircle.core.flow.program import Log
 from slipcircle.core.motion.plan import Plan
 from slipcircle.core.motion.states import STATUS_OF_END, Energy, State, Status
 
-Floats = NDArray[np.float64]
 RESTS = int(Status.RESTS)
 STAYS = int(Status.STAYS)
 TURNED = int(Status.TURNED)

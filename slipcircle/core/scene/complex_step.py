@@ -29,6 +29,11 @@ def derivative(values: Any) -> Floats:
     return np.asarray(np.imag(values) / STEP)
 
 
+def with_parts(value: Any, derivatives: Any) -> Any:
+    """A complex number from its value and derivatives."""
+    return float(value) + 1j * STEP * derivatives
+
+
 def with_derivatives(section: LayeredSection, names: Sequence[str]) -> LayeredSection:
     """A section with a lane for each of these numbers, by which the lane's numbers are differentiated.
 
@@ -43,7 +48,7 @@ def with_derivatives(section: LayeredSection, names: Sequence[str]) -> LayeredSe
     numbers = arc_numbers(section)
     known = {name: numbers[name] for name in names if name in numbers}
     all_names = np.array(names)
-    steps = {name: value + 1j * STEP * (all_names == name) for name, value in known.items()}
+    steps = {name: with_parts(value, all_names == name) for name, value in known.items()}
     changed = changed_fields(section, steps)
     other: Any = object.__new__(_ComplexSection)
     for field in fields(section):

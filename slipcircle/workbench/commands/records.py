@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
 from slipcircle.workbench.common import files
 from slipcircle.workbench.outputs.tables import Answer, Part
@@ -18,7 +18,6 @@ from slipcircle.workbench.records.suite import Suite, read_suite
 from slipcircle.workbench.suites.spectra import misfit
 from slipcircle.workbench.suites.synthetic import synthetic_records, write_records
 
-Floats = NDArray[np.float64]
 HELP = "earthquake records of files and folders with their intensity measures, or synthetic ones for a folder"
 FORMATS = "files and folders of records: AT2, ESM, K-NET, COSMOS, CSMIP, SMC, and tables of numbers, mixed"
 

@@ -17,9 +17,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.base.progress import track
 from slipcircle.workbench.cost import scenes, sections
-from slipcircle.workbench.cost.reference import Floats
 from slipcircle.workbench.cost.ways import FLOOR, FUNCTIONS, Subject, Way
 
 SIZES = (1, 10_000, 1_000_000)  # a call, an array that stays in cache, one that does not

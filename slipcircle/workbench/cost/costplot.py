@@ -5,8 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.workbench.cost.cost import FRONTIER, Profile, Row
-from slipcircle.workbench.cost.reference import HALF_PI, Floats
+from slipcircle.workbench.cost.reference import HALF_PI
 from slipcircle.workbench.outputs.plotstyle import LINES, MEASURED, REST, SERIES, WIDTH, axis, label
 
 _BEST = 1e-19  # ends of the axis of errors; errors beyond are drawn there

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from generated import kernels, motion
-from slipcircle.workbench.cost.reference import Floats
+from slipcircle.base.kinds import Floats
 
 LAYER = {"pressurisation": 4e3, "heat_capacity": 2.7e6, "thickness": 0.5}  # Pa/K, J/m^3 K, m: it stays pressed
 SHEARED = {"viscosity": 2e3, "thickness": 0.5}  # Pa s, m: it takes a sixth of the speed in the unit of time

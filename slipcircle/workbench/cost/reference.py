@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.definitions import CLOSED, QUOTIENTS
-
-Floats = NDArray[np.float64]
+from slipcircle.base.kinds import Floats
 
 POINTS = 10_000
 HALF_PI = (float(np.pi / 2), 6.123233995736766e-17)  # pi/2 as a sum of two doubles: what alpha lacks at that end

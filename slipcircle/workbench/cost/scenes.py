@@ -13,11 +13,12 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.base.series import Series
 from slipcircle.core import Scene, numpy_only, solve
 from slipcircle.workbench.cost import peers
 from slipcircle.workbench.cost.peers import LAYER, SHEARED, Equation
-from slipcircle.workbench.cost.reference import Floats, reference
+from slipcircle.workbench.cost.reference import reference
 from slipcircle.workbench.cost.ways import Subject, Way
 from slipcircle.workbench.files.scenefile import load
 

@@ -12,8 +12,9 @@ from pathlib import Path
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core import Section
-from slipcircle.workbench.cost.reference import Floats, reference
+from slipcircle.workbench.cost.reference import reference
 from slipcircle.workbench.cost.ways import Subject, Way
 
 # Area, integrals of r and r^2, of the unit vector (x, y)/r and of (x, y) over the mass, from the centre and over powers

@@ -11,8 +11,9 @@ import numpy as np
 
 from generated import _compiled, kernels, printed, stable, tiers
 from generated.definitions import CLOSED, INTEGRANDS, QUOTIENTS
+from slipcircle.base.kinds import Floats
 from slipcircle.workbench.cost import reference
-from slipcircle.workbench.cost.reference import Floats, Reference
+from slipcircle.workbench.cost.reference import Reference
 
 GAUSS_POINTS = (4, 8, 16, 32, 64)
 FLOOR = "np.copyto (floor)"

@@ -5,10 +5,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core import Motion
 from slipcircle.workbench.outputs.plotstyle import AREAS, axis, number
 from slipcircle.workbench.outputs.sectionplot import set_stage
-from slipcircle.workbench.outputs.trace import Floats
 
 
 class Film(NamedTuple):

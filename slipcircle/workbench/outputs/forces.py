@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core import Motion
 from slipcircle.workbench.outputs.plotstyle import FORCES, beside, label
-from slipcircle.workbench.outputs.trace import Floats
 
 _ARROWS = (-0.6, -0.2, 0.2, 0.6)  # angles of the reactions from the middle of the arc, over alpha
 

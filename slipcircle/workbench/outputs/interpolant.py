@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core import ANSWERED, Motion, in_time
-from slipcircle.workbench.outputs.trace import Floats
 
 TOLERANCE = 8e-7  # of the greatest velocity
 _FIRST = 17  # equidistant times at the start

@@ -6,8 +6,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core import Motion, in_time, law_parts
-from slipcircle.workbench.outputs.trace import Floats, drawn
+from slipcircle.workbench.outputs.trace import drawn
 
 Kinks = list[tuple[float, str]]
 

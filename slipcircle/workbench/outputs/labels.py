@@ -14,9 +14,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 from matplotlib.text import Annotation, Text
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from slipcircle.base.kinds import Floats
 
 _DISTANCES = (6.0, 14.0, 26.0, 42.0, 62.0, 86.0, 115.0)  # of a label from an anchor, in points
 _NEAR = 15.0  # points, within which a label needs no leader

@@ -5,11 +5,11 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core import LayeredSection, Motion, mean_normal_stress, stretches
 from slipcircle.workbench.common.quantities import prefixed
 from slipcircle.workbench.outputs.plotstyle import LINES, SOILS, axis, label, points_of
 from slipcircle.workbench.outputs.shapes import Mass, View
-from slipcircle.workbench.outputs.trace import Floats
 
 _ACROSS = 400  # points of a boundary
 _PLACES = 40  # for the label of a band

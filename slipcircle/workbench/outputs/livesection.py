@@ -9,12 +9,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core import Arc, Motion
 from slipcircle.workbench.common.markup import Raw, escaped
 from slipcircle.workbench.outputs.layerplot import boundaries
 from slipcircle.workbench.outputs.sectionplot import magnified
 from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of, water_line
-from slipcircle.workbench.outputs.trace import Floats
 
 WIDTH = 1000.0  # of the drawing, in its own unit
 _LOWEST = 0.42  # least height over width

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
 from slipcircle.core import LayeredSection, Motion, in_time
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
@@ -37,7 +38,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     work,
 )
 from slipcircle.workbench.outputs.sectionplot import section
-from slipcircle.workbench.outputs.trace import Floats, drawn
+from slipcircle.workbench.outputs.trace import drawn
 
 __all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]
 

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core import Arc, LayeredSection, Motion, Section
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.forces import draw_forces
@@ -24,7 +25,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     to_scale,
 )
 from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of, water_line
-from slipcircle.workbench.outputs.trace import Floats, toe_words
+from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
 
 _SMALL = 0.12  # chord over view, below which the mass is drawn as a mark, without forces

@@ -5,8 +5,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core import Arc
-from slipcircle.workbench.outputs.trace import Floats
 
 ON_ARC = 200  # points along the arc, which an outline begins with
 

@@ -5,14 +5,12 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Section, in_time
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import HISTORY
-
-Floats = NDArray[np.float64]
 
 SAMPLES = 400
 _JUMP = 1e-3  # of the greatest value: a larger change at a breakpoint is a jump

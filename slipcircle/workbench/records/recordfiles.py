@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.checks import InputError
-from slipcircle.base.series import Floats
+from slipcircle.base.kinds import Floats
 from slipcircle.workbench.records.headers import (
     ACCELERATION,
     Header,

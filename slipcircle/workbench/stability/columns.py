@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.series import Floats
+from slipcircle.base.kinds import Floats
 from slipcircle.core import continued, edge_below, line_crossings
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.series import Floats
+from slipcircle.base.kinds import Floats
 
 _LEAST_SHARE = 0.005
 _SHRINK = 0.5  # of the steps of a grid without a better neighbour

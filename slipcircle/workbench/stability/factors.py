@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import slopes
-from slipcircle.base.series import Floats
+from slipcircle.base.kinds import Floats
 from slipcircle.core import arc_crossings
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.slices import NODES, Arcs, Slices, angle_from_below, slices_above

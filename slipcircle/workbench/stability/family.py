@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.checks import InputError
-from slipcircle.base.series import Floats
+from slipcircle.base.kinds import Floats
 from slipcircle.core import circle_through, circle_touching
 from slipcircle.workbench.stability.descent import Descent
 from slipcircle.workbench.stability.factors import YIELD, factors_by

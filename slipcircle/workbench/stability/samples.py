@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.series import Floats
+from slipcircle.base.kinds import Floats
 from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.family import COARSE_NODES, Search, valleys_of
 from slipcircle.workbench.stability.stability import METHODS, Slope

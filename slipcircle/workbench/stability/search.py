@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.checks import InputError, raise_all
-from slipcircle.base.series import Floats
+from slipcircle.base.kinds import Floats
 from slipcircle.core import Section
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 from slipcircle.workbench.stability.family import Search

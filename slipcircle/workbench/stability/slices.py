@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import slopes
-from slipcircle.base.series import Floats
+from slipcircle.base.kinds import Floats
 from slipcircle.core import meets_circle
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays
 

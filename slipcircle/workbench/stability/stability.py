@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, raise_all
-from slipcircle.base.series import Floats
+from slipcircle.base.kinds import Floats
 from slipcircle.core import (
     LayeredSection,
     Section,

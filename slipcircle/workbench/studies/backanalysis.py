@@ -11,11 +11,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Floats
 from slipcircle.core import Motion, Scene, checked, solve, with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.studies.fits import fits
 from slipcircle.workbench.studies.motions import derivatives
-from slipcircle.workbench.studies.problem import Bounds, Floats, Observed, SearchProblem, observations, search_problem
+from slipcircle.workbench.studies.problem import Bounds, Observed, SearchProblem, observations, search_problem
 from slipcircle.workbench.studies.roots import extreme, solve_exact
 from slipcircle.workbench.studies.sampling import sobol
 

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core import ANSWERED, Motion, Scene, Section, Status
 from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.common.quantities import OUTCOMES
@@ -23,7 +24,6 @@ from slipcircle.workbench.studies.searched import searched_factors
 from slipcircle.workbench.studies.statistics import sums
 from slipcircle.workbench.studies.tally import counted
 
-Floats = NDArray[np.float64]
 Result = dict[str, NDArray[Any]]
 # Of a sample that slides, but not to a known end: it moves, and exceeds every threshold.
 NO_RESULT = tuple(s for s in Status if s not in ANSWERED and s is not Status.INVALID)

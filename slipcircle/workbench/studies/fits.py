@@ -4,7 +4,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.workbench.studies.problem import Floats, SearchProblem
+from slipcircle.base.kinds import Floats
+from slipcircle.workbench.studies.problem import SearchProblem
 
 _STARTS = 12  # of fits
 _APART = 0.1  # shares of the ranges between starts

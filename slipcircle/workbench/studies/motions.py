@@ -4,13 +4,12 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core import Motion, Scene, solve, with_parameter_arrays
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import lengths
 
-Floats = NDArray[np.float64]
 _STEPS = 1e-5, 1e-7  # of derivatives, relative, until one is small enough
 _FINE = 1e-14  # accuracy of their motions
 

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
-from slipcircle.workbench.studies.problem import Floats, Kinds, SearchProblem
+from slipcircle.base.kinds import Floats
+from slipcircle.workbench.studies.problem import Kinds, SearchProblem
 
 _PARTS = 16  # into which a bracket is divided: each round gains four bits
 _ROUNDS = 16

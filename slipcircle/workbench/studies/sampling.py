@@ -9,11 +9,10 @@ import warnings
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.workbench.common.distributions import statistics
 
-Floats = NDArray[np.float64]
 MOST_LATIN = 2**24
 _LOWEST = 2.0**-54  # 0 and 1 have no quantile
 _HIGHEST = 1.0 - 2.0**-53

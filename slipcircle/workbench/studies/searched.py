@@ -6,13 +6,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core import Scene, with_parameters
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.variation import slope_of
 from slipcircle.workbench.stability.samples import SampleSearch
 from slipcircle.workbench.stability.stability import METHODS
 
-Floats = NDArray[np.float64]
 SEARCHED = "searched "  # before the name of a method: by this method, the circle searched for every sample
 
 

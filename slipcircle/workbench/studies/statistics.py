@@ -6,10 +6,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.base.text import DIGITS, shown
 from slipcircle.workbench.common.distributions import statistics
-
-Floats = NDArray[np.float64]
 
 # Bins of a histogram: of equal relative width 2**-10 from 2**-30 to 2**30, one below (zero too), one above, and the
 # last one for infinity.

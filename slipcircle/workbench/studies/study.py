@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.core import Motion, Pictured, Scene, Status
 from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.markup import Raw, table, tag
@@ -36,8 +37,6 @@ from slipcircle.workbench.studies.statistics import (
     width,
 )
 from slipcircle.workbench.studies.tally import COUNTED, Tally
-
-Floats = NDArray[np.float64]
 
 
 class Exceedance(NamedTuple):

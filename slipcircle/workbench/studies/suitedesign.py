@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 from typing import Any, TypedDict
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.base.series import Series
 from slipcircle.core import STRONGEST, Scene
 from slipcircle.workbench.common.quantities import OUTCOMES
@@ -21,7 +21,6 @@ from slipcircle.workbench.studies.design import Design, Result
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.suites.statistics import THRESHOLDS
 
-Floats = NDArray[np.float64]
 # Of each lane, with its unit: signed, NaN without a result, 0 of what does not move.
 LANE_RESULTS: Mapping[str, str] = {name: q.unit for name, q in OUTCOMES.items()} | {"rotation": "rad", "slips": ""}
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.base.series import Pulse
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Pictured, Scene, Status, solve
@@ -22,7 +23,6 @@ from slipcircle.workbench.suites.intensities import spectral_acceleration
 from slipcircle.workbench.suites.regressions import RIGID, Comparison, Shaking, comparisons
 from slipcircle.workbench.suites.statistics import distribution, exceedance, exceedance_shares
 
-Floats = NDArray[np.float64]
 DIMENSIONS = ("record", "polarity", "scale", "sample")
 
 

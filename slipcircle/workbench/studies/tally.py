@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Floats
 from slipcircle.workbench.studies.statistics import (
     BINS,
-    Floats,
     Spread,
     bins,
     edges,

@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
 from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.studies.statistics import NOT_GIVEN, Estimate
 
-Floats = NDArray[np.float64]
 _FEWEST = 4  # records of a curve
 _SAME = 1e-9  # relative difference of equal peak accelerations, which scaling rounds
 _UNKNOWN = np.full((2, 2), np.nan)

@@ -5,11 +5,10 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.base.series import Series
 
-Floats = NDArray[np.float64]
 _BAND = 0.25, 20.0  # Hz, of the mean period
 _RESOLUTION = 0.05  # Hz, at most, of its spectrum
 _STEPS_OF_PERIOD = 100  # of an oscillator: a peak between them is too small by 5e-4 at most

@@ -25,7 +25,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from slipcircle.base.kinds import Floats
+
 _LN_10 = math.log(10.0)
 _SYMBOLS = {"ratio": "r", "k_y": "k_y", "magnitude": "M", "period": "T_s", "response": "S_a(1.5 T_s)"}
 RIGID = 0.05  # s, fundamental period below which Bray and Travasarou (2007) take a mass for rigid

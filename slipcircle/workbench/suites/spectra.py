@@ -3,12 +3,11 @@
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.base.series import Series
 from slipcircle.workbench.suites.intensities import spectral_acceleration
 
-Floats = NDArray[np.float64]
 Spectrum = tuple[Any, Any]  # periods, s, and accelerations over gravity at a damping of 5 %
 _RESOLUTION = 20  # steps of a period, from which peaks are too small by 1 % at most
 

@@ -8,11 +8,10 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats
 from slipcircle.workbench.studies.statistics import Estimate, proportion
 
-Floats = NDArray[np.float64]
 THRESHOLDS = np.array([0.01, 0.05, 0.15, 1.0])  # of displacements, m, that tables and pictures show
 
 

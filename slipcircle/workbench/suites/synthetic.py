@@ -6,16 +6,15 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
+from slipcircle.base.kinds import Floats
 from slipcircle.base.series import Series
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.suites.intensities import intensities
 from slipcircle.workbench.suites.spectra import Spectrum, log_ratios, resampled
 
-Floats = NDArray[np.float64]
 _SHAPE = 3.0  # of the gamma distribution by which the intensity grows with time (Saragoni and Hart 1974)
 _STEP = 0.01  # s
 _GROUND, _DAMPING = 2.5, 0.6  # Hz; of the soil that filters the noise (Kanai 1957, Tajimi 1960)
