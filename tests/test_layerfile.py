@@ -261,6 +261,7 @@ def test_every_mistake_between_tables_is_listed(write: Write) -> None:
     ("old", "new", "message"),
     [
         ("[soils.sand]", "[soils.sand]\ncohesoin_kPa = 3", r"cohesoin_kPa = 3: .*did you mean cohesion_kPa\?"),
+        (GROUND, "ground = 23.9\n", r"ground = 23\.9: must be a table \[ground\]"),
         ("[[layers]]", "[[layer]]", "layer = .*: is unknown; did you mean layers"),
         (LAYERS, '[layers]\nsoil = "sand"\n', r"layers = .*: must be tables \[\[layers\]\]"),
         ("angle_deg = 28", "angle_deg = 95", "soils.sand.friction.angle_deg = 95: must be a number"),

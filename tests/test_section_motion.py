@@ -102,7 +102,7 @@ def test_the_motion_of_a_file_slides_along_the_circle_of_its_search(records: Any
     ],
 )
 def test_mistakes_of_a_scene_with_a_ground(tmp_path: Path, old: str, new: str, words: str) -> None:
-    """Others are among `malformed_sections`."""
+    """Others are in `test_odd_files`."""
     text = Path("slipcircle/scenes/real-slope.toml").read_text("utf-8")
     assert old in text
     path = tmp_path / "slope.toml"

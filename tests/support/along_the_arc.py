@@ -1,0 +1,169 @@
+"""Forces and factors of safety along the arc of a layered mass from their definitions, by Gauss' rule between kinks.
+
+Directions b are from straight below the centre, down-slope positive. Of the package it takes the numbers of the slope
+and of the circle; nothing that it computes.
+"""
+
+from itertools import combinations
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.core import LayeredSection, Soil
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
+
+
+def random_section(rng: np.random.Generator, strongest: float = 1.0, **given: Any) -> LayeredSection:
+    """Four layers with wavy and crossing boundaries and a thin seam, one soil twice; water, loads, either facing."""
+    while True:
+        facing = rng.choice([-1, 1])
+        x = [-120.0, *np.sort(rng.uniform(-60, 80, 4)), 160.0]
+        y = [25.0, *np.sort(rng.uniform(0, 25, 4))[::-1], 0.0]
+        ground = np.column_stack([x, y])[::facing] * [facing, 1]
+        wavy = np.column_stack([np.sort(rng.uniform(-100, 100, 5)), rng.uniform(-12, 24, 5)])
+        seam = rng.uniform(-10, 20)
+        numbers = rng.uniform([15e3, 0.0, 0.0], [22e3, 2e4, 0.8], (4, 3)) * [1.0, strongest, strongest]
+        soils = [
+            Soil(weight, cohesion, friction, rng.choice([0.0, 23e3]) or None, rng.choice([0.0, 800.0]),
+                 rng.uniform(-5, 20), rng.choice([0.0, 0.0, 0.2]), name=f"soil {k}")
+            for k, (weight, cohesion, friction) in enumerate(numbers.tolist())
+        ]  # fmt: skip
+        soils[3] = soils[0]
+        loads = [(x, x + rng.uniform(2, 20), *rng.uniform(0, 5e4, 2)) for x in rng.uniform(-30, 30, 2)]
+        try:
+            section = LayeredSection(
+                ground, (rng.uniform(-10, 40) * facing, rng.uniform(28, 70)), rng.uniform(30, 80), surcharge=loads,
+                layers=list(zip(soils, [None, wavy, seam, seam - 0.02], strict=True)),
+                level=ground - [0.0, rng.uniform(0, 4)], **given,
+            )  # fmt: skip
+        except ValueError:
+            continue
+        if section.no_motion is None and max(np.abs(AlongTheArc(section, section).ends)) < 1.5:
+            return section
+
+
+def antiderivatives(x: Any, y: Any) -> Any:
+    """Over y of -y/rho, x/rho, rho, x, y, rho^2 and 1, rho the distance from the centre."""
+    rho, log = np.sqrt(x**2 + y**2), np.arcsinh(y / np.abs(x))
+    return np.array([-rho, x * log, (y * rho + x**2 * log) / 2, x * y, y**2 / 2, x**2 * y + y**3 / 3, y])
+
+
+class Columns(NamedTuple):
+    """Vertical strips above nodes of the arc, and what acts at their bases."""
+
+    b: Any
+    length: Any  # of the arc
+    soil: Any  # weight over breadth times the integrands of `antiderivatives`
+    load: Any  # likewise of the surcharges
+    friction: Any
+    cohesion: Any
+    pressure: Any
+
+
+class AlongTheArc:
+    """A slope above a circle."""
+
+    def __init__(self, slope: Any, circle: Any) -> None:
+        self.slope, self.radius, self.facing = slope, float(circle.radius), float(circle.facing)
+        self.centre = np.array(circle.centre, dtype=np.float64)
+        self.soils = [soil for soil, _ in slope.layers]
+        level = [[0.0, -1e9]] if slope.level is None else slope.level
+        tops = [slope.ground, *(top for _, top in slope.layers[1:]), level, *(soil.datum for soil in self.soils)]
+        lines = [np.asarray(top) if np.ndim(top) else np.array([[0.0, top or 0.0]]) for top in tops]
+        self.lines, self.level = lines[: len(self.soils)], lines[len(self.soils)]
+        loads = [x for load in slope.surcharge for x in load[:2]]
+        self.kinks = self.angle(self.kinks_of(lines, np.unique(np.concatenate([*(p[:, 0] for p in lines), loads]))))
+        self.ends = np.sort(self.angle(np.array([circle.entry[0], circle.exit[0]])))
+
+    def angle(self, x: Any) -> Any:
+        sine = self.facing * (x - self.centre[0]) / self.radius
+        return np.arcsin(sine[np.abs(sine) <= 1.0])
+
+    def arc(self, b: Any) -> tuple[Any, Any]:
+        x, y = self.centre
+        return x + self.facing * self.radius * np.sin(b), y - self.radius * np.cos(b)
+
+    def kinks_of(self, lines: Any, x: Any) -> Any:
+        """Vertices of lines, and where they cross each other and the circle."""
+        y = np.array([np.interp(x, *line.T) for line in lines])
+        dip = np.diff(y) / np.diff(x)
+        above = y[:, :-1] - self.centre[1] - dip * (x[:-1] - self.centre[0])  # of a line at the centre
+        with np.errstate(invalid="ignore", divide="ignore"):
+            reach = np.sqrt((1.0 + dip**2) * self.radius**2 - above**2)
+            crossings = [self.centre[0] + (sign * reach - dip * above) / (1.0 + dip**2) for sign in (-1.0, 1.0)]
+            crossings += [[x[:-1] - (f - g)[:-1] * np.diff(x) / np.diff(f - g)] for f, g in combinations(y, 2)]
+        every = np.concatenate(crossings)
+        return np.concatenate([x, every[(every >= x[:-1]) & (every <= x[1:])]])
+
+    def weights(self, x: Any, y: Any) -> tuple[Any, Any]:
+        """Of the soils, and of the surcharges, above points of the arc."""
+        height = self.centre[1]
+        along = self.facing * (x - self.centre[0])
+        ground, *_ = tops = np.minimum.accumulate([np.interp(x, *line.T) for line in self.lines])
+        bounds = [*np.maximum(tops, y), y]
+        soil, load = np.zeros((2, 7, *x.shape))
+        for k, of in enumerate(self.soils):
+            wet = np.clip(np.interp(x, *self.level.T), bounds[k + 1], bounds[k])
+            up, middle, low = (antiderivatives(along, line - height) for line in (bounds[k], wet, bounds[k + 1]))
+            soil += of.unit_weight * (up - middle) + (of.saturated_unit_weight or of.unit_weight) * (middle - low)
+        for left, right, q_left, q_right in self.slope.surcharge:
+            q = np.where((x >= left) & (x <= right), q_left + (q_right - q_left) * (x - left) / (right - left), 0.0)
+            load += q * antiderivatives(along, ground - height + 1e-30j).imag / 1e-30
+        return soil, load
+
+    def columns(self, rotation: float = 0.0, strength: str = "base") -> Columns:
+        """After the mass has turned; strength is that of the base or turns with the mass."""
+        edges = np.concatenate(
+            [self.kinks, self.kinks - rotation, self.ends - rotation, np.linspace(self.ends[0], self.ends[1], 9)]
+        )
+        edges = np.unique(np.clip(edges, *self.ends))
+        half = np.diff(edges) / 2
+        b = edges[:-1] + half * (1.0 + NODES[:, None])
+        soil, load = self.weights(*self.arc(b))
+        base = np.clip(b + (rotation if strength == "base" else 0.0), *self.ends)
+        # At the ends the ground has no thickness: the soil just inside counts.
+        x, y = self.arc(np.clip(base, self.ends[0] + 1e-6, self.ends[1] - 1e-6))
+        tops = np.minimum.accumulate([np.interp(x, *line.T) for line in self.lines])
+        which = np.maximum(np.count_nonzero(tops > y, axis=0) - 1, 0)
+        names = ("friction", "cohesion", "cohesion_gradient", "datum", "pore_ratio")
+        numbers = np.array([[getattr(soil, name) or 0.0 for name in names] for soil in self.soils])
+        friction, cohesion, gradient, datum, ratio = numbers.T[:, which]
+        cohesion = cohesion + gradient * np.maximum(datum - self.arc(base)[1], 0.0)
+        x, y = self.arc(b + rotation)
+        head = np.maximum(np.interp(x, *self.level.T) - y, 0.0)
+        pressure = np.where(ratio > 0.0, ratio * soil[6], self.slope.water_unit_weight * head)
+        return Columns(b, self.radius * half * WEIGHTS[:, None], soil, load, friction, cohesion, pressure)
+
+    def motion(self, state: Any) -> tuple[float, float]:
+        """Acceleration of a turning layered mass, and the friction that its weight alone would mobilise, N/m."""
+        section, turn = self.slope, float(state.rotation)
+        columns = self.columns(turn, section.strength)
+        radial, tangential, polar, x, y, inertia, _ = (columns.soil + columns.load) * np.cos(columns.b)
+        turned = radial * np.cos(turn) - tangential * np.sin(turn)
+        friction = columns.friction * (turned + state.angular_velocity**2 / section.gravity * polar)
+        water, drive = columns.friction * columns.pressure, y * np.sin(turn) - x * np.cos(turn)
+        integrands = (friction, water, columns.cohesion, drive, inertia)
+        of_weight, of_water, cohesion, driving, mass = (float((value * columns.length).sum()) for value in integrands)
+        moment = driving - np.sign(state.velocity) * self.radius * (max(of_weight - of_water, 0.0) + cohesion)
+        return section.gravity * self.radius * moment / mass, of_weight
+
+    def factors(self, k_h: float, bishop: float) -> dict[str, float]:
+        """By three methods, Bishop's from his own, and the share of the arc under negative normal stress."""
+        columns = self.columns()
+        cosine, sine, length = np.cos(columns.b), -np.sin(columns.b), columns.length  # a positive sine drives
+        weight = (columns.soil + columns.load) * cosine
+        pushed = k_h * (columns.soil + columns.load * self.slope.k_h_on_surcharge) * cosine
+        drive = -((weight[3] + pushed[4]) * length).sum() / self.radius
+        pressure = columns.pressure + self.slope.pressure
+        lever = cosine + sine * columns.friction / bishop
+        vertical = weight[6] - pressure * cosine
+        across = {
+            "paper": weight[0] + pushed[1] - pressure,
+            "ordinary": weight[6] * cosine - pushed[6] * sine - pressure,
+            "bishop": (vertical - columns.cohesion * sine / bishop) / lever,
+        }
+        strength = {name: columns.cohesion + columns.friction * normal for name, normal in across.items()}
+        factors = {name: float((value * length).sum() / drive) for name, value in strength.items()}
+        negative = max((length * (across[name] < 0.0)).sum() for name in ("ordinary", "bishop"))
+        return factors | {"negative": float(negative / length.sum())}
