@@ -62,6 +62,8 @@ MISTAKES: list[tuple[dict[str, Any], str, str]] = [  # other fields of the secti
      "centre", "several masses.*choose one by .*between"),
     (DRY | {"centre": [-10.0, 3.0], "radius": 4.0}, "centre", "lies below the ground"),
     (DRY | {"ground": [[-15.0, 8.0], *GOOD["ground"][2:]]}, "centre", "an end of the ground lies inside the circle"),
+    (DRY | {"ground": [[-20.0, 10.0], [-5.0, 45.0], [5.0, 5.0], [50.0, 0.0]]},
+     "centre", "choose one by .*between.* besides one that an end of the ground cuts short"),
     ({"base": -1.0}, "radius", "22.*below .*base"),
     *(({"level": [[-50.0, 10.0], [-20.0, 10.0 + up], [0.0, 0.0], [50.0, 0.0]]}, "level", "above the ground at x.*pond")
       for up in (1e-5, 2.0)),

@@ -15,9 +15,8 @@ from slipcircle.core import with_parameters
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.files.variation import slope_of
-from slipcircle.workbench.outputs.guide import guide
 from slipcircle.workbench.stability.search import Critical
-from slipcircle.workbench.studies.searched import searched_factors
+from slipcircle.workbench.stability.stability import COMPARED, METHODS
 from tests.support.outputs import columns
 
 ACADS = """\
@@ -53,20 +52,19 @@ def found_in(path: str) -> Critical:
     return critical_of_file(path, None, lambda line: None)[2]
 
 
-def test_from_a_file_to_circle_and_picture(write: Write, tmp_path: Path, asked: Any, said: Any, records: Any) -> None:
+def test_from_a_file_to_circle_and_picture(write: Write, tmp_path: Path, asked: Any, records: Any) -> None:
     path, picture = write(ACADS), tmp_path / "slope.png"
     _, out, err = asked("search", path, "--json --plot", picture)
     (record,) = json.loads(out)
     assert record.keys() == {"factor_of_safety", "circle", "entry", "exit", "tried", "refused"}
     assert record["factor_of_safety"] == found_in(path).factor_of_safety
-    assert record["factor_of_safety"]["bishop"] == pytest.approx(0.985, rel=1e-3)
     assert "my-slope: least factor" in err
     assert picture.read_bytes().startswith(b"\x89PNG")
-    assert "0.9424" in said("search", path, "--method ordinary")
+    (record,) = records("search", path, "--method ordinary")
+    assert record["factor_of_safety"]["ordinary"] == pytest.approx(0.9424, abs=5e-5)
     (record,) = records("search", write(ACADS + CIRCLE))  # a circle that is given is not searched
     assert (record["tried"], record["refused"]) == (1, 0)
     assert record["circle"] == {"centre": [29.5, 53.6], "radius": 28.6}
-    assert record["factor_of_safety"]["bishop"] == pytest.approx(0.98516, rel=1e-4)
 
 
 SLIDE = """\
@@ -101,24 +99,6 @@ def test_a_slide_along_an_arc_in_tension_is_told_of(write: Write, asked: Any) ->
     assert "of the arc is under negative effective normal stress" in asked("run", write(cut))[2]
 
 
-@pytest.mark.parametrize(
-    ("text", "pressure", "friction"),
-    [
-        (FIXED, 0.0, 1.0),
-        (FIXED + "[pore_pressure]\npressure_kPa = [5, 9]\ntime_s = [0, 8]\n", 5e3, 1.0),
-        (FIXED.replace("law", "rate = { law = 'rate_weakening', peak = 0.5, residual = 0.1, velocity_m_s = 1 }\nlaw"),
-         0.0, 0.5),
-    ],
-)  # fmt: skip
-def test_a_given_circle_has_factors_with_its_motion(write: Write, text: str, pressure: float, friction: float) -> None:
-    scene = slipcircle.load(write(text))
-    given = stability_of(scene)
-    assert given is not None
-    assert given.slope.pressure == pressure
-    assert given.slope.friction == pytest.approx(friction * math.tan(math.radians(19.6)))
-    assert slipcircle.solve(scene).factor_of_safety == pytest.approx(given.factor_of_safety["paper"], rel=1e-9)
-
-
 def test_what_a_record_of_pore_pressure_holds_at_the_start_is_not_read_for_factors(
     write: Write, tmp_path: Path
 ) -> None:
@@ -127,33 +107,46 @@ def test_what_a_record_of_pore_pressure_holds_at_the_start_is_not_read_for_facto
     assert stability_of(recorded) is None
 
 
+SLOWER = "rate = { law = 'rate_weakening', peak = 0.5, residual = 0.1, velocity_m_s = 1 }\nangle_deg = 20\n"
+RATIO = "ratio = [0.1, 0.3]\ntime_s = [0, 10]\n"
+
+
 @pytest.mark.parametrize(
-    ("soil", "friction"),
+    ("soil", "water", "friction", "pressure", "pore_ratio"),
     [
-        ("law = 'prescribed'\ntime_s = [0, 9]\nangle_deg = [20, 5]\n", math.tan(math.radians(20))),
-        ("law = 'tabulated'\nslip_m = [0, 9]\ncoefficient = [0.3, 0.1]\n", 0.3),
-        ("angle_deg = { distribution = 'uniform', low = 18, high = 24 }\n", math.tan(math.radians(21))),
+        ("angle_deg = 20\n", "pressure_kPa = [5, 9]\ntime_s = [0, 8]\n", math.tan(math.radians(20)), 5e3, 0.0),
+        (SLOWER, RATIO, 0.5 * math.tan(math.radians(20)), 0.0, 0.1),
+        ("law = 'prescribed'\ntime_s = [0, 9]\nangle_deg = [20, 5]\n", RATIO, math.tan(math.radians(20)), 0.0, 0.1),
+        ("law = 'tabulated'\nslip_m = [0, 9]\ncoefficient = [0.3, 0.1]\n", RATIO, 0.3, 0.0, 0.1),
+        (
+            "angle_deg = { distribution = 'uniform', low = 18, high = 24 }\n",
+            RATIO,
+            math.tan(math.radians(21)),
+            0.0,
+            0.1,
+        ),
     ],
 )
-def test_the_strength_at_the_start_counts(write: Write, soil: str, friction: float) -> None:
-    text = FIXED.replace(SLIDE[: SLIDE.index("[rotation]")], "[friction]\n" + soil)
-    text += "[pore_pressure]\nratio = [0.1, 0.3]\ntime_s = [0, 10]\n"
+def test_the_strength_at_the_start_counts(
+    write: Write, soil: str, water: str, friction: float, pressure: float, pore_ratio: float
+) -> None:
+    text = FIXED.replace(SLIDE[: SLIDE.index("[rotation]")], "[friction]\n" + soil) + "[pore_pressure]\n" + water
     scene, found = slipcircle.load(write(text)), found_in(write(text))
     given = stability_of(scene)
     assert given is not None
     for slope in (given.slope, found.slope):
-        assert slope.friction == pytest.approx(friction, rel=1e-14)
-        assert slope.pore_ratio == 0.1
+        assert (slope.friction, slope.pressure, slope.pore_ratio) == pytest.approx((friction, pressure, pore_ratio))
+    if not scene.uncertain:
+        assert slipcircle.solve(scene).factor_of_safety == pytest.approx(given.factor_of_safety["paper"], rel=1e-9)
 
 
 def test_the_command_refuses_what_it_cannot_read(write: Write, refused: Any, asked: Any) -> None:
-    assert "is that in N/m3" in refused("search", write(ACADS.replace("kN_m3 = 20", "kN_m3 = 19500")))
-    assert "ever thinner masses" in refused("search", write(ACADS.replace("cohesion_kPa = 3", "cohesion_kPa = 0")))
     limits = "[search]\nexit_m = [30, 2]\ndepth_m = 2e5\n"
     for command, text in (("search", ACADS + limits), ("run", SCENE + limits)):
-        told = refused(command, write(text))
-        assert "search.exit_m = [30, 2]: must be the least and the greatest x" in told
-        assert "search.depth_m = 200000.0:" in told
+        mistakes = refused(command, write(text))
+        assert "search.exit_m = [30, 2]: must be the least and the greatest x" in mistakes
+        assert "search.depth_m = 200000.0:" in mistakes
+    assert "ever thinner masses" in refused("search", write(ACADS.replace("cohesion_kPa = 3", "cohesion_kPa = 0")))
     assert "a search needs [ground]" in refused("search vaiont")
     assert "shows one slope" in refused("search real-slope", write(ACADS), "--plot x.png")
     assert "no-such-slope.toml: there is no such file" in refused("search no-such-slope.toml")
@@ -161,26 +154,24 @@ def test_the_command_refuses_what_it_cannot_read(write: Write, refused: Any, ask
 
 
 def test_what_a_file_says(write: Write) -> None:
-    path = write(
+    text = (
         "name = 'cut'\n[ground]\nheight_m = 10\nangle_deg = 45\nunit_weight_kN_m3 = 19\n"
         "gravity_m_s2 = 9.8\nwidth_m = 40\n"
         "[friction]\ncoefficient = 0.5\n[water]\nlevel_m = [[-60, 8], [-10, 6], [0, -1]]\nunit_weight_kN_m3 = 10\n"
-        "[circle]\nthrough_m = [[-14, 10], [0, 0]]\ndepth_m = 3\n[search]\nk_h = 0.1\n"
-        "entry_m = [-30, -10]\ndepth_m = 1\n[rotation]\n"
+        "[search]\nk_h = 0.1\nentry_m = [-30, -10]\ndepth_m = 1\n[rotation]\n[circle]\n"
     )  # fmt: skip
+    path = write(text + "through_m = [[-14, 10], [0, 0]]\ndepth_m = 3\n")
     name, _, found = critical_of_file(path, None, print)
     slope, section = found.slope, slipcircle.load(path).arc
     assert isinstance(section, slipcircle.Section)
     assert np.asarray(slope.ground)[1] == pytest.approx([-10.0, 10.0])
     assert (name, slope.cohesion, slope.friction, slope.unit_weight) == ("cut", 0.0, 0.5, 19e3)
     assert (slope.k_h, slope.water_unit_weight) == (0.1, 10e3)
-    assert (section.gravity, section.width, section.facing) == (9.8, 40.0, 1)
-    assert section.sagitta == pytest.approx(3.0)
-    assert float(np.max(section.mean_pressure(0.0))) > 0.0
-    searched = (
-        Path(path).read_text("utf-8").replace("through_m = [[-14, 10], [0, 0]]\ndepth_m = 3", "critical = 'paper'")
-    )
-    assert found_in(write(searched)).limits == {"entry": (-30.0, -10.0), "exit": None, "depth": 1.0}
+    assert (section.gravity, section.width, section.facing, section.sagitta) == (9.8, 40.0, 1, pytest.approx(3.0))
+    assert np.asarray(section.level).tolist() == np.asarray(slope.level).tolist() == [[-60, 8], [-10, 6], [0, -1]]
+    assert found_in(write(text + "critical = 'paper'\n")).limits == {
+        "entry": (-30.0, -10.0), "exit": None, "depth": 1.0
+    }  # fmt: skip
     touching = found_in(write(ACADS + "[circle]\nthrough_m = [[30, 25], [55, 35]]\ntouching_m = 24\n"))
     assert touching.centre[1] - touching.radius == pytest.approx(24.0)
     assert found_in(write(ACADS + '[circle]\ncritical = "ordinary"\n')).method == "ordinary"
@@ -191,6 +182,7 @@ def test_what_a_file_says(write: Write) -> None:
     [
         ("[friction]\nangle_deg = 19.6", "", "friction: is missing: friction on the slip surface, a table"),
         ("cohesion_kPa = 3", "cohesion_kPa = 300000", "is that in Pa"),
+        ("kN_m3 = 20", "kN_m3 = 19500", "is that in N/m3"),
         ("[30, 25]", "[30]", "a list of two points or more"),
         ("[[0, 25], [30, 25], [50, 35], [90, 35]]", "[[0, 25]]", "a list of two points or more"),
         ("base_m = 20", "base_m = 35", "ground.base_m = 35: must lie below the highest point of the ground"),
@@ -215,33 +207,31 @@ def test_mistakes_are_told_with_their_fix(write: Write, old: str, new: str, word
     assert "my-slope.toml: " in str(raised.value)
 
 
-def test_an_ensemble_keeps_the_circle_of_the_means_and_says_so(write: Write) -> None:
-    drawn = "{ distribution = 'lognormal', mean = 3, std = 2 }"  # its median is 2.5
-    path = write(SCENE.replace("cohesion_kPa = 3", f"cohesion_kPa = {drawn}"))
-    study = slipcircle.ensemble(slipcircle.load(path), 64, rng=1, sensitivity=0)
-    of_means, arc = found_in(write(ACADS)), study.scene.arc
-    assert (arc.centre, arc.radius) == (of_means.centre, of_means.radius)
-    assert any("the critical circle of the means, of the least factor by bishop" in w for w in study.warnings)
-    # Every sample slides along it: the greatest cohesion of them alone is another motion along the same circle.
-    k = int(np.argmax(study.samples["reach"]))
-    effects = {"cohesion": {"cohesion": 1e3 * study.samples["cohesion.cohesion_kPa"][k]}, "rotation": {}}
-    alone = slipcircle.solve(replace(study.scene, effects=effects, uncertain={}))
-    assert alone.reach.displacement == pytest.approx(study.samples["reach"][k], rel=1e-9)
-
-
 @pytest.mark.parametrize(
-    ("key", "mean", "old", "new"),
-    [("friction.peak_deg", 30, "19.6", "30"), ("ground.points_m.2.y", 36, "[50, 35]", "[50, 36]")],
+    ("key", "drawn", "old", "new"),
+    [
+        ("cohesion.cohesion_kPa", {"distribution": "lognormal", "mean": 3, "std": 2}, "", ""),  # its median is 2.5
+        ("friction.peak_deg", {"distribution": "normal", "mean": 30, "std": 0.2}, "19.6", "30"),
+        ("ground.points_m.2.y", {"distribution": "normal", "mean": 36, "std": 0.2}, "[50, 35]", "[50, 36]"),
+    ],
 )
-def test_means_given_with_the_command_have_their_own_circle(
-    write: Write, asked: Any, key: str, mean: float, old: str, new: str
+def test_every_sample_slides_along_the_circle_of_the_means(
+    write: Write, key: str, drawn: Any, old: str, new: str
 ) -> None:
-    drawn = {key: {"distribution": "normal", "mean": mean, "std": 0.2}}
-    study = slipcircle.ensemble(replace(slipcircle.load(write(SCENE)), uncertain=drawn), 64, rng=1, sensitivity=0)
+    scene = replace(slipcircle.load(write(SCENE)), uncertain={key: drawn})
+    study = slipcircle.ensemble(scene, 16, rng=1, sensitivity=0)
     assert stability_of(study.scene) == found_in(write(ACADS.replace(old, new)))
-    fixed = slipcircle.ensemble(replace(slipcircle.load(write(FIXED)), uncertain=drawn), 64, rng=1, sensitivity=0)
-    assert np.array_equal(fixed.scene.arc.centre, [29.5, 53.6])
-    assert not any("critical" in warning for warning in fixed.warnings)
+    assert any("the critical circle of the means, of the least factor by bishop" in w for w in study.warnings)
+    values = {n: float(u.to_si(study.samples[u.key][3])) for n, u in study.design.inputs.items()}
+    alone = slipcircle.solve(with_parameters(replace(study.scene, uncertain={}), values))
+    assert alone.reach.displacement == pytest.approx(study.samples["reach"][3], rel=1e-9)
+
+
+def test_a_circle_that_is_given_stays(write: Write, asked: Any) -> None:
+    drawn = {"friction.peak_deg": {"distribution": "normal", "mean": 30, "std": 0.2}}
+    study = slipcircle.ensemble(replace(slipcircle.load(write(FIXED)), uncertain=drawn), 16, rng=1, sensitivity=0)
+    assert np.array_equal(study.scene.arc.centre, [29.5, 53.6])
+    assert not any("critical" in warning for warning in study.warnings)
     _, _, err = asked("sweep", write(SCENE), "--grid friction.peak_deg=18,19")
     assert "the critical circle of the scene as it is given" in err
 
@@ -249,20 +239,18 @@ def test_means_given_with_the_command_have_their_own_circle(
 def test_a_folder_knows_one_circle_from_another(write: Write, tmp_path: Path) -> None:
     drawn = {"friction.peak_deg": {"distribution": "normal", "mean": 15, "std": 2}}
     one = replace(slipcircle.load(write(FIXED)), uncertain=drawn)
-    slipcircle.ensemble(one, 64, rng=1, folder=tmp_path / "kept")
-    other = replace(one, arc=replace(one.arc, radius=28.55))
+    slipcircle.ensemble(one, 16, rng=1, folder=tmp_path)
     with pytest.raises(ValueError, match="another study: section"):
-        slipcircle.ensemble(other, 64, rng=1, folder=tmp_path / "kept")
+        slipcircle.ensemble(replace(one, arc=replace(one.arc, radius=28.55)), 16, rng=1, folder=tmp_path)
 
 
-def test_the_guide_tells_by_how_much_the_methods_differ() -> None:
-    text = " ".join(guide().split()).replace("real- slope", "real-slope")
+def test_the_guide_says_by_how_much_the_methods_differ() -> None:
     stability = stability_of(slipcircle.load("real-slope"))
     assert stability is not None
     for found in (stability, slipcircle.critical(replace(stability.slope, pore_ratio=0.5))):
-        paper, ordinary, bishop = (found.factor_of_safety[m] or math.nan for m in ("paper", "ordinary", "bishop"))
-        assert f"{paper:.3f}, {ordinary:.3f} and {bishop:.3f}" in text
-        assert f"by {100 * (1 - paper / bishop):.0f} %" in text
+        paper, ordinary, bishop = (found.factor_of_safety[method] or math.nan for method in METHODS)
+        assert f"{paper:.3f}, {ordinary:.3f} and {bishop:.3f}" in COMPARED
+        assert f"by {100 * (1 - paper / bishop):.0f} %" in COMPARED
 
 
 def test_the_limits_of_a_file_hold(write: Write, said: Any, records: Any) -> None:
@@ -283,18 +271,19 @@ def test_the_first_lines_name_each_factor_of_safety(write: Write, said: Any) -> 
     between = FIXED.replace("cohesion_kPa = 3", "cohesion_kPa = 3.4") + "[search]\nk_h = 0.05\n"
     stability = stability_of(slipcircle.load(write(between)))
     assert stability is not None
-    without = stability.factor_of_safety_without_k_h or {}
-    still, shaken = ({m: f"{f:.4f}" for m, f in each.items()} for each in (without, stability.factor_of_safety))
-    assert still["paper"] < "1" < still["bishop"]  # so that the methods disagree
+    still, shaken = (
+        [f"{(factors or {})[method]:.4f}" for method in ("paper", "bishop")]
+        for factors in (stability.factor_of_safety_without_k_h, stability.factor_of_safety)
+    )
+    assert still[0] < "1" < still[1]  # so that the methods disagree
     out = said("run", write(between))
     rows = {
-        "factor of safety": f"{still['paper']} by the paper's method, without k_h; the motion starts from it",
-        "factor by Bishop's method": f"{still['bishop']}, without k_h",
-        "factor with k_h = 0.05": f"{shaken['paper']} by the paper's method, {shaken['bishop']} by Bishop's",
-        "at the start": "stable by Bishop, moves by the paper's method",
+        "factor of safety": [f"{still[0]} by the paper's method, without k_h; the motion starts from it"],
+        "factor by Bishop's method": [f"{still[1]}, without k_h"],
+        "factor with k_h = 0.05": [f"{shaken[0]} by the paper's method, {shaken[1]} by Bishop's"],
+        "at the start": ["stable by Bishop, moves by the paper's method"],
     }
-    assert columns(out) | {label: [words] for label, words in rows.items()} == columns(out)
-    assert "lower factor, by 4 to 14 %" in " ".join(out.split())
+    assert rows.items() <= columns(out).items()
     table = columns(said("run", write(FIXED)))
     assert "at the start" not in table  # as it moves by both
     assert table["factor of safety"][0].endswith("by the paper's method; the motion starts from it")
@@ -315,16 +304,15 @@ def test_factors_of_samples_are_those_of_a_search_of_each() -> None:
     }
     scene = replace(slipcircle.load("real-slope"), uncertain=uncertain)
     study = slipcircle.ensemble(scene, 6, rng=1, sensitivity=0, search_each=True)
-    si = {n: u.to_si(study.samples[u.key]) for n, u in study.design.inputs.items()}
-    factors = searched_factors(study.scene, si, np.ones(6, bool))["searched bishop"]
     stability = stability_of(study.scene)
     assert stability is not None
-    for k in (0, 5):
-        sample = with_parameters(study.scene, {n: float(values[k]) for n, values in si.items()})
-        searched = slipcircle.critical(slope_of(sample, stability.slope))
-        assert factors[k] == pytest.approx(searched.factor_of_safety["bishop"], rel=2e-4)
-    assert study.failure["searched bishop"].value == np.mean(factors < 1.0)
+    factors = []
+    for k in range(6):
+        values = {n: float(u.to_si(study.samples[u.key][k])) for n, u in study.design.inputs.items()}
+        searched = slipcircle.critical(slope_of(with_parameters(study.scene, values), stability.slope))
+        factors.append(searched.factor_of_safety["bishop"] or math.nan)
+    assert study.failure["searched bishop"].value == np.mean(np.array(factors) < 1.0)
     once, each = (study.factor_quantile(method, 0.5).value for method in ("bishop", "searched bishop"))
-    assert each == pytest.approx(np.sort(factors)[2], rel=2e-3)
+    assert each == pytest.approx(sorted(factors)[2], rel=2e-3)
     assert each <= once * (1 + 2e-3)
     assert "with the circle searched for every sample" in study.warnings[1]

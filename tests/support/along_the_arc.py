@@ -15,18 +15,18 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
 def random_section(rng: np.random.Generator, strongest: float = 1.0, **given: Any) -> LayeredSection:
-    """Four layers with wavy and crossing boundaries and a thin seam, one soil twice; water, loads, either facing."""
+    """Five layers with wavy and crossing boundaries and a thin seam, one soil twice; water, loads, either facing."""
     while True:
         facing = rng.choice([-1, 1])
         x = [-120.0, *np.sort(rng.uniform(-60, 80, 4)), 160.0]
         y = [25.0, *np.sort(rng.uniform(0, 25, 4))[::-1], 0.0]
         ground = np.column_stack([x, y])[::facing] * [facing, 1]
-        wavy = np.column_stack([np.sort(rng.uniform(-100, 100, 5)), rng.uniform(-12, 24, 5)])
-        seam = rng.uniform(-10, 20)
-        numbers = rng.uniform([15e3, 0.0, 0.0], [22e3, 2e4, 0.8], (4, 3)) * [1.0, strongest, strongest]
+        wavy = np.column_stack([np.sort(rng.uniform(-100, 100, 5)), rng.uniform(-2, 24, 5)])
+        seam = rng.uniform(-5, 14)
+        numbers = rng.uniform([15e3, 0.0, 0.0], [22e3, 2e4, 0.8], (5, 3)) * [1.0, strongest, strongest]
         soils = [
             Soil(weight, cohesion, friction, rng.choice([0.0, 23e3]) or None, rng.choice([0.0, 800.0]),
-                 rng.uniform(-5, 20), rng.choice([0.0, 0.0, 0.2]), name=f"soil {k}")
+                 rng.uniform(0, 30), rng.choice([0.0, 0.2]), name=f"soil {k}")
             for k, (weight, cohesion, friction) in enumerate(numbers.tolist())
         ]  # fmt: skip
         soils[3] = soils[0]
@@ -34,7 +34,7 @@ def random_section(rng: np.random.Generator, strongest: float = 1.0, **given: An
         try:
             section = LayeredSection(
                 ground, (rng.uniform(-10, 40) * facing, rng.uniform(28, 70)), rng.uniform(30, 80), surcharge=loads,
-                layers=list(zip(soils, [None, wavy, seam, seam - 0.02], strict=True)),
+                layers=list(zip(soils, [None, wavy, seam, seam - 0.02, seam - 4.0], strict=True)),
                 level=ground - [0.0, rng.uniform(0, 4)], **given,
             )  # fmt: skip
         except ValueError:
