@@ -172,7 +172,7 @@ def point(rng: random.Random, case: Case) -> Point:
 
 def absolute(p: Point) -> dict[str, Any]:
     """The numbers of a point in balls; functions of time as series from the moment."""
-    balls = {name: arb(value) for name, value in p.items() if isinstance(value, float)}
+    balls: dict[str, Any] = {name: arb(value) for name, value in p.items() if isinstance(value, float)}
     for name, terms in p.items():
         symbol = name.removesuffix(".series")
         if symbol != name:
