@@ -78,7 +78,7 @@ def test_a_fragility_curve_has_the_greatest_likelihood() -> None:
     curve = fragility_curve(share, pga, 0.1)
     value, low, high = np.transpose([curve.median, curve.dispersion])
     assert value == pytest.approx(best.x, abs=1e-5)
-    without = (fragility_curve(*(np.delete(x, r, axis=0) for x in (share, pga)), 0.1) for r in range(60))
+    without = (fragility_curve(np.delete(share, r, axis=0), np.delete(pga, r, axis=0), 0.1) for r in range(60))
     errors = np.sqrt(59.0 * np.var([np.log([c.median.value, c.dispersion.value]) for c in without], axis=0))
     assert np.log(high / low) == pytest.approx(2.0 * stats.t(58).ppf(0.975) * errors, rel=0.03)
     assert np.diag(curve.probability([value[0], high[0], low[0]])) == pytest.approx([0.5] * 3, abs=0.02)
@@ -159,8 +159,8 @@ def test_regressions_of_rigid_blocks_reproduce_published_examples(
     name: str, k_y: float, pga: float, pgv: float, arias: float, magnitude: float, low: float, high: float
 ) -> None:
     (regression,) = (r for r in REGRESSIONS if r.name == name)
-    measures = (np.array([value]) for value in (pga, pgv, arias))
-    assert low < math.exp(regression.ln_cm(Shaking(k_y, *measures, magnitude))[0]) < high
+    shaking = Shaking(k_y, np.array([pga]), np.array([pgv]), np.array([arias]), magnitude)
+    assert low < math.exp(regression.ln_cm(shaking)[0]) < high
 
 
 def test_standard_deviations_of_regressions() -> None:
