@@ -187,4 +187,5 @@ def test_every_effect_and_law_has_its_term_in_text_and_latex() -> None:
     assert "u_T" in equation._repr_latex_()
     assert "dexcess/dphi" in str(equation)
     assert [term.symbol for term in equation.numbers if term.effect == "thermal_pressurisation"] == ["kappa"]
-    assert "coefficient = 0.1 to 0.2" in str(plan(replace(load("vaiont"), friction=np.array([0.1, 0.2]))).equation)
+    several = Scene(ARC, np.array([0.1, 0.2]), ["rotation"])
+    assert "coefficient = 0.1 to 0.2" in str(plan(several).equation)
