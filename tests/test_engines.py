@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from slipcircle import ensemble, load, solve
+from slipcircle import ensemble, load
 from slipcircle.base import progress as progress_module
 from slipcircle.base.progress import Progress
 from slipcircle.base.series import Series
@@ -193,17 +193,6 @@ def test_another_record_or_law_is_refused(tmp_path: Path) -> None:
             grid(scene, {"friction": [0.4]}, folder=tmp_path)
     with pytest.raises(ValueError, match="needs a name"):
         grid(replace(load("vaiont"), friction=lambda s: 0.2 + 0 * s), {"radius": [1e3]}, folder=tmp_path / "law")
-
-
-@pytest.mark.parametrize("name", ["vaiont-shaken", "vaiont-heated", "newmark-pulse"])
-def test_what_is_no_number_goes_into_the_blocks(name: str) -> None:
-    """Shaking, heat and laws: a study's scenes are those that `solve` solves one by one."""
-    scene, radii = load(name), [1000.0, 1500.0]
-    with ThreadPoolExecutor(2) as pool:
-        found = grid(scene, {"radius": radii}, pool, accuracy=1e-14).samples
-    alone = [solve(replace(scene, arc=replace(scene.arc, radius=radius))) for radius in radii]
-    assert found["run_out"] == pytest.approx([motion.run_out for motion in alone], rel=1e-12)
-    assert found["duration"] == pytest.approx([motion.duration for motion in alone], rel=1e-12)
 
 
 @pytest.mark.parametrize("content", ["not json", "[1, 2]"])
