@@ -75,15 +75,6 @@ def test_a_file_declares_them(file: Path) -> None:
     assert not validator.is_valid(document)
 
 
-def test_in_python() -> None:
-    """SciPy's frozen distributions, in the key's unit or in SI units, give what the file's words give."""
-    one = ensemble(ONE, 1000, 1)
-    for frozen in (stats.norm(14, 1), stats.Normal(mu=14, sigma=1)):
-        two = ensemble(replace(VAIONT, uncertain={"friction.angle_deg": frozen}), 1000, 1)
-        np.testing.assert_allclose(two.samples["run_out"], one.samples["run_out"], rtol=1e-12)
-    assert ensemble(replace(VAIONT, uncertain={"friction": stats.uniform(0.1, 0.1)}), 9, 1).moving.value == 1.0
-
-
 @pytest.mark.parametrize(
     ("given", "said"),
     [
@@ -240,23 +231,30 @@ def test_where_nothing_is_propagated() -> None:
 # --- what an ensemble finds ------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("method", "keep"), [("monte-carlo", True), ("sobol", True), ("sobol", False), ("latin-hypercube", True)]
-)
+@pytest.mark.parametrize("keep", [True, False], ids=["kept", "streamed"])
+@pytest.mark.parametrize("method", ["monte-carlo", "sobol", "latin-hypercube"])
 def test_quantiles_of_a_monotone_answer(method: str, keep: bool) -> None:
-    """Run-out and peak velocity both fall as friction grows."""
-    found = ensemble(ONE, 65536, 11, method=method, keep=keep, sensitivity=0)
-    bin_error = 0.0 if keep else BIN_ERROR
-    error = {"monte-carlo": 0.003, "sobol": 1e-4, "latin-hypercube": 1e-4}[method]
-    for p in (0.05, 0.5, 0.95):
-        motion = solve(replace(VAIONT, friction=math.tan(math.radians(stats.norm(14, 1).ppf(1 - p)))))
+    """Of angles below the limit, which have a known share, run-out and peak velocity both fall as friction grows."""
+    mean = math.degrees(math.atan(solve(VAIONT).limit_friction)) - 1
+    scene = replace(VAIONT, uncertain={"friction.angle_deg": stats.Normal(mu=mean, sigma=2)})
+    study = ensemble(scene, 65536, 11, method=method, keep=keep, sensitivity=0)
+    error = (0.02 if method == "monte-carlo" else 1e-3) + (0.0 if keep else BIN_ERROR)
+    assert study.moving.low <= stats.norm.cdf(0.5) <= study.moving.high
+    assert study.quantile("run_out", 0.3).value == 0.0
+    for p in (0.5, 0.95):
+        motion = solve(replace(VAIONT, friction=math.tan(math.radians(stats.norm(mean, 2).ppf(1 - p)))))
         for name, value in (("run_out", motion.run_out), ("peak_velocity", motion.peak.velocity)):
-            e = found.quantile(name, p)
-            assert e.value == pytest.approx(value, rel=error + bin_error)
-            assert e.low * (1 - bin_error - 1e-5) <= value <= e.high * (1 + bin_error + 1e-5)
-    medians = [c.median for c in found.convergence]
-    assert medians[-1].high - medians[-1].low < medians[-4].high - medians[-4].low
-    assert (found.convergence[-1].n, bool(found.samples)) == (65536, keep)
+            estimate = study.quantile(name, p)
+            assert estimate.value == pytest.approx(value, rel=error)
+            assert estimate.low * (1 - BIN_ERROR) <= value <= estimate.high * (1 + BIN_ERROR)
+    widths = [c.median.high - c.median.low for c in study.convergence]
+    assert widths[-1] < widths[-4]
+    assert (study.convergence[-1].n, bool(study.samples)) == (65536, keep)
+    curve = study.exceedance("run_out")
+    assert np.all((curve.low <= curve.probability) & (curve.probability <= curve.high))
+    if keep:
+        samples = np.sort(study.samples["run_out"])
+        np.testing.assert_allclose(curve.probability, 1 - np.searchsorted(samples, curve.at) / 65536, atol=1e-14)
 
 
 def test_intervals_cover() -> None:
@@ -271,22 +269,6 @@ def test_intervals_cover() -> None:
         pairs = (found.mean("run_out"), mean), (found.std("run_out"), std)
         inside.append([estimate.low <= value <= estimate.high for estimate, value in pairs])
     assert np.all(np.mean(inside, axis=0) > 0.9)
-
-
-@pytest.mark.parametrize("method", ["monte-carlo", "sobol", "latin-hypercube"])
-def test_the_probability_of_moving(method: str) -> None:
-    """Half of the angles lie below the limit."""
-    limit = math.degrees(math.atan(solve(VAIONT).limit_friction))
-    scene = replace(VAIONT, uncertain={"friction.angle_deg": stats.norm(limit, 2)})
-    kept, streamed = (ensemble(scene, 4096, 3, method=method, keep=keep, sensitivity=0) for keep in (True, False))
-    assert kept.moving.low <= 0.5 <= kept.moving.high
-    assert kept.quantile("run_out", 0.4).value == streamed.quantile("run_out", 0.4).value == 0.0
-    high = kept.quantile("run_out", 0.9).value
-    assert streamed.quantile("run_out", 0.9).value == pytest.approx(high, rel=BIN_ERROR)
-    curve = kept.exceedance("run_out")
-    assert np.all((curve.low <= curve.probability) & (curve.probability <= curve.high))
-    truth = np.mean(kept.samples["run_out"] >= curve.at[:, None], axis=1)
-    np.testing.assert_allclose(curve.probability, truth, rtol=1e-14)
 
 
 def test_what_is_no_scene_is_counted_apart() -> None:
@@ -340,13 +322,12 @@ def test_what_slides_without_a_result_moves(method: str, keep: bool, tmp_path: P
 def test_a_part_without_a_result_ends_the_curve() -> None:
     """Some of these turn over: the exceedance probability does not fall below that share."""
     fast = replace(VAIONT, initial_velocity=20.0, uncertain={"initial_velocity": stats.uniform(50, 230)})
-    found = ensemble(fast, 2000, 1)
-    assert 0 < found.without_result < 1000
-    curve = found.exceedance("reach")
-    assert curve.probability[-1] >= found.without_result / 2000
-    assert found.quantile("reach", 1 - found.without_result / 2000).value == np.nanmax(found.samples["reach"])
-    above = found.quantile("reach", 1 - (found.without_result - 1) / 2000)
-    assert above.value == math.inf > above.low
+    study = ensemble(fast, 2000, 1)
+    share = study.without_result / 2000
+    assert 0 < share < 0.5
+    assert study.exceedance("reach").probability[-1] >= share
+    assert study.quantile("reach", 1 - share).value == np.nanmax(study.samples["reach"])
+    assert study.quantile("reach", 1 - share + 5e-4).value == math.inf
 
 
 def test_indices_of_a_scene(file: Path) -> None:
