@@ -1,6 +1,5 @@
 """The planner and the ladder: what they choose, what they print, and that they keep to what the scene calls for."""
 
-import json
 import re
 from dataclasses import replace
 from itertools import combinations, pairwise
@@ -11,15 +10,12 @@ import pytest
 import sympy as sp
 from sympy.parsing.sympy_parser import convert_xor, implicit_multiplication, parse_expr, standard_transformations
 
-from generated import flow
 from generated.effects import ALL_EFFECTS, EFFECTS, LAWS
-from generated.flow import BALANCE, TERMS
+from generated.flow import TERMS
 from slipcircle import Scene, load, plan, solve
 from slipcircle.base.series import Series
-from slipcircle.core.motion import solver
 from slipcircle.core.motion.equation import Equation
 from slipcircle.core.motion.plan import FLOW
-from slipcircle.workbench.files.variation import other_way
 from slipcircle.workbench.studies.ladder import ladder
 
 ARC = load("vaiont").arc
@@ -80,17 +76,6 @@ def test_the_ladder_climbs_to_the_fullest_scene(name: str) -> None:
     last = rungs[-1]
     assert (last.run_out, last.peak_velocity, last.duration) == (full.run_out, full.peak.velocity, full.duration)
     assert last.difference == 0.0
-
-
-def test_a_water_level_goes_with_its_section_whatever_else_changes() -> None:
-    """The level is the section's, the pressure an effect: turning a record around or leaving effects out keeps both."""
-    pulse = {"pulse": "sine", "amplitude": 0.2, "duration": 1.0}
-    shaken = replace(load("valley-side"), effects={"rotation": {}, "shaking": pulse})
-    assert "pore_pressure" in shaken.called
-    both = solve(shaken), solve(other_way(shaken))
-    assert both[0].plan.effects == both[1].plan.effects
-    assert both[0].run_out != both[1].run_out
-    assert solve(other_way(other_way(shaken))).run_out == both[0].run_out
 
 
 LADDERS = {  # the effects as they are added, and whether each rung rests
@@ -198,19 +183,9 @@ def test_the_printed_equation_gives_the_acceleration_of_the_motion(name: str) ->
 def test_every_effect_and_law_has_its_term_in_text_and_latex() -> None:
     assert {*TERMS} == {*ALL_EFFECTS, *LAWS, "gravity", "frozen", "callable"}
     assert all(formula and latex for added in TERMS.values() for _, formula, latex, _ in added)
-    head = flow.__doc__ or ""
-    assert all(formula in head for name in EFFECTS for _, formula, _, _ in TERMS[name])
-    assert all(BALANCE[1] in text for text in (head, solver.__doc__ or ""))
     equation = plan(load("vaiont-heated")).equation
     assert "u_T" in equation._repr_latex_()
     assert "dexcess/dphi" in str(equation)
     assert [term.symbol for term in equation.numbers if term.effect == "thermal_pressurisation"] == ["kappa"]
-
-
-def test_the_equation_of_arrays_gives_their_range() -> None:
-    scene: Scene = load("vaiont")
-    scene = replace(scene, friction=np.array([0.1, 0.2]))
-    assert "coefficient = 0.1 to 0.2" in str(plan(scene).equation)
-    said = json.loads(json.dumps(plan(load("vaiont")).equation.to_dict()))
-    assert said["balance"].startswith("Theta domega/dt = ")
-    assert said["terms"][0]["effect"] == "gravity"
+    several = Scene(ARC, np.array([0.1, 0.2]), ["rotation"])
+    assert "coefficient = 0.1 to 0.2" in str(plan(several).equation)

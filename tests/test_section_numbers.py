@@ -9,11 +9,12 @@ import pytest
 from flint import arb, ctx
 
 from slipcircle import Scene, Section, backanalyse, load, solve
+from slipcircle.core import with_parameters
 from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.workbench.studies.ensemble import grid
-from slipcircle.workbench.studies.motions import motions
 from tests.support import section_references, taylor
+from tests.support.differences import check_derivatives
 from tests.support.grounds import GROUND, LEVEL
 
 TURNING: Any = {"rotation": {}, "centripetal": {}, "cohesion": {"cohesion": 3e3}}
@@ -127,26 +128,15 @@ SCENES = {
 
 @pytest.mark.parametrize("which", SCENES)
 def test_derivatives_are_those_of_lanes_beside(which: str) -> None:
-    """Of motions with a little more and a little less of each of the section's numbers."""
+    """By all numbers of its section and coordinates of its ground."""
     scene = SCENES[which]
-    found = solve(scene).sensitivity()
     skew = ("ground.2.x", "ground.3.x") if which == "a scarp" else ()  # moved to one side it overhangs
-    for name in [n for n in found.parameters if n in arc_numbers(scene.arc) and n not in skew]:
-        step = 1e-4 * (float(scene.arc.depth) if found.parameters[name] == "m" else found.at[name])
-        y = motions(scene, {name: found.at[name] + step * np.array([1.0, -1.0, 2.0, -2.0])}, 1e-15).outcomes
-        for output, row in zip(found.outputs, found.values, strict=True):
-            slope = (8 * (y[output][0] - y[output][1]) - (y[output][2] - y[output][3])) / (12 * step)
-            assert found.derivative(output, name) == pytest.approx(slope, rel=1e-7, abs=1e-8 * np.abs(row).max())
+    check_derivatives(scene, 1e-7, [name for name in arc_numbers(scene.arc) if name not in skew], step=1e-4)
 
 
-def test_sensitivity_of_a_scene_that_ships(asked: Any, records: Any) -> None:
+def test_sensitivity_of_a_circle_through_a_vertex(asked: Any) -> None:
     """Through a vertex of the ground: the derivative is that of circles inside."""
-    _, out, err = asked("sensitivity real-slope")
-    assert "circle.radius_m" in out
-    assert "arc.unit_weight_kN_m3" not in out
-    assert "through a vertex" in err
-    (record,) = records("sensitivity real-slope")
-    assert record["keys"]["ground.2.y"] == "ground.points_m.2.y"
+    assert "through a vertex" in asked("sensitivity real-slope")[2]
     motion = solve(load("real-slope"))
     radius = float(np.asarray(motion.plan.scene.arc.radius))
     inwards = grid(motion.plan.scene, {"radius": [radius - 1e-5]}, accuracy=1e-13).samples["run_out"][0]
@@ -154,15 +144,10 @@ def test_sensitivity_of_a_scene_that_ships(asked: Any, records: Any) -> None:
     assert motion.sensitivity().derivative("run_out", "radius") == pytest.approx(slope, rel=1e-4)
 
 
-@pytest.mark.parametrize(
-    ("field", "key"), [("ground.points_m.4.y=86:90", "ground.points_m.4.y"), ("circle.centre_m.x", "circle.centre_m.x")]
-)
-def test_a_coordinate_is_found_from_the_run_out(field: str, key: str, tmp_path: Any, records: Any) -> None:
-    picture = tmp_path / "found.png"
-    (record,) = records(f"backanalyse valley-side --run-out-m=20.5 --field {field} --plot", picture)
-    assert picture.read_bytes().startswith(b"\x89PNG")
-    found = grid(VALLEY, {key: [solution["values"][key] for solution in record["solutions"]]}).samples["run_out"]
-    assert found == pytest.approx(np.full(len(found), 20.5), rel=1e-9)
+def test_a_coordinate_is_found_from_the_run_out() -> None:
+    fit = backanalyse(VALLEY, run_out=20.5, field="ground.points_m.4.y", bounds=(86.0, 90.0))
+    (height,) = [solution.values["ground.points_m.4.y"] for solution in fit.solutions]
+    assert solve(with_parameters(VALLEY, {"ground.4.y": height})).run_out == pytest.approx(20.5, rel=1e-9)
 
 
 def test_what_is_no_number_of_a_section_is_told() -> None:

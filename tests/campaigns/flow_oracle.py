@@ -1,97 +1,63 @@
 """Flow programs beside the plain equation of motion: ``python -m tests.campaigns.flow_oracle [PROGRAMS]``.
 
-At random points, in balls of 100 digits; all 134,400 programs (an hour), or so many of them, drawn at random. One side
-runs the program that a scene's fragments are joined to by a generic interpreter of the table of operations. The other
-is typed from the equation itself, in absolute terms, and solved by Picard's iteration in series arithmetic: it knows
-neither increments nor recurrences nor fragments.
+All 134,400 programs (ten minutes), or so many of them, drawn at random, each at a random point. One side runs the
+program that a scene's fragments are joined to, as the integrator in NumPy does. The other is typed from the equation
+itself, in absolute terms, and solved by Picard's iteration in series of balls: it knows neither increments nor
+recurrences nor fragments.
 """
 
+import math
 import random
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import chain, combinations
 from typing import Any
 
-import sympy as sp
+import numpy as np
 from flint import arb, arb_series, ctx
 
-from derive.flow.operations import OPERATIONS, n
+from generated.series import scalar_ops, series_ops
+from slipcircle.base.kinds import Floats
 from slipcircle.core.flow.build import build_program
 from slipcircle.core.flow.program import Program
 
 ORDER = 7
-PRECISION = 360  # bits
-FUNCTIONS: dict[str, Callable[[arb], arb]] = {
-    "sin": arb.sin, "cos": arb.cos, "tan": arb.tan, "exp": arb.exp, "log": arb.log, "sqrt": arb.sqrt,
-    "expm1": arb.expm1, "log1p": arb.log1p, "abs": abs,
-}  # fmt: skip
-PROLOGUE: dict[str, Callable[..., arb]] = {
-    "add": lambda a, b: a + b, "sub": lambda a, b: a - b, "mul": lambda a, b: a * b, "div": lambda a, b: a / b,
-    "neg": lambda a: -a, "min": arb.min, "max": arb.max, "less": lambda a, b: arb(int(a < b)),
-    "select": lambda a, b, e: b if a > 0 else e, **FUNCTIONS,
-}  # fmt: skip
+Point = dict[str, Any]  # numbers and short series of a scene and of a moment of its motion
 
 
-# --- the program, in balls ---------------------------------------------------------------------------------------
+# --- the program -------------------------------------------------------------------------------------------------
 
 
-def number(e: sp.Expr, known: Mapping[sp.Expr, Any]) -> Any:
-    """The value of an expression of the table of operations."""
-    if e in known:
-        return known[e]
-    if isinstance(e, sp.Indexed):
-        return known[e.base][int(e.indices[0])]
-    if isinstance(e, sp.Sum):
-        ((k, first, last),) = e.limits
-        return sum((number(e.function.subs(k, i), known) for i in range(int(first), int(last) + 1)), arb(0))
-    if isinstance(e, sp.Rational):
-        return arb(int(e.p)) / int(e.q)
-    if isinstance(e, sp.Pow):
-        return number(e.base, known) ** int(e.exp)
-    parts = [number(x, known) for x in e.args]
-    if isinstance(e, sp.Add):
-        return sum(parts, arb(0))
-    if isinstance(e, sp.Mul):
-        found = arb(1)
-        for x in parts:
-            found = found * x
-        return found
-    return FUNCTIONS[type(e).__name__.lower()](*parts)
-
-
-def prologue(program: Program, cells: dict[str, arb]) -> list[arb]:
+def cells_at(program: Program, given: Mapping[str, float]) -> Floats:
     """All cells where a phase begins."""
-    c = [cells.get(name, arb(0)) for name in program.cells]
-    for name, value in program.constants.items():
-        c[program.cells.index(name)] = arb(value)
-    for op, d, *arguments in program.scalar:
-        c[d] = PROLOGUE[op](*(c[i] for i in arguments))
-    return c
+    cells = program.blank(1)
+    for name in given.keys() & program.places.keys():
+        cells[program.places[name]] = given[name]
+    scalar_ops(program.scalar, cells)
+    return cells
 
 
-def run(program: Program, c: Sequence[arb], tables: Mapping[int, Sequence[arb]], order: int) -> list[list[arb]]:
-    """All registers to an order; ``tables`` are the series of the tables of time, by register."""
-    r: list[list[arb]] = [[] for _ in program.registers]
-    for register, series in tables.items():
-        r[register] = [*series, *[arb(0)] * order][: order + 1]
+def series_at(program: Program, given: Mapping[str, float], states: Mapping[str, float], p: Point) -> Floats:
+    """The series of all registers from a moment of a phase, (registers, orders)."""
+    start, at = cells_at(program, given)[:, 0], program.roles
+    # The limit friction is an input: what the balance at the start says, so that the drive is the same number.
+    limit = (start[at["cell_driving"]] - start[at["cell_resisting"]]) / start[at["cell_normal0"]]
+    cells = cells_at(program, {**given, "LIMIT": limit})
+    registers = np.zeros((len(program.registers), ORDER + 1, 1))
     for cell, register, _ in program.states:
-        r[register] = [c[cell]]
-    for i in range(order + 1):
-        for name, *names in program.series:
-            if name == "lin":
-                d, constant, terms = names
-                total = sum((c[cell] * r[register][i] for cell, register in terms), arb(0))
-                r[d].append(total + c[constant] if i == 0 and constant >= 0 else total)
-            elif name != "ramp":
-                o = OPERATIONS[name]
-                series = names[: len(o.results) + len(o.arguments)]
-                known: dict[sp.Expr, Any] = {x: r[at] for x, at in zip((*o.results, *o.arguments), series, strict=True)}
-                known |= {x: c[at] for x, at in zip(o.numbers, names[len(series) :], strict=True)}
-                for at, start, step in zip(series, o.start, o.step, strict=False):
-                    r[at].append(number(start if i == 0 else step.subs(n, i), known))
+        registers[register, 0] = states[program.cells[cell]]
+    for table in program.tables:
+        if table.kind == "time":
+            terms = p[f"{table.name}.series"]
+            registers[table.register, : len(terms), 0] = terms
+    for n in range(ORDER):
+        series_ops(program.series, registers, cells, n)
         for _, register, rate in program.states:
-            r[register].append(r[rate][i] / (i + 1))
-    return r
+            registers[register, n + 1] = registers[rate, n] / (n + 1)
+    return registers[:, :, 0]
+
+
+# --- the equation ------------------------------------------------------------------------------------------------
 
 
 def motion(p: Mapping[str, Any], effects: Sequence[str], mu: Callable[[Any, Any], Any], order: int) -> dict[str, Any]:
@@ -179,169 +145,90 @@ def cases() -> Iterator[Case]:
                     yield effects, laws, moving, absent
 
 
-def point(rng: random.Random, case: Case) -> dict[str, Any]:
+def point(rng: random.Random, case: Case) -> Point:
     """Random numbers for all that a scene may have, and for a moment of its motion."""
     _, laws, moving, absent = case
-
-    def some(low: float, high: float) -> arb:
-        return arb(low) + (arb(high) - arb(low)) * rng.randrange(1, 10**40) / 10**40
-
-    p: dict[str, Any] = {x: some(0.1, 1.0) for x in ("C_theta", "C_r", "lambda", "I_p", "Theta", "cohesion", "drag",
-                                                     "viscosity", "kappa")}  # fmt: skip
-    p |= {"psi": some(-1.2, 1.2), "DIRECTION": arb(rng.choice((1, -1))), "LIFTED": arb(int(rng.random() < 0.15))}
-    first = rng.random() < 0.3  # the start of the motion, where the limit friction is given
-    p |= {"TIME": arb(0) if first else some(1, 2), "ROTATION": arb(0) if first else some(-0.5, 0.5)}
-    p |= {"SLIP": arb(0) if first else some(0, 1), "omega": some(0.1, 1.0), "excess": some(0, 0.2)}
-    p |= {"now.x": some(0, 0.3), "now.omega": some(0.1, 1.0), "now.excess": some(0, 0.3)}
+    positive = ("C_theta", "C_r", "lambda", "I_p", "Theta", "cohesion", "drag", "viscosity", "kappa", "omega")
+    p: Point = {x: rng.uniform(0.1, 1.0) for x in positive}
+    p |= {"psi": rng.uniform(-1.2, 1.2), "DIRECTION": rng.choice((1.0, -1.0)), "LIFTED": float(rng.random() < 0.15)}
+    later = float(rng.random() < 0.7)  # otherwise the start of the motion, where the limit friction is given
+    p |= {"TIME": later * rng.uniform(1, 2), "ROTATION": later * rng.uniform(-0.5, 0.5), "SLIP": later * rng.random()}
+    p |= {"excess": rng.uniform(0, 0.2), "now.x": rng.uniform(0, 0.3)}
+    p |= {"now.omega": rng.uniform(0.1, 1.0), "now.excess": rng.uniform(0, 0.3)}
     for symbol in ("k_h", "k_v", "pore_ratio", "pore_pressure"):
-        series = [some(-0.3, 0.3) for _ in range(3 if symbol in moving else 1)]
-        p[f"{symbol}.VALUE"] = some(0.0, 0.3)  # where the phase began; since then it has changed by the first term
-        p[symbol] = arb_series(
-            [p[f"{symbol}.VALUE"] + (series[0] if symbol in moving else 0), *series[1:]], prec=ORDER + 1
-        )
-        p[f"{symbol}.series"] = series
-        if symbol in absent:
-            p[symbol] = arb_series([arb(0)], prec=ORDER + 1)
+        # Where the phase began; since then it has changed by the first term.
+        value = p[f"{symbol}.VALUE"] = 0.0 if symbol in absent else rng.uniform(0.0, 0.3)
+        p[f"{symbol}.series"] = [rng.uniform(-0.3, 0.3) for _ in range(3)] if symbol in moving else [0.0]
+        p[symbol] = value
     for law in laws:
-        names = ("coefficient", "peak", "residual", "length", "velocity", "VALUE", "PIECE")
-        p |= {f"{law}.{x}": some(0.1, 1.0) for x in names}
+        names = ("coefficient", "peak", "residual", "length", "velocity", "VALUE")
+        p |= {f"{law}.{x}": rng.uniform(0.1, 1.0) for x in names}
         degree = {"linear": 1, "callable": 7, "tabulated": 3, "rate_tabulated": 3}.get(law, 0)
-        inside = law != "rate_tabulated" or rng.random() < 0.7
-        p[f"{law}.PIECE"] = arb(int(inside))
-        p |= {f"{law}.Q{i}": some(-0.3, 0.3) * int(inside) for i in range(1, degree + 1)}
-    if "prescribed" in laws:
-        p["prescribed.series"] = [some(-0.1, 0.1), some(-0.1, 0.1)]
-        first_, slope = p["prescribed.series"]
-        p["prescribed"] = arb_series([p["prescribed.VALUE"] + first_, slope], prec=ORDER + 1)
+        inside = p[f"{law}.PIECE"] = float(law != "rate_tabulated" or rng.random() < 0.7)
+        p |= {f"{law}.Q{i}": inside * rng.uniform(-0.3, 0.3) for i in range(1, degree + 1)}
+    p["prescribed.series"] = [rng.uniform(-0.1, 0.1), rng.uniform(-0.1, 0.1)]
     return p
 
 
-def numbers(case: Case, p: Mapping[str, Any]) -> tuple[dict[str, arb], dict[str, arb], dict[str, list[arb]]]:
-    """The cells of a point where its phase begins, its states at the moment, and its series of time."""
-    theta, moving = p["Theta"], case[2]
-    cells = {k: v for k, v in p.items() if isinstance(v, arb)} | {
-        "driving_moment": p["C_theta"] * p["psi"].sin() / theta,
-        "driving_moment_slope": p["C_theta"] * p["psi"].cos() / theta,
-        "normal_load": p["C_r"] * p["psi"].cos() / theta, "normal_load_slope": -p["C_r"] * p["psi"].sin() / theta,
+def absolute(p: Point) -> dict[str, Any]:
+    """The numbers of a point in balls; functions of time as series from the moment."""
+    balls: dict[str, Any] = {name: arb(value) for name, value in p.items() if isinstance(value, float)}
+    for name, terms in p.items():
+        symbol = name.removesuffix(".series")
+        if symbol != name:
+            since = [arb(x) for x in terms]
+            balls[symbol] = balls.get(f"{symbol}.VALUE", arb(0)) + arb_series(since, prec=ORDER + 1)
+    return balls
+
+
+def numbers(p: Point) -> tuple[dict[str, float], dict[str, float]]:
+    """The cells of a point where its phase begins, and its states at the moment."""
+    theta, sine, cosine = p["Theta"], np.sin(p["psi"]), np.cos(p["psi"])
+    cells = {name: value for name, value in p.items() if isinstance(value, float)} | {
+        "driving_moment": p["C_theta"] * sine / theta, "driving_moment_slope": p["C_theta"] * cosine / theta,
+        "normal_load": p["C_r"] * cosine / theta, "normal_load_slope": -p["C_r"] * sine / theta,
         "polar_moment": p["I_p"] / theta, "resistance_factor": p["lambda"] / theta,
     }  # fmt: skip
-    cells |= {x: p[x][0] for x in ("k_h", "k_v", "pore_ratio", "pore_pressure") if x not in moving}
-    now = {name.removeprefix("now."): v for name, v in p.items() if name.startswith("now.")}
-    series = {name.removesuffix(".series"): v for name, v in p.items() if name.endswith(".series")}
-    return cells, now, series
+    return cells, {name.removeprefix("now."): value for name, value in p.items() if name.startswith("now.")}
 
 
-def registers(program: Program, cells: dict[str, arb], now: Mapping[str, arb], series: Mapping[str, Sequence[arb]]
-              ) -> list[list[arb]]:  # fmt: skip
-    """All registers of a program at a moment of a phase."""
-    c = prologue(program, cells)
-    # The limit friction is an input: what the balance at the start says, so that the drive is the same number.
-    at = program.roles
-    limit = (c[at["cell_driving"]] - c[at["cell_resisting"]]) / c[at["cell_normal0"]]
-    c = prologue(program, cells | {"LIMIT": limit})
-    for cell, _, _ in program.states:
-        c[cell] = now.get(program.cells[cell], arb(0))
-    ramps = {t.register: series[t.name] for t in program.tables if t.kind == "time"}
-    for tangent in program.tangents:
-        ramps |= {
-            tangent.registers[t.register]: series[f"{t.name}'0"]
-            for t in program.tables if t.kind == "time" and t.register in tangent.registers
-        }  # fmt: skip
-    return run(program, c, ramps, ORDER)
-
-
-def at_a_point(case: Case, seed: int, asked: tuple[str, ...]) -> tuple[Program, list[list[arb]], dict[str, Any]]:
-    """The program of a case, its registers at a random moment, and the numbers of that moment."""
-    ctx.prec, ctx.cap = PRECISION, ORDER + 1
-    program = build_program(*case, asked)
-    p = point(random.Random(f"{case} {seed}"), case)
-    return program, registers(program, *numbers(case, p)), p
-
-
-def register(program: Program, name: str) -> int:
-    """Where a program has a quantity; -1 where it has none."""
-    return program.roles.get(name, program.registers.index(name) if name in program.registers else -1)
-
-
-def tangent_difference(case: Case, seed: int) -> float:
-    """The worst difference of a program's derivative in a random direction from a quotient of differences."""
-    ctx.prec, ctx.cap = 4 * PRECISION, ORDER + 1
-    rng = random.Random(f"{case} {seed}")
-    program, both = build_program(*case), build_program(*case, (), 1)
-    cells, now, series = numbers(case, point(rng, case))
-    step, change = arb(2) ** -500, {}
-    for cell in both.tangents[0].cells:
-        if both.cells[cell] != "drive":
-            change[both.cells[cell]] = arb(rng.uniform(-1, 1))
-    moves = {x: arb(rng.uniform(-1, 1)) for x in now}
-    ramps = {x: [arb(rng.uniform(-1, 1)) for _ in v] for x, v in series.items()}
-    first = registers(program, cells, now, series)
-    moved = registers(
-        program,
-        cells | {x: cells.get(x, arb(0)) + step * d for x, d in change.items()},
-        {x: v + step * moves[x] for x, v in now.items()},
-        {x: [a + step * b for a, b in zip(v, ramps[x], strict=True)] for x, v in series.items()},
-    )
-    r = registers(
-        both,
-        cells | {f"{x}'0": d for x, d in change.items()},
-        dict(now) | {f"{x}'0": d for x, d in moves.items()},
-        dict(series) | {f"{x}'0": d for x, d in ramps.items()},
-    )
-    worst = 0.0
-    for name in ("x", "omega", "net", "normal", "upright", "excess"):
-        if (place := register(program, name)) < 0:
-            continue
-        tangent = both.tangents[0].registers.get(register(both, name), -1)
-        for i in range(ORDER):
-            quotient = (moved[place][i] - first[place][i]) / step
-            found = r[tangent][i] if tangent >= 0 else arb(0)
-            far = float(abs(found - quotient).upper()) / max(1.0, float(abs(quotient).mid()))
-            worst = far if not far < worst else worst
-    return worst
+def at_a_point(case: Case, seed: int, asked: tuple[str, ...]) -> tuple[Program, Floats, Point]:
+    """The program of a case, the series of its registers at a random moment, and the numbers of that moment."""
+    program, p = build_program(*case, asked), point(random.Random(f"{case} {seed}"), case)
+    return program, series_at(program, *numbers(p), p), p
 
 
 def difference(case: Case, seed: int) -> float:
-    """The worst relative difference of a coefficient of any register that both sides have."""
+    """The largest error of a coefficient of any register that both sides have, relative to the largest coefficient."""
     effects, laws, *_ = case
-    program, found, p = at_a_point(case, seed, ("mu",))
+    program, registers, p = at_a_point(case, seed, ("mu",))
+    ctx.prec, ctx.cap = 128, ORDER + 1
+    balls = absolute(p)
 
     def mu(x: Any, w: Any) -> Any:
-        found = coefficient(laws[0], p, x, w)
-        return found * coefficient(laws[1], p, x, w) if len(laws) > 1 else found
+        return math.prod(coefficient(law, balls, x, w) for law in laws)
 
-    plain = motion(p, effects, mu, ORDER)
-    worst = 0.0
+    plain, differences = motion(balls, effects, mu, ORDER), [0.0]
     for name in ("x", "omega", "net", "normal", "mu", "upright", "excess"):
-        if (place := register(program, name)) < 0:
-            continue
-        series = plain[name].coeffs()
-        series += [arb(0)] * (ORDER - len(series))
-        size = max(float(abs(x).mid()) for x in series[:ORDER])
-        for i in range(ORDER):
-            far = float(abs(found[place][i] - series[i]).upper()) / size
-            worst = far if not far < worst else worst  # what is no number stays
-    return worst
+        register = program.roles.get(name, program.registers.index(name) if name in program.registers else -1)
+        if register >= 0:
+            terms = [float(x) for x in plain[name].coeffs()[:ORDER]]
+            exact = np.array(terms + [0.0] * (ORDER - len(terms)))
+            differences.append(np.max(np.abs(registers[register, :ORDER] - exact)) / np.max(np.abs(exact)))
+    return float(np.max(differences))  # what is no number stays
 
 
-BOUND = 1e-30
+BOUND = 1e-12
 
 
 def main() -> int:
     """All programs, or as many as are asked for; 1 where one differs."""
-    chosen, worst = list(cases()), 0.0
+    chosen = list(cases())
     if len(sys.argv) > 1:
         chosen = random.Random(1).sample(chosen, int(sys.argv[1]))
-    for count, case in enumerate(chosen, 1):
-        found = difference(case, 0)
-        if not found < BOUND:
-            print(f"differs by {found:.1e}: {case}")
-            return 1
-        worst = max(worst, found)
-        if count % 1000 == 0:
-            print(f"{count} programs, worst difference {worst:.1e}", file=sys.stderr, flush=True)
-    print(f"{len(chosen)} programs agree with the plain equation of motion to {worst:.1e}")
-    return 0
+    largest = max(difference(case, 0) for case in chosen)
+    print(f"{len(chosen)} programs agree with the plain equation of motion to {largest:.1e}")
+    return int(not largest < BOUND)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ import numpy as np
 from slipcircle.base.kinds import Parameters
 from slipcircle.core.flow.lanes import Lanes
 from slipcircle.core.scene.coordinates import by_lanes
+from slipcircle.core.scene.friction import number_name
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.scene import Scene
 
@@ -65,7 +66,7 @@ def _flat_numbers(scene: Scene, path: str, parameters: Parameters) -> dict[str, 
     """Parameters of an effect or a law; those among the scene's numbers may be arrays."""
     flat = dict(parameters)
     for name, value in parameters.items():
-        if f"{path}.{name}" in scene.numbers:
+        if number_name(path, name) in scene.numbers:
             flat[name] = _flat(value, scene.shape)
     return flat
 

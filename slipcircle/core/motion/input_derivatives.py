@@ -21,7 +21,7 @@ from slipcircle.core.flow.tangents import InputGrowth, TableGrowth
 from slipcircle.core.motion.geometry_derivatives import Directions, arc_with_derivatives, relative_derivative
 from slipcircle.core.scene.complex_step import derivative, with_parts
 from slipcircle.core.scene.forcing import factor
-from slipcircle.core.scene.friction import law_parts, law_paths
+from slipcircle.core.scene.friction import law_parts, law_paths, number_name
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.strength import OfRotation
 
@@ -105,9 +105,7 @@ class InputDerivatives(Directions):
         """The parameters of an effect or a law, with complex numbers for those of the scene's numbers."""
         stepped = dict(parameters)
         for name, value in parameters.items():
-            number = f"{path}.{name}"
-            if path in self.names:  # constant friction, a number
-                number = path
+            number = number_name(path, name)
             if number in self.names:
                 stepped[name] = self.stepped(number, value)
         return stepped

@@ -51,8 +51,7 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     units = dict[str, str]()
     at = dict(outputs)
     for name in _parameters(scene):
-        is_number = name == "friction.coefficient"  # known as friction
-        units[name] = "" if is_number else known[name].unit
+        units[name] = known[name].unit
         at[name] = float(np.asarray(scene.numbers[name]))
     warnings = list[str]()
     if any(outputs.values()):

@@ -108,6 +108,11 @@ def law_paths(friction: Any) -> Names:
     return with_rate[:count]
 
 
+def number_name(path: str, name: str) -> str:
+    """The name of a law's number among those of a scene: the coefficient of constant friction is ``friction``."""
+    return path if (path, name) == ("friction", "coefficient") else f"{path}.{name}"
+
+
 def without_soil(name: str) -> str:
     """The name of a law or an effect without the number of a soil."""
     return name.partition(OF_SOIL)[0]

@@ -17,7 +17,7 @@ from generated import effects as declared
 from slipcircle.base.kinds import Flags, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
-from slipcircle.core.scene.friction import law_parts, law_paths, without_soil
+from slipcircle.core.scene.friction import law_parts, law_paths, number_name, without_soil
 from slipcircle.core.scene.ground import BOUNDS, FAR
 from slipcircle.core.scene.scene import Scene
 
@@ -112,10 +112,7 @@ def _scalars(path: str, parameters: Iterable[declared.Parameter]) -> Iterator[Pa
     """Those declared parameters of a law or an effect that are one number, or a function of time that may be one."""
     for p in parameters:
         if p.kind in ("number", "series"):
-            name = f"{path}.{p.name}"
-            if name == "friction.coefficient":
-                name = "friction"
-            yield Parameter(name, p.unit, p.lower, p.upper)
+            yield Parameter(number_name(path, p.name), p.unit, p.lower, p.upper)
 
 
 def parameter_value(scene: Scene, name: str) -> float | None:

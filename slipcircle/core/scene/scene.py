@@ -17,7 +17,7 @@ from slipcircle.base.series import Pulse, Series
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.core.scene.forcing import factor, resolved
-from slipcircle.core.scene.friction import law_mistakes, law_parts, law_paths
+from slipcircle.core.scene.friction import law_mistakes, law_parts, law_paths, number_name
 from slipcircle.core.scene.layers import LayeredSection
 from slipcircle.core.scene.section import Section
 from slipcircle.core.scene.strength import MeanFriction
@@ -193,13 +193,11 @@ def _friction_numbers(friction: Any) -> dict[str, Any]:
     """The numbers of a friction, by name; functions and tables have none."""
     if callable(friction):
         return {}
-    if not isinstance(friction, Mapping):
-        return {"friction": friction}
     numbers = {}
     for path, (law, parameters) in zip(law_paths(friction), law_parts(friction), strict=True):
         if LAWS[law].parameters[0].kind != "list":
             for name, value in parameters.items():
-                numbers[f"{path}.{name}"] = value
+                numbers[number_name(path, name)] = value
     return numbers
 
 
