@@ -16,15 +16,17 @@ from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 from tests.campaigns.layered_benchmarks import CASES, differences, solved
 from tests.support.along_the_arc import AlongTheArc, random_section
-from tests.support.layered import GROUND, LEVEL, TOPS, TURNING, profile, tangent
+from tests.support.layered import GROUND, TOPS, TURNING, profile, tangent
+
+FORELAND = Soil(18e3, 2e3, 0.4, None, 500.0, 8.0, name="foreland")
 
 
-@pytest.mark.parametrize("strength", ["base", "mass"])
-def test_a_layered_mass_accelerates_as_its_weight_and_strength_along_the_arc_say(strength: str) -> None:
-    """With water, pore pressure ratios, cohesion that grows with depth, surcharges saturated weights; up and down."""
+@pytest.mark.parametrize(("strength", "foreland"), [("base", None), ("base", FORELAND), ("mass", None)])
+def test_a_layered_mass_accelerates_as_its_weight_and_strength_along_the_arc_say(strength: str, foreland: Any) -> None:
+    """With water, pore pressure ratios, cohesion that grows with depth, surcharges, saturated weights; up and down."""
     rng = np.random.default_rng(2)
     for velocity in [0.0, -5.0] * 5:
-        section = random_section(rng, 0.25, strength=strength)
+        section = random_section(rng, 0.25, strength=strength, foreland=foreland, crack=rng.choice([0.0, 2.0]))
         scene = Scene(section, effects=TURNING, initial_velocity=velocity, end_time=20.0)
         motion, arc = solve(scene), AlongTheArc(section, section)
         assert motion.energy_error_estimate < 1e-14
@@ -239,16 +241,6 @@ def test_lanes_are_the_scenes_that_they_stand_for(section: LayeredSection, value
             assert factors[method][k] == pytest.approx(factor, rel=1e-9)
 
 
-def test_a_foreland_decides_how_far_a_mass_gets() -> None:
-    own = profile("constant friction").soils[2].friction
-    forelands = [None, *(Soil(18e3, 0.0, mu, name="foreland") for mu in (own, tangent(5), tangent(15), tangent(30)))]
-    alone, same, *run_outs = (
-        solve(Scene(profile("constant friction", foreland=soil), effects=TURNING)).run_out for soil in forelands
-    )
-    assert same == pytest.approx(alone, rel=1e-12)
-    assert run_outs[0] > alone > run_outs[1] > run_outs[2]
-
-
 SLIDING = [Soil(19e3, 0.0, {"law": "linear", "peak": 0.4, "residual": 0.0, "length": length}, name=str(length))
            for length in (1.0, 2.0)]  # fmt: skip
 
@@ -286,23 +278,13 @@ def test_what_soils_say_is_not_said_twice(section: Any, friction: Any, effects: 
         Scene(section, friction, effects)
 
 
-@pytest.mark.parametrize("way", [1, -1])
-def test_a_cracked_section_begins_at_a_scarp(way: int) -> None:
-    """As where the ground beyond the crack is dug away; under water, its slope to the right or to the left."""
-    ground, level = ([(way * x, y) for x, y in line][::way] for line in (GROUND, LEVEL))
-    soils = profile("constant friction").soils
-    tops = (None, *([(-199.0, top), (199.0, top)] for top in TOPS[1:]))
-    cracked = LayeredSection(
-        ground, (30 * way, 45), 48.0, level=level, layers=list(zip(soils, tops, strict=True)), crack=3.0
-    )
-    x, y = cracked.entry
-    dug = [(-60 * way, y - 3), (x, y - 3), (x, y + 3), *[p for p in ground[::way] if way * p[0] > way * x]]
-    scene, scarp = (Scene(arc, effects=TURNING) for arc in (cracked, replace(cracked, ground=dug[::way], crack=0.0)))
-    computed, expected = ([m.factor_of_safety, m.run_out, m.duration] for m in map(solve, (scene, scarp)))
-    assert computed == pytest.approx(expected, rel=1e-11)
-    statics = at_circle(Slope(ground, layers=cracked.layers, level=level, crack=3.0), replace(cracked, crack=0.0))
-    for method, factor in statics.factor_of_safety.items():
-        assert factors_of_safety(scene)[method] == pytest.approx(factor, rel=1e-9)
+@pytest.mark.parametrize("section", [CRACKED, MIRRORED])
+def test_a_cracked_section_has_the_factors_of_its_slope(section: LayeredSection) -> None:
+    level, loads = [(-120, -1.0), (120, -1.0)], section.surcharge
+    slope = Slope(section.ground, layers=section.layers, surcharge=loads, crack=4.0, level=level, k_h=0.1)
+    wet = Scene(replace(section, level=level))
+    for method, factor in at_circle(slope, replace(section, crack=0.0)).factor_of_safety.items():
+        assert factors_of_safety(wet, k_h=0.1)[method] == pytest.approx(factor, rel=1e-9)
 
 
 def test_numbers_of_soils_of_an_odd_size_are_questioned() -> None:

@@ -67,11 +67,13 @@ class AlongTheArc:
     def __init__(self, slope: Any, circle: Any) -> None:
         self.slope, self.radius, self.facing = slope, float(circle.radius), float(circle.facing)
         self.centre = np.array(circle.centre, dtype=np.float64)
-        self.soils = [soil for soil, _ in slope.layers]
+        foreland = getattr(slope, "foreland", None)
+        self.soils = [*(soil for soil, _ in slope.layers), *([foreland] if foreland else [])]
+        self.reaches_beyond = bool(foreland)
         level = [[0.0, -1e9]] if slope.level is None else slope.level
         tops = [slope.ground, *(top for _, top in slope.layers[1:]), level, *(soil.datum for soil in self.soils)]
         lines = [np.asarray(top) if np.ndim(top) else np.array([[0.0, top or 0.0]]) for top in tops]
-        self.lines, self.level = lines[: len(self.soils)], lines[len(self.soils)]
+        self.lines, self.level = lines[: len(slope.layers)], lines[len(slope.layers)]
         loads = [x for load in slope.surcharge for x in load[:2]]
         self.kinks = self.angle(self.kinks_of(lines, np.unique(np.concatenate([*(p[:, 0] for p in lines), loads]))))
         self.ends = np.sort(self.angle(np.array([circle.entry[0], circle.exit[0]])))
@@ -103,7 +105,7 @@ class AlongTheArc:
         ground, *_ = tops = np.minimum.accumulate([np.interp(x, *line.T) for line in self.lines])
         bounds = [*np.maximum(tops, y), y]
         soil, load = np.zeros((2, 7, *x.shape))
-        for k, of in enumerate(self.soils):
+        for k, (of, _) in enumerate(self.slope.layers):
             wet = np.clip(np.interp(x, *self.level.T), bounds[k + 1], bounds[k])
             up, middle, low = (antiderivatives(along, line - height) for line in (bounds[k], wet, bounds[k + 1]))
             soil += of.unit_weight * (up - middle) + (of.saturated_unit_weight or of.unit_weight) * (middle - low)
@@ -121,12 +123,14 @@ class AlongTheArc:
         half = np.diff(edges) / 2
         b = edges[:-1] + half * (1.0 + NODES[:, None])
         soil, load = self.weights(*self.arc(b))
-        base = np.clip(b + (rotation if strength == "base" else 0.0), *self.ends)
+        base = b + (rotation if strength == "base" else 0.0)
+        base = np.clip(base, self.ends[0], np.inf if self.reaches_beyond else self.ends[1])
         # At the ends the ground has no thickness: the soil just inside counts.
         x, y = self.arc(np.clip(base, self.ends[0] + 1e-6, self.ends[1] - 1e-6))
         tops = np.minimum.accumulate([np.interp(x, *line.T) for line in self.lines])
         which = np.maximum(np.count_nonzero(tops > y, axis=0) - 1, 0)
         names = ("friction", "cohesion", "cohesion_gradient", "datum", "pore_ratio")
+        which[base > self.ends[1]] = len(self.lines)
         numbers = np.array([[getattr(soil, name) or 0.0 for name in names] for soil in self.soils])
         friction, cohesion, gradient, datum, ratio = numbers.T[:, which]
         cohesion = cohesion + gradient * np.maximum(datum - self.arc(base)[1], 0.0)
