@@ -186,7 +186,6 @@ def test_a_grid_of_any_size_is_a_map() -> None:
     angles, radii = np.linspace(12.0, 8.0, 9), np.linspace(1e3, 2e3, 10)
     study = grid(load("vaiont"), {DEGREES: angles, "arc.radius_m": radii})
     ax = studyplots.response(study, "run_out", drawn())
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("friction angle (deg)", "radius (m)")
     cells = ax.collections[0]
     assert np.array_equal(cells.get_array(), study.samples["run_out"].reshape(9, 10).T[:, ::-1])
     low, high = (sum(cells.get_cmap()(x)[:3]) for x in (0.0, 1.0))
