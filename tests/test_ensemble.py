@@ -106,6 +106,13 @@ def run_outs(scene: Scene, key: str, levels: list[float]) -> Any:
     return grid(scene, {key: levels}).samples["run_out"]
 
 
+def test_a_law_of_speed_that_multiplies_varies() -> None:
+    law: dict[str, Any] = {"law": "linear", "peak": 0.24, "residual": 0.2, "length": 3.0}
+    rate = {"law": "rate_weakening", "peak": 1.0, "velocity": 2.0}
+    scene, other = (replace(VAIONT, friction=law | {"rate": rate | {"residual": x}}) for x in (0.5, 0.7))
+    assert run_outs(scene, "friction.rate.residual", [0.7]) == pytest.approx([solve(other).run_out], rel=1e-11)
+
+
 def test_what_shakes_varies_everywhere() -> None:
     """An amplitude, a scale or a peak: as if the record had been given so."""
     pulse = PULSE.called["shaking"]
