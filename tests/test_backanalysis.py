@@ -116,6 +116,13 @@ def test_covariance_of_several_fields() -> None:
     np.testing.assert_allclose(np.asarray(first.covariance), covariance, rtol=1e-4)
     assert [*(first.standard_errors or {}).values()] == pytest.approx(errors, rel=1e-4)
     np.testing.assert_allclose(np.asarray(first.correlation), covariance / np.outer(errors, errors), rtol=1e-4)
+    # Errors that nobody gave are in proportion to what was observed, as the misfit has it
+    unknown: dict[str, Any] = {n: seen for n, (seen, _) in OBSERVED.items()}
+    alike: dict[str, Any] = {n: (seen, seen) for n, (seen, _) in OBSERVED.items()}
+    free, scaled = (backanalyse(VAIONT, **x, field=["friction", "radius"]).solutions[0] for x in (unknown, alike))
+    np.testing.assert_allclose(
+        np.asarray(free.covariance), np.asarray(scaled.covariance) * scaled.chi_square, rtol=1e-6
+    )
 
 
 def test_all_minima() -> None:

@@ -34,8 +34,7 @@ def test_a_layered_mass_accelerates_as_its_weight_and_strength_along_the_arc_say
             state = motion.at(time)
             acceleration, friction = arc.motion(state)
             assert state.acceleration == pytest.approx(acceleration, rel=0, abs=1e-13)
-            mean_friction = friction / np.ptp(arc.ends) / arc.radius
-            assert state.normal_stress * motion.friction == pytest.approx(mean_friction, rel=1e-13)
+            assert state.normal_stress * motion.friction == pytest.approx(friction, rel=1e-13)
 
 
 LAWS: list[Any] = [
@@ -96,7 +95,8 @@ def test_motions_of_softening_soils_are_those_of_another_integrator(
 def test_stretches_carry_the_means_along_the_arc() -> None:
     rng = np.random.default_rng(1)
     for section in (random_section(rng), random_section(rng), profile(ONE_SOIL)):
-        columns = AlongTheArc(section, section).columns()
+        arc = AlongTheArc(section, section)
+        columns = arc.columns()
         above = (columns.soil + columns.load) * np.cos(columns.b) * columns.length
         pressure = columns.pressure * columns.length
         strength = columns.cohesion * columns.length + columns.friction * (above[0] - pressure)
@@ -106,7 +106,7 @@ def test_stretches_carry_the_means_along_the_arc() -> None:
             here = (row.start < columns.b) & (columns.b < row.end)
             sums = [(values * here).sum() for values in (columns.length, above[0], pressure, strength, above[6])]
             assert np.all(columns.friction[here] == row.soil.friction)
-            computed = np.array([1.0, row.normal_stress, row.pore_pressure, row.strength]) * row.length
+            computed = np.array([1.0, row.normal_stress, row.pore_pressure, row.strength]) * row.length / arc.radius
             assert [*computed, row.weight_share * above[6].sum()] == pytest.approx(sums, rel=1e-11)
 
 

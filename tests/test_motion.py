@@ -18,17 +18,6 @@ def limit_friction(arc: Arc) -> float:
 
 
 @BOTH
-def test_an_end_before_the_arrest_is_the_end(effects: tuple[str, ...]) -> None:
-    to_rest = solve(Scene(VAIONT, 0.6, effects, initial_velocity=12.0))
-    cut = solve(Scene(VAIONT, 0.6, effects, initial_velocity=12.0, end_time=0.5 * to_rest.duration))
-    assert not cut.arrested
-    assert cut.duration == 0.5 * to_rest.duration
-    assert cut.end == to_rest.at(cut.duration)
-    late = solve(Scene(VAIONT, 0.6, effects, initial_velocity=12.0, end_time=2 * to_rest.duration))
-    assert (late.arrested, late.duration, late.end) == (True, to_rest.duration, to_rest.end)
-
-
-@BOTH
 def test_a_slide_that_never_rests_needs_an_end(effects: tuple[str, ...]) -> None:
     for mu, velocity in ((0.1, 0.0), (0.0, 0.0), (0.0, -3.0), (limit_friction(VAIONT), 5.0)):
         with pytest.raises(ValueError, match=r"^end_time: .*never rests.* give end_time in s$"):

@@ -98,16 +98,14 @@ def test_factors_are_those_of_slices_along_the_arc(pressure: float, on_surcharge
 
 
 def test_factors_of_an_ensemble_are_those_of_its_scenes() -> None:
-    rng = np.random.default_rng(2)
-    ground = np.array(GROUND) + [0.0, 1.0] * rng.uniform(-0.3, 0.3, (3, len(GROUND), 1))
-    level = np.array(LEVEL) - [0.0, 1.0] * rng.uniform(0.5, 2.0, (3, 1, 1))
-    cohesion, friction, weight = rng.uniform([[0.0], [0.3], [18e3]], [[9e3], [0.8], [21e3]], (3, 3))
-    section = Section(ground, (-6.0, 24.0), 25.0, weight, level=level)
+    cohesion, friction, weight, drop = np.array([[0.0, 9e3], [0.5, 0.3], [18e3, 21e3], [0.5, 2.0]])
+    level = np.array(LEVEL) - drop[:, None, None] * [0.0, 1.0]
+    section = Section(GROUND, (-6.0, 24.0), 25.0, weight, level=level)
     effects = {"cohesion": {"cohesion": cohesion}, "pore_pressure": {"pressure": 2e3}}
     lanes = factors_of_safety(Scene(section, friction, effects), k_h=0.05)
-    for k in range(3):
-        slope = Slope(ground[k], cohesion[k], friction[k], weight[k], level=level[k], pressure=2e3, k_h=0.05)
-        for method, factor in at_circle(slope, Section(ground[k], (-6.0, 24.0), 25.0, 1.0)).factor_of_safety.items():
+    for k in (0, 1):
+        slope = Slope(GROUND, cohesion[k], friction[k], weight[k], level=level[k], pressure=2e3, k_h=0.05)
+        for method, factor in at_circle(slope, Section(GROUND, (-6.0, 24.0), 25.0, 1.0)).factor_of_safety.items():
             assert factor == pytest.approx(lanes[method][k], rel=1e-9)  # cut into pieces
 
 

@@ -15,7 +15,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import slipcircle
-from tests.support import accuracy, references, section_references
+from tests.support import accuracy, combinations, references, section_references
+
+LAWS = [law for law in combinations.LAWS if law != "callable"]
 
 
 class Compared(NamedTuple):
@@ -29,13 +31,12 @@ class Compared(NamedTuple):
 
 
 def row_of_arc(index: int, seed: int) -> dict[str, Any]:
-    """A scene of position and speed, or, one in four, of time, rates or heat; and its motion."""
-    groups = [*(references.STEADY if index % 4 else references.TIMED)]
-    group = groups[index // 4 % len(groups)]
-    rng = np.random.default_rng([seed, index])
-    limits = {} if index % 4 else {"most": (4000, 60)}
-    draw = partial(references.drawn, group, rng)
-    return {"group": group} | references.first_fit(draw, references.digits(group), **limits)
+    """A scene of each law in turn with any effects, and its motion."""
+    rng, law = np.random.default_rng([seed, index]), LAWS[index % len(LAWS)]
+    effects = combinations.ALL[rng.integers(len(combinations.ALL))]
+    return {"group": law} | references.first_fit(
+        lambda: combinations.drawn(effects, law, int(rng.integers(2**31))), 20, most=(4000, 60)
+    )
 
 
 def compared(index: int, seed: int, sections: bool) -> Compared:

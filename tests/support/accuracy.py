@@ -1,17 +1,19 @@
 """The 400 reference scenes as the package takes them, and the true errors of its motions."""
 
 import json
+import math
 from functools import cache
 from typing import Any, NamedTuple
 
 import mpmath
 import numpy as np
+from flint import ctx
 from mpmath import mpf
 
 import slipcircle
 from slipcircle import Motion, Scene
 from slipcircle.core.flow import compiled
-from tests.support import golden, references
+from tests.support import golden, references, taylor
 
 DATA = references.FILE.read_bytes()
 ROWS: list[dict[str, Any]] = json.loads(DATA)
@@ -78,3 +80,22 @@ def near_limit(number: int) -> bool:
     """Whether its friction is meant to be next to its limit: the first scenes of a group."""
     group = ROWS[number]["group"]
     return number - next(k for k in range(300) if ROWS[k]["group"] == group) < references.NEAR.get(group, 0)
+
+
+def misses(motion: Motion, given: golden.Data, terms: int = 26, digits: int = 22) -> dict[str, float]:
+    """By how much more than the estimated error a motion is off its Taylor series, 1 at most where all is well."""
+    if given["friction"] == 0.0 and "cohesion" not in given["effects"]:  # `solve` gives the first standstill
+        given = given | {"end_time": motion.duration}
+    with ctx.workprec(160):
+        exact = taylor.Solution(taylor.Problem(golden.to_the_right(given)), terms, digits)
+        reference = exact.record(golden.times(motion))
+        lifts = [float(t * exact.p.scale) for t in exact.lifts]  # those at rest are not among them
+    estimate, near = motion.error_estimate, 30 * math.sqrt(motion.error_estimate) * motion.duration
+    others = [t for t in motion.lift_off if all(abs(t - x) > near for x in lifts)]
+    alike = (
+        (motion.moves, motion.arrested) == (reference["moves"], reference["arrested"])
+        and all(any(abs(t - x) <= near for x in motion.lift_off) for t in lifts)
+        and not any(motion.at(t).velocity for t in others)
+    )
+    off = true_error(motion, reference)._asdict() | {"decisions": 0.0 if alike else math.inf}
+    return {k: v / (estimate or 1e-16) for k, v in off.items()}

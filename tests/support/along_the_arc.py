@@ -49,12 +49,26 @@ def antiderivatives(x: Any, y: Any) -> Any:
     return np.array([-rho, x * log, (y * rho + x**2 * log) / 2, x * y, y**2 / 2, x**2 * y + y**3 / 3, y])
 
 
+def kinks_of(lines: Any, x: Any) -> Any:
+    """Directions of vertices of lines, and of where they cross each other and the unit circle."""
+    y = np.array([np.interp(x, *line.T) for line in lines])
+    dip = np.diff(y) / np.diff(x)
+    above = y[:, :-1] - dip * x[:-1]  # of a line at the centre
+    with np.errstate(invalid="ignore", divide="ignore"):
+        reach = np.sqrt(1.0 + dip**2 - above**2)
+        crossings = [(sign * reach - dip * above) / (1.0 + dip**2) for sign in (-1.0, 1.0)]
+        crossings += [[x[:-1] - (f - g)[:-1] * np.diff(x) / np.diff(f - g)] for f, g in combinations(y, 2)]
+    every = np.concatenate(crossings)
+    every = np.concatenate([x, every[(every >= x[:-1]) & (every <= x[1:])]])
+    return np.arcsin(every[np.abs(every) <= 1.0])
+
+
 class Columns(NamedTuple):
     """Vertical strips above nodes of the arc, and what acts at their bases."""
 
     b: Any
-    length: Any  # of the arc
-    soil: Any  # weight over breadth times the integrands of `antiderivatives`
+    length: Any  # of the arc, over R
+    soil: Any  # weight over breadth times the integrands of `antiderivatives`, Pa
     load: Any  # likewise of the surcharges
     friction: Any
     cohesion: Any
@@ -62,95 +76,78 @@ class Columns(NamedTuple):
 
 
 class AlongTheArc:
-    """A slope above a circle."""
+    """A slope above a circle: x from its centre down-slope, y up, both over its radius."""
 
     def __init__(self, slope: Any, circle: Any) -> None:
-        self.slope, self.radius, self.facing = slope, float(circle.radius), float(circle.facing)
+        self.slope, self.radius, self.facing = slope, float(circle.radius), int(circle.facing)
         self.centre = np.array(circle.centre, dtype=np.float64)
         foreland = getattr(slope, "foreland", None)
         self.soils = [*(soil for soil, _ in slope.layers), *([foreland] if foreland else [])]
-        self.reaches_beyond = bool(foreland)
-        level = [[0.0, -1e9]] if slope.level is None else slope.level
-        tops = [slope.ground, *(top for _, top in slope.layers[1:]), level, *(soil.datum for soil in self.soils)]
-        lines = [np.asarray(top) if np.ndim(top) else np.array([[0.0, top or 0.0]]) for top in tops]
-        self.lines, self.level = lines[: len(slope.layers)], lines[len(slope.layers)]
-        loads = [x for load in slope.surcharge for x in load[:2]]
-        self.kinks = self.angle(self.kinks_of(lines, np.unique(np.concatenate([*(p[:, 0] for p in lines), loads]))))
-        self.ends = np.sort(self.angle(np.array([circle.entry[0], circle.exit[0]])))
+        self.farthest = np.inf if foreland else -np.inf
+        tops = [slope.ground, *(top for _, top in slope.layers[1:]), -1e9 if slope.level is None else slope.level]
+        every = [self.line(top) for top in (*tops, *(soil.datum or 0.0 for soil in self.soils))]
+        self.lines, self.level = every[: len(slope.layers)], every[len(slope.layers)]
+        self.datum = np.array([y for (_, y), *_ in every[len(tops) :]])
+        self.loads = [(*self.line([(x, 0.0) for x in load[:2]])[:: self.facing, 0], *load[2:])
+                      for load in slope.surcharge]  # fmt: skip
+        vertices = [line[:, 0] for line in every] + [load[:2] for load in self.loads]
+        self.kinks = kinks_of(every, np.unique(np.concatenate(vertices)))
+        self.ends = np.arcsin(np.sort(self.line([circle.entry, circle.exit])[:, 0]))
 
-    def angle(self, x: Any) -> Any:
-        sine = self.facing * (x - self.centre[0]) / self.radius
-        return np.arcsin(sine[np.abs(sine) <= 1.0])
+    def line(self, top: Any) -> Any:
+        """A line of the slope, or a height, with x that grows."""
+        points = np.asarray(top) if np.ndim(top) else np.array([[self.centre[0], top]])
+        return (points - self.centre)[:: self.facing] * [self.facing / self.radius, 1.0 / self.radius]
 
-    def arc(self, b: Any) -> tuple[Any, Any]:
-        x, y = self.centre
-        return x + self.facing * self.radius * np.sin(b), y - self.radius * np.cos(b)
-
-    def kinks_of(self, lines: Any, x: Any) -> Any:
-        """Vertices of lines, and where they cross each other and the circle."""
-        y = np.array([np.interp(x, *line.T) for line in lines])
-        dip = np.diff(y) / np.diff(x)
-        above = y[:, :-1] - self.centre[1] - dip * (x[:-1] - self.centre[0])  # of a line at the centre
-        with np.errstate(invalid="ignore", divide="ignore"):
-            reach = np.sqrt((1.0 + dip**2) * self.radius**2 - above**2)
-            crossings = [self.centre[0] + (sign * reach - dip * above) / (1.0 + dip**2) for sign in (-1.0, 1.0)]
-            crossings += [[x[:-1] - (f - g)[:-1] * np.diff(x) / np.diff(f - g)] for f, g in combinations(y, 2)]
-        every = np.concatenate(crossings)
-        return np.concatenate([x, every[(every >= x[:-1]) & (every <= x[1:])]])
-
-    def weights(self, x: Any, y: Any) -> tuple[Any, Any]:
+    def weights(self, b: Any) -> tuple[Any, Any]:
         """Of the soils, and of the surcharges, above points of the arc."""
-        height = self.centre[1]
-        along = self.facing * (x - self.centre[0])
+        x, y = np.sin(b), -np.cos(b)
         ground, *_ = tops = np.minimum.accumulate([np.interp(x, *line.T) for line in self.lines])
         bounds = [*np.maximum(tops, y), y]
         soil, load = np.zeros((2, 7, *x.shape))
-        for k, (of, _) in enumerate(self.slope.layers):
-            wet = np.clip(np.interp(x, *self.level.T), bounds[k + 1], bounds[k])
-            up, middle, low = (antiderivatives(along, line - height) for line in (bounds[k], wet, bounds[k + 1]))
-            soil += of.unit_weight * (up - middle) + (of.saturated_unit_weight or of.unit_weight) * (middle - low)
-        for left, right, q_left, q_right in self.slope.surcharge:
-            q = np.where((x >= left) & (x <= right), q_left + (q_right - q_left) * (x - left) / (right - left), 0.0)
-            load += q * antiderivatives(along, ground - height + 1e-30j).imag / 1e-30
-        return soil, load
+        for high, low, (of, _) in zip(bounds, bounds[1:], self.slope.layers, strict=False):
+            wet = np.clip(np.interp(x, *self.level.T), low, high)
+            up, middle, down = (antiderivatives(x, height) for height in (high, wet, low))
+            soil += of.unit_weight * (up - middle) + (of.saturated_unit_weight or of.unit_weight) * (middle - down)
+        for left, right, q_left, q_right in self.loads:
+            q = np.where((x >= left) == (x <= right), q_left + (q_right - q_left) * (x - left) / (right - left), 0.0)
+            load += q * antiderivatives(x, ground + 1e-30j).imag / 1e-30
+        return soil * self.radius, load
 
     def columns(self, rotation: float = 0.0, strength: str = "base") -> Columns:
         """After the mass has turned; strength is that of the base or turns with the mass."""
-        edges = np.concatenate(
-            [self.kinks, self.kinks - rotation, self.ends - rotation, np.linspace(self.ends[0], self.ends[1], 9)]
-        )
-        edges = np.unique(np.clip(edges, *self.ends))
+        first, last = self.ends
+        edges = np.concatenate([self.kinks, self.kinks - rotation, self.ends - rotation, np.linspace(first, last, 9)])
+        edges = np.unique(np.clip(edges, first, last))
         half = np.diff(edges) / 2
         b = edges[:-1] + half * (1.0 + NODES[:, None])
-        soil, load = self.weights(*self.arc(b))
-        base = b + (rotation if strength == "base" else 0.0)
-        base = np.clip(base, self.ends[0], np.inf if self.reaches_beyond else self.ends[1])
+        soil, load = self.weights(b)
+        base = np.clip(b + rotation * (strength == "base"), first, max(last, self.farthest))
         # At the ends the ground has no thickness: the soil just inside counts.
-        x, y = self.arc(np.clip(base, self.ends[0] + 1e-6, self.ends[1] - 1e-6))
-        tops = np.minimum.accumulate([np.interp(x, *line.T) for line in self.lines])
-        which = np.maximum(np.count_nonzero(tops > y, axis=0) - 1, 0)
-        names = ("friction", "cohesion", "cohesion_gradient", "datum", "pore_ratio")
-        which[base > self.ends[1]] = len(self.lines)
-        numbers = np.array([[getattr(soil, name) or 0.0 for name in names] for soil in self.soils])
-        friction, cohesion, gradient, datum, ratio = numbers.T[:, which]
-        cohesion = cohesion + gradient * np.maximum(datum - self.arc(base)[1], 0.0)
-        x, y = self.arc(b + rotation)
-        head = np.maximum(np.interp(x, *self.level.T) - y, 0.0)
-        pressure = np.where(ratio > 0.0, ratio * soil[6], self.slope.water_unit_weight * head)
-        return Columns(b, self.radius * half * WEIGHTS[:, None], soil, load, friction, cohesion, pressure)
+        inside = np.clip(base, first + 1e-6, last - 1e-6)
+        tops = np.minimum.accumulate([np.interp(np.sin(inside), *line.T) for line in self.lines])
+        which = np.maximum(np.count_nonzero(tops > -np.cos(inside), axis=0) - 1, 0)
+        which[base > last] = len(self.lines)
+        names = ("friction", "cohesion", "cohesion_gradient", "pore_ratio")
+        numbers = np.array([[getattr(soil, name) for name in names] for soil in self.soils])
+        friction, cohesion, gradient, ratio = numbers.T[:, which]
+        cohesion = cohesion + gradient * self.radius * np.maximum(self.datum[which] + np.cos(base), 0.0)
+        head = np.maximum(np.interp(np.sin(b + rotation), *self.level.T) + np.cos(b + rotation), 0.0)
+        pressure = np.where(ratio > 0.0, ratio * soil[6], self.slope.water_unit_weight * self.radius * head)
+        return Columns(b, half * WEIGHTS[:, None], soil, load, friction, cohesion, pressure)
 
     def motion(self, state: Any) -> tuple[float, float]:
-        """Acceleration of a turning layered mass, and the friction that its weight alone would mobilise, N/m."""
+        """Acceleration of a turning layered mass, and the mean friction that its weight would mobilise, Pa."""
         section, turn = self.slope, float(state.rotation)
         columns = self.columns(turn, section.strength)
         radial, tangential, polar, x, y, inertia, _ = (columns.soil + columns.load) * np.cos(columns.b)
         turned = radial * np.cos(turn) - tangential * np.sin(turn)
-        friction = columns.friction * (turned + state.angular_velocity**2 / section.gravity * polar)
+        friction = columns.friction * (turned + state.angular_velocity**2 * self.radius / section.gravity * polar)
         water, drive = columns.friction * columns.pressure, y * np.sin(turn) - x * np.cos(turn)
         integrands = (friction, water, columns.cohesion, drive, inertia)
         of_weight, of_water, cohesion, driving, mass = (float((value * columns.length).sum()) for value in integrands)
-        moment = driving - np.sign(state.velocity) * self.radius * (max(of_weight - of_water, 0.0) + cohesion)
-        return section.gravity * self.radius * moment / mass, of_weight
+        moment = driving - np.sign(state.velocity) * (max(of_weight - of_water, 0.0) + cohesion)
+        return section.gravity * moment / mass, of_weight / np.ptp(self.ends)
 
     def factors(self, k_h: float, bishop: float) -> dict[str, float]:
         """By three methods, Bishop's from his own, and the share of the arc under negative normal stress."""
@@ -158,7 +155,7 @@ class AlongTheArc:
         cosine, sine, length = np.cos(columns.b), -np.sin(columns.b), columns.length  # a positive sine drives
         weight = (columns.soil + columns.load) * cosine
         pushed = k_h * (columns.soil + columns.load * self.slope.k_h_on_surcharge) * cosine
-        drive = -((weight[3] + pushed[4]) * length).sum() / self.radius
+        drive = -((weight[3] + pushed[4]) * length).sum()
         pressure = columns.pressure + self.slope.pressure
         lever = cosine + sine * columns.friction / bishop
         vertical = weight[6] - pressure * cosine

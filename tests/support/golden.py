@@ -1,14 +1,11 @@
-"""All public numbers of scenes of every law and effect: ``python -m tests.support.golden`` writes them to golden.json.
+"""All public numbers of scenes of every law and effect, as golden.json holds them.
 
-A scene is plain data, in SI units and radians. Its numbers are those of `solve`; run-out, peak velocity, duration and
-states on the way are also solved by Taylor series in ball arithmetic (`taylor`), which know nothing of the
-package, and where these are not met within the estimated error nothing is written. So the file holds no number that is
-known to be wrong; what changes a number beyond the estimated errors has to be explained by who writes it anew.
+A scene is plain data, in SI units and radians. Its numbers are those of `solve` when the file was written; run-out,
+peak velocity, duration and states on the way of all of them were within the estimated error of Taylor series in ball
+arithmetic, which know nothing of the package, and `test_golden` solves some of them again.
 """
 
-import json
 import math
-import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 from functools import cache
@@ -16,11 +13,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from flint import arb, ctx
 
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.base.series import Series
-from tests.support import taylor
 
 FILE = Path(__file__).with_name("golden.json")
 SHARES = (0.18, 0.47, 0.76)  # of the duration, at which states are taken
@@ -277,52 +272,3 @@ def compared(one: Any, other: Any, bound: Any) -> Iterator[str]:
         )
     if not np.all(near):
         yield f" is {one!r}, was {other!r}, bound {bound:.2g}"
-
-
-def misses(motion: Motion, given: Data, at: list[float], terms: int = 26, digits: int = 22) -> dict[str, float]:
-    """By how much more than the estimated error a motion is off, 1 at most where all is well."""
-    if given["friction"] == 0.0 and "cohesion" not in given["effects"]:  # `solve` gives the first standstill
-        given = given | {"end_time": motion.duration}
-    ctx.prec = 160
-    follow = taylor.Solution(taylor.Problem(to_the_right(given)), terms, digits)
-    exact, state, error = follow.record(at), motion.at(np.array(at)), motion.error_estimate
-    run_out, peak = abs(motion.run_out) or 1.0, abs(float(motion.peak.velocity)) or 1.0
-    compared = [
-        ("run_out", motion.run_out, exact["run_out"], run_out),
-        ("peak", peak if motion.peak.velocity else 0.0, exact["peak_velocity"].lstrip("-"), peak),
-        ("duration", motion.duration, exact["duration"], motion.duration or 1.0),
-        *(
-            ("displacement", x, text, run_out)
-            for x, text in zip(state.displacement, exact["displacement"], strict=True)
-        ),
-        *(("velocity", v, text, peak) for v, text in zip(state.velocity, exact["velocity"], strict=True)),
-    ]
-    decided = (motion.moves, motion.arrested) == (exact["moves"], exact["arrested"])
-    found = {"decisions": 0.0 if decided else math.inf}
-    for name, value, text, size in compared:
-        found[name] = max(found.get(name, 0.0), abs(float(arb(text) - arb(float(value)))) / size)
-    lifts = [float(t * follow.p.scale) for t in follow.lifts]  # those at rest are not among them
-    near = 30 * math.sqrt(error) * motion.duration
-    known = all(any(abs(t - x) <= near for x in motion.lift_off) for t in lifts)
-    other = [t for t in motion.lift_off if all(abs(t - x) > near for x in lifts)]
-    found["lift-off"] = 0.0 if known and not any(motion.at(t).velocity for t in other) else math.inf
-    return {k: v / error if error else v * 1e16 for k, v in found.items()}
-
-
-def main() -> None:
-    """Write the file, unless a number is wrong."""
-    lines, wrong = [], []
-    for name, given in rows().items():
-        motion = solved(name)
-        at = times(motion)
-        off = {} if given is None else misses(motion, given, at)
-        wrong += [f"{name}: {key} {share:.3g} times the estimate" for key, share in off.items() if not share <= 1.0]
-        found = numbers(motion, at, motion.plan.law == "constant" and motion.moves)
-        lines.append(json.dumps({"name": name, "numbers": found}))
-    if wrong:
-        sys.exit("\n".join(wrong))
-    FILE.write_text("[\n" + ",\n".join(lines) + "\n]\n", "utf-8")
-
-
-if __name__ == "__main__":
-    main()
