@@ -356,7 +356,9 @@ def test_sweep(file: Path, tmp_path: Path, asked: Any) -> None:
 
 def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) -> None:
     table, line = tmp_path / "a.csv", "sweep vaiont --grid friction.angle_deg=8:12:41 --grid arc.radius_m=1000,1500"
-    assert "82 scenes; comes to rest: 82" in said(line, "--csv", table)
+    for _ in range(2):  # the second time from the blocks of the first
+        assert "82 scenes; comes to rest: 82" in said(line, "--csv", table, "--resume", tmp_path / "blocks")
+    assert [*(tmp_path / "blocks").glob("block-*")]
     head, *rows = table.read_text("utf-8").splitlines()
     outcomes = "reach (m),run_out (m),peak_velocity (m/s),duration (s)"
     assert head == f'friction.angle_deg,arc.radius_m,{outcomes},"factor of safety, paper",status,reason'

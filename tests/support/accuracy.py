@@ -17,7 +17,7 @@ from tests.support import golden, references, taylor
 
 DATA = references.FILE.read_bytes()
 ROWS: list[dict[str, Any]] = json.loads(DATA)
-# In NumPy a scene takes a third of a second by itself: there every eighth, and `test_references_together` has them all.
+# In NumPy a scene takes a third of a second by itself: there every eighth.
 EVERY = 1 if compiled.module() else 8
 NUMBERS = range(0, 300, EVERY)
 TIMED = range(300, 400, EVERY)
