@@ -338,7 +338,8 @@ def test_on_numpy_alone(tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (0, "")
     worked, loaded, needed = json.loads(done.stdout)
     for words, status, out, err in worked:
-        assert (status, err, out.count("\n") > 5) == (0, "", True), words
+        assert (status, out.count("\n") > 5) == (0, True), words
+        assert re.fullmatch(r"(1 of 1 scenes solved.*\n)?", err), words  # where it takes longer than a moment
     assert (tmp_path / "creep.csv").exists()
     assert {*loaded} <= {"numpy", "slipcircle", "generated"}
     for words, status, out, err in needed:

@@ -68,15 +68,12 @@ def test_references_are_the_definitions(name: str, kind: str) -> None:
             assert abs(digits(found.values[at]) / exact - 1) < mpf(10) ** -45, points[at]
 
 
-@pytest.mark.parametrize(("kind", "least"), [("float64", -13), ("float32", -6)])
-def test_the_set_is_dense_at_both_ends(kind: str, least: int) -> None:
+@pytest.mark.parametrize("kind", ["float64", "float32"])
+def test_inputs_go_from_end_to_end(kind: str) -> None:
     points = reference.inputs(kind)
     assert points.dtype == kind
     assert [points[0], points[-1]] == [0.0, points.dtype.type(np.pi / 2)]
     assert np.all(np.diff(points) > 0)
-    assert np.mean((points > 0.1) & (points < 1.5)) > 0.2
-    for gap in (points[1:], np.pi / 2 - points.astype(float)):
-        assert min(np.histogram(np.log10(gap[gap > 0.0]), np.arange(least, 0))[0]) > 20
     np.testing.assert_array_equal(reference.inputs.__wrapped__(kind), points)  # drawn anew, the same
 
 
@@ -125,9 +122,9 @@ def test_measured_rows(rows: list[Row]) -> None:
         assert (row.bound, row.bound_ulp) == BOUNDS[MEASURED][tier]["fused" if word == "fused" else "plain"]
         assert row.error <= (row.bound or 0.0)
         assert (row.ulp or 0.0) <= (row.bound_ulp or np.inf)
-        above = replace(row, error=3 * row.error, ulp=3 * (row.ulp or 0.0), profile=None)
-        failure = f"Seen above what is proved, so the proof or the build is wrong: {way}"
-        assert " ".join(costtext.verdict([above]).split()).startswith(failure)
+
+
+def test_what_is_above_its_bound_is_said() -> None:
     row = Row(MEASURED, "best, fused", 1e-16, (0.1,), 1.0, bound=2e-16, bound_ulp=0.65, ulp=0.94, ours=True)
     for second, above_it in ((0.6, False), (-0.7, True)):  # where results underflow another bound holds
         ulp = np.array([0.94, second])
@@ -145,14 +142,6 @@ def test_the_worst_input_shows_the_error(rows: list[Row]) -> None:
             exact = digits(oracle.kernel(MEASURED, Fraction(alpha)))
             error = abs(mpf(value) - exact) / max(exact, mpf(float(np.finfo(row.kind).smallest_normal)))
         assert row.error == pytest.approx(float(error), rel=1e-3), row.way
-
-
-def test_slow_ways_get_few_elements(monkeypatch: pytest.MonkeyPatch) -> None:
-    """No pass takes long: ten times as many elements only as long as the last pass says so."""
-    monkeypatch.setattr(cost, "_timed", lambda work, loops: 5e-4 * np.size(work.args[0]))
-    slow, subject = ways.Way("slow", np.copy), ways.Subject("f", [], reference.kernel, ways.angles)
-    for size, patience, count in ((400, 1.0, 10), (400, 20.0, 400), (400, 5.0, 100), (1, 1.0, 1)):
-        assert cost._fitting(slow, replace(subject, patience=patience), size) == count
 
 
 def test_everything_is_timed_in_turns(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -249,10 +238,6 @@ def test_the_picture(rows: list[Row]) -> None:
     for text in (MEASURED, "best, NumPy", "ours, worst seen; a bar up to what is proved", "alpha, rad"):
         assert f"<!-- {text} -->" in drawn, text
     assert "our good" in [text.get_text() for text in costplot.frontier(both[-3:], canvas().subplots()).texts]
-    place = costplot.both_ends(np.array([0.0, 1e-6, np.pi / 4, np.pi / 2 - 1e-6, np.nextafter(np.pi / 2, 0), 1.571]))
-    assert (place[0], place[2]) == (-np.inf, 0.0)
-    assert place[3] == pytest.approx(-place[1], abs=1e-9)  # as far from its end, as far from the middle
-    assert np.all(np.diff(place) > 0)
 
 
 # --- scenes --------------------------------------------------------------------------------------------------------
