@@ -1,6 +1,8 @@
 """Scenes of arrays: every field of every lane is that of the scene solved by itself, and no lane knows of another."""
 
+import json
 import math
+from collections import defaultdict
 from dataclasses import replace
 from typing import Any
 
@@ -9,7 +11,7 @@ import pytest
 
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.core import with_parameter_arrays
-from tests.support import golden
+from tests.support import accuracy, golden
 from tests.support.ensembles import EFFECTS, LANES, LAWS, lanes, together
 
 
@@ -89,6 +91,30 @@ def test_the_accuracy_asked_for() -> None:
         assert np.count_nonzero(well) > 120
         for name, value in exact.outcomes.items():
             np.testing.assert_allclose(found.outcomes[name][well], value[well], rtol=asked + 1e-12)
+
+
+def test_references_together() -> None:
+    """The 300 references, one ensemble for each combination of effects and law."""
+    groups: dict[str, list[Any]] = defaultdict(list)
+    for record in accuracy.ROWS[:300]:
+        given = record["scene"]
+        law = given["friction"]["law"] if isinstance(given["friction"], dict) else "constant"
+        table = given["friction"] if law == "tabulated" else law  # tables are no axis
+        names = [(e, *sorted(p)) for e, p in sorted(given["effects"].items())]
+        groups[json.dumps([names, table, given["end_time"] is None])].append(record)
+    seen = 0
+    for members in groups.values():
+        first = members[0]["scene"]
+        beside = first | {"initial_velocity": first["initial_velocity"] + 1.0}  # one alone is no ensemble
+        found = together([*(r["scene"] for r in members), beside])
+        for k, wanted in enumerate(r["reference"] for r in members):
+            bound = 1e-14 + float(found.error_estimate[k])
+            assert (found.moves[k], found.arrested[k]) == (wanted["moves"], wanted["arrested"])
+            for name in ("duration", "run_out"):
+                assert getattr(found, name)[k] == pytest.approx(float(wanted[name]), rel=bound)
+            assert found.peak.velocity[k] == pytest.approx(float(wanted["peak_velocity"]), rel=bound)
+            seen += bound < 1e-11
+    assert seen > 160
 
 
 def test_stresses_over_time_are_those_of_each_lane() -> None:
