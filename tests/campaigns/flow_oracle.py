@@ -1,6 +1,6 @@
 """Flow programs beside the plain equation of motion: ``python -m tests.campaigns.flow_oracle [PROGRAMS]``.
 
-All 134,400 programs (a quarter of an hour), or so many of them, drawn at random, each at a random point. One side runs the
+All 134,400 programs (15 minutes), or so many of them, drawn at random, each at a random point. One side runs the
 program that a scene's fragments are joined to, as the integrator in NumPy does. The other is typed from the equation
 itself, in absolute terms, and solved by Picard's iteration in series of balls: it knows neither increments nor
 recurrences nor fragments.
