@@ -323,6 +323,12 @@ def test_a_part_without_a_result_ends_the_curve() -> None:
     assert study.quantile("reach", 1 - share + 5e-4).value == math.inf
 
 
+def test_samples_and_base_points_of_indices_are_drawn_apart() -> None:
+    design = ensemble(ONE, 256, 1, method="sobol", sensitivity=64).design
+    streams = [design.piece(block)[0] for block in range(design.blocks)]
+    assert not {*streams[: design.sample_blocks]} & {*streams[design.sample_blocks :]}
+
+
 def test_indices_of_a_scene(file: Path) -> None:
     """By Monte Carlo and by Sobol points alike; the first-order ones against conditional means of plain samples."""
     scene = read(file)
@@ -350,7 +356,10 @@ def test_sweep(file: Path, tmp_path: Path, asked: Any) -> None:
     assert study.quantile("run_out", 0.5).value in held["run_out_quantile"]
     head, *rows = table.read_text("utf-8").splitlines()
     assert (head, len(rows)) == ("table,output,input,at,value,low,high", len(export.rows(study)))
-    assert f"{study.quantile('run_out', 0.5).value:.4g} [" in " ".join(asked(line)[1].split())
+    printed = " ".join(asked(line)[1].split())
+    assert f"{study.quantile('run_out', 0.5).value:.4g} [" in printed
+    for heading in ("How far and how fast", "Mean and standard deviation", "Sensitivity indices", "Convergence"):
+        assert heading in printed
     assert "solved at the median of arc.radius_m, arc.theta_2_deg" in asked("run", file)[2]
 
 
