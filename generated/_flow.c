@@ -3,13 +3,13 @@
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
- * A program (`slipcircle.core.flow.program`) says how the series of the motion follow from them. Lanes are integrated
+ * A program (`slipcircle.core.program.program`) says how the series of the motion follow from them. Lanes are integrated
  * side by side in vectors, as many as the processor takes, each with its own step, phase and piece of every table; one
  * that has ended makes room for the next in the queue. No operation mixes lanes, so that the bits of a lane depend
  * neither on its neighbours nor on its place. The whole state of a lane is in its cells: integration may be interrupted
  * after any step and resumed.
  *
- * `slipcircle/core/flow/integrate.py` is the same integrator in NumPy, with the same names. This file is compiled once
+ * `slipcircle/core/walk/integrate.py` is the same integrator in NumPy, with the same names. This file is compiled once
  * for every kind of processor (with LEVEL, its name), and once more for the module, which runs the best of those that
  * the machine has. */
 #define PY_SSIZE_T_CLEAN
@@ -128,7 +128,7 @@ static int read_program(Job *job, const Py_buffer *program)
 static const char doc[] = "integrate(program, tables, cells, order, begin, end, budget, times, outputs, notes, level)\n--\n\n"
     "Integrate the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
     "at most. Returns how many lanes have not ended (call again), and how many notes there are.\n\n"
-    "`program` are integers (see `slipcircle.core.flow.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
+    "`program` are integers (see `slipcircle.core.walk.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
     "across, sine, open); `order` is the highest of the lanes'. States are read off at `times`, (samples, 1 or lanes),\n"
     "into `outputs`, (4 + further states, samples, lanes), or nowhere where `times` is empty; events of the first lane\n"
     "are written into `notes`, (rows, 4), and what has no room there is not written.\n\n"

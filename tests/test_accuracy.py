@@ -14,7 +14,7 @@ import pytest
 import slipcircle
 from generated import layout as ix
 from slipcircle import Arc, Scene, load, solve
-from slipcircle.core.flow.problem import Problem
+from slipcircle.core.problem.problem import Problem
 from tests.support import references, taylor, vaiont
 from tests.support.accuracy import DATA, MANY, NUMBERS, ROWS, TIMED, error, near_limit, scene, solved, true_error
 

@@ -17,7 +17,7 @@ import pytest
 from derive import build
 from derive.approximate.programs import variants
 from derive.generate import emit_c, write
-from slipcircle.core.flow import compiled
+from slipcircle.core.walk import compiled
 from tests.support.kernels import COMPILED, FITTED, LEVELS, needs_binary
 
 ROOT = Path(__file__).parents[1]

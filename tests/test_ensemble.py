@@ -14,8 +14,8 @@ import pytest
 from scipy import stats
 
 from slipcircle import Scene, backanalyse, ensemble, load, solve
-from slipcircle.base.series import Series
 from slipcircle.core.motion.states import Status
+from slipcircle.tables.series import Series
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.scenefile import load as read
 from slipcircle.workbench.files.schema import schema

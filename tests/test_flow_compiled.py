@@ -9,10 +9,10 @@ import pytest
 
 import slipcircle
 from generated import layout as ix
-from slipcircle.base.series import Pulse, Series
-from slipcircle.core.flow import compiled, integrate
-from slipcircle.core.flow.problem import Problem, build_problem
-from slipcircle.core.flow.program import Samples
+from slipcircle.core.problem.problem import Problem, build_problem
+from slipcircle.core.program.program import Samples
+from slipcircle.core.walk import compiled, integrate
+from slipcircle.tables.series import Pulse, Series
 
 pytestmark = pytest.mark.skipif(compiled.module() is None, reason="no compiled integrator here")
 

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, Section, solve
-from slipcircle.base.series import Series
 from slipcircle.core import LayeredSection, Soil, stretches
-from slipcircle.core.flow import compiled
-from slipcircle.core.flow.layered import RotationTables
-from slipcircle.core.scene.parameters import with_parameter_arrays, with_parameters
+from slipcircle.core.walk import compiled
+from slipcircle.derivatives.parameters import with_parameter_arrays, with_parameters
+from slipcircle.layers.layered import RotationTables
+from slipcircle.tables.series import Series
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 from tests.campaigns.layered_benchmarks import CASES, differences, solved

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, Section, solve
-from slipcircle.core.flow import compiled
-from slipcircle.core.scene import transport
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
+from slipcircle.core.walk import compiled
+from slipcircle.derivatives import transport
 from tests.campaigns import section_heights
 from tests.support import accuracy, references, section_references, taylor
 from tests.support.grounds import GROUND, LEVEL

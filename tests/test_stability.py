@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from slipcircle import LayeredSection, Scene, Soil, solve
-from slipcircle.core.scene.ground import circle_through
-from slipcircle.core.scene.section import Section
+from slipcircle.ground.ground import circle_through
+from slipcircle.ground.section import Section
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.search import at_circle, critical
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety

@@ -12,7 +12,7 @@ from mpmath import mpf
 
 import slipcircle
 from slipcircle import Motion, Scene
-from slipcircle.core.flow import compiled
+from slipcircle.core.walk import compiled
 from tests.support import golden, references, taylor
 
 DATA = references.FILE.read_bytes()

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.base.series import Series
+from slipcircle.tables.series import Series
 
 FILE = Path(__file__).with_name("golden.json")
 SHARES = (0.18, 0.47, 0.76)  # of the duration, at which states are taken

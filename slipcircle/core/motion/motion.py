@@ -15,18 +15,18 @@ import numpy as np
 from generated import layout as ix
 from slipcircle.base.checks import choose
 from slipcircle.base.kinds import Floats, Numbers
-from slipcircle.core.motion.accuracy import estimate
 from slipcircle.core.motion.forms import Forms
 from slipcircle.core.motion.states import Phase, State, Status
-from slipcircle.core.motion.summary import ensemble_summary, summary
 from slipcircle.core.motion.trajectory import Trajectory
-from slipcircle.core.motion.warnings import collect_warnings
-from slipcircle.core.scene.parameters import with_parameters
-from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.turning import Journey
+from slipcircle.derivatives.parameters import with_parameters
+from slipcircle.ground.section import Section
+from slipcircle.ground.turning import Journey
+from slipcircle.words.accuracy import estimate
+from slipcircle.words.summary import ensemble_summary, summary
+from slipcircle.words.warnings import collect_warnings
 
 if TYPE_CHECKING:
-    from slipcircle.core.motion.derivatives import Sensitivity
+    from slipcircle.derivatives.derivatives import Sensitivity
 
 
 # The state entries of each lane's end that a motion is read off.
@@ -330,14 +330,14 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return collect_warnings(self)
 
     def sensitivity(self) -> "Sensitivity":
-        """Exact derivatives of a single motion by every number of its scene: `slipcircle.core.motion.sensitivity`.
+        """Exact derivatives of a single motion by every number of its scene: `slipcircle.derivatives.sensitivity`.
 
         Raises
         ------
         ValueError
             If the scene is exactly at its limit, where the motion has no derivative, or has arrays.
         """
-        from slipcircle.core.motion.sensitivity import sensitivity
+        from slipcircle.derivatives.sensitivity import sensitivity
 
         if self.shape:
             raise ValueError("sensitivity: takes a single scene; solve one case of the ensemble")

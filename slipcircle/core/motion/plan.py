@@ -8,12 +8,12 @@ from typing import Any
 from generated.effects import ALL_EFFECTS, EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Names
-from slipcircle.core.flow.build import build_program
-from slipcircle.core.flow.problem import Recipe, order, recipe_of
-from slipcircle.core.flow.program import Program
-from slipcircle.core.motion.equation import Equation, equation_of
+from slipcircle.core.problem.problem import Recipe, order, recipe_of
+from slipcircle.core.program.build import build_program
+from slipcircle.core.program.program import Program
 from slipcircle.core.scene.friction import OF_SOIL, law_depends, law_names, without_soil
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
+from slipcircle.words.equation import Equation, equation_of
 
 DEFAULT_ACCURACY = 1e-9
 FLOW = "Taylor series in time, events as their roots"

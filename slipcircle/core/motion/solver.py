@@ -17,11 +17,11 @@ from generated.effects import ALL_EFFECTS
 from generated.layout import MOST_TURNS
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Numbers
-from slipcircle.core.flow.lanes import BLOCK
-from slipcircle.core.flow.scene_lanes import lanes_of
 from slipcircle.core.motion.motion import FINAL_ENTRIES, Motion, final_entries
 from slipcircle.core.motion.plan import Plan, plan
 from slipcircle.core.motion.states import Status
+from slipcircle.core.problem.lanes import BLOCK
+from slipcircle.core.problem.scene_lanes import lanes_of
 from slipcircle.core.scene.scene import Scene
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed

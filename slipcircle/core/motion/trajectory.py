@@ -15,10 +15,10 @@ from numpy.typing import ArrayLike
 from generated import layout as ix
 from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.core.flow.lanes import Lanes
-from slipcircle.core.flow.program import Log
 from slipcircle.core.motion.plan import Plan
 from slipcircle.core.motion.states import STATUS_OF_END, Energy, State, Status
+from slipcircle.core.problem.lanes import Lanes
+from slipcircle.core.program.program import Log
 
 RESTS = int(Status.RESTS)
 STAYS = int(Status.STAYS)

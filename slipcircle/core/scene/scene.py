@@ -13,14 +13,14 @@ from numpy.typing import ArrayLike, NDArray
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, parameter_mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Array, Effects, Numbers, Parameters, Values
-from slipcircle.base.series import Pulse, Series
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import arc_numbers
-from slipcircle.core.scene.forcing import factor, resolved
 from slipcircle.core.scene.friction import law_mistakes, law_parts, law_paths, number_name
-from slipcircle.core.scene.layers import LayeredSection
-from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.strength import MeanFriction
+from slipcircle.ground.section import Section
+from slipcircle.layers.layers import LayeredSection
+from slipcircle.layers.strength import MeanFriction
+from slipcircle.tables.forcing import factor, resolved
+from slipcircle.tables.series import Pulse, Series
 
 One = float | str | Series | Pulse | Mapping[str, float | str]  # what a parameter is in one scene
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.series import Series
 from slipcircle.core import Scene, numpy_only, solve
+from slipcircle.tables.series import Series
 from slipcircle.workbench.cost import peers
 from slipcircle.workbench.cost.peers import LAYER, SHEARED, Equation
 from slipcircle.workbench.cost.reference import reference

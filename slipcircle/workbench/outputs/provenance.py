@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import EFFECTS, LAWS
-from slipcircle.base.series import Pulse, Series
 from slipcircle.core import Scene, arc_numbers, law_parts
+from slipcircle.tables.series import Pulse, Series
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.layout import layout_of
 from slipcircle.workbench.files.numbers import by_name, uncertain_numbers

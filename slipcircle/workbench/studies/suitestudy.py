@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.series import Pulse
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Pictured, Scene, Status, solve
+from slipcircle.tables.series import Pulse
 from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.quantities import plain
 from slipcircle.workbench.studies.design import NO_RESULT, Result

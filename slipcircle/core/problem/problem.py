@@ -1,0 +1,287 @@
+"""The problem that the integrator solves: a scene's flow program, its tables, and the initial cells of lanes."""
+
+import math
+from collections.abc import Callable, Collection, Mapping
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from generated import layout as ix
+from generated.effects import ALL_EFFECTS
+from slipcircle.base.checks import choose
+from slipcircle.base.kinds import Floats, Names, Parameters
+from slipcircle.core.problem.numbers import Numbers, rotates, symbols_of
+from slipcircle.core.program.build import build_program
+from slipcircle.core.program.program import Program
+from slipcircle.core.scene.arc import Arc
+from slipcircle.core.scene.friction import law_parts, without_soil
+from slipcircle.ground.section import Section
+from slipcircle.layers.layered import FINEST as FINEST_TABLES
+from slipcircle.layers.layered import RotationTables
+from slipcircle.layers.layers import LayeredSection
+from slipcircle.tables.interpolation import sampled
+from slipcircle.tables.tables import Data
+
+Effects = Mapping[str, Parameters]  # by name, each with its parameters
+Function = Callable[[Any], Any]
+FINEST = 1e-14  # accuracy to which single scenes are solved
+LOWEST = 5  # order, as the radius of convergence compares the last coefficients with the first five
+UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
+UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # beginnings of their names
+
+
+class Recipe(NamedTuple):
+    """The first arguments of `build_program`."""
+
+    effects: Names
+    laws: Names
+    moving: Names
+    absent: Names
+
+
+class Problem(NamedTuple):
+    """Arguments of `integrate`, and what they were built from."""
+
+    program: Program
+    tables: list[Data]
+    cells: Floats
+    functions: Mapping[int, Function]  # of slip, given in Python, by the place of their table
+    recipe: Recipe
+    outputs: Names = ()  # further ones of the program
+    rotations: RotationTables | None = None  # tables that may be laid out farther
+
+    def with_outputs(self, outputs: Names = (), directions: int = 0) -> "Problem":
+        """The same lanes with further outputs, or with derivatives in some directions."""
+        program = build_program(*self.recipe, outputs, directions)
+        return self._with_program(program)._replace(outputs=outputs)
+
+    def with_steady_shaking(self) -> "Problem":
+        """The same lanes with a constant horizontal coefficient, initially 0, in place of their shaking."""
+        effects, laws, moving, absent = self.recipe
+        shaking = symbols_of("shaking").values()
+        effects = in_order((*effects, "shaking"))
+        moving = tuple(symbol for symbol in moving if symbol not in shaking)
+        others = [symbol for symbol in absent if symbol not in shaking]
+        program = build_program(effects, laws, moving, (*others, "k_v"))
+        return self._with_program(program)._replace(rotations=None)
+
+    def _with_program(self, program: Program) -> "Problem":
+        """The same numbers for another program."""
+        lanes = self.cells.shape[1]
+        cells = program.blank(lanes)
+        places, places_here = common_cells(program, self.program)
+        cells[places] = self.cells[places_here]
+        data = dict[str, Data]()
+        for table, values in zip(self.program.tables, self.tables, strict=True):
+            data[table.name] = values
+        tables = [data[table.name] for table in program.tables]
+        return self._replace(program=program, cells=cells, tables=tables)
+
+    def extend_tables(self, cells: Floats) -> None:
+        """Extend the tables of Python functions to the slip of the lanes."""
+        for k, function in self.functions.items():
+            scale = self.program.tables[k].cells + ix.SCALE
+            slip = cells[ix.SLIP] * cells[scale]
+            farthest = float(np.max(slip))
+            farthest *= 1.0 + 1e-12
+            table = self.tables[k]
+            end = float(table.breaks[-1])
+            while end <= farthest:
+                table = sampled(function, 2 * end, table)
+                end = float(table.breaks[-1])
+            self.tables[k] = table
+
+    def extend_rotations(self, rotation: Floats, lane: Any = slice(None)) -> bool:
+        """Extend functions of the rotation to their full range if a lane exceeds their tables; whether one does.
+
+        ``lane`` is the lane that each rotation belongs to, by default one after the other.
+        """
+        if self.rotations is None:
+            return False
+        names = [table.name for table in self.program.tables]
+        places = [names.index(name) for name in self.rotations.functions]
+        if not any(_exceeds(self.tables[place], rotation, lane) for place in places):
+            return False
+        laid_out = self.rotations.laid_out()
+        for place in places:
+            name = names[place]
+            self.tables[place] = laid_out[name]
+        return True
+
+    def initial_cells(self) -> Floats:
+        """A copy of the cells at the start."""
+        return self.cells.copy()
+
+
+def _exceeds(table: Data, rotation: Floats, lane: Any) -> bool:
+    """Whether a rotation lies beyond the table of its lane."""
+    last = table.breaks[-1]
+    if table.breaks.ndim == 2:  # each lane has other breaks
+        last = last[lane]
+    beyond = rotation > last + 1e-9
+    return bool(np.any(beyond))
+
+
+@lru_cache(maxsize=256)
+def common_cells(program: Program, other: Program) -> tuple[Any, Any]:
+    """Places of the inputs that two programs have in common, in each of them."""
+    inputs = program.cells[: program.given]
+    places = list[int]()
+    other_places = list[int]()
+    for place, name in enumerate(inputs):
+        if name in other.places:
+            places.append(place)
+            other_places.append(other.places[name])
+    return np.array(places), np.array(other_places)
+
+
+def order(accuracy: float) -> int:
+    """Order of the series with a truncation error below an accuracy, at steps of exp(-2) radii of convergence."""
+    attainable = max(accuracy, 1e-16)
+    digits = -math.log(attainable)
+    terms = math.ceil(3.0 + digits / 2.0)
+    return max(terms, LOWEST)
+
+
+def build_problem(
+    arc: Arc | Section, called: Effects, friction: Any, velocity: Any, end_time: Any, accuracy: float, lanes: int
+) -> Problem:
+    """Build the problem of scenes that share their effects and laws.
+
+    Parameters
+    ----------
+    arc : Arc or Section
+        Its fields, like all numbers here, are numbers or arrays of one value a lane.
+    called : mapping
+        Effects by name, each with its parameters; functions of time are `Series` or `Pulse`.
+    friction : float, array, mapping or callable
+        As a `Scene` takes it.
+    velocity, end_time : float or ndarray
+        m/s and s; infinite where there is no end.
+    accuracy : float
+        Requested relative error.
+    lanes : int
+        Number of scenes.
+
+    Returns
+    -------
+    Problem
+    """
+    laws = law_parts(friction)
+    names_of_laws = tuple(name for name, _ in laws)
+    recipe = recipe_of(called, names_of_laws)
+    effects = recipe.effects
+    pushed = velocity != 0.0
+    upslope = "shaking" in effects or bool(np.any(pushed))
+    table_tolerance = FINEST_TABLES
+    finest = min(accuracy, FINEST)  # the steps of one scene cost next to nothing, whatever their order
+    if lanes > 1:
+        table_tolerance = accuracy / 100
+        finest = accuracy
+    numbers = Numbers(arc, upslope, table_tolerance)
+    rotating = rotates(effects)
+    for effect in effects:
+        numbers.add_effect(effect, called[effect], rotating)
+    if isinstance(arc, LayeredSection):
+        numbers.add_layers(called, friction)
+    for name, parameters in laws:
+        numbers.add_law(name, parameters)
+    numbers.add_start(velocity, end_time)
+    inputs = numbers.inputs
+    shaking = called.get("shaking", {})
+    terms = {*effects, *recipe.moving}
+    first_only = _first_only(terms, laws, inputs)
+    endless = end_time == np.inf
+    inputs["ONE_WAY"] = _one_way(shaking)
+    inputs["FIRST_ONLY"] = choose(endless, first_only, 0.0)
+    inputs["ORDER"] = order(finest)
+    return _assembled(numbers, recipe, lanes)
+
+
+def _assembled(numbers: Numbers, recipe: Recipe, lanes: int) -> Problem:
+    """A problem from its numbers and tables, each in the place that its program has for it."""
+    program = build_program(*recipe)
+    places = program.places
+    cells = program.blank(lanes)
+    for name, value in numbers.inputs.items():
+        if name in places:
+            cells[places[name]] = value
+    tables = list[Data]()
+    functions = dict[int, Function]()
+    for k, table in enumerate(program.tables):
+        data, scale, factor = numbers.tables[table.name]
+        tables.append(data)
+        first_cell = table.cells
+        cells[first_cell + ix.SCALE] = scale
+        cells[first_cell + ix.SCALED_BY] = factor
+        if table.name == "callable":
+            functions[k] = numbers.function
+    return Problem(program, tables, cells, functions, recipe, rotations=numbers.rotations)
+
+
+def recipe_of(called: Effects, laws: Names) -> Recipe:
+    """The recipe of scenes with these effects and laws."""
+    names = tuple(called)
+    effects = in_order(names)
+    moving = list[str]()
+    absent = list[str]()
+    for effect in effects:
+        parameters = called[effect]
+        for name, symbol in symbols_of(effect).items():
+            value = parameters.get(name)
+            if value is None:
+                absent.append(symbol)
+            elif callable(value):
+                moving.append(symbol)
+    if "layered_strength" in effects and "shaking" not in effects:
+        absent += ["k_h", "k_v"]  # which its terms contain, too
+    return Recipe(effects, laws, tuple(moving), tuple(absent))
+
+
+@lru_cache(maxsize=256)
+def in_order(effects: Names) -> Names:
+    """Effects by name, each once, in the order in which they are declared."""
+    declared = list(ALL_EFFECTS)
+
+    def place(effect: str) -> int:
+        return declared.index(without_soil(effect))
+
+    once = dict.fromkeys(effects)
+    return tuple(sorted(once, key=place))
+
+
+def _one_way(shaking: Parameters) -> float:
+    """1 where shaking may start the mass down-slope only."""
+    varies = callable(shaking.get("horizontal"))
+    two_way = shaking.get("two_way", False)
+    return float(varies and not two_way)
+
+
+def _first_only(terms: Collection[str], laws: Any, inputs: Parameters) -> Any:
+    """1 where nothing brings the mass to rest, 2 where water or heat may lift it: integrated to its first standstill.
+
+    ``terms`` are names of effects and symbols of functions.
+    """
+    effects = ALL_EFFECTS.keys() & terms
+    if not rotates(effects) or "layered_cohesion" in terms:
+        return 0.0
+    (name, parameters), *others = laws
+    frictionless = False
+    if name == "constant" and not others:
+        frictionless = parameters["coefficient"] == 0.0
+    if_lifted = 2.0 if _may_lift(terms, inputs) else 0.0
+    swings = choose(frictionless, 1.0, if_lifted)
+    cohesion = inputs.get("cohesion", 0.0)
+    cohesion = cohesion + inputs.get("layered_cohesion", 0.0)
+    return choose(cohesion > 0.0, 0.0, swings)
+
+
+def _may_lift(terms: Collection[str], inputs: Parameters) -> bool:
+    """Whether the pressure of water may exceed the normal stress."""
+    if not UPLIFT.isdisjoint(terms):
+        return True
+    if any(name.startswith(UPLIFT_OF_SOILS) for name in terms):
+        return True
+    of_soils = [value for name, value in inputs.items() if name.startswith(UPLIFT_OF_SOILS)]
+    return any(map(np.any, of_soils))

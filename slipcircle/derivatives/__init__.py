@@ -1,0 +1,1 @@
+"""Derivatives of a motion by the numbers of its scene."""

@@ -1,0 +1,1 @@
+"""Masses cut off from a polygonal ground: geometry, moments, water."""

@@ -1,0 +1,1 @@
+"""Layered ground: soils, stretches of the arc, strips, cracks."""
