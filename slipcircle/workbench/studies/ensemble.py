@@ -22,7 +22,7 @@ from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, liste
 from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.studies.design import REPLICATES, Design, Result
 from slipcircle.workbench.studies.engines import Blocks, Folder, as_executor, engine, run_blocks, stored
-from slipcircle.workbench.studies.settings import OF_ARRAYS, OfSamples, OfSuite, name_mistakes, setting_mistakes, whole
+from slipcircle.workbench.studies.settings import OF_ARRAYS, OfSamples, OfSuite, setting_mistakes, whole
 from slipcircle.workbench.studies.study import Study
 from slipcircle.workbench.studies.suitedesign import OfRecords, SuiteDesign, suite_design
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
@@ -126,8 +126,7 @@ def ensemble(
     1.0
     """
     settings = method, sensitivity, keep, size, search_each
-    raise_all("ensemble", name_mistakes(of_records, records is not None))
-    raise_all("ensemble", setting_mistakes(scene, n, confidence, settings, correlation, records is not None))
+    raise_all("ensemble", setting_mistakes(scene, n, confidence, settings, correlation, records, of_records))
     design = _design(scene, int(n), _seed(rng, folder), settings, correlation or {}, accuracy)
     if records is None:
         return conduct(design, executor, confidence, folder, progress)

@@ -39,7 +39,7 @@ class OfSuite(OfSamples, OfRecords, total=False):
     """Settings of `ensemble` with records."""
 
 
-def name_mistakes(given: Mapping[str, Any], with_records: bool) -> list[str]:
+def _name_mistakes(given: Mapping[str, Any], with_records: bool) -> list[str]:
     """A sentence for each argument that `ensemble` does not have, or not without records."""
     known = [*OfSuite.__annotations__] if with_records else [*OfSamples.__annotations__]
     mistakes = []
@@ -51,15 +51,22 @@ def name_mistakes(given: Mapping[str, Any], with_records: bool) -> list[str]:
 
 
 def setting_mistakes(
-    scene: Scene, n: Any, confidence: Any, settings: Sequence[Any], correlation: Any, with_records: bool
+    scene: Scene,
+    n: Any,
+    confidence: Any,
+    settings: Sequence[Any],
+    correlation: Any,
+    records: Any,
+    of_records: Mapping[str, Any],
 ) -> list[str]:
     """A sentence for each mistake."""
     method, points, _, size, search_each = settings
+    with_records = records is not None
     of_settings = _number_mistakes(n, method, size, confidence) + _sensitivity_mistakes(points, correlation)
     found = _scene_mistakes(scene, search_each, with_records) + of_settings
     if with_records and (search_each or points):
         found.append("search_each and sensitivity do not go with records; leave them out")
-    return found or _truncated(uncertain_numbers(scene))
+    return _name_mistakes(of_records, with_records) or found or _truncated(uncertain_numbers(scene))
 
 
 def _scene_mistakes(scene: Scene, search_each: bool, with_records: bool) -> list[str]:
