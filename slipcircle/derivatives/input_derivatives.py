@@ -45,7 +45,7 @@ class InputDerivatives(Directions):
     def __init__(self, lanes: Lanes, names: Sequence[str]) -> None:
         super().__init__(names)
         self.lanes = lanes
-        self.arc = arc_with_derivatives(lanes.arc, self)
+        self.arc = arc_with_derivatives(lanes.arc, self)  # type: ignore[arg-type]
         numbers = self._numbers()
         terms: dict[str, Any] = {}
         if isinstance(lanes.arc, LayeredSection):

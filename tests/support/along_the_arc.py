@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.core import LayeredSection, Soil
+from slipcircle.layers import LayeredSection, Soil
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 

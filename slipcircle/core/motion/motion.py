@@ -14,9 +14,9 @@ import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.checks import choose
+from slipcircle.base.forms import Forms
 from slipcircle.base.kinds import Floats, Numbers
 from slipcircle.core.doors import room
-from slipcircle.core.motion.forms import Forms
 from slipcircle.core.motion.states import Phase, State, Status
 from slipcircle.core.motion.trajectory import Trajectory
 

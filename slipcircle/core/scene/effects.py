@@ -78,10 +78,10 @@ def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
     return faults + parameter_mistakes(path, parameters, effect.parameters)
 
 
-def resolved(name: str, given: Parameters) -> Parameters:
+def resolved(name: str, given: dict[str, Any]) -> dict[str, Any]:
     """An effect's parameters, with functions of time in the place of what they are made of."""
     series = {p.name for p in EFFECTS[name].parameters if p.kind == "series"}
     if not series or (series.issuperset(given) and not any(map(callable, given.values()))):
         return given
-    resolved: Parameters = room("forcing").resolved(name, given)
+    resolved: dict[str, Any] = room("forcing").resolved(name, given)
     return resolved

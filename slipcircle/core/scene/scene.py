@@ -68,7 +68,7 @@ class Scene(Generic[Numbers]):
         Lists every mistake with its field, its value and what is allowed.
     """
 
-    arc: Arc[Numbers] | Mass
+    arc: Arc[Numbers] | Any
     friction: Numbers | float | Mapping[str, Numbers | One | Sequence[float]] | Callable[[Any], Any] | None = None
     effects: Mapping[str, Mapping[str, Numbers | One | Sequence[float]]] | Iterable[str] = field(default_factory=dict)
     initial_velocity: Numbers | float = 0.0

@@ -15,7 +15,7 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Scene, numpy_only, solve
-from slipcircle.tables.series import Series
+from slipcircle.tables import Series
 from slipcircle.workbench.cost import peers
 from slipcircle.workbench.cost.peers import LAYER, SHEARED, Equation
 from slipcircle.workbench.cost.reference import reference

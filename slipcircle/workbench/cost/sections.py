@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import Section
+from slipcircle.ground import Section
 from slipcircle.workbench.cost.reference import reference
 from slipcircle.workbench.cost.ways import Subject, Way
 
