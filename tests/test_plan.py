@@ -13,7 +13,7 @@ from sympy.parsing.sympy_parser import convert_xor, implicit_multiplication, par
 from generated.effects import ALL_EFFECTS, EFFECTS, LAWS
 from generated.flow import TERMS
 from slipcircle import Scene, load, plan, solve
-from slipcircle.core.motion.plan import FLOW
+from slipcircle.words.choice import FLOW
 from slipcircle.tables import Series
 from slipcircle.words.equation import Equation
 from slipcircle.workbench.studies.ladder import ladder

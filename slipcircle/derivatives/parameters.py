@@ -6,7 +6,7 @@ all replace values by these names; how a scene file calls them is the file reade
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -137,6 +137,21 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
     of_arc = changed.pop("arc")
     arc = replace(scene.arc, **of_arc) if of_arc else scene.arc
     return replace(scene, arc=arc, **changed)
+
+
+def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
+    """Some lanes of a scene: ``select`` takes an array of the scene's shape. They were checked with it."""
+    assert isinstance(scene.effects, dict)
+    chosen = {}
+    for name, value in scene.numbers.items():
+        table, _, number = name.partition(".")
+        stands_for_other = number in _OTHER_FACTOR and number not in scene.effects.get(table, {number})
+        if np.ndim(value) and not stands_for_other:
+            of_lanes = select(np.broadcast_to(value, scene.shape))
+            chosen[name] = of_lanes if np.ndim(of_lanes) else float(of_lanes)
+    changed = _fields_with(scene, chosen)
+    arc = replace_unchecked(scene.arc, changed["arc"])
+    return replace_unchecked(scene, changed | {"arc": arc})
 
 
 def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, Flags]:

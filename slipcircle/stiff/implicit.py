@@ -1,7 +1,7 @@
 """Implicit steps of the same program, for stiff lanes such as creep through a viscous layer.
 
 The states at the points of a step (`slipcircle.stiff.radau`) solve residual = 0 by Newton's iteration with the
-exact Jacobian I - h a_ij df/dy(Y_j), which the program carries as tangents. Fast transients decay within one step of
+Jacobian I - h a_ij df/dy(Y_j), from differences. Fast transients decay within one step of
 any length, and the end is accurate to order 2 s - 1. The step is as long as its polynomial, judged by its last Legendre
 coefficients, is the motion to rounding; events and samples are read off it. Phases and events are those of
 `slipcircle.core.walk.integrate`.
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from generated import layout as ix
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
-from slipcircle.core.problem.problem import Problem, common_cells
+from slipcircle.core.problem.problem import Problem
 from slipcircle.core.program.program import Log, Samples
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.core.walk.compiled import engine
@@ -38,6 +38,7 @@ from slipcircle.stiff.radau import (
 CREEP = 1e-12  # of the greatest speed, below which a mass without an end time creeps without end
 ENDLESS = 1e12  # dimensionless time, thirty thousand years and more, after which a motion has no end
 ITERATIONS = 12
+DIFFERENCE = 2.0**-26  # relative, from which the Jacobian is taken
 CONVERGED = 1e-12  # a correction, relative, from which on it is rounding that keeps it from falling
 # Of one lane, breaks of what changes with time not included. A step no longer than some explicit ones counts for ten:
 # then the motion is not stiff, but trembles or swings for long.
@@ -51,30 +52,24 @@ def integrate(
     problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: NDArray[np.intp]
 ) -> None:
     """Integrate some lanes one after the other from their present states, as `slipcircle.core.walk.integrate` does."""
-    present = problem._replace(cells=cells)
-    with_tangents = present.with_outputs(problem.outputs, directions=1)
-    program = with_tangents.program
-    result_cells, own_cells = common_cells(problem.program, program)
     for number in which:
         lane_number = np.array([number])
-        tables = [table.lanes(lane_number) for table in with_tangents.tables]
-        begun = with_tangents.cells[:, lane_number]
-        lane = _Implicit(program, tables, begun, lane_number, samples, log)
-        lane.integrated = len(problem.program.states)
+        lane = _Implicit(
+            problem.program, problem.tables_of(lane_number), cells[:, lane_number], lane_number, samples, log
+        )
         lane.status = ix.MOVING
         lane.steps = 0.0
         with np.errstate(all="ignore"):
             lane.restart_phase()
             while lane.status[0] <= ix.RESTING:
                 lane.round()
-        cells[result_cells, number] = lane.cells[own_cells, 0]
+        cells[:, number] = lane.cells[:, 0]
 
 
 class _Implicit(Integrator):
     """One lane; its step extends to the next event or break and consists of any number of implicit steps."""
 
     steps_left = MOST_STEPS
-    integrated = 0  # states, their tangents among them where these are asked for
 
     def step(self) -> None:
         """Implicit steps up to the next event or break."""
@@ -95,13 +90,10 @@ class _Implicit(Integrator):
     def _prepare(self) -> None:
         """Prepare the quantities that all implicit steps up to the next event share."""
         program = self.program
-        (self.tangent,) = program.tangents
         limit = np.minimum(self.next_break(), self.end_time)
         self.limit = float(limit[0])
-        integrated = program.states[: self.integrated]
-        self.state_cells = [cell for cell, _, _ in integrated]
-        self.rates = [rate for _, _, rate in integrated]
-        self.without_tangents = len(program.states) // 2  # states, the first of them
+        self.state_cells = [cell for cell, _, _ in program.states]
+        self.rates = [rate for _, _, rate in program.states]
         self.explicit = self._explicit_step()
         standstill = Event(ix.EVENT_STANDSTILL, self.roles["omega"])
         self.events = [standstill, *self.possible_events()]
@@ -192,38 +184,17 @@ class _Implicit(Integrator):
         states = step.states(since)
         return self._at(time, states)
 
-    def _jacobian(self, times: Floats, points: Floats) -> Floats:
-        """df_j/dy_i at points (points, states), as (i, points, j), by the program's tangents in the states' directions.
-
-        Tangents that are integrated beside the states have the same; how it changes with the states is neglected, as
-        their own equations are linear.
-        """
-        count = len(times)
-        registers = self._in_directions_of_states(times, points)
-        states = self.without_tangents
-        jacobian = np.zeros((states, count, states))
-        for j, rate in enumerate(self.rates[:states]):
-            rate_dot = self.tangent.registers.get(rate)
-            if rate_dot is not None:
-                jacobian[:, :, j] = registers[rate_dot]
-        copies = np.eye(self.integrated // states)
-        blocks = np.einsum("ab,ikj->aikbj", copies, jacobian)
-        return blocks.reshape(self.integrated, count, self.integrated)
-
-    def _in_directions_of_states(self, times: Floats, points: Floats) -> Floats:
-        """Registers with the tangents of each state set to 1 in turn, (registers, states, points)."""
-        states = self.without_tangents
-        count = len(times)
+    def _jacobian(self, times: Floats, points: Floats, rates: Floats, size: Floats) -> Floats:
+        """df_j/dy_i at points (points, states), as (i, points, j), from differences."""
+        count, states = points.shape
+        step = DIFFERENCE * size
+        moved = np.tile(points, (states, 1, 1))
+        for i in range(states):
+            moved[i, :, i] += step[:, i]
         every_time = np.tile(times, states)
-        every_point = np.tile(points, (states, 1))
-        cells = self._cells_at(every_time, every_point.T)
-        tangent_cells = self.tangent.cells
-        cells[list(tangent_cells.values())] = 0.0
-        directions = [tangent_cells[cell] for cell in self.state_cells[:states]]
-        unit_directions = np.eye(states)
-        cells[directions] = np.repeat(unit_directions, count, axis=1)
-        registers = self._registers_in(cells)
-        return registers.reshape(-1, states, count)
+        registers = self._registers_at(every_time, moved.reshape(-1, states).T)
+        moved_rates = registers[self.rates].T.reshape(states, count, states)
+        return np.asarray((moved_rates - rates) / step.T[:, :, None])
 
     def _newton(self, now: Present, h: float) -> Step | None:
         """A step; none where Newton's iteration does not converge."""
@@ -240,7 +211,7 @@ class _Implicit(Integrator):
             change = h * WEIGHTS @ rates
             residual = points - start - change
             size = np.maximum(np.abs(points), least_size)
-            jacobian = self._jacobian(times, points)
+            jacobian = self._jacobian(times, points, rates, size)
             correction = newton_correction(jacobian, h, residual, size)
             if correction is None:
                 return None

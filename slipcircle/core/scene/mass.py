@@ -10,7 +10,7 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import EPS, Fault
+from slipcircle.base.checks import EPS, Fault, plain
 from slipcircle.base.kinds import Effects, Values
 from slipcircle.core.scene.piecewise import Tables
 
@@ -96,6 +96,7 @@ class Mass:
     rounding: ClassVar[float] = 4 * EPS
     friction: Any = None
     given: Any = None
+    lanes_shape: Any = ()  # of its own tables
 
     # --- what it may add; a plain arc adds nothing -------------------------------------------------------------------
 
@@ -150,7 +151,25 @@ class Mass:
     @cached_property
     def time_scale(self) -> Any:
         """t_c = sqrt(R/g) (3.9), s."""
-        return np.sqrt(np.divide(self.radius, self.gravity))
+        return plain(np.sqrt(np.divide(self.radius, self.gravity)))
+
+    @property
+    def speed_scale(self) -> Any:
+        """sqrt(R g), m/s."""
+        return plain(self.radius) / self.time_scale
+
+    @cached_property
+    def scales(self) -> Values:
+        """What the parameters of effects are made dimensionless by, under the names that `generated.effects` uses."""
+        return {
+            "half_angle": self.half_angle,
+            "gravity": self.gravity,
+            "reference_stress": self.reference_stress,
+            "Theta": self.dimensionless.moment_of_inertia,
+            "radius": plain(self.radius),
+            "density": plain(self.mean_unit_weight) / plain(self.gravity),
+            "cover": self.moment_coefficients.cover,
+        }
 
     @cached_property
     def reference_stress(self) -> Any:
