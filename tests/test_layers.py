@@ -16,7 +16,7 @@ from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 from tests.campaigns.layered_benchmarks import CASES, differences, solved
 from tests.support.along_the_arc import AlongTheArc, random_section
-from tests.support.layered import GROUND, TOPS, TURNING, profile, tangent
+from tests.support.layered import GROUND, TOPS, TURNING, profile
 
 FORELAND = Soil(18e3, 2e3, 0.4, None, 500.0, 8.0, name="foreland")
 
@@ -213,32 +213,6 @@ def test_where_a_boundary_touches_the_arc_there_is_no_derivative(soils: Any, top
     constant = [profile("constant friction").soils[k] for k in soils]
     with pytest.raises(ValueError, match=words):
         solve(Scene(sloping(constant, tops, crack=crack), effects=TURNING)).sensitivity()
-
-
-SOIL_NUMBERS = {"soils.soil 2.friction.peak": tangent([9.0, 8.0]), "soils.soil 1.unit_weight": [19e3, 18e3]}
-
-
-@pytest.mark.parametrize(
-    ("section", "values"),
-    [
-        (profile("softening", "base"), SOIL_NUMBERS),
-        (profile("softening", "mass"), SOIL_NUMBERS),
-        (of_each_soil(level=BELOW_GROUND), {"soils.a.friction.length": [0.3, 0.302]}),
-        (profile("constant friction"), {"radius": [48.0, 47.5], "layers.3.top": [2.0, 2.4]}),
-        (CRACKED, {"crack": [4.0, 3.5], "surcharge.1.pressure": [3e4, 5e4], "layers.3.top": [3.0, 5.0]}),
-    ],
-    ids=["the base", "the mass", "laws of soils", "circles and boundaries", "cracks, loads and cohesion"],
-)
-def test_lanes_are_the_scenes_that_they_stand_for(section: LayeredSection, values: dict[str, Any]) -> None:
-    scene = Scene(section, effects=TURNING)
-    lanes, invalid = with_parameter_arrays(scene, {name: np.array(value) for name, value in values.items()})
-    assert not invalid.any()
-    motions, factors = solve(lanes, accuracy=1e-13), factors_of_safety(lanes)
-    for k in (0, 1):
-        one = with_parameters(scene, {name: float(value[k]) for name, value in values.items()})
-        assert motions.run_out[k] == pytest.approx(solve(one).run_out, rel=1e-9)
-        for method, factor in factors_of_safety(one).items():
-            assert factors[method][k] == pytest.approx(factor, rel=1e-9)
 
 
 SLIDING = [Soil(19e3, 0.0, {"law": "linear", "peak": 0.4, "residual": 0.0, "length": length}, name=str(length))

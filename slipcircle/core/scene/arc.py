@@ -257,11 +257,15 @@ class Arc(SlidingBody, Generic[Numbers]):
         """C_theta/Theta* and C_r/Theta*, from which J_theta/Theta* and J_r/Theta* follow at any dip."""
         alpha = self.half_angle
         dip = self.dip
-        if self.given is not None and dip != 0.0:  # J_theta = C_theta sin(psi), J_r = C_r cos(psi)
-            normal_load = self.dimensionless.radial_weight_per_inertia
-            driving_moment = self.dimensionless.limit_friction * normal_load
-            return driving_moment / np.sin(dip), normal_load / np.cos(dip)
-        return kernels.weight_moment_per_inertia(alpha), self._radial_amplitude
+        of_arc = kernels.weight_moment_per_inertia(alpha), self._radial_amplitude
+        if self.given is None:
+            return of_arc
+        normal_load = self.dimensionless.radial_weight_per_inertia
+        driving_moment = self.dimensionless.limit_friction * normal_load
+        turned = np.where(dip != 0.0, dip, 0.5)
+        given = driving_moment / np.sin(turned), normal_load / np.cos(turned)  # of J_theta and J_r
+        weight, radial = np.where(dip != 0.0, given, of_arc)
+        return weight[()], radial[()]
 
     @cached_property
     def _radial_amplitude(self) -> Any:
