@@ -196,7 +196,7 @@ def test_frozen_slopes_slide_as_single_scenes_do() -> None:
     assert study.displacement.shape == (2, 2, 3, 1)
     assert np.all(study.values["status"][:, :, 0] == Status.STAYS)
     for r, p, s in np.ndindex(2, 2, 3):
-        scaled = [*records.values()][r].scaled(study.polarities[p] * study.scales[s] / 0.35)
+        scaled = [*records.values()][r].scaled(float(study.polarities[p] * study.scales[s]) / 0.35)
         single = solve(replace(FROZEN, effects={"shaking": {"horizontal": scaled}}))
         assert study.displacement[r, p, s, 0] == pytest.approx(single.run_out, rel=1e-11)
         assert study.values["slips"][r, p, s, 0] == (len(single.phases) if s else 0)

@@ -94,6 +94,7 @@ def by_name(scene: Any) -> dict[str, Number]:
 def number_in(scene: Any, path: str) -> Number:
     """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
     known = by_key(scene)
+    path = str(path)
     only = [k for k in known if path in EFFECTS and k.startswith(f"{path}.")]
     path = only[0] if len(only) == 1 else path  # of an effect with one number
     if path in known:

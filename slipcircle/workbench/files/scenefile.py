@@ -79,8 +79,8 @@ def find(name: str | PathLike[str]) -> Any:
 
 def critical_of_file(
     name: str | PathLike[str], method: str | None, tell: Callable[[str], None]
-) -> tuple[str, str, Critical]:
-    """Name, note and critical circle of the slope in a file, by default as it says, or by Bishop's method.
+) -> tuple[str, str, Critical, list[str]]:
+    """Name, note, critical circle and warnings of the slope in a file, by default as it says, or by Bishop's method.
 
     If it gives a circle, the factors of that circle. ``tell`` is called with lines of progress.
     """
@@ -98,11 +98,10 @@ def critical_of_file(
         raise ValueError(
             f"{file}: circle: has no factors of safety: the soil has no strength, or a pore pressure from a record"
         )
-    for remark in parts["remarks"]:
-        tell(f"{parts['name']}: {remark}")
+    warnings = [*parts["remarks"], *filter(None, [parts["stability"].warning])]
     if parts["uncertain"]:
-        tell(f"{parts['name']}: at the median of {', '.join(parts['uncertain'])}")
-    return parts["name"], parts.get("note", ""), parts["stability"]
+        warnings.append(f"at the median of {', '.join(parts['uncertain'])}")
+    return parts["name"], parts.get("note", ""), parts["stability"], warnings
 
 
 def _content(source: Any, file: str) -> dict[str, Any]:

@@ -177,17 +177,17 @@ class Suite:
         }
 
     @classmethod
-    def of(cls, records: Any, **reading: Any) -> "Suite":
+    def of(cls, records: Any, strict: bool = False, gravity: float = 9.81) -> "Suite":
         """A suite as it is, of paths as `read_suite` takes them, or of `Series` (a sequence, or a mapping by name)."""
         if isinstance(records, Suite):
             return records
         if isinstance(records, str | PathLike):
-            return read_suite([records], **reading)
+            records = [records]
         named = records if isinstance(records, Mapping) else dict(enumerate(records, 1))
         series = {str(name): value for name, value in named.items() if isinstance(value, Series)}
         if len(series) == len(named) > 0:
             return cls(tuple(_entry(name, "", Place(name, ""), value, "g") for name, value in series.items()))
-        return read_suite(records, **reading)
+        return read_suite(records, strict=strict, gravity=gravity)
 
 
 def read_suite(

@@ -51,6 +51,19 @@ class Design:
     search_each: bool = False  # whether factors of safety are also those of the circle searched for each sample
 
     @property
+    def correlations(self) -> list[dict[str, Any]]:
+        """Correlated inputs by their keys, with the correlation of their normal scores; for JSON."""
+        keys = [number.key for number in self.inputs.values()]
+        places = np.argwhere(np.triu(self.correlation, 1)).tolist()
+        return [{"key": keys[i], "with": keys[j], "value": float(self.correlation[i, j])} for i, j in places]
+
+    @property
+    def correlations_text(self) -> str:
+        """The same in words; empty where there are none."""
+        pairs = [f"{pair['key']} with {pair['with']} {pair['value']:g}" for pair in self.correlations]
+        return f"correlation of {' and of '.join(pairs)}" if pairs else ""
+
+    @property
     def replicates(self) -> int:
         """How many independent sequences the samples are from."""
         return min(REPLICATES, self.n) if self.method == "sobol" else 1
