@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, Section, solve
-from slipcircle.core import LayeredSection, Soil, with_parameters
-from slipcircle.derivatives.parameters import with_parameter_arrays
+from slipcircle.derivatives.parameters import with_parameter_arrays, with_parameters
+from slipcircle.layers import LayeredSection, Soil
 from slipcircle.tables.interpolation import between_kinks
 from slipcircle.workbench.stability.stability import factors_of_safety
 from tests.campaigns import lanes as campaign

@@ -17,8 +17,8 @@ import numpy as np
 
 import slipcircle
 from slipcircle import Scene, load, solve
-from slipcircle.core import LayeredSection, Soil, with_parameters
-from slipcircle.derivatives.parameters import parameter_value, parameters, with_parameter_arrays
+from slipcircle.derivatives.parameters import parameter_value, parameters, with_parameter_arrays, with_parameters
+from slipcircle.layers import LayeredSection, Soil
 
 BOUND = 1e-9
 SCENES = sorted(path.stem for path in (Path(slipcircle.__file__).parent / "scenes").glob("*.toml"))

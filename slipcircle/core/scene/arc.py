@@ -368,11 +368,12 @@ class GivenArc(Arc[Numbers]):
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
-        dip = self.dip
-        if dip == 0.0:
-            return super().amplitudes_per_inertia
+        is_level = self.dip == 0.0
+        dip = np.where(is_level, 1.0, self.dip)
         driving_moment = self.dimensionless.limit_friction * self.normal_load
-        return driving_moment / np.sin(dip), self.normal_load / np.cos(dip)  # J_theta = C_theta sin, J_r = C_r cos
+        given = driving_moment / np.sin(dip), self.normal_load / np.cos(dip)  # J_theta = C_theta sin, J_r = C_r cos
+        weight, radial = np.where(is_level, super().amplitudes_per_inertia, given)
+        return weight, radial
 
     @cached_property
     def normal_load(self) -> Any:
