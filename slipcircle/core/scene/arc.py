@@ -255,13 +255,16 @@ class Arc(SlidingBody, Generic[Numbers]):
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
         """C_theta/Theta* and C_r/Theta*, from which J_theta/Theta* and J_r/Theta* follow at any dip."""
-        alpha = self.half_angle
-        dip = self.dip
-        if self.given is not None and dip != 0.0:  # J_theta = C_theta sin(psi), J_r = C_r cos(psi)
-            normal_load = self.dimensionless.radial_weight_per_inertia
-            driving_moment = self.dimensionless.limit_friction * normal_load
-            return driving_moment / np.sin(dip), normal_load / np.cos(dip)
-        return kernels.weight_moment_per_inertia(alpha), self._radial_amplitude
+        of_level = kernels.weight_moment_per_inertia(self.half_angle), self._radial_amplitude
+        if self.given is None:
+            return of_level
+        dip = self.dip  # J_theta = C_theta sin(psi), J_r = C_r cos(psi)
+        normal_load = self.dimensionless.radial_weight_per_inertia
+        driving_moment = self.dimensionless.limit_friction * normal_load
+        with np.errstate(divide="ignore"):
+            of_inclined = driving_moment / np.sin(dip), normal_load / np.cos(dip)
+        is_inclined = np.not_equal(dip, 0.0)
+        return choose(is_inclined, of_inclined[0], of_level[0]), choose(is_inclined, of_inclined[1], of_level[1])
 
     @cached_property
     def _radial_amplitude(self) -> Any:

@@ -23,8 +23,8 @@ from slipcircle.base.checks import raise_all
 from slipcircle.base.progress import track
 from slipcircle.tables.series import Series
 from slipcircle.workbench.records.headers import ACCELERATION, unit_of
-from slipcircle.workbench.records.recordfiles import Component, components
-from slipcircle.workbench.records.records import read_samples, shaking_of
+from slipcircle.workbench.records.recordfiles import Component, Samples, components, parse
+from slipcircle.workbench.records.records import checked_samples, shaking_of
 from slipcircle.workbench.suites.intensities import Intensities, intensities
 
 _KEPT = 2**21  # samples of a suite that stay in memory
@@ -114,7 +114,7 @@ class Entry:
 
     def record(self) -> Series:
         """Driving acceleration over gravity, zero before and after; from a file it starts at 0 s."""
-        return self.kept if self.kept is not None else _read(self.file, **self.reading)[0]
+        return self.kept if self.kept is not None else _read(self.file, **self.reading)
 
 
 class Unread(NamedTuple):
@@ -270,19 +270,27 @@ def _files(paths: Iterable[str | PathLike[str]]) -> Sequence[Path]:
 def _entries(file: Path, step: float | None, reading: Mapping[str, Any]) -> list[Entry]:
     """The records of a file."""
     entries = []
-    for component in components(str(file), file, step):
-        series, unit = _read(str(file), component, **reading)
+    for component, parsed in components(str(file), file, step):
+        series, unit = _as_shaking(str(file), parsed, **reading)
         name = f"{file.name} {component.name}".rstrip()
         known = {**reading, "component": component}
         entries.append(_entry(name, str(file), place_of(file.name, component.name), series, unit, known))
     return entries
 
 
-def _read(
-    file: str, component: Component, holds: str, units: str | None, gravity: float, gaps: str
+def _read(file: str, component: Component, **reading: Any) -> Series:
+    """A record, read again."""
+    parsed = parse(ACCELERATION, file, Path(file), component.column, component.step)
+    series, _ = _as_shaking(file, parsed, **reading)
+    return series
+
+
+def _as_shaking(
+    file: str, parsed: Samples, holds: str, units: str | None, gravity: float, gaps: str
 ) -> tuple[Series, str]:
-    """A record and the unit of its file, from 0 s."""
-    samples = read_samples(ACCELERATION, file, None, component.column, component.step, 0.0, gaps, units)
+    """A record from 0 s, and the unit of its file, or the given one where the file says none."""
+    with_unit = parsed._replace(units=parsed.units or units or "")
+    samples = checked_samples(ACCELERATION, file, with_unit, None, 0.0, gaps)
     return shaking_of(samples, file, holds, gravity), samples.units
 
 
