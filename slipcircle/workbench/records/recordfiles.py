@@ -128,10 +128,12 @@ def _components_of_table(name: str, text: str, step: float | None) -> Iterator[t
     rows = _rows(name, text, head)
     clock = _clock(name, head.fields, head.names, head.width, None)
     columns = [k for k in range(head.width) if k != clock and not _is_other(head, k)]
-    for k in columns:
-        of_table = Component(head.names[k] if head.names else str(k + 1), k + 1)
-        component = of_table if len(columns) > 1 else of_table._replace(name="")
-        yield component, _of_column(ACCELERATION, name, head, rows, component.column, None)
+    names = [""]
+    if len(columns) > 1:
+        names = [head.names[k] if head.names else str(k + 1) for k in columns]
+    for label, k in zip(names, columns, strict=bool(columns)):
+        column = k + 1
+        yield Component(label, column), _of_column(ACCELERATION, name, head, rows, column, None)
 
 
 def _is_other(head: "_TableHead", column: int) -> bool:
@@ -306,7 +308,8 @@ def _along_lines(lines: NDArray[np.int64]) -> bool:
     first = counts[0]
     last = counts[-1]
     is_even = np.all(counts[:-1] == first) and last <= first
-    return bool(is_even and (first > 3 or len(counts) == 1 or last < first))
+    is_single = len(counts) == 1
+    return bool(is_even and (first > 3 or is_single or last < first))
 
 
 def _is_number(field: str) -> bool:
