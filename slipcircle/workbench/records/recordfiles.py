@@ -37,9 +37,9 @@ class Samples(NamedTuple):
 
 def _text(quantity: Quantity, path: Path, name: str) -> str:
     try:
-        if path.exists() and not path.is_file():  # a folder, a device, or a pipe that never ends
-            raise ValueError(f"{name}: is not a file; give the file of a record")
         size = path.stat().st_size
+        if not path.is_file():  # but a folder, a device, or a pipe that never ends
+            raise ValueError(f"{name}: is not a file; give the file of a record")
         if size > MOST_BYTES:
             most = f"must be at most {MOST_BYTES / 1e6:.0f} MB; cut or resample the record"
             raise ValueError(f"{name}: has {size / 1e6:.4g} MB: {most}")

@@ -160,10 +160,15 @@ class Suite:
         return [(same[0], same[1]) for same in by_station.values() if len(same) == 2]
 
     @property
-    def not_used(self) -> list[str]:
+    def reasons(self) -> list[str]:
         """A line for each file without a record and each vertical component."""
         verticals = [f"{entry.name}: is a vertical component by its name" for entry in self.verticals]
-        return [f"{line}; not used" for line in (*self.unread, *verticals)]
+        return [*map(str, self.unread), *verticals]
+
+    @property
+    def not_used(self) -> list[str]:
+        """The same as warnings."""
+        return [f"{line}; not used" for line in self.reasons]
 
     def to_dict(self) -> dict[str, Any]:
         """The records with their intensity measures, and what is not used, for JSON."""
@@ -235,9 +240,11 @@ def read_suite(
     if unread and strict:
         raise_all("records", [*map(str, unread)])
     horizontal = tuple(entry for entry in entries if not entry.place.is_vertical)
+    verticals = tuple(entry for entry in entries if entry.place.is_vertical)
+    suite = Suite(horizontal, verticals, tuple(unread))
     if not horizontal:
-        raise ValueError(_nothing_read(paths, unread, entries))
-    return Suite(horizontal, tuple(entry for entry in entries if entry.place.is_vertical), tuple(unread))
+        raise ValueError(_nothing_read(paths, suite.reasons))
+    return suite
 
 
 def _check_reading(units: str | None, step: float | None) -> None:
@@ -248,9 +255,8 @@ def _check_reading(units: str | None, step: float | None) -> None:
         raise ValueError(f"records: step = {step!r}: must be a positive time in s")
 
 
-def _nothing_read(paths: Iterable[Any], unread: Sequence[Unread], verticals: Sequence[Entry]) -> str:
+def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
     """Why there is no horizontal record."""
-    reasons = [*map(str, unread), *(f"{entry.name}: is a vertical component by its name" for entry in verticals)]
     shown = "".join(f"; {reason}" for reason in reasons[:_SHOWN])
     more = f"; and {len(reasons) - _SHOWN} more" if len(reasons) > _SHOWN else ""
     where = ", ".join(map(str, paths))
