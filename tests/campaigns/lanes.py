@@ -92,7 +92,7 @@ def random_profile(rng: np.random.Generator) -> Scene:
                  for k in range(len(tops))]  # fmt: skip
         with contextlib.suppress(ValueError):
             section = LayeredSection(ground, centre, radius, layers=list(zip(soils, tops, strict=True)))
-            if section.no_motion is None:
+            if not section.mistakes(None, {}):
                 return Scene(section, effects=["rotation", "centripetal"], accuracy=1e-13, end_time=30.0)
 
 
