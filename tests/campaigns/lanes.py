@@ -88,8 +88,8 @@ def random_profile(rng: np.random.Generator) -> Scene:
         centre = (entry + exit_) / 2 + np.array([-chord[1], chord[0]]) / length * (radius - depth)
         if rng.random() < 0.3:
             tops.append(float(centre[1] - radius))
-        soils = [Soil(*rng.uniform([17e3, 0, 0.05], [21e3, 3e3, 0.3]).tolist(), name=f"soil {k}")
-                 for k in range(len(tops))]  # fmt: skip
+        rows = rng.uniform([17e3, 0, 0.05], [21e3, 3e3, 0.3], (len(tops), 3)).tolist()
+        soils = [Soil(weight, cohesion, mu, name=f"soil {k}") for k, (weight, cohesion, mu) in enumerate(rows)]
         with contextlib.suppress(ValueError):
             section = LayeredSection(ground, centre, radius, layers=list(zip(soils, tops, strict=True)))
             if not section.mistakes(None, {}):
