@@ -11,6 +11,7 @@ from slipcircle import LayeredSection, Scene, Soil, solve
 from slipcircle.ground.ground import circle_through
 from slipcircle.ground.section import Section
 from slipcircle.workbench.stability import family
+from slipcircle.workbench.stability.factors import factors_by
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.search import at_circle, critical
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
@@ -69,7 +70,7 @@ def test_the_course_of_a_search_does_not_depend_on_last_bits(monkeypatch: pytest
     """Of a dam, whose circles are as critical as their mirror images, with factors as another processor rounds them."""
     dam = Slope([(-40, 0), (-20, 0), (0, 10), (20, 0), (40, 0)], 5e3, 0.4, 20e3)
     here = critical(dam)
-    exact, rng = family.factors_by, np.random.default_rng(1)
+    exact, rng = factors_by, np.random.default_rng(1)
 
     def rounded(*arguments: Any) -> Any:
         factors, facing = exact(*arguments)
