@@ -12,8 +12,7 @@ from slipcircle.tables.interpolation import between_kinks
 from slipcircle.workbench.stability.stability import factors_of_safety
 from tests.campaigns import lanes as campaign
 from tests.support.grounds import GROUND, LEVEL
-from tests.support.layered import TURNING, profile, tangent
-from tests.test_layers import BELOW_GROUND, CRACKED, of_each_soil
+from tests.support.layered import BELOW_GROUND, CRACKED, TURNING, of_each_soil, profile, tangent
 
 RAISED = np.array(GROUND) + np.array([0.0, 0.2, -0.1])[:, None, None] * [[0, 0], [0, 0], [0, 1], [0, 1], [0, 1]]
 SECTIONS: dict[str, dict[str, Any]] = {
