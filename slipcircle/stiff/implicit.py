@@ -54,9 +54,7 @@ def integrate(
     """Integrate some lanes one after the other from their present states, as `slipcircle.core.walk.integrate` does."""
     for number in which:
         lane_number = np.array([number])
-        lane = _Implicit(
-            problem.program, problem.tables_of(lane_number), cells[:, lane_number], lane_number, samples, log
-        )
+        lane = _Implicit(problem.program, problem.tables(lane_number), cells[:, lane_number], lane_number, samples, log)
         lane.status = ix.MOVING
         lane.steps = 0.0
         with np.errstate(all="ignore"):

@@ -2,12 +2,13 @@
 
 from collections.abc import Iterator
 from functools import cache
+from math import prod
 from typing import NamedTuple
 
 from generated.effects import ALL_EFFECTS
 from slipcircle.base.kinds import Names
 from slipcircle.core.problem.plan import Plan, Recipe
-from slipcircle.core.problem.problem import order
+from slipcircle.core.problem.problem import order, solved_accuracy
 from slipcircle.core.program.build import build_program
 from slipcircle.core.program.program import Program
 from slipcircle.core.scene.effects import OF_SOIL, without_soil
@@ -30,7 +31,8 @@ class PlanWords(NamedTuple):
 
 def words_of(plan: Plan) -> PlanWords:
     """What a plan says in words."""
-    return _words(plan.recipe, plan.effects, order(plan.accuracy))
+    terms = order(solved_accuracy(plan.accuracy, prod(plan.scene.shape)))
+    return _words(plan.recipe, plan.effects, terms)
 
 
 @cache

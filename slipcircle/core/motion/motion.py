@@ -180,8 +180,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return self._state(time + 0.0, angle, speed, gain, stress)
 
     def _final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
-        columns = (time / self._time_scale, rotation, omega)
-        states = States(*map(np.ravel, columns), lane=np.arange(self._problem.lanes))
+        at, rotation, omega = map(np.ravel, (time / self._time_scale, rotation, omega))
+        states = States(at, rotation, omega, None, np.arange(self._problem.lanes))
         pressing = self._shaped(self._forces.outputs(states)["pressing"])
         return pressing * self._stress_unit + 0.0
 

@@ -34,7 +34,7 @@ class Plan:
     recipe : Recipe
         Effects, laws and parameters that its program is made from.
     accuracy : float
-        Requested relative error.
+        Requested relative error. It sets the order of the series of ensembles; a single scene is solved to rounding.
     effects, left_out : tuple of str
         Effects of the scene, and known effects that it does not use.
     law : str

@@ -25,7 +25,7 @@ from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data
 
 STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)
-FINEST = 1e-14  # accuracy of single scenes, whose steps cost next to nothing, whatever their order
+FINEST = 1e-14  # accuracy to which single scenes are solved: lower orders save little, and nothing under long records
 LOWEST = 5  # order, as the radius of convergence compares the last coefficients with the first five
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # beginnings of their names
@@ -113,11 +113,10 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     numbers = Numbers(scene.arc, scene.shape)
     for effect in plan.recipe.effects:
         numbers.add_effect(effect, scene.called[effect])
-    single = lanes == 1
-    accuracy = min(plan.accuracy, FINEST) if single else plan.accuracy
+    accuracy = solved_accuracy(plan.accuracy, lanes)
     pushed = np.any(np.not_equal(scene.initial_velocity, 0.0))
     upslope = bool(pushed) or "shaking" in plan.recipe.effects
-    of_mass, farther = scene.arc.tables(scene.called, scene.law, upslope, FINEST if single else accuracy / 100)
+    of_mass, farther = scene.arc.tables(scene.called, scene.law, upslope, accuracy / 100 if lanes > 1 else FINEST)
     numbers.add_rotations(of_mass)
     for name, parameters in scene.laws:
         numbers.add_law(name, parameters)
@@ -146,6 +145,11 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
 def _flat(value: Any, shape: Shape) -> Any:
     """An array with one axis of lanes; a number that all lanes share stays one."""
     return np.broadcast_to(value, shape).reshape(-1) if np.ndim(value) else value
+
+
+def solved_accuracy(accuracy: float, lanes: int) -> float:
+    """The accuracy to which scenes are solved, where one is requested; single scenes are solved to rounding."""
+    return accuracy if lanes > 1 else min(accuracy, FINEST)
 
 
 def order(accuracy: float) -> int:

@@ -75,8 +75,8 @@ class States(NamedTuple):
     time: Any
     rotation: Any
     omega: Any
-    further: Any = None
-    lane: Any = None
+    further: Any
+    lane: Any
 
     def parts(self) -> Iterator["States"]:
         """The states in blocks."""

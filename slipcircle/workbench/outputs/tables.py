@@ -209,7 +209,7 @@ def plan_part(plan: Plan) -> Part:
         "program of": ", ".join(plan.fragments),
         "a step's operations": plan.operations,
         "expected cost": f"about {plan.cost} floating-point operations",
-        "requested accuracy": f"{plan.accuracy:.1e}",
+        "requested accuracy": f"{plan.accuracy:.1e}" + ("" if plan.scene.shape else "; a single scene: to rounding"),
     }
     return Part(["", plan.scene.name], [row for row in rows.items() if row[1]])
 
