@@ -318,7 +318,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         plan = replace(self.plan, scene=scene)
         invalid = np.broadcast_to(self.invalid, self.shape)[index]
         if scene.shape:
-            return type(self)(plan, self._final[:, index], [], invalid)
+            rows = index if isinstance(index, tuple) else (index,)
+            return type(self)(plan, self._final[(slice(None), *rows)], [], invalid)
         log: list[Any] = []  # of which an ensemble keeps none, so that the lane is solved again
         problem = problem_of(plan, invalid)
         return type(self)(plan, integrate(problem, log=log)[:, 0].tolist(), log, invalid, problem)

@@ -120,17 +120,16 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     numbers.add_rotations(of_mass)
     for name, parameters in scene.laws:
         numbers.add_law(name, parameters)
-    start = numbers.start
     numbers.add_start(scene.initial_velocity, scene.until)
-    start["ORDER"] = order(accuracy)
-    start["ONE_WAY"] = _one_way(scene.called.get("shaking", {}))
-    if np.any(np.equal(scene.until, np.inf)):
-        start["FIRST_ONLY"] = choose(np.equal(scene.until, np.inf), _first_only(plan, start), 0.0)
+    start = numbers.start
     if invalid is not False:
         start["STATUS"] = plain(np.where(invalid, float(ix.FAILED), 0.0))
-    start |= plan.program.constants
     if scene.shape:
         start = {name: _flat(value, scene.shape) for name, value in start.items()}
+    start["ORDER"] = order(accuracy)
+    start["ONE_WAY"] = _one_way(scene.called.get("shaking", {}))
+    start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan, start), 0.0)
+    start |= plan.program.constants
 
     def lay_out() -> Mapping[str, Data]:
         assert farther is not None
