@@ -122,7 +122,7 @@ def test_state_of_limit_and_stress_from_the_definitions(name: str) -> None:
 def test_a_mass_that_lifts_before_it_yields_needs_no_friction(cohesion: float, alike: bool) -> None:
     """Where cohesion is so great that the shaking carries the mass first, k_y is that of cohesion and weight alone."""
     effects = {"rotation": {}, "cohesion": {"cohesion": cohesion}}
-    arc = Arc(**golden.SLOPE)
+    arc = Arc(**dict[str, Any](golden.SLOPE))
     one, other = (solve(Scene(arc, mu, effects)).yield_coefficient for mu in (0.1, 0.4))
     assert (one == pytest.approx(other, rel=1e-12)) == alike
     turned = np.array([arc.theta_1, arc.theta_2]).mean() - 1.5 * np.pi  # of the chord's middle from straight below

@@ -12,7 +12,7 @@ from matplotlib.patches import Polygon
 from matplotlib.text import Text
 from PIL import Image, ImageSequence
 
-from slipcircle import Arc, Scene, critical, grid, load, solve
+from slipcircle import Arc, Scene, Section, critical, grid, load, solve
 from slipcircle.workbench.common.quantities import record
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot, sectionplot
@@ -153,7 +153,9 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
 def test_the_water_level_is_drawn_where_it_is() -> None:
     motion = solve(load("valley-side"))
     axes = sectionplot.section(motion)
-    level = np.asarray(motion.plan.scene.arc.level).reshape(-1, 2)
+    arc = motion.plan.scene.arc
+    assert isinstance(arc, Section)
+    level = np.asarray(arc.level).reshape(-1, 2)
     x = np.linspace(70.0, 250.0, 19)
     wanted = np.interp(x, *level.T)
     lines = [np.asarray(line.get_xydata()) for line in axes.lines]
