@@ -240,9 +240,7 @@ print(*(name for name in sys.modules if name.startswith("slipcircle.workbench"))
     assert python(code) == "\n"
     for path in sources("slipcircle"):
         if "slipcircle/core/" in path.as_posix():
-            assert all(name.startswith("generated.") for name in called(path)), (
-                f"{path} reaches beside the doors"
-            )
+            assert all(name.startswith("generated.") for name in called(path)), f"{path} reaches beside the doors"
 
 
 @pytest.mark.parametrize("package", ["generated", "slipcircle"])

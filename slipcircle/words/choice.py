@@ -53,7 +53,7 @@ def _words(recipe: Recipe, effects: Names, terms: int) -> PlanWords:
     for effect in effects:
         reasons += _reasons(effect, effect in of_time)
     reasons += [f"{e} depends on time" for e in of_time if "time" not in ALL_EFFECTS[e].depends_on]
-    reasons += [f"{e} depends on the rotation" for e in of_rotation]
+    reasons += [f"{e} depends on the rotation" for e in dict.fromkeys(of_rotation)]
     reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends_on(recipe.laws)]
     law = _law_in_words(recipe.laws)
     return PlanWords(law, FLOW, "; ".join(reasons), counted(program), STEPS * flops(program, terms))

@@ -207,13 +207,13 @@ class Trajectory:
     def _states(self, time: Floats) -> States:
         """States at times in s, as separate lanes, time by time."""
         rows = self._rows(time)
-        rotation, omega, _, *further = rows.reshape(len(rows), -1)
+        rotation, omega, _, *further = rows.reshape(len(rows), time.size * self._problem.lanes)
         lane = np.tile(np.arange(self._problem.lanes), time.size)
         return States(self._dimensionless(np.ravel(time)).ravel(), rotation, omega, further, lane)
 
     def _by_state(self, time: Floats, values: Floats) -> Any:
         """A number of each of `_states` in the scene's shape followed by that of the times."""
-        return self._over_time(time, values.reshape(time.size, -1))
+        return self._over_time(time, values.reshape(time.size, self._problem.lanes))
 
     def _stresses(self, time: Floats) -> Stresses:
         outputs = self._forces.outputs(self._states(time))

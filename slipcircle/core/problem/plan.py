@@ -36,7 +36,7 @@ class Plan:
     accuracy : float
         Requested relative error. It sets the order of the series of ensembles; a single scene is solved to rounding.
     effects, left_out : tuple of str
-        Effects of the scene, and known effects that it does not use.
+        Effects of the scene, and known effects that it does not use; soils have cohesion and pore pressure themselves.
     law : str
         The friction law.
     method, why : str
@@ -64,7 +64,8 @@ class Plan:
 
     @property
     def left_out(self) -> Names:
-        return tuple(effect for effect in EFFECTS if effect not in self.effects)
+        known = (*self.effects, *self.scene.arc.own_effects)
+        return tuple(effect for effect in EFFECTS if effect not in known)
 
     @property
     def turns(self) -> bool:

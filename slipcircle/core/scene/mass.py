@@ -11,7 +11,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 
 from slipcircle.base.checks import EPS, Fault, plain
-from slipcircle.base.kinds import Effects, Values
+from slipcircle.base.kinds import Effects, Names, Values
 from slipcircle.core.scene.piecewise import Tables
 
 
@@ -78,6 +78,8 @@ class Mass:
         Its fields that scenes vary, each with the number of axes that one mass has of it.
     rounding : float
         Relative error that each of its coefficients may have.
+    own_effects : tuple of str
+        Effects that it has by its soils, and that no scene gives.
     friction : mapping or None
         That of its soils, in place of the scene's.
     given : mapping or None
@@ -94,6 +96,7 @@ class Mass:
     moment_coefficients: Any
     quantities: ClassVar[Mapping[str, int]]
     rounding: ClassVar[float] = 4 * EPS
+    own_effects: ClassVar[Names] = ()
     friction: Any = None
     given: Any = None
     lanes_shape: Any = ()  # of its own tables

@@ -80,7 +80,7 @@ class States(NamedTuple):
 
     def parts(self) -> Iterator["States"]:
         """The states in blocks."""
-        for first in range(0, self.lane.size, BLOCK):
+        for first in range(0, max(self.lane.size, 1), BLOCK):
             which = slice(first, first + BLOCK)
             further = None if self.further is None else [values[which] for values in self.further]
             yield States(self.time[which], self.rotation[which], self.omega[which], further, self.lane[which])
