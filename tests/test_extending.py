@@ -188,7 +188,7 @@ class LoadedArc(Arc):
             arc.polar_moment * bare + weight * distance,
         )
         over_inertia = [part / self.dimensionless.moment_of_inertia for part in parts]
-        return MomentCoefficients(*over_inertia, parts[0] / parts[2], 1.0)
+        return MomentCoefficients(*[*over_inertia, parts[0] / parts[2], 1.0])
 
     @cached_property
     def dimensionless(self) -> Dimensionless:
