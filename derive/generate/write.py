@@ -14,7 +14,7 @@ from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
 from derive.approximate.programs import variants
 from derive.check.records import Record
-from derive.code import emit
+from derive.code import emit, restricted, restricted_c
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
 from derive.flow import emit as flow
@@ -32,7 +32,8 @@ def files(proved: list[Record]) -> dict[str, str]:
     closed = closed_forms()
     c_kernels = emit_c.source(variants(), functions.comments(kernels, proved))
     c_flow = _template("_flow.c").replace("@PROCESSOR@", emit.PROCESSOR)
-    for mark, lines in (layout.c() | series.c()).items():
+    walk = {"WALK": restricted_c.functions(restricted.integrator())}
+    for mark, lines in (layout.c() | series.c() | walk).items():
         c_flow = c_flow.replace(f"@{mark}@\n", lines)
     texts = {
         "_compiled.py": _template("_compiled.py"),

@@ -1,0 +1,416 @@
+"""Restricted Python, of which the integrators are written: its grammar, and the kinds of its values.
+
+Functions have annotated parameters, and one statement after the other: assignments, ``for`` over `up` or `down`, over
+tables or states, ``while``, ``if`` without ``else``, calls, and ``return`` at the end of a function or of an ``if``.
+What is not in this grammar is refused, with its file and line.
+"""
+
+import ast
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from derive.flow import layout
+from derive.flow.walk import TEXT, one_lane
+
+FOLDER = Path(one_lane.__file__).parent
+
+# Kinds of values. Of vectors: V a number and M a truth value of each lane, S the coefficients of a series. Of one lane:
+# F a number, I an integer, B a truth value, A an array of numbers. Of all lanes: K a number, N an integer or a truth
+# value, T a table, Q a state.
+ANNOTATIONS = {x: x for x in "VMSATN"} | {"float": "F", "int": "I", "bool": "B", "Lanes": "LANES", "Lane": "LANE"}
+OF_ONE_LANE = {"V": "F", "M": "B"}
+SHARED = {"K", "N"}
+SIGNS = {
+    ast.Add: "+",
+    ast.Sub: "-",
+    ast.Mult: "*",
+    ast.Div: "/",
+    ast.Lt: "<",
+    ast.LtE: "<=",
+    ast.Gt: ">",
+    ast.GtE: ">=",
+    ast.Eq: "==",
+    ast.NotEq: "!=",
+}
+CODES = {row.name: (row.prefix, row.members) for row in layout.NUMBERED} | {
+    "Limit": ("", layout.LIMITS),
+    "Share": ("", layout.SHARES),
+}
+CELLS = {x.lower() for x in (*layout.CELLS, *layout.WORKING)}
+CELLS_BY_ROLE = {x.removeprefix("cell_") for x in layout.ROLES if x.startswith("cell_")}
+REGISTERS = {x for x in layout.ROLES if not x.startswith("cell_")}
+PARTS = {x.lower() for x in layout.TABLE} - {"q1"}
+OF_LANES = {"samples", "timed", "sloped", "autonomous", "highest"}  # what all lanes of a program share
+OF_TABLE = {"kind", "number", "degree", "terms", "pieces", "sine", "open"}
+COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"}
+# The kind of what a call of a primitive gives; nothing where it depends on the arguments.
+PRIMITIVES = {
+    **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "hypot", "number"), ""),
+    **dict.fromkeys(("any_lane", "all_lanes", "greatest", "least"), "N"),
+    **dict.fromkeys(("log2_of", "power_of_two"), "V"),
+    **dict.fromkeys(("break_of", "jump_of"), "F"),
+    **dict.fromkeys(("integer", "piece_at"), "I"),
+    **dict.fromkeys(("coefficients_of", "operate", "operate_later", "prologue", "note", "read_samples"), "NONE"),
+    "new_series": "S",
+    "tail": "S",
+    "numbers": "A",
+    "none_of": "M",
+    "isnan": "B",
+}
+WITH_STATE = {"break_of", "jump_of", "piece_at", "coefficients_of", "note", "read_samples"}  # of one lane
+
+
+class GrammarError(Exception):
+    """Text outside the restricted grammar: what, and where."""
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function of the text; ``of`` is LANES, LANE or, of numbers alone, nothing."""
+
+    name: str
+    path: str
+    node: ast.FunctionDef
+    parameters: Mapping[str, str]
+    returns: str
+
+    @property
+    def of(self) -> str:
+        first = next(iter(self.parameters.values()), "")
+        return first if first in ("LANES", "LANE") else ""
+
+    @property
+    def words(self) -> str:
+        return ast.get_docstring(self.node) or ""
+
+
+@dataclass
+class Text:
+    """The functions of the text by name, in order, and its constants."""
+
+    functions: dict[str, Function] = field(default_factory=dict)
+    constants: dict[str, float] = field(default_factory=lambda: {"EPS": one_lane.EPS, "INFINITY": one_lane.INFINITY})
+
+    def read(self, source: str, path: str) -> None:
+        """Add a module."""
+        for node in ast.parse(source).body:
+            match node:
+                case ast.FunctionDef(args=ast.arguments(args=arguments), returns=returns):
+                    parameters = {x.arg: annotation(x.annotation, path, node) for x in arguments}
+                    result = annotation(returns, path, node)
+                    self.functions[node.name] = Function(node.name, path, node, parameters, result)
+                case ast.Assign(targets=[ast.Name(id=name)], value=value):
+                    self.constants[name] = eval(ast.unparse(value), dict(self.constants))
+                case ast.Expr(value=ast.Constant()) | ast.ImportFrom():
+                    pass
+                case _:
+                    refuse(path, node, "a module has imports, constants and functions")
+
+    def names_of(self, function: Function) -> set[str]:
+        """The functions of the text that this one calls."""
+        return {x.id for x in ast.walk(function.node) if isinstance(x, ast.Name) and x.id in self.functions}
+
+    def iterates(self, name: str) -> bool:
+        """Whether a function, or one that it calls, goes on until its lanes are done."""
+        function = self.functions[name]
+        if any(isinstance(x, ast.While) and "any_lane" in ast.unparse(x.test) for x in ast.walk(function.node)):
+            return True
+        return any(self.iterates(x) for x in self.names_of(function) - {name})
+
+
+def refuse(path: str, node: ast.AST, why: str) -> None:
+    """Raise an error that names the file and the line."""
+    raise GrammarError(f"{path}, line {getattr(node, 'lineno', 0)}: {why}: {ast.unparse(node).splitlines()[0]}")
+
+
+def annotation(e: ast.expr | None, path: str, node: ast.AST) -> str:
+    """The kind that an annotation names; of two results, PAIR."""
+    match e:
+        case ast.Name(id=name) if name in ANNOTATIONS:
+            return ANNOTATIONS[name]
+        case ast.Constant(value=None):
+            return "NONE"
+        case ast.Subscript(value=ast.Name(id="tuple")):
+            return "PAIR"
+    refuse(path, node, "every parameter and result has one of the kinds " + ", ".join(ANNOTATIONS))
+    raise AssertionError
+
+
+def integrator() -> Text:
+    """The text of the integrator."""
+    text = Text()
+    for name in TEXT:
+        path = FOLDER / f"{name}.py"
+        text.read(path.read_text("utf-8"), f"derive/flow/walk/{path.name}")
+    return text
+
+
+@dataclass
+class Value:
+    """An expression in the language that is written, and its kind."""
+
+    text: str
+    kind: str
+
+
+class Writer:
+    """What the two languages share: statements and expressions, their kinds, and what is refused.
+
+    ``lane`` says that what is written is about one lane: a function of a `Lane`, or the body of an ``if`` on a mask.
+    """
+
+    boolean = ("", "")  # how false and true are written
+
+    def __init__(self, text: Text, function: Function) -> None:
+        self.all = text
+        self.function = function
+        self.lane = function.of == "LANE"
+        self.kinds = dict(function.parameters)
+        self.state = next((x for x, kind in function.parameters.items() if kind in ("LANES", "LANE")), "")
+
+    # What a language says in its own way.
+
+    def named(self, name: str, kind: str) -> str:
+        raise NotImplementedError
+
+    def attribute(self, holder: str, name: str, kind: str) -> Value:
+        raise NotImplementedError
+
+    def element(self, e: ast.Subscript) -> Value:
+        raise NotImplementedError
+
+    def logic(self, sign: str, values: Sequence[Value], kind: str) -> str:
+        raise NotImplementedError
+
+    def call(self, name: str, values: Sequence[Value], e: ast.Call) -> Value:
+        raise NotImplementedError
+
+    def choice(self, chosen: Value, one: Value, other: Value) -> str:
+        raise NotImplementedError
+
+    def binary(self, one: Value, sign: str, other: Value) -> str:
+        return f"({one.text} {sign} {other.text})"
+
+    def refuse(self, node: ast.AST, why: str) -> None:
+        refuse(self.function.path, node, why)
+
+    # Expressions.
+
+    def value(self, e: ast.expr) -> Value:
+        """The text of an expression, and its kind."""
+        match e:
+            case ast.Constant(value=bool(x)):
+                return Value(self.boolean[x], "N")
+            case ast.Constant(value=int(x) | float(x)):
+                return Value(repr(x), "N" if isinstance(x, int) else "K")
+            case ast.Name(id=name):
+                return self._name(name, e)
+            case ast.Attribute(value=ast.Name(id=holder), attr=name):
+                return self._attribute(holder, name, e)
+            case ast.Attribute(value=ast.Attribute(value=ast.Name(id=holder), attr=middle), attr=name):
+                return self._attribute(f"{holder}.{middle}", name, e)
+            case ast.Subscript():
+                return self.element(e)
+            case ast.BinOp(left=a, op=op, right=b) if type(op) in SIGNS:
+                one, other = self.value(a), self.value(b)
+                return Value(self.binary(one, SIGNS[type(op)], other), joined((one, other)))
+            case ast.UnaryOp(op=ast.USub(), operand=a):
+                one = self.value(a)
+                return Value(f"(-{one.text})", one.kind)
+            case ast.UnaryOp(op=ast.Not(), operand=a):
+                one = self.value(a)
+                return Value(self.logic("not", [one], one.kind), one.kind)
+            case ast.Compare(left=a, ops=[op], comparators=[b]) if type(op) in SIGNS:
+                one, other = self.value(a), self.value(b)
+                kind = joined((one, other), "VMFIBKN")
+                return Value(self.binary(one, SIGNS[type(op)], other), COMPARED[kind])
+            case ast.BoolOp(op=op, values=parts):
+                values = [self.value(x) for x in parts]
+                kind = joined(values, "MBN")
+                return Value(self.logic("and" if isinstance(op, ast.And) else "or", values, kind), kind)
+            case ast.IfExp(test=test, body=a, orelse=b):
+                chosen, one, other = self.value(test), self.value(a), self.value(b)
+                if chosen.kind != "N":
+                    self.refuse(e, "a choice by lane is `where`")
+                return Value(self.choice(chosen, one, other), joined((one, other), "SVFIKN"))
+            case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
+                return self._call(name, arguments, e)
+        self.refuse(e, "this expression is not in the grammar of the integrator")
+        raise AssertionError
+
+    def _name(self, name: str, e: ast.expr) -> Value:
+        if name in self.kinds:
+            kind = self.kinds[name]
+            return Value(self.named(name, kind), OF_ONE_LANE.get(kind, kind) if self.lane else kind)
+        if name not in self.all.constants:
+            self.refuse(e, f"{name} has no value here")
+        return Value(name, "K")
+
+    def _attribute(self, holder: str, name: str, e: ast.expr) -> Value:
+        """A member of an enumeration, or an entry of lanes, of a table or of a state, by its kind."""
+        if holder in CODES and name in CODES[holder][1]:
+            return self.attribute(holder, CODES[holder][0] + name, "CODE")
+        number = "F" if self.lane else "V"
+        first, _, middle = holder.partition(".")
+        kind = self.kinds.get(first, "")
+        if kind in ("LANES", "LANE") and first == self.state:
+            if not middle and name in CELLS | CELLS_BY_ROLE:
+                return Value(self.attribute(holder, name, "CELL" if name in CELLS else "ROLE").text, number)
+            if middle == "series" and name in REGISTERS:
+                return Value(self.attribute(first, name, "SERIES").text, "S")
+            if middle == "has" and name in REGISTERS:
+                return Value(self.attribute(first, name, "HAS").text, "N")
+            if not middle and name in OF_LANES:
+                return Value(self.attribute(holder, name, "SHARED").text, "N")
+        if kind == "T":
+            if middle == "before" and name in PARTS:
+                return Value(self.attribute(holder, name, "PART").text, number)
+            if name in PARTS and not middle:
+                return Value(self.attribute(holder, name, "PART").text, number)
+            if name in OF_TABLE:
+                return Value(self.attribute(holder, name, "OF_TABLE").text, "N")
+            if name == "series":
+                return Value(self.attribute(holder, name, "OF_TABLE").text, "S")
+        if kind == "Q" and name in ("now", "series", "rate"):
+            return Value(self.attribute(holder, name, "OF_STATE").text, number if name == "now" else "S")
+        self.refuse(e, f"lanes, tables and states have no entry {name}")
+        raise AssertionError
+
+    def _call(self, name: str, arguments: Sequence[ast.expr], e: ast.Call) -> Value:
+        if name not in PRIMITIVES and name not in self.all.functions:
+            self.refuse(e, f"there is no function {name}")
+        return self.call(name, [self.value(x) for x in arguments], e)
+
+    def kind_of_call(self, name: str, values: Sequence[Value]) -> str:
+        """The kind of what a call gives."""
+        if name in self.all.functions:
+            kind = self.all.functions[name].returns
+        elif name == "where":
+            kind = joined(values[1:], "VMFIBKN")
+            if values[0].kind == "M":
+                return "M" if values[1].kind == "M" else "V"
+            return "B" if values[1].kind == "B" else kind if kind in ("F", "I") else "F" if kind == "K" else "I"
+        elif name == "number":
+            kind = "F" if values[0].kind == "I" else "K"
+        else:
+            kind = PRIMITIVES[name] or joined(values)
+        return OF_ONE_LANE.get(kind, kind) if self.lane else kind
+
+    # Statements.
+
+    def body(self, statements: Sequence[ast.stmt]) -> Iterator[str]:
+        """The lines of a block."""
+        for s in statements:
+            match s:
+                case ast.Expr(value=ast.Constant(value=str())):
+                    pass
+                case ast.Expr(value=ast.Call() as e):
+                    yield from self.run(self.value(e))
+                case ast.Assign(targets=[ast.Tuple(elts=[ast.Name(id=a), ast.Name(id=b)])], value=value):
+                    pair = self.value(value)
+                    self.kinds |= {a: "V", b: "V"}
+                    yield from self.let_pair(a, b, pair)
+                case ast.Assign(targets=[ast.Name(id=name)], value=value):
+                    yield from self._let(name, self.value(value), s)
+                case ast.AnnAssign(target=ast.Name(id=name), annotation=kind, value=ast.expr() as value):
+                    yield from self._let(name, self.value(value), s, annotation(kind, self.function.path, s))
+                case ast.Assign(targets=[ast.Attribute() | ast.Subscript() as target], value=value):
+                    yield from self.store(target, self.value(target), self.value(value))
+                case ast.For(iter=ast.Call(func=ast.Name(id="up" | "down" as way), args=[a, b])):
+                    yield from self._count(way, self.value(a), self.value(b), s)
+                case ast.For(target=ast.Name(id=name), iter=ast.Attribute(attr="tables" | "states" as what)):
+                    self.kinds[name] = "T" if what == "tables" else "Q"
+                    yield from self.loop_over(name, what, s.body)
+                case ast.While(test=test):
+                    yield from self.loop_while(self.value(test), s.body)
+                case ast.If(orelse=[]):
+                    yield from self._if(s)
+                case ast.Return(value=None):
+                    yield from self.give(None)
+                case ast.Return(value=ast.Tuple(elts=[a, b])):
+                    yield from self.give((self.value(a), self.value(b)))
+                case ast.Return(value=ast.expr() as e):
+                    yield from self.give(self.value(e))
+                case _:
+                    self.refuse(s, "this statement is not in the grammar of the integrator")
+
+    def _let(self, name: str, value: Value, s: ast.stmt, kind: str = "") -> Iterator[str]:
+        new = name not in self.kinds
+        if not kind:
+            kind = self.kinds.get(name, value.kind)
+        if kind == "K":
+            self.refuse(s, f"{name} needs an annotation: is it a number of each lane or of all?")
+        self.kinds[name] = kind
+        yield from self.let(name, kind, value, new)
+
+    def _count(self, way: str, first: Value, last: Value, s: ast.For) -> Iterator[str]:
+        if not {first.kind, last.kind} <= {"N"}:
+            self.refuse(s, "a loop counts between integers that all lanes share")
+        name = ast.unparse(s.target)
+        self.kinds[name] = "N"
+        yield from self.count(name, way, first.text, last.text, s.body)
+
+    def _if(self, s: ast.If) -> Iterator[str]:
+        test = self.value(s.test)
+        if test.kind in ("M", "B") and isinstance(s.test, ast.BoolOp) and isinstance(s.test.op, ast.And):
+            first, *others = s.test.values
+            shared = self.value(first)
+            if shared.kind == "N":  # the same for all lanes
+                rest = others[0] if len(others) == 1 else ast.BoolOp(ast.And(), others)
+                inner = ast.copy_location(ast.If(rest, s.body, []), s)
+                yield from self.shared_if(shared.text, [ast.fix_missing_locations(inner)])
+                return
+        if test.kind not in ("N", "M", "B"):
+            self.refuse(s, "an `if` is on a truth value")
+        if test.kind == "N":
+            yield from self.shared_if(test.text, s.body)
+            return
+        outside = set(self.kinds)
+        assigned = {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
+        if outside & assigned:
+            names = ", ".join(sorted(outside & assigned))
+            self.refuse(s, f"an `if` by lane changes {names}, which is known outside: use `where`")
+        leaves = isinstance(s.body[-1], ast.Return)
+        if leaves and (test.kind == "M" or s.body[-1].value is not None):
+            self.refuse(s, "only one lane returns early, and without a value")
+        yield from self.lane_if(test, s, leaves)
+        for name in assigned:
+            self.kinds.pop(name, None)
+
+    # What a language says in its own way, a line for a line.
+
+    def run(self, call: Value) -> Iterator[str]:
+        raise NotImplementedError
+
+    def let(self, name: str, kind: str, value: Value, new: bool) -> Iterator[str]:
+        raise NotImplementedError
+
+    def let_pair(self, a: str, b: str, pair: Value) -> Iterator[str]:
+        raise NotImplementedError
+
+    def store(self, target: ast.expr, place: Value, value: Value) -> Iterator[str]:
+        raise NotImplementedError
+
+    def count(self, name: str, way: str, first: str, last: str, body: Sequence[ast.stmt]) -> Iterator[str]:
+        raise NotImplementedError
+
+    def loop_over(self, name: str, what: str, body: Sequence[ast.stmt]) -> Iterator[str]:
+        raise NotImplementedError
+
+    def loop_while(self, test: Value, body: Sequence[ast.stmt]) -> Iterator[str]:
+        raise NotImplementedError
+
+    def shared_if(self, test: str, body: Sequence[ast.stmt]) -> Iterator[str]:
+        raise NotImplementedError
+
+    def lane_if(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
+        raise NotImplementedError
+
+    def give(self, value: Value | tuple[Value, Value] | None) -> Iterator[str]:
+        raise NotImplementedError
+
+
+def joined(values: Sequence[Value], order: str = "VFIKN") -> str:
+    """The kind of what values make: the first of an order that one of them has."""
+    return next(k for k in order if any(v.kind == k for v in values))
