@@ -10,6 +10,8 @@ import pytest
 from slipcircle import LayeredSection, Scene, Soil, solve
 from slipcircle.ground.ground import circle_through
 from slipcircle.ground.section import Section
+from slipcircle.workbench.stability import family
+from slipcircle.workbench.stability.factors import factors_by
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.search import at_circle, critical
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
@@ -62,6 +64,22 @@ def test_taylor_s_numbers_of_toe_circles(angle: float, number: float, method: st
     assert factor is not None
     # F = 1 where gamma H/c is Taylor's number, and F is proportional to c: N = F gamma H/c.
     assert factor * 20e3 * 10.0 / 20e3 == pytest.approx(number, rel=1e-4)
+
+
+def test_the_course_of_a_search_does_not_depend_on_last_bits(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a dam, whose circles are as critical as their mirror images, with factors as another processor rounds them."""
+    dam = Slope([(-40, 0), (-20, 0), (0, 10), (20, 0), (40, 0)], 5e3, 0.4, 20e3)
+    here = critical(dam)
+    exact, rng = factors_by, np.random.default_rng(1)
+
+    def rounded(*arguments: Any) -> Any:
+        factors, facing = exact(*arguments)
+        return factors * (1.0 + 2.0**-52 * rng.integers(-2, 3, factors.shape)), facing
+
+    monkeypatch.setattr(family, "factors_by", rounded)
+    there = critical(dam)
+    assert (there.tried, there.refused, there.facing) == (here.tried, here.refused, here.facing)
+    assert (*there.centre, there.radius) == pytest.approx((*here.centre, here.radius), rel=1e-12)
 
 
 def test_ever_deeper_circles_below_gentle_slopes_without_friction() -> None:

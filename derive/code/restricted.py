@@ -9,6 +9,7 @@ import ast
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from derive.flow import layout
 from derive.flow.walk import TEXT, one_lane
@@ -33,7 +34,7 @@ SIGNS = {
     ast.Eq: "==",
     ast.NotEq: "!=",
 }
-CODES = {row.name: (row.prefix, row.members) for row in layout.NUMBERED} | {
+CODES: dict[str, tuple[str, Mapping[str, Any]]] = {row.name: (row.prefix, row.members) for row in layout.NUMBERED} | {
     "Limit": ("", layout.LIMITS),
     "Share": ("", layout.SHARES),
 }
@@ -371,8 +372,9 @@ class Writer:
         if outside & assigned:
             names = ", ".join(sorted(outside & assigned))
             self.refuse(s, f"an `if` by lane changes {names}, which is known outside: use `where`")
-        leaves = isinstance(s.body[-1], ast.Return)
-        if leaves and (test.kind == "M" or s.body[-1].value is not None):
+        last = s.body[-1]
+        leaves = isinstance(last, ast.Return)
+        if isinstance(last, ast.Return) and (test.kind == "M" or last.value):
             self.refuse(s, "only one lane returns early, and without a value")
         yield from self.lane_if(test, s, leaves)
         for name in assigned:

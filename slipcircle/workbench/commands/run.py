@@ -40,8 +40,8 @@ def options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     _check_options(options)
-    sources = [find(name).read_bytes() for name in options.scenes] if options.report else []
     scenes = [load(name) for name in options.scenes]
+    sources = [find(name).read_bytes() for name in options.scenes] if options.report else []
     if options.polarities:
         scenes = [polarity for scene in scenes for polarity in (scene, other_way(scene))]
         sources = [source for source in sources for _ in range(2)]

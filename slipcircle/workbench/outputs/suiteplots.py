@@ -20,7 +20,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     points_of,
 )
 from slipcircle.workbench.outputs.trace import drawn
-from slipcircle.workbench.suites.statistics import distribution, exceedance
+from slipcircle.workbench.studies.suitestatistics import distribution, exceedance
 
 if TYPE_CHECKING:
     from slipcircle.workbench.studies.suitestudy import SuiteStudy

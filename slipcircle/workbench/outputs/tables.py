@@ -32,7 +32,7 @@ from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 
 if TYPE_CHECKING:
-    from slipcircle.core import Sensitivity
+    from slipcircle.derivatives import Sensitivity
 
 _RESIDUE = 1e-12  # of an outcome: what rounding leaves of a derivative that is 0
 WIDTH = 100  # of a table in files and pipes
@@ -208,7 +208,7 @@ def plan_part(plan: Plan) -> Part:
         "program of": ", ".join(plan.fragments),
         "a step's operations": plan.operations,
         "expected cost": f"about {plan.cost} floating-point operations",
-        "requested accuracy": f"{plan.accuracy:.1e}",
+        "requested accuracy": f"{plan.accuracy:.1e}" + ("" if plan.scene.shape else "; a single scene: to rounding"),
     }
     return Part(["", plan.scene.name], [row for row in rows.items() if row[1]])
 
