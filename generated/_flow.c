@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "bd4f16dc2b19f26daff3aad24b38bd5cc14f8cb202932b3dcc280d03b80cf1d2"
+#define DIGEST "eb69aa1e6406940211e0d13741c32df2f4d4517443becf1a2c701bb0feb514c1"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -236,7 +236,7 @@ typedef double V __attribute__((vector_size(WIDE / 8)));
 typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, X, OMEGA };
-enum { PENDING = -13, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD };
+enum { PENDING = -15, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_X, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
@@ -250,6 +250,7 @@ enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define SETTLED 1.4210854715202004e-14
 enum { LIN, RAMP, MUL, SQR, POWERS, TIM, TURN, EXP, REC, LOG, POW };
 enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S_LOG, S_LOG1P, S_SQRT, S_ABS, S_MIN, S_MAX, S_LESS, S_SELECT };
+_Static_assert(PENDING >= -MOST_WORKING, "cells in front of the others");
 /* The lanes that are integrated now, beside their cells. */
 typedef struct {
     Job *job;
@@ -1190,6 +1191,48 @@ INLINE void cut(Batch *b, V order, int top)
     }
 }
 
+/* Order 0 of the registers that do not come from operations, and the series of functions of time. */
+INLINE void begin_expansion(Batch *b, M which, int top)
+{
+    const Job *const job = b->job;
+    begin_series(b);
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_TIME) {
+            EACH(lane, bits(which)) {
+                expand_in_time(b, lane, t, top);
+            }
+        }
+    }
+}
+
+/* Coefficient n + 1 of the states, from coefficient n of their rates; zero beyond a lane's order, and at rest. */
+INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest)
+{
+    const Job *const job = b->job;
+    for (const State *q = job->state; q < job->state + job->states; q++) {
+        V coefficient = broadcast(0.0);
+        if (!at_rest) {
+            coefficient = (b->r + q->rate)[n] * b->inverse[n + 1];
+        }
+        (b->r + q->series)[n + 1] = alike ? coefficient : pick(order > (double)n, coefficient, broadcast(0.0));
+    }
+}
+
+/* Whether coefficient n times a power of the step counts beside the largest term so far. */
+INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *x = at_rest ? (b->r + job->role->net) : (b->r + job->role->x);
+    V *omega = at_rest ? (b->r + job->role->net) : (b->r + job->role->omega);
+    V term_x = magnitude(x[n]) * power;
+    V term_omega = magnitude(omega[n]) * power;
+    M counts = ~(negligible(term_x, c[LARGEST_X]) & negligible(term_omega, c[LARGEST_OMEGA]));
+    c[LARGEST_X] = maximum(term_x, c[LARGEST_X]);
+    c[LARGEST_OMEGA] = maximum(term_omega, c[LARGEST_OMEGA]);
+    return counts;
+}
+
 /* Fill the series of all registers; those of states have one order more than their rates. Where a function of time
  * cuts the step short after ``room``, a series ends early, as soon as two terms in a row do not count there. At
  * rest states stay as they are, and the net moment decides. Returns the highest order; each lane's is
@@ -1201,50 +1244,20 @@ INLINE int expand(Batch *b, V room, M which, int at_rest)
     V order = pick(which, c[ORDER], broadcast(1.0));
     int top = greatest(order);
     int alike = all_lanes(order == (double)top);
-    begin_series(b);
-    for (int t = 0; t < job->tables; t++) {
-        if (job->table[t].kind == OF_TIME) {
-            EACH(lane, bits(which)) {
-                expand_in_time(b, lane, t, top);
-            }
-        }
-    }
-    V *first = at_rest ? (b->r + job->role->net) : (b->r + job->role->x);
-    V *second = at_rest ? (b->r + job->role->net) : (b->r + job->role->omega);
-    V largest_first = broadcast(0.0);
-    V largest_second = broadcast(0.0);
-    if (!at_rest) {
-        largest_first = magnitude(first[0]);
-        largest_second = magnitude(second[0]);
-    }
-    V power = broadcast(1.0);
+    begin_expansion(b, which, top);
+    c[LARGEST_X] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->x)[0]);
+    c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
+    V power = at_rest ? broadcast(1.0) : room;
     V in_a_row = broadcast(0.0);
     int n = 0;
     while (n < top) {
         operate(b, n);
-        M within = order > (double)n;
-        for (const State *q = job->state; q < job->state + job->states; q++) {
-            V coefficient = broadcast(0.0);
-            if (!at_rest) {
-                coefficient = (b->r + q->rate)[n] * b->inverse[n + 1];
-            }
-            (b->r + q->series)[n + 1] = alike ? coefficient : pick(within, coefficient, broadcast(0.0));
-        }
+        integrate_rates(b, n, order, alike, at_rest);
         if (job->timed) {
-            int known = at_rest ? n : (n + 1);
-            if (!at_rest) {
-                power = power * room;
-            }
-            V term_first = magnitude(first[known]) * power;
-            V term_second = magnitude(second[known]) * power;
-            if (at_rest) {
-                power = power * room;
-            }
-            M counts = ~(negligible(term_first, largest_first) & negligible(term_second, largest_second));
-            largest_first = maximum(term_first, largest_first);
-            largest_second = maximum(term_second, largest_second);
+            M counts = next_term_counts(b, at_rest ? n : (n + 1), power, at_rest);
+            power = power * room;
             in_a_row = pick(counts, broadcast(0.0), in_a_row + 1.0);
-            M ends = (in_a_row >= 2.0) & within & which;
+            M ends = (in_a_row >= 2.0) & (order > (double)n) & which;
             if ((n >= 2) && bits(ends)) {
                 order = pick(ends, minimum(order, broadcast((double)(n + 1))), order);
                 alike = 0;
@@ -1801,6 +1814,35 @@ INLINE void advance_states(Batch *b, M here, int top)
     }
 }
 
+/* Whether a motion goes on for ever. Where its rate depends on the speed alone, and hardly changes it, the rate
+ * never falls below zero again. */
+INLINE M is_endless(Batch *b, M here, V room)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    M endless = (M){0};
+    if (job->autonomous) {
+        M settled = ((b->r + job->role->net)[0] * c[STEP]) >= ((double)(-SETTLED) * (b->r + job->role->omega)[0]);
+        M uneventful = c[EVENT] == (double)EVENT_NONE;
+        endless = here & uneventful & settled & (room == INFINITY) & (c[LIFTED] == 0.0);
+    }
+    return endless;
+}
+
+/* Record the greatest speed within the step, where the net moment falls through zero. */
+static void keep_peak(Batch *b, M here, int top, V rate, V slope)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *net = b->r + job->role->net;
+    V at = falling_root(net, top - 1, c[STEP], rate, slope, here);
+    M peaks = at < INFINITY;
+    if (bits(peaks)) {
+        V speed = value(b->r + job->role->omega, top, at);
+        keep_faster(b, peaks, speed, c[TIME] + at, value(b->r + job->role->x, top, at), value(net, top - 1, at));
+    }
+}
+
 /* One step of lanes that move. */
 static void make_step(Batch *b, M here)
 {
@@ -1812,23 +1854,14 @@ static void make_step(Batch *b, M here)
     choose_step(b, here, room, top);
     M reaches_limit = c[STEP] >= room;
     find_events(b, here, top);
-    V *net = b->r + job->role->net;
     M uneventful = c[EVENT] == (double)EVENT_NONE;
-    M endless = (M){0};
-    if (job->autonomous) {
-        M settled = (net[0] * c[STEP]) >= ((double)(-SETTLED) * (b->r + job->role->omega)[0]);
-        endless = here & uneventful & settled & (room == INFINITY) & (c[LIFTED] == 0.0);
-        c[STEP] = pick(here, pick(endless, broadcast(0.0), c[STEP]), c[STEP]);
-    }
+    M endless = is_endless(b, here, room);
+    c[STEP] = pick(here, pick(endless, broadcast(0.0), c[STEP]), c[STEP]);
     V step = c[STEP];
+    V *net = b->r + job->role->net;
     const Pair rate_slope = value_and_slope(net, top - 1, step);
     V rate = rate_slope.one, slope = rate_slope.other;
-    V peak = falling_root(net, top - 1, step, rate, slope, here);
-    M peaks = peak < INFINITY;
-    if (bits(peaks)) {
-        V speed = value(b->r + job->role->omega, top, peak);
-        keep_faster(b, peaks, speed, c[TIME] + peak, value(b->r + job->role->x, top, peak), value(net, top - 1, peak));
-    }
+    keep_peak(b, here, top, rate, slope);
     M at_limit = here & reaches_limit & uneventful & ~endless;
     V until = pick(at_limit, limit, c[TIME] + step);
     if (job->samples > 0) {
@@ -1844,6 +1877,24 @@ static void make_step(Batch *b, M here)
     keep_faster(b, here, c[OMEGA], c[TIME], c[X], rate);
     EACH(lane, bits(here)) {
         settle(b, lane, rate[lane], at_limit[lane], endless[lane]);
+    }
+}
+
+/* When contact is lost or regained, within the time ahead that is known. */
+static void look_for_lift_off(Batch *b, M here, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *normal = b->r + job->role->normal;
+    V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
+    M passed = c[PASSED] == (double)LIFT;
+    M asked = here & may_cross(normal, top - 1, c[STRETCH], sign, broadcast(0.0), passed);
+    if (bits(asked)) {
+        V e[HIGHEST + 2];
+        margin_of(e, normal, top - 1, sign, broadcast(0.0), passed);
+        V at = first_root(e, top - 1, c[STRETCH], asked);
+        c[LIFT_AHEAD] = pick(here, minimum(at, c[LIFT_AHEAD]), c[LIFT_AHEAD]);
+        c[STRETCH] = pick(here, minimum(at, c[STRETCH]), c[STRETCH]);
     }
 }
 
@@ -1874,16 +1925,7 @@ static void look_ahead(Batch *b, M here, V room)
     c[START_DIRECTION] = pick(here, pick(sooner, c[DIRECTION], c[START_DIRECTION]), c[START_DIRECTION]);
     c[SUDDEN] = pick(here, pick(sooner, pick(jumps, broadcast(1.0), broadcast(0.0)), c[SUDDEN]), c[SUDDEN]);
     if (job->role->normal >= 0) {
-        V *normal = b->r + job->role->normal;
-        V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
-        M passed = c[PASSED] == (double)LIFT;
-        asked = here & may_cross(normal, top - 1, c[STRETCH], sign, broadcast(0.0), passed);
-        if (bits(asked)) {
-            margin_of(e, normal, top - 1, sign, broadcast(0.0), passed);
-            at = first_root(e, top - 1, c[STRETCH], asked);
-            c[LIFT_AHEAD] = pick(here, minimum(at, c[LIFT_AHEAD]), c[LIFT_AHEAD]);
-            c[STRETCH] = pick(here, minimum(at, c[STRETCH]), c[STRETCH]);
-        }
+        look_for_lift_off(b, here, top);
     }
 }
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 2a02d0227abc34f9cf8cd4bbddf908f6edcc6893bec70d7df1bc62fb7695c421
+# sha256 of the text below: ab2a21e57f53e6ca8ff2d3e669432d8481040419105efb28f8de7918e2d96fcc
 """Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -36,13 +36,15 @@ X = 29  # rotation since the phase began, in the direction of travel
 OMEGA = 30  # its rate, omega*
 
 # Cells of a lane while it is integrated, in front of these.
-PENDING = -13  # what it waits for before its next step
-FACED = -12  # directions in which it was looked at since it stands
-SUDDEN = -11  # 1 where slip begins as forces have jumped, else 0
-RATE_BEFORE = -10  # d omega*/dt* where the phase before ended
-DRIVE_BEFORE = -9  # the drive of that phase
-SCALE_BEFORE = -8  # the size of the terms of that drive
-SERIES_ORDER = -7  # of the series of this step
+PENDING = -15  # what it waits for before its next step
+FACED = -14  # directions in which it was looked at since it stands
+SUDDEN = -13  # 1 where slip begins as forces have jumped, else 0
+RATE_BEFORE = -12  # d omega*/dt* where the phase before ended
+DRIVE_BEFORE = -11  # the drive of that phase
+SCALE_BEFORE = -10  # the size of the terms of that drive
+SERIES_ORDER = -9  # of the series of this step
+LARGEST_X = -8  # largest term of the series of x so far, at rest of the net moment
+LARGEST_OMEGA = -7  # the same of omega
 STEP = -6  # length of this step, up to its first event
 EVENT = -5  # that event
 STRETCH = -4  # at rest, the time ahead that is known

@@ -84,6 +84,8 @@ WORKING = {
     "DRIVE_BEFORE": "the drive of that phase",
     "SCALE_BEFORE": "the size of the terms of that drive",
     "SERIES_ORDER": "of the series of this step",
+    "LARGEST_X": "largest term of the series of x so far, at rest of the net moment",
+    "LARGEST_OMEGA": "the same of omega",
     "STEP": "length of this step, up to its first event",
     "EVENT": "that event",
     "STRETCH": "at rest, the time ahead that is known",

@@ -14,11 +14,11 @@ from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
 from derive.approximate.programs import variants
 from derive.check.records import Record
-from derive.code import emit, restricted, restricted_c
+from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
 from derive.flow import emit as flow
-from derive.flow import layout, series
+from derive.flow import layout, restricted, restricted_c, series
 from derive.generate import effects, emit_c, functions, slopes
 
 ROOT = Path(__file__).resolve().parent.parent.parent

@@ -214,6 +214,7 @@ typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false i
 
 @CELLS@
 @CODES@
+_Static_assert(PENDING >= -MOST_WORKING, "cells in front of the others");
 /* The lanes that are integrated now, beside their cells. */
 typedef struct {
     Job *job;

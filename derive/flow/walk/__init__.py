@@ -23,7 +23,7 @@ series     the series of a step, and their radius of convergence
 roots      polynomials of many lanes: values and roots
 one_lane   what this text means for one lane, as plain Python with numbers of any kind
 
-From the text `derive.code.restricted` writes the integrators in C and in NumPy, which share each statement. Functions
+From the text `derive.flow.restricted` writes the integrators in C and in NumPy, which share each statement. Functions
 of `Lanes` are about all lanes of a batch, with vectors V of numbers and masks M; those of a `Lane` about one. An `if`
 on a mask runs its body for each lane in which it holds. Where a function of lanes has a mask `here`, what it assigns to
 a cell is assigned there.

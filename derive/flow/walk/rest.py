@@ -29,6 +29,20 @@ TOUCHES = 2.0  # units of rounding of the drive, within which the net moment at 
 TOGETHER = 1e-9  # relative times of lift-off and start that are the same
 
 
+def look_for_lift_off(s: Lanes, here: M, top: N) -> None:
+    """When contact is lost or regained, within the time ahead that is known."""
+    normal = s.series.normal
+    sign = where(s.lifted > 0.0, -1.0, 1.0)
+    passed = s.passed == number(Passed.LIFT)
+    asked = here and may_cross(normal, top - 1, s.stretch, sign, 0.0, passed)
+    if any_lane(asked):
+        e = new_series()
+        margin_of(e, normal, top - 1, sign, 0.0, passed)
+        at = first_root(e, top - 1, s.stretch, asked)
+        s.lift_ahead = minimum(at, s.lift_ahead)
+        s.stretch = minimum(at, s.stretch)
+
+
 def look_ahead(s: Lanes, here: M, room: V) -> None:
     """What lies ahead of a mass at rest, in the direction it faces, where it comes before what is known already.
 
@@ -54,15 +68,7 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
     s.start_direction = where(sooner, s.direction, s.start_direction)
     s.sudden = where(sooner, where(jumps, 1.0, 0.0), s.sudden)
     if s.has.normal:
-        normal = s.series.normal
-        sign = where(s.lifted > 0.0, -1.0, 1.0)
-        passed = s.passed == Passed.LIFT
-        asked = here and may_cross(normal, top - 1, s.stretch, sign, 0.0, passed)
-        if any_lane(asked):
-            margin_of(e, normal, top - 1, sign, 0.0, passed)
-            at = first_root(e, top - 1, s.stretch, asked)
-            s.lift_ahead = minimum(at, s.lift_ahead)
-            s.stretch = minimum(at, s.stretch)
+        look_for_lift_off(s, here, top)
 
 
 def turn_back(lane: Lane) -> None:

@@ -69,6 +69,35 @@ def cut(s: Lanes, order: V, top: N) -> None:
             s.series.upright[n] = where(within, s.series.upright[n], 0.0)
 
 
+def begin_expansion(s: Lanes, which: M, top: N) -> None:
+    """Order 0 of the registers that do not come from operations, and the series of functions of time."""
+    begin_series(s)
+    for t in s.tables:
+        if t.kind == Kind.TIME and which:
+            expand_in_time(s, t, top)
+
+
+def integrate_rates(s: Lanes, n: N, order: V, alike: N, at_rest: N) -> None:
+    """Coefficient n + 1 of the states, from coefficient n of their rates; zero beyond a lane's order, and at rest."""
+    for q in s.states:
+        coefficient: V = 0.0
+        if not at_rest:
+            coefficient = q.rate[n] * s.inverse[n + 1]
+        q.series[n + 1] = coefficient if alike else where(order > number(n), coefficient, 0.0)
+
+
+def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
+    """Whether coefficient n times a power of the step counts beside the largest term so far."""
+    x = s.series.net if at_rest else s.series.x
+    omega = s.series.net if at_rest else s.series.omega
+    term_x = abs(x[n]) * power
+    term_omega = abs(omega[n]) * power
+    counts = not (negligible(term_x, s.largest_x) and negligible(term_omega, s.largest_omega))
+    s.largest_x = maximum(term_x, s.largest_x)
+    s.largest_omega = maximum(term_omega, s.largest_omega)
+    return counts
+
+
 def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
     """Fill the series of all registers; those of states have one order more than their rates.
 
@@ -79,41 +108,20 @@ def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
     order = where(which, s.order, 1.0)
     top: N = greatest(order)
     alike: N = all_lanes(order == number(top))
-    begin_series(s)
-    for t in s.tables:
-        if t.kind == Kind.TIME and which:
-            expand_in_time(s, t, top)
-    first = s.series.net if at_rest else s.series.x
-    second = s.series.net if at_rest else s.series.omega
-    largest_first: V = 0.0
-    largest_second: V = 0.0
-    if not at_rest:
-        largest_first = abs(first[0])
-        largest_second = abs(second[0])
-    power: V = 1.0
+    begin_expansion(s, which, top)
+    s.largest_x = 0.0 if at_rest else abs(s.series.x[0])
+    s.largest_omega = 0.0 if at_rest else abs(s.series.omega[0])
+    power: V = 1.0 if at_rest else room
     in_a_row: V = 0.0
     n: N = 0
     while n < top:
         operate(s, n)
-        within = order > number(n)
-        for q in s.states:
-            coefficient: V = 0.0
-            if not at_rest:
-                coefficient = q.rate[n] * s.inverse[n + 1]
-            q.series[n + 1] = coefficient if alike else where(within, coefficient, 0.0)
+        integrate_rates(s, n, order, alike, at_rest)
         if s.timed:
-            known: N = n if at_rest else n + 1
-            if not at_rest:
-                power = power * room
-            term_first = abs(first[known]) * power
-            term_second = abs(second[known]) * power
-            if at_rest:
-                power = power * room
-            counts = not (negligible(term_first, largest_first) and negligible(term_second, largest_second))
-            largest_first = maximum(term_first, largest_first)
-            largest_second = maximum(term_second, largest_second)
+            counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
+            power = power * room
             in_a_row = where(counts, 0.0, in_a_row + 1.0)
-            ends = in_a_row >= 2.0 and within and which
+            ends = in_a_row >= 2.0 and order > number(n) and which
             if n >= 2 and any_lane(ends):
                 order = where(ends, minimum(order, number(n + 1)), order)
                 alike = False

@@ -226,6 +226,29 @@ def advance_states(s: Lanes, here: M, top: N) -> None:
             t.inc = t.inc + increment(t.series, top, s.step)
 
 
+def is_endless(s: Lanes, here: M, room: V) -> M:
+    """Whether a motion goes on for ever.
+
+    Where its rate depends on the speed alone, and hardly changes it, the rate never falls below zero again.
+    """
+    endless = none_of(s)
+    if s.autonomous:
+        settled = s.series.net[0] * s.step >= -Share.SETTLED * s.series.omega[0]
+        uneventful = s.event == number(Event.NONE)
+        endless = here and uneventful and settled and room == INFINITY and s.lifted == 0.0
+    return endless
+
+
+def keep_peak(s: Lanes, here: M, top: N, rate: V, slope: V) -> None:
+    """Record the greatest speed within the step, where the net moment falls through zero."""
+    net = s.series.net
+    at = falling_root(net, top - 1, s.step, rate, slope, here)
+    peaks = at < INFINITY
+    if any_lane(peaks):
+        speed = value(s.series.omega, top, at)
+        keep_faster(s, peaks, speed, s.time + at, value(s.series.x, top, at), value(net, top - 1, at))
+
+
 def make_step(s: Lanes, here: M) -> None:
     """One step of lanes that move."""
     limit = minimum(next_break(s), s.end_time)
@@ -234,21 +257,13 @@ def make_step(s: Lanes, here: M) -> None:
     choose_step(s, here, room, top)
     reaches_limit = s.step >= room
     find_events(s, here, top)
-    net = s.series.net
     uneventful = s.event == number(Event.NONE)
-    # Where the rate depends on the speed alone, and hardly changes it, it never falls below zero again.
-    endless = none_of(s)
-    if s.autonomous:
-        settled = net[0] * s.step >= -Share.SETTLED * s.series.omega[0]
-        endless = here and uneventful and settled and room == INFINITY and s.lifted == 0.0
-        s.step = where(endless, 0.0, s.step)
+    endless = is_endless(s, here, room)
+    s.step = where(endless, 0.0, s.step)
     step = s.step
+    net = s.series.net
     rate, slope = value_and_slope(net, top - 1, step)
-    peak = falling_root(net, top - 1, step, rate, slope, here)
-    peaks = peak < INFINITY
-    if any_lane(peaks):
-        speed = value(s.series.omega, top, peak)
-        keep_faster(s, peaks, speed, s.time + peak, value(s.series.x, top, peak), value(net, top - 1, peak))
+    keep_peak(s, here, top, rate, slope)
     at_limit = here and reaches_limit and uneventful and not endless
     until = where(at_limit, limit, s.time + step)
     if s.samples and here:

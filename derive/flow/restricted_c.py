@@ -4,7 +4,7 @@ import ast
 import textwrap
 from collections.abc import Iterator, Sequence
 
-from derive.code.restricted import Function, Text, Value, Writer
+from derive.flow.restricted import Function, Text, Value, Writer
 
 TYPES = {"V": "V", "M": "M", "S": "V *", "F": "double", "I": "int64_t", "B": "int", "A": "double *", "N": "int",
          "T": "int", "NONE": "void", "PAIR": "Pair"}  # fmt: skip
@@ -94,30 +94,31 @@ class C(Writer):
         kind = self.kind_of_call(name, values)
         if name in self.all.functions:
             return Value(self._call_of_text(self.all.functions[name], values), kind)
-        vector = any(v.kind in ("V", "M") for v in values)
-        texts = [bare(v.text) for v in values]
-        if name == "where" and not vector:
-            return Value(self.choice(*values), kind)
-        if name in ("minimum", "maximum") and kind in ("N", "I"):
-            one, other = values
-            less = "<" if name == "minimum" else ">"
-            return Value(f"({one.text} {less} {other.text} ? {one.text} : {other.text})", kind)
-        if name in VECTOR and vector:
+        if name in VECTOR and any(v.kind in ("V", "M") for v in values):
             expected = ["M", kind, kind] if name == "where" else [kind] * len(values)
             return Value(f"{VECTOR[name]}({', '.join(map(self.as_kind, values, expected))})", kind)
-        if name == "number":
-            return Value(f"(double){values[0].text}", kind)
-        if name == "integer":
-            return Value(f"(int64_t){values[0].text}", kind)
-        if name == "tail":
-            return Value(f"({texts[0]} + 1)", kind)
-        if name == "none_of":
-            return Value("(M){0}", "M")
-        if name == "prologue":
-            return Value(f"IN(prologue)(job->scalar, job->scalar_end, c, {texts[1]})", kind)
-        if self.state and values and values[0].kind in ("LANE", "LANES"):
+        return Value(self._primitive(name, values, kind), kind)
+
+    def _primitive(self, name: str, values: Sequence[Value], kind: str) -> str:
+        one, *others = values or [Value("", "")]
+        texts = [bare(v.text) for v in values]
+        if name in ("minimum", "maximum") and kind in ("N", "I"):
+            less = "<" if name == "minimum" else ">"
+            return f"({one.text} {less} {others[0].text} ? {one.text} : {others[0].text})"
+        match name:
+            case "where":
+                return self.choice(one, *others)
+            case "number" | "integer":
+                return f"({'double' if name == 'number' else 'int64_t'}){one.text}"
+            case "none_of":
+                return "(M){0}"
+            case "tail":
+                return f"({texts[0]} + 1)"
+            case "prologue":
+                return f"IN(prologue)(job->scalar, job->scalar_end, c, {texts[1]})"
+        if one.kind in ("LANE", "LANES"):
             texts[0] = "b, lane" if self.lane else "b"
-        return Value(f"{SCALAR.get(name, REDUCED.get(name, name))}({', '.join(texts)})", kind)
+        return f"{SCALAR.get(name, REDUCED.get(name, name))}({', '.join(texts)})"
 
     def _call_of_text(self, f: Function, values: Sequence[Value]) -> str:
         texts = []

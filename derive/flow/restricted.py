@@ -213,6 +213,18 @@ class Writer:
                 return self._attribute(f"{holder}.{middle}", name, e)
             case ast.Subscript():
                 return self.element(e)
+            case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
+                return self._call(name, arguments, e)
+            case ast.IfExp(test=test, body=a, orelse=b):
+                chosen, one, other = self.value(test), self.value(a), self.value(b)
+                if chosen.kind != "N":
+                    self.refuse(e, "a choice by lane is `where`")
+                return Value(self.choice(chosen, one, other), joined((one, other), "SVFIKN"))
+        return self._operation(e)
+
+    def _operation(self, e: ast.expr) -> Value:
+        """The same of signs and of choices."""
+        match e:
             case ast.BinOp(left=a, op=op, right=b) if type(op) in SIGNS:
                 one, other = self.value(a), self.value(b)
                 return Value(self.binary(one, SIGNS[type(op)], other), joined((one, other)))
@@ -230,13 +242,6 @@ class Writer:
                 values = [self.value(x) for x in parts]
                 kind = joined(values, "MBN")
                 return Value(self.logic("and" if isinstance(op, ast.And) else "or", values, kind), kind)
-            case ast.IfExp(test=test, body=a, orelse=b):
-                chosen, one, other = self.value(test), self.value(a), self.value(b)
-                if chosen.kind != "N":
-                    self.refuse(e, "a choice by lane is `where`")
-                return Value(self.choice(chosen, one, other), joined((one, other), "SVFIKN"))
-            case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
-                return self._call(name, arguments, e)
         self.refuse(e, "this expression is not in the grammar of the integrator")
         raise AssertionError
 
@@ -252,31 +257,42 @@ class Writer:
         """A member of an enumeration, or an entry of lanes, of a table or of a state, by its kind."""
         if holder in CODES and name in CODES[holder][1]:
             return self.attribute(holder, CODES[holder][0] + name, "CODE")
-        number = "F" if self.lane else "V"
         first, _, middle = holder.partition(".")
-        kind = self.kinds.get(first, "")
-        if kind in ("LANES", "LANE") and first == self.state:
-            if not middle and name in CELLS | CELLS_BY_ROLE:
-                return Value(self.attribute(holder, name, "CELL" if name in CELLS else "ROLE").text, number)
-            if middle == "series" and name in REGISTERS:
-                return Value(self.attribute(first, name, "SERIES").text, "S")
-            if middle == "has" and name in REGISTERS:
-                return Value(self.attribute(first, name, "HAS").text, "N")
-            if not middle and name in OF_LANES:
-                return Value(self.attribute(holder, name, "SHARED").text, "N")
-        if kind == "T":
-            if middle == "before" and name in PARTS:
-                return Value(self.attribute(holder, name, "PART").text, number)
-            if name in PARTS and not middle:
-                return Value(self.attribute(holder, name, "PART").text, number)
-            if name in OF_TABLE:
-                return Value(self.attribute(holder, name, "OF_TABLE").text, "N")
-            if name == "series":
-                return Value(self.attribute(holder, name, "OF_TABLE").text, "S")
-        if kind == "Q" and name in ("now", "series", "rate"):
-            return Value(self.attribute(holder, name, "OF_STATE").text, number if name == "now" else "S")
-        self.refuse(e, f"lanes, tables and states have no entry {name}")
-        raise AssertionError
+        entries = {"T": self._of_table, "Q": self._of_state}.get(self.kinds.get(first, ""), self._of_lanes)
+        what, kind = entries(first, middle, name)
+        if not what:
+            self.refuse(e, f"lanes, tables and states have no entry {name}")
+        holder = first if what in ("SERIES", "HAS") else holder
+        number = OF_ONE_LANE.get(kind, kind) if self.lane else kind
+        return Value(self.attribute(holder, name, what).text, number)
+
+    def _of_lanes(self, first: str, middle: str, name: str) -> tuple[str, str]:
+        """What an entry of lanes is, and its kind."""
+        if first != self.state:
+            return "", ""
+        if name in REGISTERS and middle:
+            return {"series": ("SERIES", "S"), "has": ("HAS", "N")}.get(middle, ("", ""))
+        if middle:
+            return "", ""
+        if name in CELLS:
+            return "CELL", "V"
+        if name in CELLS_BY_ROLE:
+            return "ROLE", "V"
+        return ("SHARED", "N") if name in OF_LANES else ("", "")
+
+    def _of_table(self, first: str, middle: str, name: str) -> tuple[str, str]:
+        """What an entry of a table, or of the one before it, is, and its kind."""
+        if middle not in ("", "before"):
+            return "", ""
+        if name in PARTS:
+            return "PART", "V"
+        if name in OF_TABLE:
+            return "OF_TABLE", "N"
+        return ("OF_TABLE", "S") if name == "series" else ("", "")
+
+    def _of_state(self, first: str, middle: str, name: str) -> tuple[str, str]:
+        """What an entry of a state is, and its kind."""
+        return ("OF_STATE", {"now": "V", "series": "S", "rate": "S"}.get(name, "")) if not middle else ("", "")
 
     def _call(self, name: str, arguments: Sequence[ast.expr], e: ast.Call) -> Value:
         if name not in PRIMITIVES and name not in self.all.functions:
@@ -308,16 +324,8 @@ class Writer:
                     pass
                 case ast.Expr(value=ast.Call() as e):
                     yield from self.run(self.value(e))
-                case ast.Assign(targets=[ast.Tuple(elts=[ast.Name(id=a), ast.Name(id=b)])], value=value):
-                    pair = self.value(value)
-                    self.kinds |= {a: "V", b: "V"}
-                    yield from self.let_pair(a, b, pair)
-                case ast.Assign(targets=[ast.Name(id=name)], value=value):
-                    yield from self._let(name, self.value(value), s)
-                case ast.AnnAssign(target=ast.Name(id=name), annotation=kind, value=ast.expr() as value):
-                    yield from self._let(name, self.value(value), s, annotation(kind, self.function.path, s))
-                case ast.Assign(targets=[ast.Attribute() | ast.Subscript() as target], value=value):
-                    yield from self.store(target, self.value(target), self.value(value))
+                case ast.Assign() | ast.AnnAssign():
+                    yield from self._assign(s)
                 case ast.For(iter=ast.Call(func=ast.Name(id="up" | "down" as way), args=[a, b])):
                     yield from self._count(way, self.value(a), self.value(b), s)
                 case ast.For(target=ast.Name(id=name), iter=ast.Attribute(attr="tables" | "states" as what)):
@@ -335,6 +343,21 @@ class Writer:
                     yield from self.give(self.value(e))
                 case _:
                     self.refuse(s, "this statement is not in the grammar of the integrator")
+
+    def _assign(self, s: ast.stmt) -> Iterator[str]:
+        match s:
+            case ast.Assign(targets=[ast.Tuple(elts=[ast.Name(id=a), ast.Name(id=b)])], value=value):
+                pair = self.value(value)
+                self.kinds |= {a: "V", b: "V"}
+                yield from self.let_pair(a, b, pair)
+            case ast.Assign(targets=[ast.Name(id=name)], value=value):
+                yield from self._let(name, self.value(value), s)
+            case ast.AnnAssign(target=ast.Name(id=name), annotation=kind, value=ast.expr() as value):
+                yield from self._let(name, self.value(value), s, annotation(kind, self.function.path, s))
+            case ast.Assign(targets=[ast.Attribute() | ast.Subscript() as target], value=value):
+                yield from self.store(target, self.value(target), self.value(value))
+            case _:
+                self.refuse(s, "this assignment is not in the grammar of the integrator")
 
     def _let(self, name: str, value: Value, s: ast.stmt, kind: str = "") -> Iterator[str]:
         new = name not in self.kinds
