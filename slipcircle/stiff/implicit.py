@@ -231,6 +231,10 @@ class _Implicit(Integrator):
         start = now.states.T
         first_change = h * now.registers[self.rates].T
         least_size = np.maximum(np.abs(first_change), LEAST_SIZE)
+        # Near an equilibrium drive and resistance cancel: what is left of the speed has the rounding of the greatest.
+        rounding = np.zeros(start.size)
+        rounding[1] = 8 * EPS * max(abs(self.peak_omega[0]), abs(start[0, 1]))
+        least_size[:, 1] = np.maximum(least_size[:, 1], rounding[1] / (8 * EPS))
         least_size = np.maximum(np.abs(start), least_size)
         points = start + AT[:, None] * first_change
         before = np.inf
@@ -248,7 +252,7 @@ class _Implicit(Integrator):
             largest = np.abs(correction).max()
             falls_no_more = CONVERGED > largest > before / 4
             if largest <= 4 * EPS or falls_no_more:
-                return step_through(now, h, points, registers, rates)
+                return step_through(now, h, points, registers, rates, rounding)
             if not largest < before:
                 return None
             before = largest

@@ -42,6 +42,20 @@ def integrate_all(
         To start with and to overwrite; by default a copy of the problem's.
     """
     integrator = integrator or engine().integrate
+    if not problem.may_creep:
+        return _integrate(problem, samples, log, integrator, cells)
+    from slipcircle.stiff import creep  # only scenes with a viscous layer and without an end time load it
+
+    def integrate_lanes(problem: Problem, samples: Samples | None) -> Floats:
+        if log is not None:
+            log.clear()
+        return _integrate(problem, samples, log, integrator, None)
+
+    return creep.integrate(problem, samples, integrate_lanes)
+
+
+def _integrate(problem: Problem, samples: Samples | None, log: Log | None, integrator: Any, cells: Any) -> Floats:
+    """`integrate_all`, where no mass creeps."""
     state = cells
     if cells is None:
         state = problem.initial_cells()
@@ -67,7 +81,7 @@ def _integrate_again(problem: Problem, samples: Samples | None, log: Log | None,
     """All lanes from their start, as tables have been extended."""
     if log is not None:
         log.clear()
-    return integrate_all(problem, samples, log, integrator)
+    return _integrate(problem, samples, log, integrator, None)
 
 
 def _integrate_stiff(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None) -> None:

@@ -15,7 +15,7 @@ from slipcircle.core.problem.numbers import Numbers, rotates, symbols_of
 from slipcircle.core.program.build import build_program
 from slipcircle.core.program.program import Program
 from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.friction import law_parts, without_soil
+from slipcircle.core.scene.friction import law_parts, variables_of, without_soil
 from slipcircle.ground.section import Section
 from slipcircle.layers.layered import FINEST as FINEST_TABLES
 from slipcircle.layers.layered import RotationTables
@@ -108,6 +108,15 @@ class Problem(NamedTuple):
             name = names[place]
             self.tables[place] = laid_out[name]
         return True
+
+    @property
+    def may_creep(self) -> bool:
+        """Whether a mass may approach its equilibrium for ever: viscosity, forces of position, and no end time."""
+        recipe = self.recipe
+        of_position = not recipe.moving and "thermal_pressurisation" not in recipe.effects
+        if "viscosity" not in recipe.effects or not of_position or not {"slip"}.issuperset(variables_of(recipe.laws)):
+            return False
+        return bool(np.any(self.cells[ix.END_TIME] == np.inf))
 
     def initial_cells(self) -> Floats:
         """A copy of the cells at the start."""
