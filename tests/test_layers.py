@@ -8,14 +8,13 @@ import pytest
 
 from slipcircle import Scene, Section, solve
 from slipcircle.core import LayeredSection, Soil, stretches
-from slipcircle.core.walk import compiled
 from slipcircle.derivatives.parameters import with_parameter_arrays, with_parameters
-from slipcircle.layers.layered import RotationTables
 from slipcircle.tables.series import Series
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 from tests.campaigns.layered_benchmarks import CASES, differences, solved
 from tests.support.along_the_arc import AlongTheArc, random_section
+from tests.support.lanes import RotationTables, backend
 from tests.support.layered import GROUND, TOPS, TURNING, profile, tangent
 
 FORELAND = Soil(18e3, 2e3, 0.4, None, 500.0, 8.0, name="foreland")
@@ -88,7 +87,7 @@ def test_motions_of_softening_soils_are_those_of_another_integrator(
     motion = solve(Scene(section, effects=effects, end_time=60.0))
     assert (motion.peak.velocity, motion.run_out) == pytest.approx((velocity, run_out), rel=1e-9)
     assert max(motion.energy_error_estimate, motion.error_estimate) < 1e-11
-    with compiled.numpy_only():
+    with backend("NumPy"):
         assert solve(motion.plan.scene).run_out == pytest.approx(motion.run_out, rel=1e-11)
 
 
