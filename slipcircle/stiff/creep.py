@@ -32,11 +32,11 @@ CRITICAL = 4.0 / (1.0 + (math.pi / math.log(EPS)) ** 2)  # d^2 over K from which
 LEFT = 0.01  # of the run-out, when the mass is said to have arrived
 POSITIONS = 64  # over half a turn at which the net moment is looked at, and up to the equilibrium
 MARGIN = 1.25  # of the time that is tried first
-PASSES = 4  # in which the time of arrival is narrowed down
+SAMPLES = (64, 2048)  # at least and at most, between which the time of arrival is narrowed down
 SECTIONS = 16  # into which the interval of its root is divided, again and again
 COLUMNS = 20_000  # evaluated at once
 SLOW = 1e-8  # omega* at which the viscous moment is compared with that at rest
-NEXT = 1e-6  # of the rotation left, where the stiffness at the equilibrium is taken
+NEXT = 1e-6  # of the rotation left, where the stiffness at the equilibrium is taken; of a time that is to be improved
 LONGEST = 2.0**200  # dimensionless time
 
 
@@ -69,24 +69,22 @@ def integrate(problem: Problem, samples: Samples | None, integrate_lanes: Integr
     equilibrium = np.zeros(which.size)
     end_time = trial_time
     while undecided.any() and end_time.max() < LONGEST:
-        final = integrate_lanes(_until(problem, which, end_time), None)[:, which]
+        cells = integrate_lanes(_until(problem, which, end_time), None)
+        final = cells[:, which]
         moving = final[ix.STATUS] == ix.ENDED
         caught, there = _caught(problem, which, final)
         creeping |= undecided & moving & caught
         equilibrium = np.where(creeping, there, equilibrium)
         undecided &= moving & ~caught
         end_time = np.where(undecided, 2.0 * end_time, end_time)
-    lanes = which[creeping]
-    there = equilibrium[creeping]
-    arrival = _arrival(problem, lanes, there, end_time[creeping], integrate_lanes)
-    last = end_time
+    lanes, there = which[creeping], equilibrium[creeping]
+    cells[ix.REST_SINCE, lanes] = _arrival(problem, lanes, there, end_time[creeping], integrate_lanes)
     if samples is not None:
         last = np.maximum(end_time, _of_lanes(samples.times, which)[-1])
-    last = np.where(creeping, last, np.inf)
-    cells = integrate_lanes(_until(problem, which, last), samples)
-    cells[ix.TIME, lanes] = np.inf
+        integrate_lanes(_until(problem, which, last), samples)
+    cells[ix.STATUS, which[undecided]] = ix.TOO_LONG
     cells[ix.END_TIME, which] = np.inf
-    cells[ix.REST_SINCE, lanes] = arrival
+    cells[ix.TIME, lanes] = np.inf
     cells[ix.END_ROTATION, lanes] = there
     short = np.abs(cells[ix.REACH_ROTATION, lanes]) < np.abs(there)
     cells[ix.REACH_ROTATION, lanes[short]] = there[short]
@@ -138,13 +136,13 @@ def _ahead(problem: Problem, which: Lanes, now: Floats) -> Ahead:
     """The first equilibrium in the direction of travel of lanes in some states."""
     low, high = np.zeros(which.size), np.full(which.size, np.pi)
     sections = POSITIONS
-    stops = np.zeros(which.size, dtype=bool)
+    stops: NDArray[np.bool_] = np.zeros(which.size, dtype=bool)
     while sections == POSITIONS or np.any(high - low > np.spacing(high)):
         edges = low + np.linspace(0.0, 1.0, sections + 1)[:, None] * (high - low)
         net = _net(problem, which, now, edges)
         falls = (net[:-1] > 0.0) & (net[1:] <= 0.0)
         if sections == POSITIONS:
-            stops = falls.any(axis=0)
+            stops = np.asarray(falls.any(axis=0))
         place = falls.argmax(axis=0)[None]
         low, high = (np.take_along_axis(edges, place + k, axis=0)[0] for k in (0, 1))
         high = np.where(stops, high, low)
@@ -183,10 +181,13 @@ def _net(problem: Problem, which: Lanes, now: Floats, distance: Floats, omega: f
 def _arrival(problem: Problem, lanes: Lanes, equilibrium: Floats, end: Floats, integrate_lanes: Integrate) -> Floats:
     """The time from which lanes are within `LEFT` of their run-out from their equilibrium, before some end."""
     low, high = np.zeros(lanes.size), end
-    shares = np.linspace(0.0, 1.0, POSITIONS + 1)[:, None]
+    if not lanes.size:
+        return low
+    count = np.clip(COLUMNS // max(1, lanes.size), *SAMPLES)
+    shares = np.linspace(0.0, 1.0, count + 1)[:, None]
     within = LEFT * np.abs(equilibrium)
     every = np.arange(lanes.size)
-    for _ in range(PASSES):
+    while np.any(high - low > NEXT * high):
         times = low + shares * (high - low)
         all_times = np.zeros((len(shares), problem.cells.shape[1]))
         all_times[:, lanes] = times

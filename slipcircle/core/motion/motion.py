@@ -277,11 +277,11 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     def phases(self) -> tuple[Phase, ...]:
         """Phases of a single motion between its standstills."""
         scale = float(np.squeeze(self._lanes.time_scale))
-        duration = float(np.squeeze(self._duration))
+        last = float(np.squeeze(self._settling_time))
         phases = list[Phase]()
         for event, time, rotation, direction in self._log:
             if event == ix.NOTE_BEGINS:
-                phase = Phase(time * scale, duration, rotation, int(direction))
+                phase = Phase(time * scale, last, rotation, int(direction))
                 phases.append(phase)
             elif event == ix.NOTE_STANDS:
                 phase = phases.pop()

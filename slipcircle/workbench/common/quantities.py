@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.text import DIGITS, digits_left, shown
-from slipcircle.core import LayeredSection, stretches
+from slipcircle.core import LayeredSection, Status, stretches
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
@@ -125,6 +125,9 @@ def end_words(motion: Any) -> dict[str, str]:
         return {"comes to rest": "does not move", "duration": "-"}
     if motion.arrested:
         return {}
+    if motion.status is Status.CREEPS:
+        arrival = f"infinite, 99 % of the run-out in {shown(motion.settling_time)} s"
+        return {"comes to rest": "no, it creeps to its equilibrium", "duration": arrival}
     time = OUTCOMES["duration"].text(motion)
     if motion.plan.scene.end_time is None:
         return {"comes to rest": "no, nothing holds it", "duration": f"first standstill at {time}"}
