@@ -16,7 +16,7 @@ from mpmath import mpf
 from generated._compiled import LEVEL, LEVELS
 from generated.tiers import BOUNDS
 from slipcircle import Scene, load, solve
-from slipcircle.core import Series
+from slipcircle.tables import Series
 from slipcircle.workbench.cost import kernels, rows, scenes
 from slipcircle.workbench.cost.rows import Row
 from slipcircle.workbench.files.scenefile import shipped

@@ -15,7 +15,7 @@ from scipy import stats
 
 from slipcircle import Scene, backanalyse, ensemble, load, solve
 from slipcircle.core.motion.states import Status
-from slipcircle.tables.series import Series
+from slipcircle.tables import Series
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.scenefile import load as read
 from slipcircle.workbench.files.schema import schema

@@ -9,7 +9,7 @@ import pytest
 
 import slipcircle
 from generated import layout as ix
-from slipcircle.tables.series import Pulse, Series
+from slipcircle.tables import Pulse, Series
 from tests.support.lanes import BACKENDS, BINARY, Problem, Samples, build_problem, compiled, integrate, needs_binary
 
 pytestmark = needs_binary

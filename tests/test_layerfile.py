@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 import slipcircle
-from slipcircle.core import LayeredSection, Scene, Soil
+from slipcircle.core import Scene
+from slipcircle.layers import LayeredSection, Soil
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.files.variation import along_means

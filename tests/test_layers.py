@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, Section, solve
-from slipcircle.core import LayeredSection, Soil, stretches
 from slipcircle.derivatives.parameters import with_parameter_arrays, with_parameters
-from slipcircle.tables.series import Series
+from slipcircle.layers import LayeredSection, Soil, stretches
+from slipcircle.tables import Series
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 from tests.campaigns.layered_benchmarks import CASES, differences, solved

@@ -14,7 +14,7 @@ from generated.effects import ALL_EFFECTS, EFFECTS, LAWS
 from generated.flow import TERMS
 from slipcircle import Scene, load, plan, solve
 from slipcircle.core.motion.plan import FLOW
-from slipcircle.tables.series import Series
+from slipcircle.tables import Series
 from slipcircle.words.equation import Equation
 from slipcircle.workbench.studies.ladder import ladder
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Record, Scene, load, solve
-from slipcircle.tables.series import Pulse, Series
+from slipcircle.tables import Pulse, Series
 from slipcircle.workbench.records import recordfiles
 from slipcircle.workbench.records.records import read_pore_pressure, read_record
 

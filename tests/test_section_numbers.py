@@ -9,9 +9,9 @@ import pytest
 from flint import arb, ctx
 
 from slipcircle import Scene, Section, backanalyse, load, solve
-from slipcircle.core import with_parameters
 from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.coordinates import arc_numbers
+from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support import section_references, taylor
 from tests.support.differences import check_derivatives

@@ -16,7 +16,7 @@ from generated.flow import INPUTS
 from generated.growth import arc_growth
 from slipcircle.base.kinds import Floats
 from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.weights import MomentCoefficients, SlidingBody
+from slipcircle.core.scene.mass import Mass, MomentCoefficients
 from slipcircle.derivatives.complex_step import derivative, with_derivatives, with_parts
 from slipcircle.derivatives.transport import SectionDerivatives, section_derivatives
 from slipcircle.ground.section import Section
@@ -53,7 +53,7 @@ class Directions:
         return with_parts(value, self.one(name))
 
 
-class ArcWithDerivatives(SlidingBody):
+class ArcWithDerivatives(Mass):
     """What a program takes from an arc or a section, as complex numbers.
 
     Attributes

@@ -12,9 +12,11 @@ import numpy as np
 from generated.effects import EFFECTS
 from slipcircle.base.kinds import Floats, Parameters
 from slipcircle.core.problem.lanes import Lanes
-from slipcircle.core.problem.numbers import Numbers, ScaledTable, symbols_of
+from slipcircle.core.problem.numbers import Numbers
 from slipcircle.core.program.program import Table
+from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import law_parts, law_paths, number_name
+from slipcircle.core.scene.piecewise import Data, continuous
 from slipcircle.derivatives.complex_step import derivative, with_parts
 from slipcircle.derivatives.geometry_derivatives import Directions, arc_with_derivatives, relative_derivative
 from slipcircle.derivatives.tangents import InputGrowth, TableGrowth
@@ -23,15 +25,6 @@ from slipcircle.layers.strength import OfRotation
 from slipcircle.tables.forcing import factor
 from slipcircle.tables.interpolation import in_pieces
 from slipcircle.tables.series import Series
-from slipcircle.tables.tables import Data, continuous
-
-
-class _ComplexNumbers(Numbers):
-    """Numbers and tables of a program with their derivatives."""
-
-    def _under_water(self, rotating: bool) -> Data:
-        """Zero, as derivatives of this table are laid out apart; its factor is that of the program."""
-        return continuous(np.zeros(1), np.zeros((1, 1)))
 
 
 class InputDerivatives(Directions):
@@ -52,7 +45,7 @@ class InputDerivatives(Directions):
     def __init__(self, lanes: Lanes, names: Sequence[str]) -> None:
         super().__init__(names)
         self.lanes = lanes
-        self.arc = arc_with_derivatives(lanes.arc, self)
+        self.arc = arc_with_derivatives(lanes.arc, self)  # type: ignore[arg-type]
         numbers = self._numbers()
         terms: dict[str, Any] = {}
         if isinstance(lanes.arc, LayeredSection):
@@ -61,7 +54,7 @@ class InputDerivatives(Directions):
         for symbol, term in terms.items():
             if not isinstance(term, OfRotation):
                 self.inputs[symbol] = self._derivative(term)
-        tables = self._tables(numbers.tables)
+        tables = self._tables(numbers)
         functions = {symbol: term for symbol, term in terms.items() if isinstance(term, OfRotation)}
         if functions:
             tables |= self._functions_of_rotation(functions)
@@ -83,13 +76,13 @@ class InputDerivatives(Directions):
 
     def _numbers(self) -> Numbers:
         """Complex numbers and tables of the effects and laws of the scene."""
-        numbers = _ComplexNumbers(self.arc, upslope=False, tolerance=0.0)
+        numbers = Numbers(self.arc)
         for effect, parameters in self.lanes.called.items():
             if effect in EFFECTS:
                 stepped = self._stepped_parameters(effect, parameters)
                 if isinstance(parameters.get("horizontal"), Series):
                     stepped = self._stepped_record(parameters)
-                numbers.add_effect(effect, stepped, rotating=False)
+                numbers.add_effect(effect, stepped)
         friction = self.lanes.friction
         of_soils = isinstance(self.lanes.arc, LayeredSection)
         if of_soils:
@@ -125,7 +118,7 @@ class InputDerivatives(Directions):
         for effect, parameters in self.lanes.called.items():
             if effect in EFFECTS:
                 called[effect] = parameters
-        complete = self.arc.section_effects(called, complete=True)
+        complete = self.arc.effects_with_own(called, complete=True)
         terms = {}
         for effect, added in complete.items():
             if effect in EFFECTS:
@@ -138,13 +131,15 @@ class InputDerivatives(Directions):
 
     # --- tables ------------------------------------------------------------------------------------------------------
 
-    def _tables(self, tables: Mapping[str, ScaledTable]) -> dict[str, TableGrowth]:
+    def _tables(self, numbers: Numbers) -> dict[str, TableGrowth]:
         """Derivatives of the scales, factors and values of the program's tables."""
         growths = dict[str, TableGrowth]()
         for slot in self.lanes.problem.program.tables:
-            if slot.name not in tables:
+            factor = numbers.inputs.get(f"{slot.name}.SCALED_BY")
+            if factor is None:
                 continue  # a function of the rotation that the soils add
-            data, scale, factor = tables[slot.name]
+            scale = numbers.inputs.get(f"{slot.name}.SCALE", 1.0)
+            data = numbers.tables.get(slot.name, continuous(np.zeros(1), np.zeros((1, 1))))
             growths[slot.name] = TableGrowth(self._growth(scale), self._growth(factor), self._by_parameter(slot, data))
         return growths
 

@@ -17,7 +17,8 @@ from generated import effects as declared
 from slipcircle.base.kinds import Flags, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
-from slipcircle.core.scene.friction import law_parts, law_paths, number_name, without_soil
+from slipcircle.core.scene.effects import without_soil
+from slipcircle.core.scene.friction import law_parts, law_paths, number_name
 from slipcircle.core.scene.scene import Scene
 from slipcircle.ground.ground import BOUNDS, FAR
 

@@ -16,6 +16,7 @@ from slipcircle.core.problem.lanes import Lanes, integrate_all
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.program.program import Log, Program, Samples
 from slipcircle.core.scene.coordinates import arc_numbers
+from slipcircle.core.scene.piecewise import Data
 from slipcircle.core.scene.scene import Scene
 from slipcircle.core.walk.integrate import Integrator
 from slipcircle.derivatives.derivatives import Sensitivity
@@ -26,7 +27,6 @@ from slipcircle.derivatives.transport import active_parameters, through_vertex
 from slipcircle.ground.section import Section
 from slipcircle.layers.layers import LayeredSection
 from slipcircle.layers.soils import share_one_law
-from slipcircle.tables.tables import Data
 
 OUTPUTS: Mapping[str, str] = {"peak_velocity": "m/s", "run_out": "m", "duration": "s", "reach": "m"}
 STIFF_STEPS = (1000.0, 1.0)  # steps that a step held short by what decays at once counts for: few first, then all
@@ -44,7 +44,7 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     """
     arc = scene.arc
     if isinstance(arc, LayeredSection):  # with what is 0 and would not be, had its numbers other values
-        complete = arc.section_effects(lanes.called, complete=True)
+        complete = arc.effects_with_own(lanes.called, complete=True)
         lanes = replace(lanes, called=complete)
         integrate_all(lanes.problem)  # as far as its tables are needed
     known = parameters(scene)

@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.kinds import Floats
+from slipcircle.core.scene.piecewise import Data
 from slipcircle.core.walk.lane_state import LaneState
 from slipcircle.core.walk.pieces import Piece
 from slipcircle.core.walk.polynomials import derivative, shifted, value
-from slipcircle.tables.tables import Data
 
 
 class TableGrowth(NamedTuple):

@@ -19,15 +19,19 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import mistakes, raise_all
 from slipcircle.base.kinds import Effects, Floats, Values
+from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
+from slipcircle.core.scene.mass import Farther
+from slipcircle.core.scene.piecewise import Tables
 from slipcircle.ground.circles import MEASURES
 from slipcircle.ground.ground import FAR
 from slipcircle.ground.section import Section, copy_computed
 from slipcircle.layers.cracks import CrackedSection
+from slipcircle.layers.layered import RotationTables
 from slipcircle.layers.layered_numbers import LayeredNumbers
 from slipcircle.layers.profile import HEAD, Profile, profile_of
 from slipcircle.layers.soils import LANE_NUMBERS, Layers, Soil, datum_mistakes, datum_of, layer_mistakes, soil_mistakes
-from slipcircle.layers.strength import ArcStrength, MeanFriction, Needs, over_circles
+from slipcircle.layers.strength import ArcStrength, MeanFriction, Needs, OfRotation, over_circles
 from slipcircle.layers.stretches import OF_GEOMETRY
 from slipcircle.layers.strips import Strips, cut_into_strips
 
@@ -303,7 +307,17 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         """Friction of the arc as a whole, as a `Scene` takes it."""
         return self.arc_strength.friction
 
-    def section_effects(self, effects: Effects, complete: bool = False) -> Effects:
+    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+        """Also what a scene says that its soils say."""
+        of_soils = "is given by the soils of a layered section; leave it out"
+        strengths = ("cohesion", "pore_pressure")
+        found = super().mistakes(friction, effects)
+        found += [f"effects.{name}: {of_soils}" for name in strengths if name in effects]
+        if friction is not None and not isinstance(friction, MeanFriction):
+            found.append(f"friction = {friction!r}: {of_soils}")
+        return found
+
+    def effects_with_own(self, effects: Effects, complete: bool = False) -> Effects:
         """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
         strength = self.arc_strength
         needs = Needs("rotation" in effects, "shaking" in effects, complete)
@@ -314,6 +328,18 @@ class LayeredSection(LayeredNumbers, CrackedSection):
                 without = [name for name in added if not name.endswith("inertia")]
                 terms[effect] = {name: added[name] for name in without}
         return {**effects, **terms}
+
+    def tables(self, effects: Effects, friction: Any, upslope: bool, tolerance: float) -> tuple[Tables, Farther | None]:
+        """The functions of the rotation that belong to its soils, as far as the mass is likely to move."""
+        functions = {}
+        for effect, terms in effects.items():
+            for name, term in terms.items():
+                if isinstance(term, OfRotation):
+                    functions[symbols_of(effect)[name]] = term
+        if not functions:
+            return {}, None
+        tables = RotationTables(self, effects["layered_strength"], functions, tolerance, upslope)
+        return tables.laid_out(tables.likely_reach(friction)), tables.laid_out
 
     def takes_geometry(self, other: Section) -> bool:
         """Whether nothing differs from another section but numbers of soils."""

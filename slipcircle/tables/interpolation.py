@@ -12,7 +12,7 @@ from numpy.polynomial import Chebyshev, Polynomial
 from numpy.polynomial.chebyshev import cheb2poly, chebfit, chebval
 
 from slipcircle.base.kinds import Floats
-from slipcircle.tables.tables import Data, continuous
+from slipcircle.core.scene.piecewise import Data, continuous
 
 Function = Callable[[Any], Any]
 TERMS = 8  # of a piece

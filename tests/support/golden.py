@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.tables.series import Series
+from slipcircle.tables import Series
 
 FILE = Path(__file__).with_name("golden.json")
 SHARES = (0.18, 0.47, 0.76)  # of the duration, at which states are taken
@@ -233,7 +233,7 @@ def differences(name: str, motion: Motion, kept: Data) -> list[str]:
     found, arc = numbers(motion, kept["times"], kept["sensitivity"] is not None), motion.plan.scene.arc
     error = motion.error_estimate + kept["estimate"] + 4e-15
     run_out, peak, duration = abs(kept["run_out"]), abs(kept["peak"]["velocity"]), max(kept["duration"], 1e-300)
-    radius, gravity, stress = float(arc.radius), float(arc.gravity), float(arc.static_normal_stress)  # type: ignore[arg-type]
+    radius, gravity, stress = float(arc.radius), float(arc.gravity), float(arc.static_normal_stress)
     # A place of greatest speed or of no pressure is a root of what is known with an error of this size.
     flat = 30 * math.sqrt(error)
     place = flat * duration

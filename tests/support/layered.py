@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.core import LayeredSection, Soil
+from slipcircle.layers import LayeredSection, Soil
 
 TURNING = ["rotation", "centripetal"]
 GROUND = [(-60, 20), (0, 20), (40, 0), (120, 0)]

@@ -8,26 +8,17 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property, partial
 from math import prod
-from typing import TYPE_CHECKING, Any, Generic, Self
+from typing import Any, Generic, Self
 
 import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.checks import choose
+from slipcircle.base.forms import Forms
 from slipcircle.base.kinds import Floats, Numbers
-from slipcircle.core.motion.forms import Forms
+from slipcircle.core.doors import room
 from slipcircle.core.motion.states import Phase, State, Status
 from slipcircle.core.motion.trajectory import Trajectory
-from slipcircle.derivatives.parameters import with_parameters
-from slipcircle.ground.section import Section
-from slipcircle.ground.turning import Journey
-from slipcircle.words.accuracy import estimate
-from slipcircle.words.summary import ensemble_summary, summary
-from slipcircle.words.warnings import collect_warnings
-
-if TYPE_CHECKING:
-    from slipcircle.derivatives.derivatives import Sensitivity
-
 
 # The state entries of each lane's end that a motion is read off.
 FINAL_ENTRIES = (
@@ -245,12 +236,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return farthest > end * (1 + SWING)
 
     @property
-    def journey(self) -> Journey:
+    def journey(self) -> Any:
         """Position at the end, for a `Section`: toe and its horizontal run-out, drop of the centroid, travel angle."""
-        section = self.plan.scene.arc
-        if not isinstance(section, Section):
-            raise AttributeError("journey: needs a Section, as an Arc has no position")
-        return section.journey(self.end.rotation)
+        return self.plan.scene.arc.journey(self.end.rotation)
 
     # --- along the way, of a single motion ---------------------------------------------------------------------------
 
@@ -310,7 +298,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @cached_property
     def _errors(self) -> Floats:
-        return estimate(self._lanes, self._final)
+        errors: Floats = room("estimate").estimate(self._lanes, self._final)
+        return errors
 
     @property
     def error_estimate(self) -> Numbers:
@@ -334,9 +323,10 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        return collect_warnings(self)
+        sentences: tuple[str, ...] = room("warnings").collect_warnings(self)
+        return sentences
 
-    def sensitivity(self) -> "Sensitivity":
+    def sensitivity(self) -> Any:
         """Exact derivatives of a single motion by every number of its scene: `slipcircle.derivatives.sensitivity`.
 
         Raises
@@ -344,8 +334,6 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         ValueError
             If the scene is exactly at its limit, where the motion has no derivative, or has arrays.
         """
-        from slipcircle.derivatives.sensitivity import sensitivity
-
         if self.shape:
             raise ValueError("sensitivity: takes a single scene; solve one case of the ensemble")
         if not self.moves and self.limit_friction == self.friction:
@@ -353,7 +341,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         at: dict[str, Any] = dict(self.outcomes)
         if not self.moves:
             at = dict.fromkeys(at, 0.0)
-        return sensitivity(self.plan.scene, self._lanes, at)
+        return room("sensitivity").sensitivity(self.plan.scene, self._lanes, at)
 
     # --- lanes, and one line of text ---------------------------------------------------------------------------------
 
@@ -375,7 +363,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
             if np.ndim(value):
                 values = np.broadcast_to(value, self.shape)
                 chosen[name] = values[index]
-        plan = replace(self.plan, scene=with_parameters(scene, chosen))
+        plan = replace(self.plan, scene=room("parameters").with_parameters(scene, chosen))
         every_lane = np.arange(prod(self.shape))
         numbers = every_lane.reshape(self.shape)[index]
         flat = np.ravel(numbers)
@@ -392,5 +380,5 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         if name:
             name += ": "
         if self.shape:
-            return f"<{prod(self.shape)} motions {name}{ensemble_summary(self)}>"
-        return f"<Motion {name}{summary(self)}>"
+            return f"<{prod(self.shape)} motions {name}{room('summary').ensemble_summary(self)}>"
+        return f"<Motion {name}{room('summary').summary(self)}>"

@@ -8,12 +8,13 @@ from typing import Any
 from generated.effects import ALL_EFFECTS, EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Names
+from slipcircle.core.doors import room
 from slipcircle.core.problem.problem import Recipe, order, recipe_of
 from slipcircle.core.program.build import build_program
 from slipcircle.core.program.program import Program
-from slipcircle.core.scene.friction import OF_SOIL, law_depends, law_names, without_soil
+from slipcircle.core.scene.effects import OF_SOIL, without_soil
+from slipcircle.core.scene.friction import law_depends, law_names
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
-from slipcircle.words.equation import Equation, equation_of
 
 DEFAULT_ACCURACY = 1e-9
 FLOW = "Taylor series in time, events as their roots"
@@ -56,9 +57,9 @@ class Plan:
     accuracy: float
 
     @property
-    def equation(self) -> Equation:
+    def equation(self) -> Any:
         """Equation of motion of this scene: its terms, and the values of its coefficients."""
-        return equation_of(self.scene, self.accuracy)
+        return room("equation").equation_of(self.scene, self.accuracy)
 
 
 def plan(scene: Scene, accuracy: float | None = None) -> Plan:

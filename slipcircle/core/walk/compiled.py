@@ -16,8 +16,8 @@ from generated.series import DIGEST, SCALAR, SERIES
 from slipcircle.base.kinds import Floats
 from slipcircle.core.program.link import RESULTS
 from slipcircle.core.program.program import Log, Program, Samples
+from slipcircle.core.scene.piecewise import Data
 from slipcircle.core.walk import integrate as in_numpy
-from slipcircle.tables.tables import Data
 
 STRIDE = 42  # coefficients from one register to the next: the highest order that C takes, and two
 ROUNDS = 50_000  # steps of some lanes between looks at the keyboard: a tenth of a second at most

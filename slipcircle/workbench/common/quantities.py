@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.text import DIGITS, digits_left, shown
-from slipcircle.core import LayeredSection, Status, stretches
+from slipcircle.core import Status
+from slipcircle.layers import LayeredSection, stretches
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.progress import track
-from slipcircle.core import Motion, Scene, parameter_value, parameters, solve, with_parameter_arrays
+from slipcircle.core import Motion, Scene, solve
+from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.cost.rows import Row, judged, medians, recommended
 

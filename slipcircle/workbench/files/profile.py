@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.checks import InputError
-from slipcircle.core import Soil, layer_mistakes
+from slipcircle.layers import Soil, layer_mistakes
 from slipcircle.workbench.files.document import shown
 
 Arguments = Mapping[str, dict[str, Any]]

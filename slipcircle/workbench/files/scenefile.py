@@ -14,7 +14,8 @@ import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import InputError, Message
-from slipcircle.core import Arc, Scene, Section, law_mistakes
+from slipcircle.core import Arc, Scene, law_mistakes
+from slipcircle.ground import Section
 from slipcircle.workbench.files.document import Document
 from slipcircle.workbench.files.keys import Table
 from slipcircle.workbench.files.layout import Layout, layout_of

@@ -6,7 +6,8 @@ from dataclasses import replace
 from typing import Any
 
 from generated.effects import INFINITY, LAWS, LIMITS, Parameter
-from slipcircle.core import RATE_LAWS, SOIL_BOUNDS
+from slipcircle.core import RATE_LAWS
+from slipcircle.derivatives import SOIL_BOUNDS
 from slipcircle.workbench.files.keys import ARC, Key, Table, declare, law_table, table_of
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS

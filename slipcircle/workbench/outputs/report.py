@@ -15,7 +15,8 @@ import numpy as np
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.progress import track
 from slipcircle.base.text import shown
-from slipcircle.core import LayeredSection, Motion, Plan, Status, law_names, plan
+from slipcircle.core import Motion, Plan, Status, law_names, plan
+from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
 from slipcircle.workbench.common.quantities import (
     OUTCOMES,

@@ -32,7 +32,7 @@ from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 
 if TYPE_CHECKING:
-    from slipcircle.core import Sensitivity
+    from slipcircle.derivatives import Sensitivity
 
 _RESIDUE = 1e-12  # of an outcome: what rounding leaves of a derivative that is 0
 WIDTH = 100  # of a table in files and pipes

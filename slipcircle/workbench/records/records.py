@@ -16,8 +16,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import EPS, INFINITY, Bounds, InputError, mistakes, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.core import STRONGEST
-from slipcircle.tables.series import Series, bad_sample
+from slipcircle.tables import STRONGEST, Series, bad_sample
 from slipcircle.workbench.records.headers import ACCELERATION, PORE_PRESSURE, UNITS, Quantity, unit_of
 from slipcircle.workbench.records.recordfiles import Samples, parse
 

@@ -21,7 +21,7 @@ from typing import Any, Literal, NamedTuple
 
 from slipcircle.base.checks import raise_all
 from slipcircle.base.progress import track
-from slipcircle.tables.series import Series
+from slipcircle.tables import Series
 from slipcircle.workbench.records.headers import ACCELERATION, unit_of
 from slipcircle.workbench.records.recordfiles import Component, components
 from slipcircle.workbench.records.records import read_samples, shaking_of

@@ -15,7 +15,7 @@ import numpy as np
 
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Floats
-from slipcircle.core import circle_through, circle_touching
+from slipcircle.ground import circle_through, circle_touching
 from slipcircle.workbench.stability.descent import Descent
 from slipcircle.workbench.stability.factors import YIELD, factors_by
 from slipcircle.workbench.stability.slices import NODES, angle_from_below

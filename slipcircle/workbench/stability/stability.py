@@ -15,16 +15,9 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.core import (
-    LayeredSection,
-    Section,
-    Soil,
-    datum_of,
-    friction_at_rest,
-    layer_mistakes,
-    pond_errors,
-    slope_errors,
-)
+from slipcircle.core import friction_at_rest
+from slipcircle.ground import Section, pond_errors, slope_errors
+from slipcircle.layers import LayeredSection, Soil, datum_of, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 

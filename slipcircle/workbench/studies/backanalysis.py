@@ -12,7 +12,8 @@ import numpy as np
 
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
-from slipcircle.core import Motion, Scene, checked, solve, with_parameters
+from slipcircle.core import Motion, Scene, checked, solve
+from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.studies.fits import fits
 from slipcircle.workbench.studies.motions import derivatives

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.tables.series import Series
+from slipcircle.tables import Series
 
 _BAND = 0.25, 20.0  # Hz, of the mean period
 _RESOLUTION = 0.05  # Hz, at most, of its spectrum

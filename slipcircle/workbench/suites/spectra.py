@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.tables.series import Series
+from slipcircle.tables import Series
 from slipcircle.workbench.suites.intensities import spectral_acceleration
 
 Spectrum = tuple[Any, Any]  # periods, s, and accelerations over gravity at a damping of 5 %
