@@ -50,8 +50,8 @@ def integrate_all(
             log.clear()
         return _integrate(problem, samples, log, integrator, None)
 
-    cells: Floats = room("creep").integrate(problem, samples, integrate_lanes)
-    return cells
+    final: Floats = room("creep").integrate(problem, samples, integrate_lanes)
+    return final
 
 
 def _integrate(problem: Problem, samples: Samples | None, log: Log | None, integrator: Any, cells: Any) -> Floats:
