@@ -40,6 +40,14 @@ NEXT = 1e-6  # of the rotation left, where the stiffness at the equilibrium is t
 LONGEST = 2.0**200  # dimensionless time
 
 
+class Now(NamedTuple):
+    """Some lanes of a problem, and their cells where they are."""
+
+    problem: Problem
+    lanes: Lanes
+    cells: Floats
+
+
 class Ahead(NamedTuple):
     """The equilibrium that lanes move towards: the rotation left, infinite without one, and rates close to it."""
 
@@ -61,37 +69,44 @@ def integrate(problem: Problem, samples: Samples | None, integrate_lanes: Integr
     integrate_lanes : callable
         Integrates all lanes of a problem to their end.
     """
-    which, trial_time = _candidates(problem)
+    which, end_time = _candidates(problem)
     if not which.size:
         return integrate_lanes(problem, samples)
     creeping = np.zeros(which.size, dtype=bool)
     undecided = ~creeping
-    equilibrium = np.zeros(which.size)
-    end_time = trial_time
     while undecided.any() and end_time.max() < LONGEST:
         cells = integrate_lanes(_until(problem, which, end_time), None)
         final = cells[:, which]
         moving = final[ix.STATUS] == ix.ENDED
-        caught, there = _caught(problem, which, final)
-        creeping |= undecided & moving & caught
-        equilibrium = np.where(creeping, there, equilibrium)
-        undecided &= moving & ~caught
+        caught, equilibrium = _caught(problem, which, final)
+        creeping = moving & caught
+        undecided = moving & ~caught
         end_time = np.where(undecided, 2.0 * end_time, end_time)
-    lanes, there = which[creeping], equilibrium[creeping]
-    cells[ix.REST_SINCE, lanes] = _arrival(problem, lanes, there, end_time[creeping], integrate_lanes)
+    lanes = which[creeping]
+    rotation = equilibrium[creeping]
+    arrival = _arrival(problem, lanes, rotation, end_time[creeping], integrate_lanes)
     if samples is not None:
-        last = np.maximum(end_time, _of_lanes(samples.times, which)[-1])
+        last_sample = samples.times[-1].max()
+        last = np.maximum(end_time, last_sample)
         integrate_lanes(_until(problem, which, last), samples)
-    cells[ix.STATUS, which[undecided]] = ix.TOO_LONG
+    _settle(cells, lanes, rotation, arrival)
     cells[ix.END_TIME, which] = np.inf
+    cells[ix.STATUS, which[undecided]] = ix.TOO_LONG
+    return cells
+
+
+def _settle(cells: Floats, lanes: Lanes, rotation: Floats, arrival: Floats) -> None:
+    """Let lanes end at their equilibrium, never."""
     cells[ix.TIME, lanes] = np.inf
-    cells[ix.END_ROTATION, lanes] = there
-    short = np.abs(cells[ix.REACH_ROTATION, lanes]) < np.abs(there)
-    cells[ix.REACH_ROTATION, lanes[short]] = there[short]
-    cells[ix.REACH_TIME, lanes[short]] = np.inf
+    cells[ix.REST_SINCE, lanes] = arrival
+    cells[ix.END_ROTATION, lanes] = rotation
     cells[ix.END_OMEGA, lanes] = 0.0
     cells[ix.END_RATE, lanes] = 0.0
-    return cells
+    reach = np.abs(cells[ix.REACH_ROTATION, lanes])
+    farthest_at_end = reach < np.abs(rotation)
+    farther = lanes[farthest_at_end]
+    cells[ix.REACH_ROTATION, farther] = rotation[farthest_at_end]
+    cells[ix.REACH_TIME, farther] = np.inf
 
 
 def _until(problem: Problem, which: Lanes, end_time: Floats) -> Problem:
@@ -104,103 +119,149 @@ def _until(problem: Problem, which: Lanes, end_time: Floats) -> Problem:
 def _candidates(problem: Problem) -> tuple[Lanes, Floats]:
     """Lanes without an end that are overdamped at the equilibrium ahead, and the time that their approach takes."""
     cells = problem.cells
-    (which,) = np.nonzero((cells[ix.END_TIME] == np.inf) & (cells[ix.STATUS] == ix.START))
+    begins = cells[ix.STATUS] == ix.START
+    endless = cells[ix.END_TIME] == np.inf
+    (which,) = np.nonzero(begins & endless)
     begun = cells[:, which].copy()
-    pull = begun[problem.program.places["driving_moment"]]
-    begun[ix.DIRECTION] = np.where(pull < 0.0, -1.0, 1.0)
-    ahead = _ahead(problem, which, begun)
+    place = problem.program.places["driving_moment"]
+    begun[ix.DIRECTION] = _direction(begun[place])
+    ahead = _ahead(Now(problem, which, begun))
     creeps = ahead.damping**2 > CRITICAL * ahead.stiffness
-    chosen = which[creeps]
-    damping, stiffness = ahead.damping[creeps], ahead.stiffness[creeps]
-    root = np.sqrt(np.maximum(damping**2 - 4.0 * stiffness, 0.0))
+    damping = ahead.damping[creeps]
+    stiffness = ahead.stiffness[creeps]
+    discriminant = damping**2 - 4.0 * stiffness
+    root = np.sqrt(np.maximum(discriminant, 0.0))
     slow_rate = 2.0 * stiffness / (damping + root)
-    return chosen, MARGIN * np.log(1.0 / LEFT) / slow_rate
+    time_to_arrive = np.log(1.0 / LEFT) / slow_rate
+    return which[creeps], MARGIN * time_to_arrive
+
+
+def _direction(towards: Floats) -> Floats:
+    """The direction of travel towards a side, 1 or -1."""
+    return np.where(towards < 0.0, -1.0, 1.0)
 
 
 def _caught(problem: Problem, which: Lanes, final: Floats) -> tuple[Any, Floats]:
     """Lanes that have all but arrived and can no longer pass their equilibrium, and where that is."""
-    now = final.copy()
-    now[ix.DIRECTION] = np.where(final[ix.END_OMEGA] < 0.0, -1.0, 1.0)
-    now[ix.ROTATION] = final[ix.END_ROTATION]
-    now[ix.SLIP] = final[ix.SLIP] + final[ix.X]
-    ahead = _ahead(problem, which, now)
-    equilibrium = now[ix.ROTATION] + now[ix.DIRECTION] * ahead.left
-    speed = np.abs(final[ix.END_OMEGA])
-    left = np.where(ahead.left <= LEFT * np.abs(equilibrium), ahead.left, 0.0)
-    below_line = (left > 0.0) & (speed <= 0.5 * ahead.damping * left)
+    cells = final.copy()
+    rotation = final[ix.END_ROTATION]
+    omega = final[ix.END_OMEGA]
+    direction = _direction(omega)
+    cells[ix.DIRECTION] = direction
+    cells[ix.ROTATION] = rotation
+    cells[ix.SLIP] += final[ix.X]
+    ahead = _ahead(Now(problem, which, cells))
+    equilibrium = rotation + direction * ahead.left
+    arrived = ahead.left <= LEFT * np.abs(equilibrium)
+    left = np.where(arrived, ahead.left, 0.0)
+    line = 0.5 * ahead.damping * left
+    below_line = np.abs(omega) <= line
     stays_below = ahead.damping**2 > CRITICAL * ahead.greatest
-    return below_line & stays_below, equilibrium
+    return arrived & below_line & stays_below, equilibrium
 
 
-def _ahead(problem: Problem, which: Lanes, now: Floats) -> Ahead:
-    """The first equilibrium in the direction of travel of lanes in some states."""
-    low, high = np.zeros(which.size), np.full(which.size, np.pi)
-    sections = POSITIONS
-    stops: NDArray[np.bool_] = np.zeros(which.size, dtype=bool)
-    while sections == POSITIONS or np.any(high - low > np.spacing(high)):
-        edges = low + np.linspace(0.0, 1.0, sections + 1)[:, None] * (high - low)
-        net = _net(problem, which, now, edges)
-        falls = (net[:-1] > 0.0) & (net[1:] <= 0.0)
-        if sections == POSITIONS:
-            stops = np.asarray(falls.any(axis=0))
-        place = falls.argmax(axis=0)[None]
-        low, high = (np.take_along_axis(edges, place + k, axis=0)[0] for k in (0, 1))
-        high = np.where(stops, high, low)
-        sections = SECTIONS
-    shares = np.append(np.linspace(0.0, 1.0, POSITIONS + 1)[1:], NEXT)
+def _ahead(now: Now) -> Ahead:
+    """The first equilibrium in the direction of travel."""
+    count = now.lanes.size
+    low = np.zeros(count)
+    high = np.full(count, np.pi)
+    low, high, falls = _bracket(now, low, high, POSITIONS)
+    high = np.where(falls, high, low)
+    while np.any(high - low > np.spacing(high)):
+        low, high, _ = _bracket(now, low, high, SECTIONS)
+    shares = np.linspace(0.0, 1.0, POSITIONS + 1)
+    shares[0] = NEXT
     left = shares[:, None] * low
+    net = _net(now, low - left)
     with np.errstate(all="ignore"):
-        stiffness = _net(problem, which, now, low - left) / left
-    damping = -_net(problem, which, now, low[None], SLOW)[0] / SLOW
-    left_at_all = np.where(stops, low, np.inf)
-    stiffness = np.where(stops, stiffness, np.inf)
-    return Ahead(left_at_all, damping, stiffness[-1], np.fmax.reduce(stiffness))
+        stiffness = np.where(falls, net / left, np.inf)
+    slowed = _net(now, low[None], SLOW)
+    return Ahead(
+        left=np.where(falls, low, np.inf),
+        damping=-slowed[0] / SLOW,
+        stiffness=stiffness[0],
+        greatest=np.fmax.reduce(stiffness),
+    )
 
 
-def _net(problem: Problem, which: Lanes, now: Floats, distance: Floats, omega: float = 0.0) -> Floats:
-    """The net moment over Theta* on lanes farther on, (distances, lanes), at rest or at a speed."""
+def _bracket(now: Now, low: Floats, high: Floats, sections: int) -> tuple[Floats, Floats, Any]:
+    """The first section between two distances in which the net moment falls through zero, and whether it does."""
+    shares = np.linspace(0.0, 1.0, sections + 1)
+    width = high - low
+    edges = low + shares[:, None] * width
+    net = _net(now, edges)
+    drives = net[:-1] > 0.0
+    stops = net[1:] <= 0.0
+    falls = drives & stops
+    first = falls.argmax(axis=0)
+    lane = np.arange(low.size)
+    before = edges[first, lane]
+    behind = edges[first + 1, lane]
+    return before, behind, falls.any(axis=0)
+
+
+def _net(now: Now, distance: Floats, omega: float = 0.0) -> Floats:
+    """The net moment over Theta* farther on, (distances, lanes), at rest or at a speed."""
     net = np.empty_like(distance)
-    together = max(1, COLUMNS // which.size)
+    together = max(1, COLUMNS // now.lanes.size)
     for first in range(0, len(distance), together):
-        rows = distance[first : first + together]
-        lanes = np.tile(which, len(rows))
-        cells = np.tile(now, len(rows))
-        cells[ix.ROTATION] += cells[ix.DIRECTION] * rows.ravel()
-        cells[ix.SLIP] += rows.ravel()
-        cells[ix.OMEGA] = omega
-        cells[ix.X] = 0.0
-        cells[ix.LIFTED] = 0.0
-        problem.extend_rotations(cells[ix.ROTATION], lanes)
-        problem.extend_tables(cells)
-        tables = [table.lanes(lanes) for table in problem.tables]
-        registers = engine().begin_phase(problem.program, tables, cells)
-        net[first : first + together] = registers[problem.program.roles["net"]].reshape(rows.shape)
+        some = slice(first, first + together)
+        net[some] = _net_at_once(now, distance[some], omega)
     return net
+
+
+def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
+    problem = now.problem
+    repeats = len(distance)
+    lanes = np.tile(now.lanes, repeats)
+    cells = np.tile(now.cells, repeats)
+    farther = distance.ravel()
+    cells[ix.ROTATION] += cells[ix.DIRECTION] * farther
+    cells[ix.SLIP] += farther
+    cells[ix.OMEGA] = omega
+    cells[ix.X] = 0.0
+    cells[ix.LIFTED] = 0.0
+    problem.extend_rotations(cells[ix.ROTATION], lanes)
+    problem.extend_tables(cells)
+    tables = [table.lanes(lanes) for table in problem.tables]
+    registers = engine().begin_phase(problem.program, tables, cells)
+    net = problem.program.roles["net"]
+    return np.reshape(registers[net], distance.shape)
 
 
 def _arrival(problem: Problem, lanes: Lanes, equilibrium: Floats, end: Floats, integrate_lanes: Integrate) -> Floats:
     """The time from which lanes are within `LEFT` of their run-out from their equilibrium, before some end."""
-    low, high = np.zeros(lanes.size), end
+    low = np.zeros(lanes.size)
+    high = end
     if not lanes.size:
         return low
-    count = np.clip(COLUMNS // max(1, lanes.size), *SAMPLES)
-    shares = np.linspace(0.0, 1.0, count + 1)[:, None]
+    count = COLUMNS // lanes.size
+    count = np.clip(count, *SAMPLES)
+    shares = np.linspace(0.0, 1.0, count + 1)
     within = LEFT * np.abs(equilibrium)
     every = np.arange(lanes.size)
+    long_enough = _until(problem, lanes, 2.0 * end)
     while np.any(high - low > NEXT * high):
-        times = low + shares * (high - low)
-        all_times = np.zeros((len(shares), problem.cells.shape[1]))
-        all_times[:, lanes] = times
-        rows = np.zeros((2 + len(problem.program.states), *all_times.shape))
-        integrate_lanes(_until(problem, lanes, 2.0 * end), Samples(all_times, rows))
-        left = np.abs(rows[0][:, lanes] - equilibrium)
+        width = high - low
+        times = low + shares[:, None] * width
+        rotation, omega = _read(long_enough, lanes, times, integrate_lanes)
+        left = np.abs(rotation - equilibrium)
         outside = left > within
-        place = len(shares) - outside[::-1].argmax(axis=0)  # behind the last one outside
-        low, high = times[place - 1, every], times[place, every]
-    speed = np.abs(rows[1][place, lanes])
-    return high - (within - left[place, every]) / speed
+        after_last_outside = outside[::-1].argmax(axis=0)
+        place = len(shares) - after_last_outside
+        low = times[place - 1, every]
+        high = times[place, every]
+    speed = np.abs(omega[place, every])
+    since_arrival = (within - left[place, every]) / speed
+    return high - since_arrival
 
 
-def _of_lanes(times: Floats, which: Lanes) -> Floats:
-    """Columns of lanes of times that may be the same for all."""
-    return times[:, which] if times.shape[1] > 1 else np.repeat(times, which.size, axis=1)
+def _read(problem: Problem, lanes: Lanes, times: Floats, integrate_lanes: Integrate) -> tuple[Floats, Floats]:
+    """Rotation and omega of some lanes at times of their own, (times, lanes)."""
+    all_times = np.zeros((len(times), problem.cells.shape[1]))
+    all_times[:, lanes] = times
+    outputs = 2 + len(problem.program.states)
+    states = np.zeros((outputs, *all_times.shape))
+    integrate_lanes(problem, Samples(all_times, states))
+    rotation, omega, *_ = states[:, :, lanes]
+    return rotation, omega
