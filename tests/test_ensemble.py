@@ -157,6 +157,12 @@ def test_pairs_are_correlated() -> None:
             ensemble(scene, 16, 1, correlation=cast(Any, wrong))
 
 
+def test_peak_and_scale_of_a_record_do_not_vary_together() -> None:
+    scene = replace(load("vaiont"), effects={"shaking": {"horizontal": RECORD, "scale": 1.0}}, end_time=1.0)
+    with pytest.raises(ValueError, match=r"shaking\.scale and shaking\.peak exclude each other: .*; vary one"):
+        grid(scene, {"shaking.scale": [1.0, 2.0], "shaking.peak_g": [0.3, 0.6]})
+
+
 def test_names_of_settings_are_checked() -> None:
     """Also those that a call without records ignored."""
     scene = replace(load("vaiont"), uncertain={"friction.angle_deg": {"distribution": "normal", "mean": 9, "std": 1}})

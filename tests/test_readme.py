@@ -164,7 +164,10 @@ def energy_error(motion: Motion) -> float:
 
 
 def test_the_largest_errors_are_those_of_the_table() -> None:
-    """Those that take seconds to find again. Rounding is not the same on every machine: within a factor of 3."""
+    """Those that take seconds to find again. Rounding is not the same on every machine: within a factor of 3.
+
+    Processors that round products and sums apart, or NumPy, may well err less.
+    """
     shown = {row[3].split("`")[1]: float(row[2].split()[0].rstrip(";")) for row in VALIDATED[:-1]}
     numbers = [k for k in accuracy.NUMBERS if not accuracy.near_limit(k)]
     numbers = [k for k in numbers if accuracy.ROWS[k]["reference"]["phases"] < accuracy.MANY]
@@ -173,11 +176,13 @@ def test_the_largest_errors_are_those_of_the_table() -> None:
         "test_accuracy_is_what_the_user_gets": max(max(accuracy.error(k)) for k in accuracy.TIMED),
         "test_energy_balances_at_all_times": max(energy_error(accuracy.solved(k)) for k in accuracy.TIMED),
     }
-    if LEVELS[LEVEL][0] == "fused":
+    fused = LEVELS[LEVEL][0] == "fused"
+    if fused:
         alphas, kernel = angles(), generated.moment_of_inertia
         found["test_accuracy"] = errors(kernel, "moment_of_inertia", alphas)[0][0]
     for name, error in found.items():
-        assert shown[name] / 3 < error < shown[name] * 3, (name, error)
+        assert error < shown[name] * 3, (name, error)
+        assert not fused or shown[name] / 3 < error, (name, error)
 
 
 # --- links -----------------------------------------------------------------------------------------------------------

@@ -199,7 +199,7 @@ def test_missing_and_huge_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     with pytest.raises(ValueError, match="holds = 'both': must be"):
         read_record(path, holds="both")  # type: ignore[arg-type]
     monkeypatch.setattr(recordfiles, "MOST_BYTES", 10)
-    with pytest.raises(ValueError, match="must be at most 1 GB"):
+    with pytest.raises(ValueError, match="must be at most 0 MB"):
         read_record(path, holds="driving")
 
 

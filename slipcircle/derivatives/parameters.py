@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import effects as declared
+from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Flags, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
@@ -191,6 +192,9 @@ def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
         elif number:
             given = effects.setdefault(table, {})
             other_name = _OTHER_FACTOR.get(number, "")
+            if f"{table}.{other_name}" in values:
+                both = f"{{{name}}} and {{{table}.{other_name}}}"
+                raise InputError("", [f"{both} exclude each other: one is the other times the record's peak; vary one"])
             given.pop(other_name, None)
             given[number] = value
         else:

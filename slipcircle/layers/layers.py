@@ -9,7 +9,7 @@ friction this is the paper's method; `slipcircle.layers.strength` has it.
 from __future__ import annotations  # so that a signature says ArrayLike
 
 import operator
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any, ClassVar
@@ -17,7 +17,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import mistakes, raise_all
+from slipcircle.base.checks import Fault, complaint, mistakes, raise_all
 from slipcircle.base.kinds import Effects, Floats, Values
 from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
@@ -88,11 +88,20 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         depth = (least, FAR, "a depth of at least 0 in m, in an array above 0")
         raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}))
         super().__post_init__()
+        raise_all("LayeredSection", complaint([self._overhang], self.shape))
+
+    @property
+    def _overhang(self) -> Fault:
+        """Arcs that reach above the centre of their circle."""
         first, last = self._angles
         steepest = np.maximum(-first, last)
-        if np.any(steepest > np.pi / 2):
-            above = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
-            raise_all("LayeredSection", [above])
+        above = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
+        return steepest > np.pi / 2, lambda k: above
+
+    def geometry_errors(self) -> Iterator[Fault]:
+        """Invalid sections, and sections that cannot move."""
+        yield from super().geometry_errors()
+        yield self._overhang
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, LayeredSection) or len(self.layers) != len(other.layers):
@@ -224,8 +233,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
             loads.append(load)
             cuts += load
         extra = np.concatenate(cuts, axis=1) if cuts else None
-        ends = [end.x for end in self._ends]
-        return cut_into_strips(self._lines_over_radius, surfaces, count, ends, extra, loads)
+        return cut_into_strips(self._lines_over_radius, surfaces, count, self._ends, extra, loads)
 
     @property
     def _datum_crossings_x(self) -> list[Floats]:

@@ -21,7 +21,7 @@ from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data
 
 Function = Callable[[Any], Any]
-FINEST = 1e-14  # accuracy to which single scenes are solved
+FINEST = 1e-14  # accuracy to which single scenes are solved: lower orders save little, and nothing under long records
 LOWEST = 5  # order, as the radius of convergence compares the last coefficients with the first five
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # beginnings of their names
@@ -139,6 +139,11 @@ def common_cells(program: Program, other: Program) -> tuple[Any, Any]:
     return np.array(places), np.array(other_places)
 
 
+def solved_accuracy(accuracy: float, lanes: int) -> float:
+    """The accuracy to which scenes are solved, where one is requested; single scenes are solved to rounding."""
+    return accuracy if lanes > 1 else min(accuracy, FINEST)
+
+
 def order(accuracy: float) -> int:
     """Order of the series with a truncation error below an accuracy, at steps of exp(-2) radii of convergence."""
     attainable = max(accuracy, 1e-16)
@@ -178,10 +183,8 @@ def build_problem(
     pushed = velocity != 0.0
     upslope = "shaking" in effects or bool(np.any(pushed))
     table_tolerance = FINEST
-    finest = min(accuracy, FINEST)  # the steps of one scene cost next to nothing, whatever their order
     if lanes > 1:
         table_tolerance = accuracy / 100
-        finest = accuracy
     numbers = Numbers(arc)
     for effect in effects:
         numbers.add_effect(effect, called[effect])
@@ -196,7 +199,7 @@ def build_problem(
     endless = end_time == np.inf
     inputs["ONE_WAY"] = _one_way(shaking)
     inputs["FIRST_ONLY"] = choose(endless, first_only, 0.0)
-    inputs["ORDER"] = order(finest)
+    inputs["ORDER"] = order(solved_accuracy(accuracy, lanes))
     return _assembled(numbers, recipe, lanes)
 
 

@@ -368,11 +368,12 @@ class GivenArc(Arc[Numbers]):
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
-        dip = self.dip
-        if dip == 0.0:
-            return super().amplitudes_per_inertia
         driving_moment = self.dimensionless.limit_friction * self.normal_load
-        return driving_moment / np.sin(dip), self.normal_load / np.cos(dip)  # J_theta = C_theta sin, J_r = C_r cos
+        of_level, radial_of_level = super().amplitudes_per_inertia
+        is_level = np.equal(self.dip, 0.0)
+        sine = np.sin(choose(is_level, 1.0, self.dip))
+        weight = choose(is_level, of_level, driving_moment / sine)  # J_theta = C_theta sin, J_r = C_r cos
+        return weight, choose(is_level, radial_of_level, self.normal_load / np.cos(self.dip))
 
     @cached_property
     def normal_load(self) -> Any:

@@ -48,7 +48,7 @@ class Scene(Generic[Numbers]):
     end_time : float or array_like, optional
         End of the integration, s; by default until the mass rests.
     accuracy : float, optional
-        Requested relative error; that of the call takes precedence.
+        Requested relative error of ensembles, see `solve`; that of the call takes precedence.
     name, note : str, optional
         What the scene describes, and the source of its numbers.
     uncertain : mapping, optional

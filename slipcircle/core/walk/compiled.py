@@ -51,8 +51,9 @@ def module() -> Any:
 
 @cache
 def _widest() -> int:
-    """The kind of processor with the widest vectors of those that run here."""
-    return min(module().LEVELS.values())
+    """The kind of processor with the widest vectors of those that run here, or the one that is asked for by name."""
+    levels = module().LEVELS
+    return levels.get(os.environ.get("SLIPCIRCLE_COMPILED"), min(levels.values()))
 
 
 _numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open

@@ -200,6 +200,15 @@ def stretch_records(motion: Any) -> list[dict[str, Any]]:
     return [stretch._asdict() | {"soil": stretch.soil.name} for stretch in stretches(arc)]
 
 
+def foreland_words(arc: Any) -> str:
+    """The soil whose strength continues beyond the exit of a layered arc; empty for another arc."""
+    if not isinstance(arc, LayeredSection) or arc.lanes_shape or arc.strength == "mass":
+        return ""
+    (layer,) = arc.arc_strength.stretches.last
+    why = "as given" if arc.foreland else "the lowest of the soils that meet there"
+    return f"the strength of {arc.soils[layer].name}, {why}"
+
+
 def plain(value: Any) -> Any:
     """A value in types of JSON; None if it is not finite."""
     if is_dataclass(value) and not isinstance(value, type):

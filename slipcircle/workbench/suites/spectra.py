@@ -21,10 +21,10 @@ def log_ratios(record: Series, periods: Floats, accelerations: Floats) -> Floats
     return np.log(ratios)
 
 
-def resampled(spectrum: Spectrum, count: int = 30) -> tuple[Floats, Floats]:
-    """A spectrum at so many periods, equally far apart on a logarithmic axis, between which it is a power."""
+def resampled(spectrum: Spectrum) -> tuple[Floats, Floats]:
+    """A spectrum at 30 periods, equally far apart on a logarithmic axis, between which it is a power."""
     periods, accelerations = np.log(np.asarray(spectrum, dtype=np.float64))
-    even = np.linspace(periods[0], periods[-1], count)
+    even = np.linspace(periods[0], periods[-1], 30)
     between = np.interp(even, periods, accelerations)
     return np.exp(even), np.exp(between)
 
