@@ -51,7 +51,8 @@ def study() -> Study:
 def test_repr_has_the_key_results(study: Study) -> None:
     assert repr(solve(VAIONT)) == "<Motion vaiont: 27.97 m/s at most; run-out 677.3 m; comes to rest after 38.08 s>"
     still = solve(replace(VAIONT, friction=0.9))
-    assert repr(still) == f"<Motion vaiont: does not move, factor of safety {still.factor_of_safety:.3f}>"
+    factor = f"factor of safety {still.factor_of_safety:.3f} by the paper's method"
+    assert repr(still) == f"<Motion vaiont: does not move, {factor}>"
     assert repr(solve(replace(VAIONT, end_time=10.0))).endswith("still moving at 10 s>")
     said = repr(many(initial_velocity=0.0))
     assert said.startswith("<3 motions vaiont: comes to rest: 2, does not move: 1; ")

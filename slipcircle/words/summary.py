@@ -11,7 +11,7 @@ from slipcircle.core.motion.states import Status
 def summary(motion: Any) -> str:
     """What happened to a single mass, in half a sentence."""
     if not motion.moves:
-        return f"does not move, factor of safety {shown(motion.factor_of_safety)}"
+        return f"does not move, factor of safety {shown(motion.factor_of_safety)} by the paper's method"
     digits = digits_left(motion.error_estimate)
     velocity = shown(motion.outcomes["peak_velocity"], digits)
     run_out = shown(motion.run_out, digits)

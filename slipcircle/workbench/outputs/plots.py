@@ -356,7 +356,7 @@ def _panels(motion: Motion) -> list[Callable[..., Any]]:
 def title(motion: Motion) -> str:
     """A scene's name and what happened, to three digits."""
     name = shorten(motion.plan.scene.name, 80)
-    outcome = f"does not move, factor of safety {shown(float(motion.factor_of_safety), 3)}"
+    outcome = f"does not move, factor of safety {shown(float(motion.factor_of_safety), 3)} by the paper's method"
     if motion.moves:
         outcome = f"{shown(motion.run_out, 3)} m in {shown(motion.settling_time, 3)} s, {ending(motion)}"
     return ": ".join(filter(None, (name[:1].upper() + name[1:], outcome)))
