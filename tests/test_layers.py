@@ -6,10 +6,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from slipcircle import Scene, Section, solve
+from slipcircle import Scene, Section, load, solve
 from slipcircle.derivatives.parameters import with_parameter_arrays, with_parameters
 from slipcircle.layers import LayeredSection, Soil, stretches
 from slipcircle.tables import Series
+from slipcircle.workbench.common.quantities import foreland_words
+from slipcircle.workbench.files.loaded import stability_of
+from slipcircle.workbench.outputs.tables import difference_words, plan_part, stretches_part
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 from tests.campaigns.layered_benchmarks import CASES, differences, solved
@@ -263,3 +266,38 @@ def test_a_drowned_slope_is_the_buoyant_one_in_all_methods() -> None:
     drowned, buoyant = Slope(GROUND, 5e3, 0.4, 20e3, pond=40.0), Slope(GROUND, 5e3, 0.4, 20e3 - 9810.0)
     factors, expected = (at_circle(slope, section).factor_of_safety for slope in (drowned, buoyant))
     assert factors == pytest.approx(expected, rel=1e-13)
+
+
+# --- what is said of layered ground ----------------------------------------------------------------------------------
+
+
+def test_a_state_has_one_normal_stress_whoever_asks() -> None:
+    """Of soils that soften the stress depends on the slip until then: at the end, the peak and the farthest point."""
+    motion = solve(load("layered-slope"))
+    arc, start = AlongTheArc(motion.plan.scene.arc, motion.plan.scene.arc), motion.at(0.0)
+    weight, _ = arc.weights(arc.columns().b)
+    columns = arc.columns()
+    pressing = float((weight[0] * np.cos(columns.b) * columns.length).sum()) / np.ptp(arc.ends)
+    assert start.normal_stress == pytest.approx(pressing, rel=1e-12)
+    for state in (motion.end, motion.peak, motion.reach):
+        assert state.normal_stress == pytest.approx(motion.at(state.time).normal_stress, rel=1e-13)
+
+
+def test_plans_and_tables_say_what_layered_scenes_do() -> None:
+    """Cohesion and pore pressure act by the soils; one reason for one effect; the foreland; the gap of this circle."""
+    motion = solve(load("layered-slope"))
+    chosen = motion.plan
+    assert {"cohesion", "pore_pressure"}.isdisjoint(chosen.left_out)
+    assert len({*chosen.why.split("; ")}) == len(chosen.why.split("; "))
+    rows = {row[0]: row[1] for row in plan_part(chosen).rows}
+    assert not {"a step's operations", "expected cost"} & {*rows}
+    assert rows["foreland"] == "the strength of clay, the lowest of the soils that meet there"
+    layered = stretches_part(motion)
+    assert layered is not None
+    assert "strength of clay" in layered.note
+    critical = stability_of(chosen.scene)
+    assert critical is not None
+    factors = factors_of_safety(chosen.scene)
+    assert f"{100 * (1 - factors['paper'] / factors['bishop']):.1f} % lower here" in difference_words(critical)
+    assert foreland_words(replace(chosen.scene.arc, foreland=FORELAND)) == "the strength of foreland, as given"
+    assert foreland_words(replace(chosen.scene.arc, strength="mass")) == foreland_words(load("vaiont").arc) == ""

@@ -12,10 +12,10 @@ from matplotlib.patches import Polygon
 from matplotlib.text import Text
 from PIL import Image, ImageSequence
 
-from slipcircle import Arc, Scene, critical, grid, load, solve
+from slipcircle import Arc, Scene, Section, critical, grid, load, solve
 from slipcircle.workbench.common.quantities import record
 from slipcircle.workbench.files.loaded import stability_of
-from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot
+from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot, sectionplot
 from slipcircle.workbench.outputs.report import report
 from slipcircle.workbench.outputs.tables import motion_column, stretches_part
 from slipcircle.workbench.outputs.trace import csv
@@ -148,6 +148,21 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
         assert np.allclose(outline[[0, -1]], radius * np.array([np.cos(ends), np.sin(ends)]).T)
     assert ("frozen geometry" in words) == (m.moves and "rotation" not in m.plan.effects)
     assert ("tangential" in words) == (name not in ("swings", "first stop", "lifted"))
+
+
+def test_the_water_level_is_drawn_where_it_is() -> None:
+    motion = solve(load("valley-side"))
+    axes = sectionplot.section(motion)
+    arc = motion.plan.scene.arc
+    assert isinstance(arc, Section)
+    level = np.asarray(arc.level).reshape(-1, 2)
+    x = np.linspace(70.0, 250.0, 19)
+    wanted = np.interp(x, *level.T)
+    lines = [np.asarray(line.get_xydata()) for line in axes.lines]
+    assert any(
+        np.allclose(np.interp(x, *line.T), wanted) for line in lines if line[0, 0] < 70.0 and line[-1, 0] > 250.0
+    )
+    assert any("water level" in text.get_text() for text in axes.texts)
 
 
 @pytest.mark.parametrize(("name", "way"), [("vaiont", 1), ("to the left", -1), ("pushed up", -1)])

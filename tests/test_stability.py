@@ -134,6 +134,22 @@ def test_a_base_may_lie_at_the_height_of_the_toe(cohesion: float, friction: floa
     Section(ACADS.ground, rock.centre, rock.radius, 20e3, between=rock.between, base=25.0)  # is not refused
 
 
+@pytest.mark.parametrize(
+    ("points", "centre", "slides"),
+    [
+        ([(-90, 0), (-10, 0), (10, 10), (90, 10)], (-4.0, 13.0), True),
+        ([(-90, 0), (-10, 0), (10, 10), (90, 10)], (-1.0, 7.0), False),  # overhangs at its right end
+        ([(-90, 10), (-10, 10), (10, 0), (90, 0)], (1.0, 7.0), False),  # at its left end
+        ([(-90, 0), (-10, 0), (2, 30), (10, 0), (90, 0)], (0.0, 12.0), False),  # its centre lies in a hill
+    ],
+)
+def test_arcs_that_overhang_and_buried_centres_have_no_factor(points: Any, centre: Any, slides: bool) -> None:
+    slope = Slope(points, 3e3, 0.3, 20e3)
+    left, right = np.array([points[1]]), np.array([points[-2]])
+    factors, _ = factors_by(slope.arrays(), np.array([centre]), np.hypot(*(left - centre).T), left, right, "paper")
+    assert np.isfinite(factors).tolist() == [slides]
+
+
 def test_a_lifted_toe_is_refused_by_bishop_alone() -> None:
     # The arc leaves the ground at about 73 deg: m_alpha = cos(73) - sin(73) mu/F is negative for factors below 2.2.
     slope = Slope([(-60, 3), (-20, 3), (0, 0), (60, 0)], 1e2, tangent(35), 2e4, k_h=0.9)

@@ -20,6 +20,7 @@ from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
 DEFAULT_ACCURACY = 1e-9
 FLOW = "Taylor series in time, events as their roots"
 WORDS = {"speed": "the speed"}
+OF_SOILS = ("pore_pressure", "cohesion")  # effects that layered ground has by its soils and water level
 STEPS = 8  # that a motion typically takes
 
 
@@ -31,7 +32,7 @@ class Plan:
     ----------
     scene : Scene
     effects, left_out : tuple of str
-        Effects of the scene, and known effects that it does not use.
+        Effects of the scene, and known effects that it does not use; soils have cohesion and pore pressure themselves.
     law : str
         The friction law.
     method, why : str
@@ -93,6 +94,7 @@ def _choice(recipe: Recipe, depends: Names, terms: int) -> dict[str, Any]:
     """What a plan is made of but for the scene's values, so that it is chosen once."""
     program = build_program(*recipe)
     effects = tuple(dict.fromkeys(map(without_soil, recipe.effects)))
+    has_soils = "layered_strength" in effects
     symbols = {*map(without_soil, recipe.moving)}
     of_rotation = list[str]()
     of_time = dict[str, None]()
@@ -108,11 +110,11 @@ def _choice(recipe: Recipe, depends: Names, terms: int) -> dict[str, Any]:
     for effect in effects:
         reasons += _reasons(effect, effect in of_time)
     reasons += [f"{e} depends on time" for e in of_time if "time" not in ALL_EFFECTS[e].depends_on]
-    reasons += [f"{e} depends on the rotation" for e in of_rotation]
+    reasons += [f"{e} depends on the rotation" for e in dict.fromkeys(of_rotation)]
     reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends]
     return {
         "effects": effects,
-        "left_out": tuple(e for e in EFFECTS if e not in effects),
+        "left_out": tuple(e for e in EFFECTS if e not in effects and (e not in OF_SOILS or not has_soils)),
         "law": _law_in_words(recipe.laws),
         "method": FLOW,
         "why": "; ".join(reasons),

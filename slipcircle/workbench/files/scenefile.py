@@ -21,14 +21,14 @@ from slipcircle.workbench.files.keys import Table
 from slipcircle.workbench.files.layout import Layout, layout_of
 from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import uncertain_numbers
-from slipcircle.workbench.files.profile import profile, surcharges
+from slipcircle.workbench.files.profile import idle_loads, profile, surcharges
 from slipcircle.workbench.files.slope import SlopeInput, motion_mistakes
 from slipcircle.workbench.files.slopekeys import LOADS, SLOPING
 from slipcircle.workbench.records.forcing import with_records
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import soil
 
-_MOST_BYTES, _DEEPEST = 10**7, 16
+_MOST_BYTES, _DEEPEST = 10**7, 64
 _FOLDER = resources.files("slipcircle") / "scenes"
 
 
@@ -178,7 +178,8 @@ def _parts(
     if slope is not None:
         strength = {} if friction is None else soil(friction, effects)
         parts["arc"], parts["stability"] = _along_slope(replace(slope, strength=strength), keys, tell, file, moving)
-        parts["remarks"] = tuple(slope.profile.remarks) if slope.profile else ()
+        remarks = slope.profile.remarks if slope.profile else []
+        parts["remarks"] = (*remarks, *(idle_loads(slope.surcharge, parts["stability"]) if parts["stability"] else ()))
     return parts | document.arguments[""], keys
 
 

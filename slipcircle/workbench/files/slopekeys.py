@@ -59,7 +59,7 @@ _UPRIGHT = declare(
     "angle",
     "angle_deg",
     "rad",
-    "its angle, at most 90",
+    "its angle, 90 for a scarp",
     0.0,
     math.nextafter(math.pi / 2, 2.0),
     math.pi / 180,

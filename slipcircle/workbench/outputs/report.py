@@ -143,7 +143,7 @@ def input_parts(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
     yield Part(["input", "value", "unit", "what it is", "source"], given, "Inputs")
     effects = []
     for name, effect in EFFECTS.items():
-        use = "used" if name in plan.effects else "not included"
+        use = "used" if name in plan.effects else "not included" if name in plan.left_out else "by the soils"
         effects.append([name, use, effect.help, effect.equation])
     yield Part(["effect", "", "what it does", "equation of the paper"], effects)
     laws = []

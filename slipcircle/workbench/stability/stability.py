@@ -1,4 +1,4 @@
-"""Factors of safety of a homogeneous slope: the paper's, the ordinary method's and Bishop's, on given circles.
+"""Factors of safety of a slope on given circles: the paper's, the ordinary method's and Bishop's.
 
 `slices` has the numerics; here are the slope as users give it, the methods' names and words, and scenes of arrays.
 """
@@ -68,7 +68,7 @@ _Layers = Sequence[tuple[Soil, Any]]  # each with its top
 
 @dataclass(frozen=True)
 class Slope:
-    """A homogeneous slope in plane strain.
+    """A slope in plane strain, of one soil or of layers.
 
     Parameters
     ----------

@@ -88,7 +88,7 @@ def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
 
 
 def standard_error(values: Floats) -> Any:
-    """Of the mean of a few independent estimates, along the first axis."""
+    """Standard error of the mean of a few independent estimates, along the first axis."""
     deviation = np.std(values, axis=0, ddof=1)
     return deviation / math.sqrt(len(values))
 
