@@ -4,7 +4,8 @@ import ast
 import textwrap
 from collections.abc import Iterator, Sequence
 
-from derive.flow.restricted import Function, Text, Value, Writer
+from derive.flow.restricted import Function, Text
+from derive.flow.writer import Value, Writer
 
 TYPES = {"V": "V", "M": "M", "S": "V *", "F": "double", "I": "int64_t", "B": "int", "A": "double *", "N": "int",
          "T": "int", "NONE": "void", "PAIR": "Pair"}  # fmt: skip
