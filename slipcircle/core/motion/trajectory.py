@@ -90,7 +90,8 @@ class Trajectory:
             status = int(STATUS_OF_END[int(ended)])
         has_turned = self._final[ix.TURNS] > 0.0
         status = choose((status == Status.RESTS) & has_turned, int(Status.TURNED), status)
-        answered = status <= Status.TURNED
+        status = choose(self._final[ix.TIME] == np.inf, int(Status.CREEPS), status)
+        answered = status <= Status.CREEPS
         still = self._final[ix.PHASES] == 0.0
         stays = still & (ended != ix.STOPPED)
         status = choose(answered & stays, int(Status.STAYS), status)
@@ -99,7 +100,7 @@ class Trajectory:
     @cached_property
     def _solved(self) -> Any:
         """Which lanes have a result."""
-        return self._status <= Status.TURNED
+        return self._status <= Status.CREEPS
 
     def _known(self, values: Any) -> Any:
         """Values of lanes with a result, NaN of the others; without negative zeros."""
@@ -111,6 +112,12 @@ class Trajectory:
         rest = self._final[ix.REST_SINCE] * self._time_scale
         ended = self._final[ix.STATUS] == ix.ENDED
         return self._known(choose(ended, self.plan.scene.until, rest))
+
+    @cached_property
+    def _settling_time(self) -> Any:
+        """Time by which each lane has covered 99 % of its run-out if it creeps, else its duration, s."""
+        time = self._final[ix.REST_SINCE] * self._time_scale
+        return choose(self._status == Status.CREEPS, time, self._duration)
 
     # --- states ------------------------------------------------------------------------------------------------------
 

@@ -21,6 +21,7 @@ from slipcircle.core.problem.plan import Plan, Recipe
 from slipcircle.core.program.build import build_program
 from slipcircle.core.program.program import Program
 from slipcircle.core.scene.effects import in_order, symbols_of, without_soil
+from slipcircle.core.scene.friction import depends_on
 from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data
 
@@ -60,6 +61,13 @@ class Problem:
     lanes: int
     function: Function | None = None
     farther: Farther | None = None
+
+    @property
+    def may_creep(self) -> bool:
+        """Whether a mass may approach its equilibrium for ever: viscosity, and forces of position."""
+        recipe = self.recipe
+        of_position = not recipe.moving and "thermal_pressurisation" not in recipe.effects
+        return "viscosity" in recipe.effects and of_position and {"slip"}.issuperset(depends_on(recipe.laws))
 
     def with_outputs(self, outputs: Names) -> "Problem":
         """The same lanes with a program that computes further outputs, too."""

@@ -1,6 +1,7 @@
 """Lanes of a problem: integrated to their end, read on the way, and phases that begin in any states of theirs."""
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -28,6 +29,17 @@ def integrate(
     log : list, optional
         Takes the events of the first lane.
     """
+    if problem.may_creep:
+        begin = problem.cells() if begin is None else begin
+        if np.any(begin[ix.END_TIME] == np.inf):
+            walk = partial(_integrate, problem, log=log)
+            final: Floats = room("creep").integrate(problem, begin, samples, walk)
+            return final
+    return _integrate(problem, begin, samples, log)
+
+
+def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, log: Log | None) -> Floats:
+    """`integrate`, where no mass creeps."""
     while True:
         if log is not None:
             log.clear()
