@@ -37,6 +37,7 @@ if TYPE_CHECKING:
         Soil,
         State,
         Status,
+        parameters,
         plan,
         solve,
     )
@@ -81,6 +82,7 @@ _PLACES = {
     "ensemble": "workbench.studies.ensemble",
     "grid": "workbench.studies.ensemble",
     "load": "workbench.files.scenefile",
+    "parameters": "core",
     "plan": "core",
     "read_suite": "workbench.records.suite",
     "solve": "core",
@@ -113,6 +115,7 @@ __all__ = [
     "ensemble",
     "grid",
     "load",
+    "parameters",
     "plan",
     "read_suite",
     "solve",

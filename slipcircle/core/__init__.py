@@ -36,11 +36,15 @@ if TYPE_CHECKING:
     from slipcircle.core.scene.weights import Dimensionless as Dimensionless
     from slipcircle.core.walk.compiled import numpy_only as numpy_only
     from slipcircle.derivatives.derivatives import Sensitivity as Sensitivity
+    from slipcircle.derivatives.neighbours import neighbour_derivatives as neighbour_derivatives
     from slipcircle.derivatives.parameters import DIP as DIP
     from slipcircle.derivatives.parameters import SOIL_BOUNDS as SOIL_BOUNDS
+    from slipcircle.derivatives.parameters import Free as Free
     from slipcircle.derivatives.parameters import Parameter as Parameter
+    from slipcircle.derivatives.parameters import free_parameters as free_parameters
     from slipcircle.derivatives.parameters import parameter_value as parameter_value
     from slipcircle.derivatives.parameters import parameters as parameters
+    from slipcircle.derivatives.parameters import possible_parameters as possible_parameters
     from slipcircle.derivatives.parameters import with_parameter_arrays as with_parameter_arrays
     from slipcircle.derivatives.parameters import with_parameters as with_parameters
     from slipcircle.ground.ground import circle_through as circle_through
@@ -71,6 +75,7 @@ _PUBLIC = {
     "tables.series": "Pulse Series",
     "core.walk.compiled": "numpy_only",
     "derivatives.derivatives": "Sensitivity",
+    "derivatives.neighbours": "neighbour_derivatives",
     "core.motion.forms": "Pictured",
     "core.motion.motion": "Motion",
     "core.motion.plan": "Plan plan step_operations",
@@ -83,7 +88,8 @@ _PUBLIC = {
     "ground.ground": "circle_through circle_touching continued pond_errors simple_slope slope_errors",
     "layers.layers": "LayeredSection",
     "derivatives.parameters": (
-        "DIP SOIL_BOUNDS Parameter parameter_value parameters with_parameter_arrays with_parameters"
+        "DIP SOIL_BOUNDS Free Parameter free_parameters parameter_value parameters possible_parameters "
+        "with_parameter_arrays with_parameters"
     ),
     "core.scene.scene": "Scene checked",
     "ground.section": "Section",

@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property, partial
+from importlib import import_module
 from math import prod
 from typing import TYPE_CHECKING, Any, Generic, Self
 
@@ -330,15 +331,15 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return collect_warnings(self)
 
     def sensitivity(self) -> "Sensitivity":
-        """Exact derivatives of a single motion by every number of its scene: `slipcircle.derivatives.sensitivity`.
+        """Derivatives of a single motion by every number of its scene, with stated errors.
+
+        They are those of neighbouring scenes, extrapolated: `slipcircle.derivatives.neighbours`.
 
         Raises
         ------
         ValueError
             If the scene is exactly at its limit, where the motion has no derivative, or has arrays.
         """
-        from slipcircle.derivatives.sensitivity import sensitivity
-
         if self.shape:
             raise ValueError("sensitivity: takes a single scene; solve one case of the ensemble")
         if not self.moves and self.limit_friction == self.friction:
@@ -346,7 +347,11 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         at: dict[str, Any] = dict(self.outcomes)
         if not self.moves:
             at = dict.fromkeys(at, 0.0)
-        return sensitivity(self.plan.scene, self._lanes, at)
+        room = import_module(
+            "slipcircle.derivatives.sensitivity"
+        )  # which solves neighbours, and so imports this module
+        found: Sensitivity = room.sensitivity(self.plan.scene, at)
+        return found
 
     # --- lanes, and one line of text ---------------------------------------------------------------------------------
 
