@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "5154598b68b861dfedd712b22a15c0340081166868f5b8a277e98e88fa4c5e78"
+#define DIGEST "ab61257e17e963ed12fa8a08c480684253e83f9a4a8b91d8781802c509250738"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.

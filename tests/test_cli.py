@@ -253,7 +253,7 @@ def test_no_command_is_silent(terminal: bool, monkeypatch: pytest.MonkeyPatch, c
         ("backanalyse vaiont", 1, "give one of --reach-m, --run-out-m, --peak-velocity-m-s, --duration-s"),
         ("backanalyse vaiont --duration-s -5", 1, "duration = -5.0: must be a positive number"),
         ("backanalyse vaiont --run-out-m abc", 2, "abc: must be a number, or one with its error"),
-        ("cost polar", 1, "function 'polar' is unknown; known are kernels, flow, polar_moment, moment_of_inertia"),
+        ("cost polar", 1, "scene 'polar' is unknown; known are layered-slope"),
         ("", 2, "required: COMMAND"),
         ("run", 2, "required: SCENE"),
         ("ruin", 2, "'ruin'"),
@@ -333,7 +333,7 @@ def test_on_numpy_alone(tmp_path: Path) -> None:
              "run vaiont --json", "plan vaiont", "plan --all", "info --json"]  # fmt: skip
     missing = {f"run vaiont --plot {tmp_path}/a.png": "plot", f"run vaiont --report {tmp_path}/a.html": "plot",
                "sweep vaiont --samples 9 --uncertain friction.angle_deg=normal:10:1": "scenes",
-               "cost --json": "derive", f"cost lambda --plot {tmp_path}/a.png": "plot"}  # fmt: skip
+               "cost polar_moment --json": "derive", f"cost --plot {tmp_path}/a.png": "plot"}  # fmt: skip
     done = fresh("-c", ALONE, "\n".join(works), "\n".join(missing))
     assert (done.returncode, done.stderr) == (0, "")
     worked, loaded, needed = json.loads(done.stdout)

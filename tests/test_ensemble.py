@@ -15,7 +15,7 @@ from scipy import stats
 
 from slipcircle import Scene, backanalyse, ensemble, load, solve
 from slipcircle.core.motion.states import Status
-from slipcircle.tables.series import Series
+from slipcircle.tables import Series
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.scenefile import load as read
 from slipcircle.workbench.files.schema import schema
@@ -155,6 +155,12 @@ def test_pairs_are_correlated() -> None:
     for words, wrong in wrongs.items():
         with pytest.raises(ValueError, match=words):
             ensemble(scene, 16, 1, correlation=cast(Any, wrong))
+
+
+def test_peak_and_scale_of_a_record_do_not_vary_together() -> None:
+    scene = replace(load("vaiont"), effects={"shaking": {"horizontal": RECORD, "scale": 1.0}}, end_time=1.0)
+    with pytest.raises(ValueError, match=r"shaking\.scale and shaking\.peak exclude each other: .*; vary one"):
+        grid(scene, {"shaking.scale": [1.0, 2.0], "shaking.peak_g": [0.3, 0.6]})
 
 
 def test_names_of_settings_are_checked() -> None:

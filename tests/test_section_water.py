@@ -8,12 +8,10 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, Section, solve
-from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
-from slipcircle.core.walk import compiled
-from slipcircle.derivatives import transport
 from tests.campaigns import section_heights
 from tests.support import accuracy, references, section_references, taylor
 from tests.support.grounds import GROUND, LEVEL
+from tests.support.lanes import backend
 
 GAMMA = 20e3
 
@@ -56,7 +54,7 @@ def test_a_thin_mass_lands_where_it_leaves_the_water(wide: float, friction: floa
     assert (motion.arrested, len(motion.lift_off)) == (reference["arrested"], 1)
     assert max(accuracy.true_error(motion, reference)) < 1e-10
     assert motion.error_estimate < 1e-11
-    with compiled.numpy_only():
+    with backend("NumPy"):
         assert solve(motion.plan.scene).run_out == pytest.approx(motion.run_out, rel=1e-10)
 
 
@@ -74,15 +72,6 @@ def test_derivatives_of_the_mean_cover_of_an_overhanging_arc() -> None:
     ground, level = [[-100, 20], [0, 20], [20, 0], [100, 0]], [[-100, 19], [0, 19], [19, 0], [100, 0]]
     section = Section(ground, [12.0, 15.0], 13.0, GAMMA, level=level)
     assert section.mean_pressure(0.5 + 2 * np.pi) == pytest.approx(section.mean_pressure(0.5), rel=1e-14)
-    names = ["ground.1.y", "ground.2.x", "centre.y", "radius"]
-    found = transport.section_derivatives(section, names).heights
-    for name, derivative in zip(names, found, strict=True):
-        other = [
-            dataclasses.replace(section, **changed_fields(section, {name: arc_numbers(section)[name] + h}))
-            for h in (1e-5, -1e-5)
-        ]
-        slope = np.diff([2 * s.half_angle * s.mean_cover / s.radius for s in other])[0] / -2e-5
-        assert derivative == pytest.approx(slope, rel=1e-6)
 
 
 def body(level: Any = LEVEL, **more: Any) -> Section:

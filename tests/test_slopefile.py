@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import slipcircle
-from slipcircle.core import with_parameters
+from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.files.variation import slope_of

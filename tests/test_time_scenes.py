@@ -11,7 +11,7 @@ import pytest
 from mpmath import mpf
 
 from slipcircle import Scene, load, solve
-from slipcircle.tables.series import Pulse, Series
+from slipcircle.tables import Pulse, Series
 
 ARC: Any = load("vaiont").arc
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}

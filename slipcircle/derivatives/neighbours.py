@@ -2,8 +2,9 @@
 
 Each number is moved down and up by a ladder of steps h, h/2, h/4, ... Along a ladder an outcome is a + b h + c h^2 +
 ... as far as the motion is smooth, so that differences are extrapolated to h = 0: on each side its value a and its
-slope b, both without the motion itself, and between both sides the central difference, in even powers. Values unlike the
-motion's own are a jump, unlike slopes a kink. What one ladder leaves open gets the next, which begins where it ends.
+slope b, both without the motion itself, and between both sides the central difference, in even powers. Values unlike
+the motion's own are a jump, unlike slopes a kink. What one ladder leaves open gets the next, which begins where it
+ends.
 """
 
 from collections.abc import Iterator, Mapping, Sequence

@@ -14,10 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import effects as declared
+from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Flags, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
-from slipcircle.core.scene.friction import law_parts, law_paths, number_name, without_soil
+from slipcircle.core.scene.effects import without_soil
+from slipcircle.core.scene.friction import law_parts, law_paths, number_name
 from slipcircle.core.scene.scene import Scene
 from slipcircle.ground.ground import BOUNDS, FAR
 from slipcircle.layers.layers import LayeredSection
@@ -285,6 +287,9 @@ def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
         elif number:
             given = effects.setdefault(table, {})
             other_name = _OTHER_FACTOR.get(number, "")
+            if f"{table}.{other_name}" in values:
+                both = f"{{{name}}} and {{{table}.{other_name}}}"
+                raise InputError("", [f"{both} exclude each other: one is the other times the record's peak; vary one"])
             given.pop(other_name, None)
             given[number] = value
         else:

@@ -13,7 +13,10 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, complaint, raise_all
 from slipcircle.base.kinds import Effects, Floats
-from slipcircle.core.scene.weights import Dimensionless, MomentCoefficients, SlidingBody
+from slipcircle.core.doors import room
+from slipcircle.core.scene.effects import rotates
+from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
+from slipcircle.core.scene.piecewise import Tables
 from slipcircle.ground.errors import geometry_errors, motion_errors
 from slipcircle.ground.geometry import SectionGeometry
 from slipcircle.ground.ground import line_errors, section_errors
@@ -26,7 +29,7 @@ _OF_GEOMETRY += ["sagitta", "pressure_kinks", "_lines_over_radius", "_strips", "
 
 
 @dataclass(frozen=True)
-class Section(SlidingBody, SectionGeometry):
+class Section(SectionGeometry, Mass):
     """A slip circle through a ground of straight edges, with the mass between ground and arc.
 
     Parameters
@@ -91,7 +94,6 @@ class Section(SlidingBody, SectionGeometry):
         "level": 2,
     }
     rounding: ClassVar[float] = 1e-14
-    given: ClassVar[None] = None
 
     def __post_init__(self) -> None:
         errors = section_errors(vars(self), self.quantities)
@@ -118,17 +120,22 @@ class Section(SlidingBody, SectionGeometry):
         levels = () if self.level is None else line_errors("level", self._level)
         return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
 
-    def section_effects(self, effects: Effects) -> Effects:
+    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+        """Why the method gives no motion, if so, and what a water level cannot be combined with."""
+        found = [f"arc: {sentence}" for sentence in complaint(motion_errors(self), self.shape)]
+        if self.level is not None and "ratio" in effects.get("pore_pressure", {}):
+            found.append(
+                "{effects.pore_pressure.ratio}: cannot be combined with the level of the section, which says the pore "
+                "pressure already; leave one out"
+            )
+        return found
+
+    def effects_with_own(self, effects: Effects) -> Effects:
         """Adds the mean pressure below the water level, which stays in place as the mass turns through it."""
         if self.level is None:
             return effects
         ratio_or_pressure = effects.get("pore_pressure", {})
         return {**effects, "pore_pressure": {**ratio_or_pressure, "level": self.mean_pressure}}
-
-    @cached_property
-    def no_motion(self) -> str | None:
-        """Why the method gives no motion, if so."""
-        return next(iter(complaint(motion_errors(self), self.shape)), None)
 
     @property
     def _weighted_moments(self) -> Mapping[str, Floats]:
@@ -226,6 +233,14 @@ class Section(SlidingBody, SectionGeometry):
         mean_height = (integral / (last - first)).reshape(shape)
         pressure = mean_height * np.multiply(self.radius, self.water_unit_weight)
         return pressure[()]
+
+    def tables(self, effects: Effects, friction: Any, upslope: bool, tolerance: float) -> tuple[Tables, Farther | None]:
+        """The mean pressure below the water level, Pa."""
+        pressure = effects.get("pore_pressure", {}).get("level")
+        if pressure is None:
+            return {}, None
+        table = room("water").pressure_table(self, pressure, rotates(effects), upslope, tolerance)
+        return {"water": table}, None
 
     @cached_property
     def pressure_kinks(self) -> Any:

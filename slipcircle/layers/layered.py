@@ -7,31 +7,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats, Parameters
-from slipcircle.ground.section import Section
-from slipcircle.layers.layers import LayeredSection
+from slipcircle.core.scene.piecewise import Data, continuous
+from slipcircle.ground.water import first_rotation, upright
 from slipcircle.layers.strength import OfRotation
 from slipcircle.tables.interpolation import between_kinks
-from slipcircle.tables.tables import Data, continuous
 
-FINEST = 1e-14  # the first coefficients left out of tables for single scenes, over their greatest
 _SAMPLE = 256  # lanes whose reach is estimated
 _SHARES = np.linspace(0.0, 1.0, 41)  # of the rotation to upright, at which the energy is estimated
 _MARGIN = 1.2  # on the estimated reach
-
-
-def upright(section: Section) -> Floats:
-    """The rotation at which the normal load J_r cos(phi) - J_r' sin(phi) of the weight falls to 0, (lanes,)."""
-    load = section.moment_coefficients.normal_load
-    slope = section.moment_coefficients.normal_load_slope
-    rotation = np.arctan2(load, slope)
-    return np.ravel(rotation)
-
-
-def first_rotation(last: Floats, upslope: bool) -> Floats:
-    """The rotation from which tables to the last one begin: 0, or half a turn before the last one."""
-    if upslope:
-        return last - np.pi
-    return np.zeros_like(last)
 
 
 class RotationTables(NamedTuple):
@@ -50,7 +33,7 @@ class RotationTables(NamedTuple):
         Whether the mass may move up-slope beyond where it began.
     """
 
-    section: LayeredSection
+    section: Any
     terms: Parameters
     functions: Mapping[str, OfRotation]
     tolerance: float

@@ -9,7 +9,7 @@ friction this is the paper's method; `slipcircle.layers.strength` has it.
 from __future__ import annotations  # so that a signature says ArrayLike
 
 import operator
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any, ClassVar
@@ -17,17 +17,21 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import mistakes, raise_all
+from slipcircle.base.checks import Fault, complaint, mistakes, raise_all
 from slipcircle.base.kinds import Effects, Floats, Values
+from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
+from slipcircle.core.scene.mass import Farther
+from slipcircle.core.scene.piecewise import Tables
 from slipcircle.ground.circles import MEASURES
 from slipcircle.ground.ground import FAR
 from slipcircle.ground.section import Section, copy_computed
 from slipcircle.layers.cracks import CrackedSection
+from slipcircle.layers.layered import RotationTables
 from slipcircle.layers.layered_numbers import LayeredNumbers
 from slipcircle.layers.profile import HEAD, Profile, profile_of
 from slipcircle.layers.soils import LANE_NUMBERS, Layers, Soil, datum_mistakes, datum_of, layer_mistakes, soil_mistakes
-from slipcircle.layers.strength import ArcStrength, MeanFriction, Needs, over_circles
+from slipcircle.layers.strength import ArcStrength, MeanFriction, Needs, OfRotation, over_circles
 from slipcircle.layers.stretches import OF_GEOMETRY
 from slipcircle.layers.strips import Strips, cut_into_strips
 
@@ -84,11 +88,20 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         depth = (least, FAR, "a depth of at least 0 in m, in an array above 0")
         raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}))
         super().__post_init__()
+        raise_all("LayeredSection", complaint([self._overhang], self.shape))
+
+    @property
+    def _overhang(self) -> Fault:
+        """Arcs that reach above the centre of their circle."""
         first, last = self._angles
         steepest = np.maximum(-first, last)
-        if np.any(steepest > np.pi / 2):
-            above = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
-            raise_all("LayeredSection", [above])
+        above = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
+        return steepest > np.pi / 2, lambda k: above
+
+    def geometry_errors(self) -> Iterator[Fault]:
+        """Invalid sections, and sections that cannot move."""
+        yield from super().geometry_errors()
+        yield self._overhang
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, LayeredSection) or len(self.layers) != len(other.layers):
@@ -220,8 +233,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
             loads.append(load)
             cuts += load
         extra = np.concatenate(cuts, axis=1) if cuts else None
-        ends = [end.x for end in self._ends]
-        return cut_into_strips(self._lines_over_radius, surfaces, count, ends, extra, loads)
+        return cut_into_strips(self._lines_over_radius, surfaces, count, self._ends, extra, loads)
 
     @property
     def _datum_crossings_x(self) -> list[Floats]:
@@ -303,7 +315,17 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         """Friction of the arc as a whole, as a `Scene` takes it."""
         return self.arc_strength.friction
 
-    def section_effects(self, effects: Effects, complete: bool = False) -> Effects:
+    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+        """Also what a scene says that its soils say."""
+        of_soils = "is given by the soils of a layered section; leave it out"
+        strengths = ("cohesion", "pore_pressure")
+        found = super().mistakes(friction, effects)
+        found += [f"effects.{name}: {of_soils}" for name in strengths if name in effects]
+        if friction is not None and not isinstance(friction, MeanFriction):
+            found.append(f"friction = {friction!r}: {of_soils}")
+        return found
+
+    def effects_with_own(self, effects: Effects, complete: bool = False) -> Effects:
         """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
         strength = self.arc_strength
         needs = Needs("rotation" in effects, "shaking" in effects, complete)
@@ -314,6 +336,18 @@ class LayeredSection(LayeredNumbers, CrackedSection):
                 without = [name for name in added if not name.endswith("inertia")]
                 terms[effect] = {name: added[name] for name in without}
         return {**effects, **terms}
+
+    def tables(self, effects: Effects, friction: Any, upslope: bool, tolerance: float) -> tuple[Tables, Farther | None]:
+        """The functions of the rotation that belong to its soils, as far as the mass is likely to move."""
+        functions = {}
+        for effect, terms in effects.items():
+            for name, term in terms.items():
+                if isinstance(term, OfRotation):
+                    functions[symbols_of(effect)[name]] = term
+        if not functions:
+            return {}, None
+        tables = RotationTables(self, effects["layered_strength"], functions, tolerance, upslope)
+        return tables.laid_out(tables.likely_reach(friction)), tables.laid_out
 
     def takes_geometry(self, other: Section) -> bool:
         """Whether nothing differs from another section but numbers of soils."""

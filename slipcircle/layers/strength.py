@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats, Names, Parameters
-from slipcircle.core.scene.friction import OF_SOIL
+from slipcircle.core.scene.effects import OF_SOIL
 from slipcircle.layers.soils import distinct, share_one_law
 from slipcircle.layers.stretches import StretchIntegrals
 

@@ -43,7 +43,7 @@ class StretchIntegrals:
 
     @cached_property
     def stretches(self) -> Stretches:
-        """Where the soil at the base changes, from the entry to the exit; a foreland's comes in at the exit."""
+        """Where the soil at the base changes, both ends of the arc included; beyond the exit lies the foreland."""
         section = self.section
         strips = section._strips
         faces_right = section._facing[:, None] > 0.0
@@ -51,22 +51,15 @@ class StretchIntegrals:
         edges_from_right = -strips.beta[:, ::-1]
         base = np.where(faces_right, strips.base, base_from_right)
         edges = np.where(faces_right, strips.beta, edges_from_right)
-        first = base[:, 0]
-        last = base[:, -1]
-        if section.foreland is not None:  # the layer of a further strip, beyond the exit
-            last = np.full_like(last, len(section.layers))
-            exit_ = edges[:, -1:]
-            foreland = last[:, None]
-            base = np.concatenate([base, foreland], axis=1)
-            edges = np.concatenate([edges, exit_], axis=1)
+        if section.foreland is not None:
+            base[:, -1] = len(section.layers)
         before = base[:, :-1]
         after = base[:, 1:]
-        joint = edges[:, 1:-1]
         changes = np.any(before != after, axis=0)
-        joint = joint[:, changes]
+        joint = edges[:, changes]
         before = before[:, changes]
         after = after[:, changes]
-        return Stretches(joint, before, after, first, last)
+        return Stretches(joint, before, after, base[:, 0], base[:, -1])
 
     @cached_property
     def span(self) -> tuple[Floats, Floats]:

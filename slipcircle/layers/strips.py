@@ -37,7 +37,8 @@ class Strips:
     above : ndarray
         Whether a surface lies above the arc in a strip.
     base : ndarray
-        The layer at the arc, counted from the ground, (circles, strips).
+        The layer at the arc, counted from the ground, beyond the left end, in each strip, and beyond the right end,
+        (circles, strips + 2).
     loads : sequence
         Surcharges on the ground, each by both its ends, x1 and x2, (circles, 1).
     """
@@ -60,7 +61,7 @@ def cut_into_strips(
     lines: Sequence[Floats],
     surfaces: Sequence[Sequence[int]],
     layers: int,
-    ends: Sequence[Floats],
+    ends: Sequence[Vectors],
     extra: Floats | None = None,
     loads: Sequence[Sequence[Floats]] = (),
 ) -> Strips:
@@ -75,8 +76,8 @@ def cut_into_strips(
         The numbers of the lines of which each surface is the lower envelope.
     layers : int
         How many of the lines, from the first on, are tops of layers.
-    ends : pair of ndarray
-        x of both ends of the arcs, (circles,).
+    ends : pair of Vectors
+        Both ends of the arcs, (circles,).
     extra : ndarray, optional
         Further x at which to cut, (circles or 1, M).
     loads : sequence
@@ -84,7 +85,7 @@ def cut_into_strips(
     """
     first, last = ends
     lines = [continued(line, -2.0, 2.0) for line in lines]  # beyond both sides of the circle
-    edges = _edges(lines, first, last, extra)
+    edges = _edges(lines, first.x, last.x, extra)
     left = edges[:, :-1]
     right = edges[:, 1:]
     middle = (left + right) / 2
@@ -97,12 +98,16 @@ def cut_into_strips(
     by_surface = [_lowest(at_middle, chosen) for chosen in surfaces]
     lowest = np.stack(by_surface)
     height = np.take_along_axis(at_middle, lowest, 0)
+    tops = lines[:layers]
+    beyond_left = _layer_at_end(tops, first, _ON_ARC)
+    beyond_right = _layer_at_end(tops, last, -_ON_ARC)
+    in_strips = _base(at_middle[:layers], arc)
     return Strips(
         x=edges,
         y=np.take_along_axis(start, lowest, 0),
         slope=np.take_along_axis(slope, lowest, 0),
         above=height > arc,
-        base=_base(at_middle[:layers], arc),
+        base=np.concatenate([beyond_left, in_strips, beyond_right], axis=1),
         loads=loads,
     )
 
@@ -121,6 +126,19 @@ def _base(tops: Floats, arc: Floats) -> Integers:
     boundaries = np.minimum.accumulate(tops, axis=0)
     above = np.count_nonzero(boundaries > arc, axis=0)
     return np.maximum(above - 1, 0)
+
+
+def _layer_at_end(tops: Sequence[Floats], end: Vectors, inward: float) -> Integers:
+    """The layer at an end of the arcs, whose soil goes on beyond it, (circles, 1).
+
+    Of boundaries that coincide there the lowest soil counts. The strip beside the end does not decide this: of no width
+    in some circles, its layer would be rounding.
+    """
+    x = end.x[:, None]
+    inside = x + inward  # at a scarp the ground of the mass counts
+    heights = [edge_below(top, x, inside)[0] for top in tops]
+    just_below = end.y[:, None] - _ON_ARC
+    return _base(np.stack(heights), just_below)
 
 
 def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats | None) -> Floats:

@@ -17,6 +17,7 @@ from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.problem import Problem, common_cells
 from slipcircle.core.program.program import Log, Samples
+from slipcircle.core.scene.piecewise import Data
 from slipcircle.core.walk.compiled import engine
 from slipcircle.core.walk.events import Event
 from slipcircle.core.walk.integrate import Integrator
@@ -33,7 +34,6 @@ from slipcircle.stiff.radau import (
     step_factor,
     step_through,
 )
-from slipcircle.tables.tables import Data
 
 CREEP = 1e-12  # of the greatest speed, below which a mass without an end time creeps without end
 ENDLESS = 1e12  # dimensionless time, thirty thousand years and more, after which a motion has no end

@@ -51,6 +51,15 @@ def factor(effect: str, given: Parameters, name: str) -> Any:
     return given["peak"] / recorded_peak
 
 
+def record_numbers(shaking: Parameters) -> dict[str, Any]:
+    """The scale and the peak of shaking by a record, which stand for each other."""
+    record = shaking["horizontal"]
+    if not isinstance(record, Series):
+        return {}
+    scale = factor("shaking", shaking, "horizontal")
+    return {"shaking.scale": scale, "shaking.peak": scale * record.greatest}
+
+
 def in_time(called: Effects) -> dict[str, Series | Pulse]:
     """What changes with time in the effects of a single scene, with its factors, by ``effect.parameter``."""
     functions = {}

@@ -12,7 +12,7 @@ from numpy.polynomial import Chebyshev, Polynomial
 from numpy.polynomial.chebyshev import cheb2poly, chebfit, chebval
 
 from slipcircle.base.kinds import Floats
-from slipcircle.tables.tables import Data, continuous
+from slipcircle.core.scene.piecewise import Data, continuous
 
 Function = Callable[[Any], Any]
 TERMS = 8  # of a piece
@@ -116,6 +116,7 @@ def _first_pieces(edges: Floats, widest: float) -> tuple[Floats, Floats]:
     last = start + width * share_after[:, None]
     at_end = share_after == 1.0
     last[at_end] = end[at_end]
+    first[:1] = edges[0]  # also where the kinks next to it are one with it
     return first, last
 
 
@@ -154,7 +155,7 @@ def _next_coefficients(chebyshev: Floats) -> Floats:
 def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
     """The same polynomials in powers of the distance to the beginning of each piece."""
     powers = np.einsum("tk,pkfn->ptfn", _POWERS, chebyshev)
-    is_empty = width == 0.0
+    is_empty = width <= _SAME  # of which only the value has digits
     half = np.where(is_empty, np.inf, width / 2)
     exponents = _ORDERS[:, None, None]
     units = half[:, None, None] ** exponents

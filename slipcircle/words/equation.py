@@ -15,9 +15,9 @@ from generated.effects import ALL_EFFECTS, LAWS, Parameter
 from generated.flow import BALANCE, COEFFICIENTS, EQUATION_QUANTITIES, LATEX, TERMS
 from slipcircle.base.kinds import Names, Parameters
 from slipcircle.core.problem.lanes import Lanes
-from slipcircle.core.problem.numbers import rotates
 from slipcircle.core.problem.scene_lanes import lanes_of
-from slipcircle.core.scene.friction import OF_SOIL, law_parts, law_paths, soil_number, without_soil
+from slipcircle.core.scene.effects import OF_SOIL, rotates, soil_number, without_soil
+from slipcircle.core.scene.friction import law_parts, law_paths
 from slipcircle.core.scene.scene import Scene
 
 VARIABLES = {

@@ -13,6 +13,8 @@ from generated import effects as declared
 from slipcircle.core.scene.scene import Scene
 from slipcircle.derivatives.parameters import possible_parameters
 
+_STRONG, _STRONGEST = 1e6, 5.0  # Pa, g
+
 
 def questions(scene: Scene) -> Iterator[str]:
     """A sentence for each number of a scene that was probably meant in another unit."""
@@ -24,10 +26,18 @@ def questions(scene: Scene) -> Iterator[str]:
         numbers = np.asarray(values, dtype=np.float64)
         for value in np.unique(numbers).tolist():
             question = _of_friction(value) if is_friction else _of_unit(value, unit)
+            if name == "shaking.amplitude" and abs(value) > _STRONGEST:
+                question = f"no ground has shaken with more than {_STRONGEST:g} g; is that in m/s^2 or in %?"
+            if unit == "Pa" and value > _STRONG and (words[0] == "surcharge" or words[-1] == "cohesion"):
+                question = f"soils and loads have less; a file takes kPa: was {value / 1e3:g} Pa meant?"
             if question:
                 quantity = f"{value:.6g} {unit}".rstrip()
                 yield f"{name} = {quantity}: {question}"
                 break
+        start, _, last = name.rpartition(".")
+        residual = scene.numbers.get(f"{start}.residual")
+        if last == "peak" and is_friction and residual is not None and np.any(numbers < np.asarray(residual)):
+            yield f"{name} is below the residual friction: the soil strengthens as it slips; were they exchanged?"
 
 
 def _of_unit(value: float, unit: str) -> str:

@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.ground.section import Section
 from slipcircle.words.plausible import questions
 
 FORMAT_LIMIT = 1e-11  # estimated error below which only float64 limits what is known
@@ -55,8 +54,6 @@ def _conditioning(motion: Any) -> Iterator[str]:
 def _submergence(motion: Any) -> Iterator[str]:
     """Turning may bring ground below a water level, whose weight on it the method does not count."""
     section = motion.plan.scene.arc
-    if not isinstance(section, Section):
-        return
     depth = section.drowned(motion.reach.rotation, motion.end.rotation)
     if depth > SUBMERGED * np.asarray(section.radius):
         yield (

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from slipcircle import Scene, parameters, solve
-from slipcircle.core import with_parameters
+from slipcircle.derivatives import with_parameters
 
 MOST_SKIPPED = 0.25  # share of the numbers within whose steps the motion's course changes
 

@@ -7,28 +7,18 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property, partial
-from importlib import import_module
 from math import prod
-from typing import TYPE_CHECKING, Any, Generic, Self
+from typing import Any, Generic, Self
 
 import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.checks import choose
+from slipcircle.base.forms import Forms
 from slipcircle.base.kinds import Floats, Numbers
-from slipcircle.core.motion.forms import Forms
+from slipcircle.core.doors import room
 from slipcircle.core.motion.states import Phase, State, Status
 from slipcircle.core.motion.trajectory import Trajectory
-from slipcircle.derivatives.parameters import with_parameters
-from slipcircle.ground.section import Section
-from slipcircle.ground.turning import Journey
-from slipcircle.words.accuracy import estimate
-from slipcircle.words.summary import ensemble_summary, summary
-from slipcircle.words.warnings import collect_warnings
-
-if TYPE_CHECKING:
-    from slipcircle.derivatives.derivatives import Sensitivity
-
 
 # The state entries of each lane's end that a motion is read off.
 FINAL_ENTRIES = (
@@ -228,6 +218,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     def _final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         lanes = self._lanes
+        if not self.shape and "layered_strength" in self.plan.effects:  # the stress depends on the slip until then
+            return self._stress_at(np.asarray(time))
         stress = lanes.stress(time / lanes.time_scale, rotation, omega)
         return self._shaped(stress + 0.0)
 
@@ -239,12 +231,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return farthest > end * (1 + SWING)
 
     @property
-    def journey(self) -> Journey:
+    def journey(self) -> Any:
         """Position at the end, for a `Section`: toe and its horizontal run-out, drop of the centroid, travel angle."""
-        section = self.plan.scene.arc
-        if not isinstance(section, Section):
-            raise AttributeError("journey: needs a Section, as an Arc has no position")
-        return section.journey(self.end.rotation)
+        return self.plan.scene.arc.journey(self.end.rotation)
 
     # --- along the way, of a single motion ---------------------------------------------------------------------------
 
@@ -304,7 +293,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @cached_property
     def _errors(self) -> Floats:
-        return estimate(self._lanes, self._final)
+        errors: Floats = room("estimate").estimate(self._lanes, self._final)
+        return errors
 
     @property
     def error_estimate(self) -> Numbers:
@@ -328,9 +318,10 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        return collect_warnings(self)
+        sentences: tuple[str, ...] = room("warnings").collect_warnings(self)
+        return sentences
 
-    def sensitivity(self) -> "Sensitivity":
+    def sensitivity(self) -> Any:
         """Derivatives of a single motion by every number of its scene, with stated errors.
 
         They are those of neighbouring scenes, extrapolated: `slipcircle.derivatives.neighbours`.
@@ -347,11 +338,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         at: dict[str, Any] = dict(self.outcomes)
         if not self.moves:
             at = dict.fromkeys(at, 0.0)
-        room = import_module(
-            "slipcircle.derivatives.sensitivity"
-        )  # which solves neighbours, and so imports this module
-        found: Sensitivity = room.sensitivity(self.plan.scene, at)
-        return found
+        return room("sensitivity").sensitivity(self.plan.scene, at)
 
     # --- lanes, and one line of text ---------------------------------------------------------------------------------
 
@@ -373,7 +360,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
             if np.ndim(value):
                 values = np.broadcast_to(value, self.shape)
                 chosen[name] = values[index]
-        plan = replace(self.plan, scene=with_parameters(scene, chosen))
+        plan = replace(self.plan, scene=room("parameters").with_parameters(scene, chosen))
         every_lane = np.arange(prod(self.shape))
         numbers = every_lane.reshape(self.shape)[index]
         flat = np.ravel(numbers)
@@ -390,5 +377,5 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         if name:
             name += ": "
         if self.shape:
-            return f"<{prod(self.shape)} motions {name}{ensemble_summary(self)}>"
-        return f"<Motion {name}{summary(self)}>"
+            return f"<{prod(self.shape)} motions {name}{room('summary').ensemble_summary(self)}>"
+        return f"<Motion {name}{room('summary').summary(self)}>"

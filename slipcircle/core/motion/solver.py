@@ -34,7 +34,8 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
     ----------
     scene : Scene
     accuracy : float, optional
-        Requested relative error; by default that of the scene, or 1e-9.
+        Requested relative error; by default that of the scene, or 1e-9. It sets the order of the series of ensembles.
+        A single scene is solved to rounding; if its estimated error is larger than requested, it has a warning.
     invalid : array_like of bool, optional
         Invalid cases, as returned by `with_parameter_arrays`; their status is `Status.INVALID`.
 

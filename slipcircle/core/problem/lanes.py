@@ -10,14 +10,14 @@ import numpy as np
 from generated import layout as ix
 from slipcircle.base.checks import choose, plain
 from slipcircle.base.kinds import Floats, Parameters
+from slipcircle.core.doors import room
 from slipcircle.core.problem.equilibrium import Forces, equilibrium
 from slipcircle.core.problem.problem import Problem, build_problem
 from slipcircle.core.program.program import Log, Samples
-from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import by_lanes
+from slipcircle.core.scene.mass import Mass
 from slipcircle.core.walk.compiled import engine
 from slipcircle.core.walk.lane_state import LaneState
-from slipcircle.ground.section import Section
 
 # Lanes in a block, so that their numbers stay in the cache; rows a power of two apart would share its lines.
 BLOCK = 16000
@@ -78,9 +78,7 @@ def _integrate_stiff(problem: Problem, cells: Floats, samples: Samples | None, l
     stopped = status == ix.TOO_LONG
     (which,) = np.nonzero(stopped & many_steps & moving)
     while which.size:
-        from slipcircle.stiff import implicit  # most scenes never load it
-
-        implicit.integrate(problem, cells, samples, log, which)
+        room("stiff").integrate(problem, cells, samples, log, which)
         waiting = status[which] == ix.NEED
         which = which[waiting]
         if which.size:
@@ -116,7 +114,7 @@ class Lanes:
 
     Attributes
     ----------
-    arc : Arc or Section
+    arc : Mass
         May be unchecked: what is no arc is invalid.
     called : mapping
         Effects by name, each with its parameters.
@@ -130,7 +128,7 @@ class Lanes:
         Which are no scenes.
     """
 
-    arc: Arc | Section
+    arc: Mass
     called: Mapping[str, Parameters]
     friction: Any
     velocity: Any
@@ -154,7 +152,7 @@ class Lanes:
         every_lane = np.arange(self.count)
         return Lanes(
             arc=arc,
-            called=arc.section_effects(effects),
+            called=arc.effects_with_own(effects),
             friction=select(self.friction),
             velocity=select(self.velocity),
             end_time=select(self.end_time),

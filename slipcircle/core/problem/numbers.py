@@ -1,37 +1,23 @@
 """Dimensionless numbers and tables of a scene, by the declarations of effects and laws in `generated.effects`."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping
-from functools import cached_property, lru_cache
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 
-from generated.effects import ALL_EFFECTS, LAWS, Law
-from generated.flow import INPUTS, PIECES
+from generated.effects import ALL_EFFECTS, LAWS
+from generated.flow import FRAGMENTS, INPUTS
 from slipcircle.base.checks import plain
-from slipcircle.base.kinds import Parameters
-from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.friction import soil_number, without_soil
-from slipcircle.ground.section import Section
-from slipcircle.layers.layered import RotationTables, first_rotation, upright
-from slipcircle.layers.layers import LayeredSection
-from slipcircle.layers.strength import OfRotation
-from slipcircle.tables import tables
-from slipcircle.tables.forcing import factor as factor_of
-from slipcircle.tables.interpolation import TERMS, between_kinks, sampled
-from slipcircle.tables.tables import Data
+from slipcircle.base.kinds import Effects, Parameters
+from slipcircle.core.doors import room
+from slipcircle.core.scene.effects import symbols_of, without_soil
+from slipcircle.core.scene.mass import Farther, Mass
+from slipcircle.core.scene.piecewise import Data
 
 STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)
 FIRST_SLIP = 1 / 256  # over the radius, to which a Python function of slip is sampled at first
-
-
-class ScaledTable(NamedTuple):
-    """A piecewise function with the scale of its argument and the factor of its values."""
-
-    data: Data
-    scale: Any = 1.0
-    factor: Any = 1.0
 
 
 class Numbers:
@@ -39,23 +25,17 @@ class Numbers:
 
     Parameters
     ----------
-    arc : Arc or Section
-    upslope : bool
-        Whether the mass may move beyond where it began.
-    tolerance : float
-        Relative error of tables of the rotation.
+    arc : Mass
     """
 
     function: Callable[[Any], Any]  # the friction law, where that is a Python function
-    rotations: RotationTables | None = None
+    farther: Farther | None = None
 
-    def __init__(self, arc: Arc | Section, upslope: bool, tolerance: float) -> None:
+    def __init__(self, arc: Mass) -> None:
         self.arc = arc
-        self.upslope = upslope
-        self.tolerance = tolerance
         self.time_scale = plain(arc.time_scale)
         self.radius = plain(arc.radius)
-        self.tables: dict[str, ScaledTable] = {}
+        self.tables: dict[str, Data] = {}
         self.inputs: dict[str, Any] = {}
         coefficients = arc.moment_coefficients
         for name in INPUTS:
@@ -78,10 +58,16 @@ class Numbers:
         inputs["CLOSE"] = np.inf
         inputs["LIFT_TIME"] = np.nan
 
+    def add_table(self, name: str, data: Data, scale: Any = 1.0, factor: Any = 1.0) -> None:
+        """Add a piecewise function with the scale of its argument and the factor of its values."""
+        self.tables[name] = data
+        self.inputs[f"{name}.SCALE"] = scale
+        self.inputs[f"{name}.SCALED_BY"] = factor
+
     # --- effects -----------------------------------------------------------------------------------------------------
 
-    def add_effect(self, effect: str, parameters: Parameters, rotating: bool) -> None:
-        """Add the parameters of an effect: numbers by their symbols, functions of time or of the rotation as tables."""
+    def add_effect(self, effect: str, parameters: Parameters) -> None:
+        """Add the parameters of an effect: numbers by their symbols, functions of time as tables."""
         symbols = symbols_of(effect)
         if not symbols:
             return
@@ -92,91 +78,42 @@ class Numbers:
                 scales[p.name] = parameters.get(p.name, 0.0)
         for p in declared:
             value = parameters.get(p.name, 0.0)
-            if not p.symbol or isinstance(value, OfRotation):
-                continue  # `add_layers` lays out all functions of layers together
+            if not p.symbol:
+                continue
+            symbol = symbols[p.name]
             if not callable(value):
-                symbol = symbols[p.name]
                 self.inputs[symbol] = p.dimensionless(value, scales)
-            elif p.kind == "rotation":
-                unit = p.dimensionless(1.0, scales)
-                self.tables[p.symbol] = ScaledTable(self._under_water(rotating), factor=unit)
+            elif p.kind != "series":  # a function of the rotation, which the mass lays out
+                self.inputs[f"{symbol}.SCALED_BY"] = p.dimensionless(1.0, scales)
             else:
-                factor = factor_of(effect, parameters, p.name)
+                factor = room("forcing").factor(effect, parameters, p.name)
                 scaled = p.dimensionless(factor, scales)
-                self.tables[p.symbol] = ScaledTable(tables.of_time(value), self.time_scale, scaled)
+                self.add_table(symbol, room("tables").of_time(value), self.time_scale, scaled)
 
-    def _under_water(self, rotating: bool) -> Data:
-        """Mean pore pressure below a section's water level, Pa, as a function of the rotation until contact is lost."""
-        section = self.arc
-        assert isinstance(section, Section)
-
-        def pressure(rotation: Any) -> Any:
-            places = rotation if section.shape else rotation[:, 0]
-            values = section.mean_pressure(places)
-            return values.reshape(1, *rotation.shape)
-
-        last = upright(section)
-        if rotating:
-            first = first_rotation(last, self.upslope)
-            kinks = np.atleast_2d(section.pressure_kinks)
-            breaks, coefficients = between_kinks(pressure, kinks.T, first, last, self.tolerance)
-            coefficients = np.ascontiguousarray(coefficients[:, :, 0])
-        else:
-            breaks = np.zeros((1, last.size))
-            coefficients = np.zeros((1, TERMS, last.size))
-            coefficients[0, 0] = pressure(breaks)[0, 0]
-        if section.shape:
-            return tables.continuous(breaks, coefficients)
-        return tables.continuous(breaks[:, 0], coefficients[..., 0])
-
-    def add_layers(self, called: Mapping[str, Parameters], friction: Any) -> None:
-        """Add the functions of the rotation that belong to the soils of a layered section."""
-        assert isinstance(self.arc, LayeredSection)
-        functions = dict[str, OfRotation]()
-        for effect, terms in called.items():
-            for name, term in terms.items():
-                if isinstance(term, OfRotation):
-                    symbol = symbols_of(effect)[name]
-                    functions[symbol] = term
-        if not functions:
-            return
-        terms = called["layered_strength"]
-        self.rotations = RotationTables(self.arc, terms, functions, self.tolerance, self.upslope)
-        reach = self.rotations.likely_reach(friction)
-        for name, table in self.rotations.laid_out(reach).items():
-            self.tables[name] = ScaledTable(table)
+    def add_rotations(self, called: Effects, friction: Any, upslope: bool, tolerance: float) -> None:
+        """Add the functions of the rotation that belong to the mass."""
+        tables, self.farther = self.arc.tables(called, friction, upslope, tolerance)
+        for name, table in tables.items():
+            self.add_table(name, table, factor=self.inputs[f"{name}.SCALED_BY"])
 
     # --- friction laws -----------------------------------------------------------------------------------------------
 
     def add_law(self, name: str, parameters: Parameters) -> None:
         """Add a friction law: a table, or dimensionless numbers by its name."""
         law = without_soil(name)
+        units = {"m": self.radius, "m/s": self.speed, "s": self.time_scale, "": 1.0}
         if law == "callable":
             self.function = parameters["function"]
             first_slip = FIRST_SLIP * float(np.max(np.real(self.radius)))
-            table = sampled(self.function, first_slip)
-            self.tables[name] = ScaledTable(table, self.radius)
-        elif law in PIECES:
-            length, _, _ = PIECES[law]
-            table = tables.of_law(law, parameters)
-            self.tables[name] = ScaledTable(table, self.radius / parameters[length])
-        elif LAWS[law].parameters[0].kind == "list":
-            self.tables[name] = self._listed(LAWS[law], parameters)
+            table = room("functions").sampled(self.function, first_slip)
+            self.add_table(name, table, self.radius)
+        elif FRAGMENTS[law].tables:
+            table, scale, unit = room("tables").of_law(law, parameters)
+            self.add_table(name, table, units[unit] / scale)
         else:
-            units = {"m": self.radius, "m/s": self.speed, "": 1.0}
             for p in LAWS[law].parameters:
                 value = parameters[p.name]
                 self.inputs[f"{name}.{p.name}"] = value / units[p.unit]
-
-    def _listed(self, law: Law, parameters: Parameters) -> ScaledTable:
-        """A law that lists coefficients at slips, speeds or times."""
-        (argument,) = law.depends_on
-        places, coefficients = law.parameters
-        x = np.asarray(parameters[places.name], dtype=np.float64)
-        y = np.asarray(parameters[coefficients.name], dtype=np.float64)
-        table = tables.of_list(argument, x, y)
-        scales = {"slip": self.radius, "speed": self.speed, "time": self.time_scale}
-        return ScaledTable(table, scales[argument])
 
     @property
     def speed(self) -> Any:
@@ -184,15 +121,7 @@ class Numbers:
         return self.radius / self.time_scale
 
 
-@lru_cache(maxsize=256)
-def symbols_of(effect: str) -> dict[str, str]:
-    """Symbols of an effect's parameters in the balance, by their names; of one soil with its number."""
-    number = soil_number(effect)
-    declared = ALL_EFFECTS[without_soil(effect)].parameters
-    return {p.name: p.symbol + number for p in declared if p.symbol}
-
-
-def scales_of(arc: Arc | Section) -> dict[str, Any]:
+def scales_of(arc: Mass) -> dict[str, Any]:
     """Scales of an arc by which parameters of effects are made dimensionless, SI."""
     unit_weight = plain(arc.mean_unit_weight)
     return {
@@ -204,8 +133,3 @@ def scales_of(arc: Arc | Section) -> dict[str, Any]:
         "density": unit_weight / plain(arc.gravity),
         "cover": arc.moment_coefficients.cover,
     }
-
-
-def rotates(effects: Iterable[str]) -> bool:
-    """Whether an effect lets the mass rotate."""
-    return any(ALL_EFFECTS[without_soil(effect)].turns for effect in effects)

@@ -10,22 +10,18 @@ import numpy as np
 from generated import layout as ix
 from generated.effects import ALL_EFFECTS
 from slipcircle.base.checks import choose
-from slipcircle.base.kinds import Floats, Names, Parameters
-from slipcircle.core.problem.numbers import Numbers, rotates, symbols_of
+from slipcircle.base.kinds import Effects, Floats, Names, Parameters
+from slipcircle.core.doors import room
+from slipcircle.core.problem.numbers import Numbers
 from slipcircle.core.program.build import build_program
 from slipcircle.core.program.program import Program
-from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.friction import law_parts, without_soil
-from slipcircle.ground.section import Section
-from slipcircle.layers.layered import FINEST as FINEST_TABLES
-from slipcircle.layers.layered import RotationTables
-from slipcircle.layers.layers import LayeredSection
-from slipcircle.tables.interpolation import sampled
-from slipcircle.tables.tables import Data
+from slipcircle.core.scene.effects import in_order, rotates, symbols_of
+from slipcircle.core.scene.friction import law_parts
+from slipcircle.core.scene.mass import Farther, Mass
+from slipcircle.core.scene.piecewise import Data
 
-Effects = Mapping[str, Parameters]  # by name, each with its parameters
 Function = Callable[[Any], Any]
-FINEST = 1e-14  # accuracy to which single scenes are solved
+FINEST = 1e-14  # accuracy to which single scenes are solved: lower orders save little, and nothing under long records
 LOWEST = 5  # order, as the radius of convergence compares the last coefficients with the first five
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # beginnings of their names
@@ -49,7 +45,7 @@ class Problem(NamedTuple):
     functions: Mapping[int, Function]  # of slip, given in Python, by the place of their table
     recipe: Recipe
     outputs: Names = ()  # further ones of the program
-    rotations: RotationTables | None = None  # tables that may be laid out farther
+    farther: Farther | None = None  # lays out functions of the rotation farther
 
     def with_outputs(self, outputs: Names = (), directions: int = 0) -> "Problem":
         """The same lanes with further outputs, or with derivatives in some directions."""
@@ -64,7 +60,7 @@ class Problem(NamedTuple):
         moving = tuple(symbol for symbol in moving if symbol not in shaking)
         others = [symbol for symbol in absent if symbol not in shaking]
         program = build_program(effects, laws, moving, (*others, "k_v"))
-        return self._with_program(program)._replace(rotations=None)
+        return self._with_program(program)._replace(farther=None)
 
     def _with_program(self, program: Program) -> "Problem":
         """The same numbers for another program."""
@@ -88,7 +84,7 @@ class Problem(NamedTuple):
             table = self.tables[k]
             end = float(table.breaks[-1])
             while end <= farthest:
-                table = sampled(function, 2 * end, table)
+                table = room("functions").sampled(function, 2 * end, table)
                 end = float(table.breaks[-1])
             self.tables[k] = table
 
@@ -97,16 +93,14 @@ class Problem(NamedTuple):
 
         ``lane`` is the lane that each rotation belongs to, by default one after the other.
         """
-        if self.rotations is None:
+        if self.farther is None:
             return False
-        names = [table.name for table in self.program.tables]
-        places = [names.index(name) for name in self.rotations.functions]
+        places = [k for k, table in enumerate(self.program.tables) if table.kind == "rotation"]
         if not any(_exceeds(self.tables[place], rotation, lane) for place in places):
             return False
-        laid_out = self.rotations.laid_out()
+        laid_out = self.farther()
         for place in places:
-            name = names[place]
-            self.tables[place] = laid_out[name]
+            self.tables[place] = laid_out[self.program.tables[place].name]
         return True
 
     def initial_cells(self) -> Floats:
@@ -136,6 +130,11 @@ def common_cells(program: Program, other: Program) -> tuple[Any, Any]:
     return np.array(places), np.array(other_places)
 
 
+def solved_accuracy(accuracy: float, lanes: int) -> float:
+    """The accuracy to which scenes are solved, where one is requested; single scenes are solved to rounding."""
+    return accuracy if lanes > 1 else min(accuracy, FINEST)
+
+
 def order(accuracy: float) -> int:
     """Order of the series with a truncation error below an accuracy, at steps of exp(-2) radii of convergence."""
     attainable = max(accuracy, 1e-16)
@@ -145,13 +144,13 @@ def order(accuracy: float) -> int:
 
 
 def build_problem(
-    arc: Arc | Section, called: Effects, friction: Any, velocity: Any, end_time: Any, accuracy: float, lanes: int
+    arc: Mass, called: Effects, friction: Any, velocity: Any, end_time: Any, accuracy: float, lanes: int
 ) -> Problem:
     """Build the problem of scenes that share their effects and laws.
 
     Parameters
     ----------
-    arc : Arc or Section
+    arc : Mass
         Its fields, like all numbers here, are numbers or arrays of one value a lane.
     called : mapping
         Effects by name, each with its parameters; functions of time are `Series` or `Pulse`.
@@ -174,17 +173,13 @@ def build_problem(
     effects = recipe.effects
     pushed = velocity != 0.0
     upslope = "shaking" in effects or bool(np.any(pushed))
-    table_tolerance = FINEST_TABLES
-    finest = min(accuracy, FINEST)  # the steps of one scene cost next to nothing, whatever their order
+    table_tolerance = FINEST
     if lanes > 1:
         table_tolerance = accuracy / 100
-        finest = accuracy
-    numbers = Numbers(arc, upslope, table_tolerance)
-    rotating = rotates(effects)
+    numbers = Numbers(arc)
     for effect in effects:
-        numbers.add_effect(effect, called[effect], rotating)
-    if isinstance(arc, LayeredSection):
-        numbers.add_layers(called, friction)
+        numbers.add_effect(effect, called[effect])
+    numbers.add_rotations(called, friction, upslope, table_tolerance)
     for name, parameters in laws:
         numbers.add_law(name, parameters)
     numbers.add_start(velocity, end_time)
@@ -195,7 +190,7 @@ def build_problem(
     endless = end_time == np.inf
     inputs["ONE_WAY"] = _one_way(shaking)
     inputs["FIRST_ONLY"] = choose(endless, first_only, 0.0)
-    inputs["ORDER"] = order(finest)
+    inputs["ORDER"] = order(solved_accuracy(accuracy, lanes))
     return _assembled(numbers, recipe, lanes)
 
 
@@ -210,14 +205,10 @@ def _assembled(numbers: Numbers, recipe: Recipe, lanes: int) -> Problem:
     tables = list[Data]()
     functions = dict[int, Function]()
     for k, table in enumerate(program.tables):
-        data, scale, factor = numbers.tables[table.name]
-        tables.append(data)
-        first_cell = table.cells
-        cells[first_cell + ix.SCALE] = scale
-        cells[first_cell + ix.SCALED_BY] = factor
+        tables.append(numbers.tables[table.name])
         if table.name == "callable":
             functions[k] = numbers.function
-    return Problem(program, tables, cells, functions, recipe, rotations=numbers.rotations)
+    return Problem(program, tables, cells, functions, recipe, farther=numbers.farther)
 
 
 def recipe_of(called: Effects, laws: Names) -> Recipe:
@@ -237,18 +228,6 @@ def recipe_of(called: Effects, laws: Names) -> Recipe:
     if "layered_strength" in effects and "shaking" not in effects:
         absent += ["k_h", "k_v"]  # which its terms contain, too
     return Recipe(effects, laws, tuple(moving), tuple(absent))
-
-
-@lru_cache(maxsize=256)
-def in_order(effects: Names) -> Names:
-    """Effects by name, each once, in the order in which they are declared."""
-    declared = list(ALL_EFFECTS)
-
-    def place(effect: str) -> int:
-        return declared.index(without_soil(effect))
-
-    once = dict.fromkeys(effects)
-    return tuple(sorted(once, key=place))
 
 
 def _one_way(shaking: Parameters) -> float:

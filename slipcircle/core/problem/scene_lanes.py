@@ -11,7 +11,6 @@ from slipcircle.core.problem.lanes import Lanes
 from slipcircle.core.scene.coordinates import by_lanes
 from slipcircle.core.scene.friction import number_name
 from slipcircle.core.scene.scene import Scene
-from slipcircle.layers.layers import LayeredSection
 
 
 def lanes_of(scene: Scene, accuracy: float, invalid: Any = False) -> Lanes:
@@ -32,13 +31,10 @@ def lanes_of(scene: Scene, accuracy: float, invalid: Any = False) -> Lanes:
     effects = dict[str, Any]()
     for effect, parameters in scene.effects.items():
         effects[effect] = _flat_numbers(scene, effect, parameters)
-    if isinstance(arc, LayeredSection):
-        friction = arc.friction
-    else:
-        friction = _flat_friction(scene)
+    friction = _flat_friction(scene) if arc.friction is None else arc.friction
     return Lanes(
         arc=arc,
-        called=arc.section_effects(effects),
+        called=arc.effects_with_own(effects),
         friction=friction,
         velocity=_flat(scene.initial_velocity, shape),
         end_time=_flat(end_time, shape),

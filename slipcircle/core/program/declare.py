@@ -11,7 +11,7 @@ from generated.layout import TABLE
 from slipcircle.base.kinds import Names
 from slipcircle.core.program.fragments import fragment_of
 from slipcircle.core.program.link import ONE, ZERO, Linker, tangent
-from slipcircle.core.scene.friction import OF_SOIL, soil_number
+from slipcircle.core.scene.effects import OF_SOIL, soil_number
 
 
 class TableDeclaration(NamedTuple):

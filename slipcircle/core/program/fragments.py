@@ -9,7 +9,7 @@ from typing import Any
 from generated.effects import ALL_EFFECTS
 from generated.flow import FRAGMENTS, Fragment
 from slipcircle.core.program.link import RESULTS
-from slipcircle.core.scene.friction import soil_number, without_soil
+from slipcircle.core.scene.effects import soil_number, without_soil
 
 _OF_ONE_SOIL = {str(p.symbol) for p in ALL_EFFECTS["soil_friction"].parameters} | {"soil_mu"}
 

@@ -9,8 +9,8 @@ import numpy as np
 from generated.effects import LAWS
 from slipcircle.base.checks import mistakes, parameter_mistakes, shown
 from slipcircle.base.kinds import Names, Parameters
+from slipcircle.core.scene.effects import OF_SOIL, without_soil
 
-OF_SOIL = "#"  # before the number of a soil, in the name of its law
 RATE_LAWS = tuple(name for name in LAWS if LAWS[name].depends_on == ("speed",))
 Law = tuple[str, Parameters]  # by name, with its parameters
 
@@ -111,16 +111,6 @@ def law_paths(friction: Any) -> Names:
 def number_name(path: str, name: str) -> str:
     """The name of a law's number among those of a scene: the coefficient of constant friction is ``friction``."""
     return path if (path, name) == ("friction", "coefficient") else f"{path}.{name}"
-
-
-def without_soil(name: str) -> str:
-    """The name of a law or an effect without the number of a soil."""
-    return name.partition(OF_SOIL)[0]
-
-
-def soil_number(name: str) -> str:
-    """The number of the soil whose law or effect this is, after its mark; empty for that of a whole arc."""
-    return "".join(name.partition(OF_SOIL)[1:])
 
 
 def law_names(given: Any) -> Names:

@@ -16,8 +16,8 @@ from generated.series import DIGEST, SCALAR, SERIES
 from slipcircle.base.kinds import Floats
 from slipcircle.core.program.link import RESULTS
 from slipcircle.core.program.program import Log, Program, Samples
+from slipcircle.core.scene.piecewise import Data
 from slipcircle.core.walk import integrate as in_numpy
-from slipcircle.tables.tables import Data
 
 STRIDE = 42  # coefficients from one register to the next: the highest order that C takes, and two
 ROUNDS = 50_000  # steps of some lanes between looks at the keyboard: a tenth of a second at most
@@ -51,8 +51,9 @@ def module() -> Any:
 
 @cache
 def _widest() -> int:
-    """The kind of processor with the widest vectors of those that run here."""
-    return min(module().LEVELS.values())
+    """The kind of processor with the widest vectors of those that run here, or the one that is asked for by name."""
+    levels = module().LEVELS
+    return levels.get(os.environ.get("SLIPCIRCLE_COMPILED"), min(levels.values()))
 
 
 _numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open

@@ -25,6 +25,7 @@ from generated import layout as ix
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
 from slipcircle.core.program.program import Log, Program, Samples
+from slipcircle.core.scene.piecewise import Data
 from slipcircle.core.walk.events import Event, FirstEvent, Kinds
 from slipcircle.core.walk.lane_state import LaneState
 from slipcircle.core.walk.polynomials import (
@@ -36,7 +37,6 @@ from slipcircle.core.walk.polynomials import (
     value_and_slope,
 )
 from slipcircle.core.walk.stick_slip import StickPhase
-from slipcircle.tables.tables import Data
 
 ROUNDS = 10_000  # after which lanes that have ended make room at the latest
 FAR = 1e300  # a bound that is never reached

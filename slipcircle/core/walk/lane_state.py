@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 from generated.series import scalar_ops, series_ops
 from slipcircle.base.kinds import Floats
 from slipcircle.core.program.program import Log, Program, Samples
+from slipcircle.core.scene.piecewise import Data
 from slipcircle.core.walk.entries import LaneEntries
 from slipcircle.core.walk.pieces import Piece
 from slipcircle.core.walk.polynomials import increment
-from slipcircle.tables.tables import Data
 
 Lanes = NDArray[np.intp]
 NEGLIGIBLE = 2.0**-56  # of the largest term of a series, which a term has to be below to end the series early

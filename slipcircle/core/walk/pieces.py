@@ -13,9 +13,9 @@ from generated import layout as ix
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
 from slipcircle.core.program.program import Table
+from slipcircle.core.scene.piecewise import Data
 from slipcircle.core.walk.entries import Entry, LaneEntries
 from slipcircle.core.walk.polynomials import increment, shifted
-from slipcircle.tables.tables import Data
 
 
 class _Sine(NamedTuple):

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.text import DIGITS, digits_left, shown
-from slipcircle.core import LayeredSection, stretches
+from slipcircle.layers import LayeredSection, stretches
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
@@ -194,6 +194,15 @@ def stretch_records(motion: Any) -> list[dict[str, Any]]:
     if not isinstance(arc, LayeredSection):
         return []
     return [stretch._asdict() | {"soil": stretch.soil.name} for stretch in stretches(arc)]
+
+
+def foreland_words(arc: Any) -> str:
+    """The soil whose strength continues beyond the exit of a layered arc; empty for another arc."""
+    if not isinstance(arc, LayeredSection) or arc.lanes_shape or arc.strength == "mass":
+        return ""
+    (layer,) = arc.arc_strength.stretches.last
+    why = "as given" if arc.foreland else "the lowest of the soils that meet there"
+    return f"the strength of {arc.soils[layer].name}, {why}"
 
 
 def plain(value: Any) -> Any:

@@ -15,7 +15,9 @@ import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
-from slipcircle.core import LayeredSection, Scene, arc_numbers, law_names, possible_parameters
+from slipcircle.core import Scene, arc_numbers, law_names
+from slipcircle.derivatives import possible_parameters
+from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.files.keys import VARYING, Table, tables_of
 from slipcircle.workbench.files.keys import Number as Number

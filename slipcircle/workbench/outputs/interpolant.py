@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import ANSWERED, Motion, in_time
+from slipcircle.core import ANSWERED, Motion
+from slipcircle.tables import in_time
 
 TOLERANCE = 8e-7  # of the greatest velocity
 _FIRST = 17  # equidistant times at the start

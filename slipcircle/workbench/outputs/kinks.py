@@ -7,7 +7,8 @@ from itertools import pairwise
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import Motion, in_time, law_parts
+from slipcircle.core import Motion, law_parts
+from slipcircle.tables import in_time
 from slipcircle.workbench.outputs.trace import drawn
 
 Kinks = list[tuple[float, str]]

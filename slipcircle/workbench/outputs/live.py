@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.text import shown
-from slipcircle.core import ANSWERED, Arc, Motion, Scene, parameter_value, with_parameters
+from slipcircle.core import ANSWERED, Arc, Motion, Scene
+from slipcircle.derivatives import parameter_value, with_parameters
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
 from slipcircle.workbench.common.quantities import OUTCOMES, end_words, summary
 from slipcircle.workbench.files.loaded import warnings_of

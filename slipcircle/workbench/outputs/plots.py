@@ -13,7 +13,9 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
-from slipcircle.core import LayeredSection, Motion, in_time
+from slipcircle.core import Motion
+from slipcircle.layers import LayeredSection
+from slipcircle.tables import in_time
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
 from slipcircle.workbench.outputs.comparison import ladder
 from slipcircle.workbench.outputs.film import animate

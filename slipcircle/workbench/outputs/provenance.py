@@ -10,7 +10,7 @@ import numpy as np
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.core import Scene, arc_numbers, law_parts
-from slipcircle.tables.series import Pulse, Series
+from slipcircle.tables import Pulse, Series
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.layout import layout_of
 from slipcircle.workbench.files.numbers import by_name, uncertain_numbers

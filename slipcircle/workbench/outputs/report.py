@@ -15,7 +15,8 @@ import numpy as np
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.progress import track
 from slipcircle.base.text import shown
-from slipcircle.core import LayeredSection, Motion, Plan, Status, law_names, plan
+from slipcircle.core import Motion, Plan, Status, law_names, plan
+from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
 from slipcircle.workbench.common.quantities import (
     OUTCOMES,
@@ -142,7 +143,7 @@ def input_parts(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
     yield Part(["input", "value", "unit", "what it is", "source"], given, "Inputs")
     effects = []
     for name, effect in EFFECTS.items():
-        use = "used" if name in plan.effects else "not included"
+        use = "used" if name in plan.effects else "not included" if name in plan.left_out else "by the soils"
         effects.append([name, use, effect.help, effect.equation])
     yield Part(["effect", "", "what it does", "equation of the paper"], effects)
     laws = []

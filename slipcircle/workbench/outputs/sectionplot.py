@@ -7,7 +7,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import Arc, LayeredSection, Motion, Section
+from slipcircle.core import Arc, Motion
+from slipcircle.ground import Section
+from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.forces import draw_forces
 from slipcircle.workbench.outputs.layerplot import draw_bands, draw_stretches

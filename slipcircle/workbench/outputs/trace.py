@@ -8,7 +8,9 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
-from slipcircle.core import Motion, Section, in_time
+from slipcircle.core import Motion
+from slipcircle.ground import Section
+from slipcircle.tables import in_time
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import HISTORY
 

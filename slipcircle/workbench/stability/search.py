@@ -11,7 +11,7 @@ import numpy as np
 
 from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.core import Section
+from slipcircle.ground import Section
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.stability import METHODS, Slope, least_of

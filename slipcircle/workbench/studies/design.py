@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import ANSWERED, Motion, Scene, Section, Status
+from slipcircle.core import ANSWERED, Motion, Scene, Status
+from slipcircle.ground import Section
 from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain

@@ -15,8 +15,10 @@ from numpy.typing import NDArray
 from slipcircle.base import VERSION
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
 from slipcircle.base.progress import Progress
-from slipcircle.core import Scene, Section, arc_numbers, checked, parameter_value, plan
-from slipcircle.tables.series import Series
+from slipcircle.core import Scene, arc_numbers, checked, plan
+from slipcircle.derivatives import parameter_value
+from slipcircle.ground import Section
+from slipcircle.tables import Series
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, uncertain_numbers
 from slipcircle.workbench.files.variation import along_means

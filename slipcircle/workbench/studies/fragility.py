@@ -14,6 +14,7 @@ from slipcircle.base.text import shown
 from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.studies.statistics import NOT_GIVEN, Estimate
 
+_CONFIDENCE = 0.95  # of intervals
 _FEWEST = 4  # records of a curve
 _SAME = 1e-9  # relative difference of equal peak accelerations, which scaling rounds
 _UNKNOWN = np.full((2, 2), np.nan)
@@ -62,7 +63,7 @@ class FragilityCurve(NamedTuple):
         return {"threshold_m": self.threshold} | fitted | {"reason": self.reason}
 
 
-def fragility_curve(share: Floats, pga: Floats, threshold: float, confidence: float = 0.95) -> FragilityCurve:
+def fragility_curve(share: Floats, pga: Floats, threshold: float) -> FragilityCurve:
     """The lognormal fragility curve of greatest likelihood.
 
     The likelihood is that of Baker (2015), of motions by record and scale, whether all records have the same peak
@@ -84,7 +85,6 @@ def fragility_curve(share: Floats, pga: Floats, threshold: float, confidence: fl
     pga : ndarray
         Peak accelerations over gravity, of the same shape; what has none exceeds nothing, and is not counted.
     threshold : float
-    confidence : float, optional
 
     Returns
     -------
@@ -112,7 +112,7 @@ def fragility_curve(share: Floats, pga: Floats, threshold: float, confidence: fl
     coefficients = unscale @ fitted
     covariance = unscale @ fitted_covariance @ unscale.T
     freedom = np.unique(record).size - coefficients.size
-    quantile = statistics().t.ppf((1.0 + confidence) / 2.0, freedom)
+    quantile = statistics().t.ppf((1.0 + _CONFIDENCE) / 2.0, freedom)
     return _curve(threshold, coefficients, covariance, float(quantile))
 
 

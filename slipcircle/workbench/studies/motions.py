@@ -5,7 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.core import Motion, Scene, solve, with_parameter_arrays
+from slipcircle.core import Motion, Scene, solve
+from slipcircle.derivatives import with_parameter_arrays
 
 
 def motions(scene: Scene, values: Mapping[str, Any], accuracy: float | None = None) -> Motion:

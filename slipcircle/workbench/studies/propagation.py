@@ -10,7 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slipcircle.core import free_parameters, neighbour_derivatives, solve, with_parameters
+from slipcircle.core import solve
+from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.studies.design import Design
 from slipcircle.workbench.studies.statistics import Spread

@@ -12,8 +12,8 @@ from typing import Any, TypedDict
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import STRONGEST, Scene
-from slipcircle.tables.series import Series
+from slipcircle.core import Scene
+from slipcircle.tables import STRONGEST, Series
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.records.suite import Entry, Suite

@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.forms import Pictured
 from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
-from slipcircle.core import Motion, Pictured, Scene, Status, solve
-from slipcircle.tables.series import Pulse
+from slipcircle.core import Motion, Scene, Status, solve
+from slipcircle.tables import Pulse
 from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.quantities import plain
 from slipcircle.workbench.studies.design import NO_RESULT, Result

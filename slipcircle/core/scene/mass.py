@@ -1,12 +1,18 @@
-"""What the balance of momentum takes from a failed section, whatever its shape."""
+"""What the core asks of a mass: one protocol for arcs, sections and layered ground.
 
+Whatever implements it can be solved: nothing in the core asks what kind of mass it has.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.checks import EPS, Fault
 from slipcircle.base.kinds import Effects, Values
+from slipcircle.core.scene.piecewise import Tables
 
 
 @dataclass(frozen=True)
@@ -53,14 +59,64 @@ class MomentCoefficients(NamedTuple):
     cover: Any  # the stress of which r_u is a share, over the static normal stress
 
 
-class SlidingBody:
-    """What follows from the fields and coefficients of a failed section, whatever its shape."""
+Farther = Callable[[], Tables]
+
+
+class Mass:
+    """A mass that slides along a circular arc: what each kind has to say, what it may add, and what follows.
+
+    Attributes
+    ----------
+    radius, unit_weight, gravity, width : float or array
+        m, N/m^3, m/s^2, m.
+    half_angle, facing : float or array
+        alpha, rad; 1 where gravity turns the mass counterclockwise, -1 where clockwise.
+    dimensionless : Dimensionless
+    moment_coefficients : MomentCoefficients
+        Its weights and how they change as it turns, its resistance and its closure.
+    quantities : mapping
+        Its fields that scenes vary, each with the number of axes that one mass has of it.
+    rounding : float
+        Relative error that each of its coefficients may have.
+    friction : mapping or None
+        That of its soils, in place of the scene's.
+    given : mapping or None
+        Coefficients in place of computed ones.
+    """
 
     radius: Any
     unit_weight: Any
     gravity: Any
+    width: Any
     half_angle: Any
+    facing: Any
     dimensionless: Any
+    moment_coefficients: Any
+    quantities: ClassVar[Mapping[str, int]]
+    rounding: ClassVar[float] = 4 * EPS
+    friction: Any = None
+    given: Any = None
+
+    # --- what it may add; a plain arc adds nothing -------------------------------------------------------------------
+
+    def geometry_errors(self) -> Iterator[Fault]:
+        """Which of its lanes are no such mass, or cannot move, and a sentence about one."""
+        return iter(())
+
+    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+        """What keeps it from moving under a friction and effects."""
+        return []
+
+    def effects_with_own(self, effects: Effects) -> Effects:
+        """Effects with what it adds to them: the water level of a section, the strengths of its soils."""
+        return effects
+
+    def tables(self, effects: Effects, friction: Any, upslope: bool, tolerance: float) -> tuple[Tables, Farther | None]:
+        """Its functions of the rotation by their symbols, and what lays them out farther, where that may be needed.
+
+        ``upslope`` is whether the mass may move beyond where it began, ``tolerance`` a relative error.
+        """
+        return {}, None
 
     def other_numbers(self) -> dict[str, Any]:
         """Numbers beside those of its fields, by name: of the soils of a layered section."""
@@ -70,9 +126,15 @@ class SlidingBody:
         """The fields that differ once some of these have other values."""
         return {}
 
-    def section_effects(self, effects: Effects) -> Effects:
-        """Effects with what the section itself adds to them: its water level, the strengths of its soils."""
-        return effects
+    def journey(self, rotation: Any) -> Any:
+        """Where a rotation brings it."""
+        raise AttributeError("journey: needs a Section, as an Arc has no position")
+
+    def drowned(self, *rotations: float) -> float:
+        """How far below a water level the ground over it comes, where that is deepest, m."""
+        return 0.0
+
+    # --- what follows ------------------------------------------------------------------------------------------------
 
     @property
     def mean_unit_weight(self) -> Any:
