@@ -67,8 +67,7 @@ def test_heights_of_any_arc_against_thirty_digits() -> None:
         assert max(c.pressure, c.cover) < bound, c
 
 
-def test_derivatives_of_the_mean_cover_of_an_overhanging_arc() -> None:
-    """Heights above such arcs are those of random sections above."""
+def test_pressure_on_an_overhanging_arc_is_that_of_a_turn_later() -> None:
     ground, level = [[-100, 20], [0, 20], [20, 0], [100, 0]], [[-100, 19], [0, 19], [19, 0], [100, 0]]
     section = Section(ground, [12.0, 15.0], 13.0, GAMMA, level=level)
     assert section.mean_pressure(0.5 + 2 * np.pi) == pytest.approx(section.mean_pressure(0.5), rel=1e-14)

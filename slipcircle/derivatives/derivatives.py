@@ -82,7 +82,9 @@ class Sensitivity:
         return str(self.kinds[self._place(output, parameter)])
 
     def _place(self, output: str, parameter: str) -> tuple[int, int]:
-        return list(self.outputs).index(output), list(self.parameters).index(parameter)
+        outputs = list(self.outputs)
+        parameters = list(self.parameters)
+        return outputs.index(output), parameters.index(parameter)
 
     def __str__(self) -> str:
         head = ["by", "value"]

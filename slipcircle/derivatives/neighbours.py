@@ -7,7 +7,7 @@ the motion's own are a jump, unlike slopes a kink. What one ladder leaves open g
 ends.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
 from typing import Any, NamedTuple
@@ -64,7 +64,7 @@ class _Values(NamedTuple):
     off: Floats
 
 
-def neighbour_derivatives(scene: Scene[float], outcomes: Sequence[str], free: Mapping[str, Free]) -> Derivatives:
+def neighbour_derivatives(scene: Scene[float], outcomes: Collection[str], free: Mapping[str, Free]) -> Derivatives:
     """Derivatives of outcomes of a single scene by numbers that may vary alone."""
     every = list(free.values())
     scales = np.array([number.scale for number in every])
@@ -75,7 +75,8 @@ def neighbour_derivatives(scene: Scene[float], outcomes: Sequence[str], free: Ma
         rungs = np.arange(first, first + RUNGS)
         scale = scales[remaining]
         longest = scale[:, None] * FIRST
-        steps = longest * 2.0**-rungs
+        shares = 2.0**-rungs
+        steps = longest * shares
         numbers = [every[k] for k in remaining]
         values = _solved(scene, outcomes, numbers, steps)
         new, is_open = _judged(values, steps, scale)
@@ -96,7 +97,7 @@ def neighbour_derivatives(scene: Scene[float], outcomes: Sequence[str], free: Ma
 # --- ensembles -------------------------------------------------------------------------------------------------------
 
 
-def _solved(scene: Scene[float], outcomes: Sequence[str], numbers: Sequence[Free], steps: Floats) -> _Values:
+def _solved(scene: Scene[float], outcomes: Collection[str], numbers: Sequence[Free], steps: Floats) -> _Values:
     parts = list[_Values]()
     for part in _parts(scene, numbers):
         values = _neighbours(scene, outcomes, numbers[part], steps[part])
@@ -118,9 +119,10 @@ def _parts(scene: Scene[float], numbers: Sequence[Free]) -> Iterator[slice]:
             first = last
 
 
-def _neighbours(scene: Scene[float], outcomes: Sequence[str], numbers: Sequence[Free], steps: Floats) -> _Values:
+def _neighbours(scene: Scene[float], outcomes: Collection[str], numbers: Sequence[Free], steps: Floats) -> _Values:
     """One ensemble of the scene and its neighbours."""
-    offsets = steps[:, None, :] * SIDES
+    each_side = steps[:, None, :]
+    offsets = each_side * SIDES
     arrays = {}
     for k, number in enumerate(numbers):
         change = np.zeros_like(offsets)
@@ -147,14 +149,11 @@ def _neighbours(scene: Scene[float], outcomes: Sequence[str], numbers: Sequence[
 
 def _judged(values: _Values, steps: Floats, scales: Floats) -> tuple[Derivatives, Flags]:
     """Derivatives by one ladder, and which of them need another."""
-    here, beside, off = values
-    sizes = np.abs(here)
-    sizes_beside = np.abs(beside)
-    largest = sizes.max(axis=1, initial=0.0)
-    largest_beside = np.nanmax(sizes_beside, axis=(1, 2, 3), initial=0.0)
-    largest = np.where(largest, largest, largest_beside)
+    _, beside, off = values
+    largest = _largest(values)
     rounding = ROUNDING * largest
-    scatter = noise_of(beside) + rounding[:, None, None, None]
+    every_rounding = rounding[:, None, None, None]
+    scatter = noise_of(beside) + every_rounding
     noise = np.broadcast_to(scatter, beside.shape)
     jumps = _jumps(values, noise, largest)
     slopes, slope_errors = _slopes(beside, noise, steps)
@@ -163,11 +162,9 @@ def _judged(values: _Values, steps: Floats, scales: Floats) -> tuple[Derivatives
     is_sure = slope_errors < KNOWN * steepness
     is_sure &= jumps == 0.0
     sure = np.where(is_sure, steepness, 0.0)
-    changes = sure * scales[:, None]
-    most_by_any = changes.max(axis=(1, 2))
-    most = np.maximum(largest, most_by_any)
-    size = most[:, None] / scales
-    is_known = slope_errors <= KNOWN * size[..., None]
+    size = _greatest(sure, scales, largest)
+    by_side = size[..., None]
+    is_known = slope_errors <= KNOWN * by_side
     slope_errors = np.where(is_known, slope_errors, np.inf)
     sides = Derivatives("", 0.0, 0.0, slopes, slope_errors, jumps)
     value, error = _central(beside, noise, steps)
@@ -175,7 +172,26 @@ def _judged(values: _Values, steps: Floats, scales: Floats) -> tuple[Derivatives
     nothing = np.isnan(beside[..., -1])
     found = _kinds(sides, central, nothing, steps[:, -1])
     is_near = found.errors <= GOAL * size
-    return found, ~is_near | (found.kinds == JUMP)
+    has_jump = found.kinds == JUMP
+    return found, ~is_near | has_jump
+
+
+def _largest(values: _Values) -> Floats:
+    """The size of each outcome; of one that is 0, that of its neighbours."""
+    sizes = np.abs(values.here)
+    sizes_beside = np.abs(values.beside)
+    largest = sizes.max(axis=1, initial=0.0)
+    largest_beside = np.nanmax(sizes_beside, axis=(1, 2, 3), initial=0.0)
+    return np.where(largest, largest, largest_beside)
+
+
+def _greatest(steepness: Floats, scales: Floats, largest: Floats) -> Floats:
+    """The most that a change of any number by its scale does to an outcome, over the scale of each number."""
+    changes = steepness * scales[:, None]
+    most_by_any = changes.max(axis=(1, 2), initial=0.0)
+    most = np.maximum(largest, most_by_any)
+    each_number = most[:, None]
+    return np.asarray(each_number / scales)
 
 
 def _slopes(beside: Floats, noise: Floats, steps: Floats) -> _Known:
@@ -193,52 +209,35 @@ def _central(beside: Floats, noise: Floats, steps: Floats) -> _Known:
     below, above = np.moveaxis(beside, 2, 0)
     rise = above - below
     of_rise = noise.max(axis=2)
-    return extrapolated(rise / (2 * steps), of_rise / steps, 2)
+    apart = 2 * steps
+    return extrapolated(rise / apart, of_rise / steps, 2)
 
 
 def _jumps(values: _Values, noise: Floats, largest: Floats) -> Floats:
     """Of outcomes on each side; 0 where they are continuous or not known."""
     limits, errors = extrapolated(values.beside, noise, 1)
-    gaps = limits - values.here[..., None]
+    here = values.here[..., None]
+    gaps = limits - here
     unseen = ACCURACY * largest
-    smallest = np.maximum(errors, unseen[:, None, None])
+    unseen_by_side = unseen[:, None, None]
+    smallest = np.maximum(errors, unseen_by_side)
     is_gap = np.abs(gaps) > smallest
     return np.where(is_gap, gaps, 0.0)
 
 
 def _kinds(sides: Derivatives, central: _Known, nothing: Flags, shortest: Floats) -> Derivatives:
-    """Derivatives of each kind; ``nothing`` says on which side there is no scene.
-
-    A jump that a kink nearer than the longer steps would feign is left open.
-    """
+    """Derivatives of each kind, from those of both sides; ``nothing`` says on which there is no scene."""
     _, _, _, slopes, errors, jumps = sides
-    has_jump = jumps != 0.0
     is_known = np.isfinite(errors)
-    joined = is_known & ~has_jump
+    goes_on = jumps == 0.0
+    joined = is_known & goes_on
     errors_of_joined = np.where(joined, errors, np.inf)
     surest = np.argmin(errors_of_joined, axis=-1)
     best = surest[..., None]
     value = np.take_along_axis(slopes, best, -1)
     error = np.take_along_axis(errors, best, -1)
     beyond = np.take_along_axis(nothing, 1 - best, -1)
-    steepness = np.abs(slopes)
-    steepest = np.max(steepness, axis=-1, where=is_known, initial=0.0)
-    feigned = RUNGS * shortest * steepest
-    is_feigned = has_jump & (np.abs(jumps) < feigned[..., None])
-    both = joined.all(axis=-1)
-    one = joined.any(axis=-1)
-    below = slopes[..., 0]
-    above = slopes[..., 1]
-    difference = np.abs(above - below)
-    differ = difference > errors.sum(axis=-1)
-    conditions = {
-        UNRESOLVED: is_feigned.any(axis=-1),
-        KINK: both & differ,
-        SMOOTH: both,
-        ONE_SIDE: one & beyond[..., 0],
-        JUMP: has_jump.any(axis=-1),
-    }
-    kinds = np.select([*conditions.values()], [*conditions], UNRESOLVED)
+    kinds = _named(sides, joined, beyond[..., 0], shortest)
     of_side = value[..., 0], error[..., 0]
     is_smooth = kinds == SMOOTH
     values, of_values = _surer(of_side, central, is_smooth)
@@ -247,10 +246,37 @@ def _kinds(sides: Derivatives, central: _Known, nothing: Flags, shortest: Floats
     largest_error = errors.max(axis=-1)
     values = np.where(is_kink, mean, values)
     of_values = np.where(is_kink, largest_error, of_values)
-    unknown = (kinds == UNRESOLVED) | ~one
+    unknown = kinds == UNRESOLVED
+    unknown |= ~joined.any(axis=-1)
     values = np.where(unknown, np.nan, values)
     of_values = np.where(unknown, np.inf, of_values)
     return Derivatives(kinds, values, of_values, slopes, errors, jumps)
+
+
+def _named(sides: Derivatives, joined: Flags, beyond: Flags, shortest: Floats) -> Any:
+    """The kind of each derivative. A jump that a kink nearer than the longer steps would feign is left open."""
+    _, _, _, slopes, errors, jumps = sides
+    has_jump = jumps != 0.0
+    is_known = np.isfinite(errors)
+    steepness = np.abs(slopes)
+    steepest = np.max(steepness, axis=-1, where=is_known, initial=0.0)
+    feigned = RUNGS * shortest * steepest
+    by_side = feigned[..., None]
+    is_feigned = has_jump & (np.abs(jumps) < by_side)
+    both = joined.all(axis=-1)
+    one = joined.any(axis=-1)
+    below = slopes[..., 0]
+    above = slopes[..., 1]
+    difference = np.abs(above - below)
+    allowed = errors.sum(axis=-1)
+    conditions = {
+        UNRESOLVED: is_feigned.any(axis=-1),
+        KINK: both & (difference > allowed),
+        SMOOTH: both,
+        ONE_SIDE: one & beyond,
+        JUMP: has_jump.any(axis=-1),
+    }
+    return np.select([*conditions.values()], [*conditions], UNRESOLVED)
 
 
 def _surer(one: _Known, other: _Known, where: Any = True) -> _Known:
@@ -270,7 +296,9 @@ def _nearer(before: Derivatives, new: Derivatives) -> Derivatives:
     difference = np.abs(new.values - before.values)
     allowed = new.errors + before.errors
     contradict = was_known & (difference > allowed)
-    is_farther = (before.kinds == JUMP) & (new.kinds == SMOOTH)  # than the shortest steps, the jump
+    jumped = before.kinds == JUMP
+    goes_on = new.kinds == SMOOTH
+    is_farther = jumped & goes_on  # than the shortest steps, the jump
     keeps = surer_before & ~is_farther
     kinds = np.where(keeps, before.kinds, new.kinds)
     kinds = np.where(contradict, UNRESOLVED, kinds)

@@ -130,7 +130,8 @@ def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free
         known = possible[name]
         number = scene.arc.dip if name == DIP.name else scene.numbers[name]
         value = float(np.asarray(number))
-        free[name] = Free(name, known.unit, known.lower, known.upper, value, _scale(scene.arc, known, value))
+        scale = _scale(scene.arc, known, value)
+        free[name] = Free(name, known.unit, known.lower, known.upper, value, scale)
     return free
 
 

@@ -25,7 +25,7 @@ def sensitivity(scene: Scene[float], outputs: Mapping[str, float]) -> Sensitivit
     free = parameters(scene)
     warnings = list[str]()
     if any(outputs.values()):
-        found = neighbour_derivatives(scene, [*OUTPUTS], free)
+        found = neighbour_derivatives(scene, OUTPUTS, free)
         kept = list(_mattering(found, free))
         found = found.at(kept)
         names = [*free]

@@ -285,7 +285,7 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
         si[field.name] = float(field.to_si(value))
     scene = with_parameters(problem.scene, si)
     motion = solve(scene)
-    slopes = neighbour_derivatives(scene, [*OUTCOMES], free_parameters(scene, si)).values
+    slopes = neighbour_derivatives(scene, OUTCOMES, free_parameters(scene, si)).values
     outcomes = np.array([float(motion.outcomes[n]) for n in problem.observed])
     residuals = outcomes - problem.targets
     scaled = residuals / problem.scales

@@ -51,7 +51,7 @@ def propagated(design: Design) -> dict[str, Linear]:
     at_means = with_parameters(design.scene, means)
     motion = solve(at_means, design.accuracy)
     outcomes = np.array([motion.outcomes[name] for name in OUTCOMES])
-    slopes = neighbour_derivatives(at_means, [*OUTCOMES], free_parameters(at_means, means)).values
+    slopes = neighbour_derivatives(at_means, OUTCOMES, free_parameters(at_means, means)).values
     is_known = np.all(np.isfinite(slopes), axis=0).tolist()
     unknown = [keys[name] for name, known in zip(means, is_known, strict=True) if not known]
     if unknown:
