@@ -186,6 +186,7 @@ OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "tables": ("newmark-pulse", {}, bool),
     "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),
     "water": ("valley-side", {}, bool),
+    "creep": ("vaiont", {"effects": CREEP}, bool),
     "stiff": ("vaiont", {"effects": CREEP, "end_time": 1e6}, bool),
     "equation": ("vaiont", {}, lambda motion: motion.plan.equation),
     "estimate": ("vaiont", {}, lambda motion: motion.error_estimate),
@@ -310,6 +311,7 @@ DENSITY = {
     "slipcircle/base": 10.1,
     "slipcircle/core": 10.3,
     **{f"slipcircle/{room}": 10.9 for room in ROOMS},
+    "slipcircle/stiff": 11.4,
     **{str(path.parent.relative_to(ROOT)): 12.0 for path in WORKBENCH},
 }
 

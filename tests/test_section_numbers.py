@@ -42,6 +42,18 @@ def test_a_lane_that_is_none_is_named(given: dict[str, Any], said: str) -> None:
         body(**given)
 
 
+def test_a_circle_that_only_touches_a_scarp_is_none() -> None:
+    """Its entry and its exit were one point, half an angle of 6e-17 apart."""
+    x, height = 39.93594546227666, 19.304500093424398
+    ground = [[-160.0, 0.0], [x, 0.0], [x, height], [240.0, height]]
+    given: dict[str, Any] = {"ground": ground, "centre": [33.49550289007233, 8.148909736444072], "unit_weight": 2e4}
+    with pytest.raises(ValueError, match=r"radius = 6\.44.* only touches the ground, at \[39.9359, 8.14891\]"):
+        Section(**given, radius=6.440442572204333)
+    assert Section(**given, radius=6.440442572204333 * (1 + 1e-13)).half_angle > 1e-8
+    with pytest.raises(ValueError, match=r"lane \[1\]: radius = .*only touches the ground"):
+        Section(**given, radius=np.array([6.5, 6.440442572204333]))
+
+
 def test_a_lane_beyond_half_a_circle_is_named() -> None:
     with pytest.raises(ValueError, match=r"arc: lane \[1\]: the arc is longer than half a circle"):
         Scene(Section([[-40, 20], [0, 0], [40, 20]], [[2.0, 9.9], [0.2, 0.5]], [10.2, 4.0], 20e3), 0.3)

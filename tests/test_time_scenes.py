@@ -123,16 +123,6 @@ def test_many_lift_offs_are_said_once() -> None:
     assert f"{motion.lift_off[0]:.6g} s, and 4 times more until {motion.lift_off[4]:.6g} s" in said
 
 
-def test_creep_that_never_ends_is_refused() -> None:
-    slow = {"viscosity": {"viscosity": 1e6, "thickness": 1.0}}
-    with pytest.raises(ValueError, match="end_time: this mass creeps to its rest"):
-        solve(Scene(ARC, 0.3, TURNING | slow))
-    motion = solve(Scene(ARC, 0.3, TURNING | slow, end_time=1e4))
-    assert abs(motion.end.velocity) < 1e-6
-    assert motion.end.rotation == pytest.approx(float(ARC.dip - math.atan(0.3 / float(
-        ARC.amplitudes_per_inertia[0] / ARC.amplitudes_per_inertia[1]))), rel=1e-6)  # fmt: skip
-
-
 @pytest.mark.parametrize("share", [1e-2, 1e-6, 1e-13, 0.0, -1e-13, -1e-6, -1e-2])
 def test_a_stop_that_just_happens(share: float) -> None:
     """Friction falls steadily in time, so that the velocity is a parabola, and that touches zero, or almost."""

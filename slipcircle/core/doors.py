@@ -16,6 +16,7 @@ DOORS = {
     "tables": Door("a function of time, or a law in pieces or by a list", "slipcircle.tables.tables"),
     "functions": Door("friction as a function of slip in Python", "slipcircle.tables.interpolation"),
     "water": Door("a section has a water level", "slipcircle.ground.water"),
+    "creep": Door("a viscous layer, and no end time", "slipcircle.stiff.creep"),
     "stiff": Door("explicit steps were too many", "slipcircle.stiff.implicit"),
     "equation": Door("the equation of a scene is asked for", "slipcircle.words.equation"),
     "estimate": Door("the error of a motion is asked for", "slipcircle.words.accuracy"),

@@ -20,6 +20,7 @@ def geometry_errors(section: Any) -> Iterator[Fault]:
         yield pond_errors(section._circle[0], section._level)
     yield _not_one_stretch(section)
     yield _below_ground(section)
+    yield _one_point(section)
     if section.base is not None:
         yield _below_base(section)
 
@@ -69,6 +70,23 @@ def _below_ground(section: Any) -> Fault:
         is_below | (last <= first),
         lambda k: f"{{centre}} = {centre[k].tolist()}: lies below the ground; a slip circle's lies above it",
     )
+
+
+def _one_point(section: Any) -> Fault:
+    """Circles that touch the ground: entry and exit are one point to rounding of the coordinates."""
+    _, centre, radius = section._circle
+    left, right = section._ends
+    chord = radius * np.hypot(right.x - left.x, right.y - left.y)
+    coordinates = np.abs(centre).max(axis=1) + radius
+
+    def sentence(k: int) -> str:
+        x, y = centre[k] + radius[k] * left.points[k]
+        return (
+            f"{{radius}} = {radius[k]:.10g}: the circle only touches the ground, at [{x:.6g}, {y:.6g}]; to cut off a "
+            "mass it must be greater, or {centre} closer"
+        )
+
+    return chord <= 2e-16 * coordinates, sentence
 
 
 def _below_base(section: Any) -> Fault:

@@ -225,12 +225,25 @@ class _Implicit(Integrator):
         registers = self._registers_in(cells)
         return registers.reshape(-1, states, count)
 
+    def _greatest_speed(self, start: Floats) -> Floats:
+        """The greatest speed so far in the place of omega, otherwise 0.
+
+        Near an equilibrium drive and resistance cancel: what is left of the speed has the rounding of the greatest.
+        """
+        greatest = np.zeros(start.size)
+        peak = abs(self.peak_omega[0])
+        omega = abs(start[0, 1])
+        greatest[1] = max(peak, omega)
+        return greatest
+
     def _newton(self, now: Present, h: float) -> Step | None:
         """A step; none where Newton's iteration does not converge."""
         times = now.time + AT * h
         start = now.states.T
         first_change = h * now.registers[self.rates].T
         least_size = np.maximum(np.abs(first_change), LEAST_SIZE)
+        speeds = self._greatest_speed(start)
+        least_size = np.maximum(least_size, speeds)
         least_size = np.maximum(np.abs(start), least_size)
         points = start + AT[:, None] * first_change
         before = np.inf
@@ -248,7 +261,7 @@ class _Implicit(Integrator):
             largest = np.abs(correction).max()
             falls_no_more = CONVERGED > largest > before / 4
             if largest <= 4 * EPS or falls_no_more:
-                return step_through(now, h, points, registers, rates)
+                return step_through(now, h, points, registers, rates, 8 * EPS * speeds)
             if not largest < before:
                 return None
             before = largest

@@ -67,8 +67,8 @@ class Step(NamedTuple):
         return np.asarray(legendre.legval(place, self.legendre))
 
 
-def step_through(start: Present, h: float, points: Floats, registers: Floats, rates: Floats) -> Step:
-    """The step through states at the points, (points, states), with its error.
+def step_through(start: Present, h: float, points: Floats, registers: Floats, rates: Floats, rounding: Floats) -> Step:
+    """The step through states at the points, (points, states), with its error; ``rounding`` is that of the states.
 
     This is the size of its last coefficients, beside rounding, of which that of the time moves every state by as much
     as its rate.
@@ -79,7 +79,7 @@ def step_through(start: Present, h: float, points: Floats, registers: Floats, ra
     largest_rate = np.abs(rates).max(axis=0)
     rounding_of_time = 8 * EPS / TOLERANCE * start.time
     size = np.maximum(largest_state, LEAST_SIZE)
-    size += rounding_of_time * largest_rate
+    size += rounding_of_time * largest_rate + rounding / TOLERANCE
     tail = np.abs(coefficients[-2:]).max(axis=0)
     error = np.max(tail / size)
     times = start.time + AT * h

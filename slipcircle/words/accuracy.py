@@ -168,8 +168,8 @@ def _ends_otherwise(cells: Floats, final: Final) -> Any:
 
 def summary_vector(final: Any) -> Floats:
     """Duration, run-out and peak velocity, dimensionless, (3, lanes), of final cells."""
-    ended = final[ix.STATUS] == ix.ENDED
-    rest = final[ix.REST_SINCE]
+    ended = (final[ix.STATUS] == ix.ENDED) & (final[ix.TIME] < np.inf)
+    rest = final[ix.REST_SINCE]  # of a mass that creeps, when it has all but arrived
     duration = choose(ended, final[ix.END_TIME], rest)
     peak_velocity = np.abs(final[ix.PEAK_OMEGA])
     run_out = final[ix.END_ROTATION]

@@ -11,10 +11,13 @@ from slipcircle.core.motion.states import Status
 def summary(motion: Any) -> str:
     """What happened to a single mass, in half a sentence."""
     if not motion.moves:
-        return f"does not move, factor of safety {shown(motion.factor_of_safety)}"
+        return f"does not move, factor of safety {shown(motion.factor_of_safety)} by the paper's method"
     digits = digits_left(motion.error_estimate)
     velocity = shown(motion.outcomes["peak_velocity"], digits)
     run_out = shown(motion.run_out, digits)
+    if motion.status is Status.CREEPS:
+        arrival = shown(motion.settling_time, digits)
+        return f"{velocity} m/s at most; creeps to a run-out of {run_out} m, 99 % of it in {arrival} s"
     duration = shown(motion.duration, digits)
     end = "comes to rest after" if motion.arrested else "still moving at"
     if not motion.arrested and motion.plan.scene.end_time is None:

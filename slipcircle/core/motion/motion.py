@@ -68,6 +68,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         Whether it rests at the end.
     duration : float
         Time from the start to the end, s.
+        Infinite if it creeps to its equilibrium.
+    settling_time : float
+        Time by which 99 % of the run-out is covered if it creeps, else the duration, s.
     run_out : float
         Displacement along the arc at the end, m.
     outcomes : mapping
@@ -172,6 +175,10 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return self.outcomes["duration"]
 
     @property
+    def settling_time(self) -> Numbers:
+        return self._shaped(self._settling_time)
+
+    @property
     def run_out(self) -> Numbers:
         return self.outcomes["run_out"]
 
@@ -260,11 +267,11 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     def phases(self) -> tuple[Phase, ...]:
         """Phases of a single motion between its standstills."""
         scale = float(np.squeeze(self._lanes.time_scale))
-        duration = float(np.squeeze(self._duration))
+        last = float(np.squeeze(self._settling_time))
         phases = list[Phase]()
         for event, time, rotation, direction in self._log:
             if event == ix.NOTE_BEGINS:
-                phase = Phase(time * scale, duration, rotation, int(direction))
+                phase = Phase(time * scale, last, rotation, int(direction))
                 phases.append(phase)
             elif event == ix.NOTE_STANDS:
                 phase = phases.pop()
@@ -302,13 +309,13 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @cached_property
     def energy(self) -> Any:
-        """Energy balance from the start to the end."""
-        return self.energy_at(self.duration)
+        """Energy balance from the start to the end, of a mass that creeps to its `settling_time`."""
+        return self.energy_at(self.settling_time)
 
     @cached_property
     def energy_error_estimate(self) -> float:
         """Greatest error of the energy balance of a single motion, relative to all energy until then."""
-        times = np.linspace(0.0, self._duration, ENERGY_CHECKS)
+        times = np.linspace(0.0, self._settling_time, ENERGY_CHECKS)
         energy = self.energy_at(times)
         exchanged = energy.kinetic_start + np.abs(energy.work) + energy.dissipation
         greatest = np.maximum.accumulate(exchanged)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -42,6 +42,17 @@ def integrate_all(
         To start with and to overwrite; by default a copy of the problem's.
     """
     integrator = integrator or engine().integrate
+    integrate = partial(_integrate, log=log, integrator=integrator)
+    if problem.may_creep:
+        final: Floats = room("creep").integrate(problem, samples, integrate)
+        return final
+    return integrate(problem, samples, cells=cells)
+
+
+def _integrate(problem: Problem, samples: Samples | None, log: Any, integrator: Any, cells: Any = None) -> Floats:
+    """`integrate_all`, where no mass creeps."""
+    if log is not None:
+        log.clear()
     state = cells
     if cells is None:
         state = problem.initial_cells()
@@ -49,7 +60,7 @@ def integrate_all(
     integrator(program, problem.tables, state, samples, log)
     is_copy = cells is None
     if is_copy and problem.extend_rotations(state[ix.REACH_ROTATION]):
-        return _integrate_again(problem, samples, log, integrator)
+        return _integrate(problem, samples, log, integrator)
     last_status = state[ix.STATUS].max(initial=0.0)
     if last_status < ix.TOO_LONG:
         return state
@@ -60,14 +71,7 @@ def integrate_all(
         return state
     # One lane goes on to find how far a Python function is needed; then all start again with the whole table.
     _extend_to_end(problem, state, waiting[:1])
-    return _integrate_again(problem, samples, log, integrator)
-
-
-def _integrate_again(problem: Problem, samples: Samples | None, log: Log | None, integrator: Any) -> Floats:
-    """All lanes from their start, as tables have been extended."""
-    if log is not None:
-        log.clear()
-    return integrate_all(problem, samples, log, integrator)
+    return _integrate(problem, samples, log, integrator)
 
 
 def _integrate_stiff(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None) -> None:

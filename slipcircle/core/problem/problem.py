@@ -16,7 +16,7 @@ from slipcircle.core.problem.numbers import Numbers
 from slipcircle.core.program.build import build_program
 from slipcircle.core.program.program import Program
 from slipcircle.core.scene.effects import in_order, rotates, symbols_of
-from slipcircle.core.scene.friction import law_parts
+from slipcircle.core.scene.friction import law_parts, variables_of
 from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data
 
@@ -102,6 +102,15 @@ class Problem(NamedTuple):
         for place in places:
             self.tables[place] = laid_out[self.program.tables[place].name]
         return True
+
+    @property
+    def may_creep(self) -> bool:
+        """Whether a mass may approach its equilibrium for ever: viscosity, forces of position, and no end time."""
+        recipe = self.recipe
+        of_position = not recipe.moving and "thermal_pressurisation" not in recipe.effects
+        if "viscosity" not in recipe.effects or not of_position or not {"slip"}.issuperset(variables_of(recipe.laws)):
+            return False
+        return bool(np.any(self.cells[ix.END_TIME] == np.inf))
 
     def initial_cells(self) -> Floats:
         """A copy of the cells at the start."""

@@ -120,8 +120,13 @@ def law_names(given: Any) -> Names:
 
 def law_depends(given: Any) -> Names:
     """What a scene's friction depends on: some of slip, speed, time."""
+    return variables_of(law_names(given))
+
+
+def variables_of(names: Names) -> Names:
+    """What laws of friction depend on: some of slip, speed, time."""
     variables: dict[str, None] = {}
-    for name in law_names(given):
+    for name in names:
         law = LAWS.get(without_soil(name))
         depends_on = law.depends_on if law else ("slip",)
         variables |= dict.fromkeys(depends_on)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.text import DIGITS, digits_left, shown
+from slipcircle.core import Status
 from slipcircle.layers import LayeredSection, stretches
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 
@@ -125,6 +126,9 @@ def end_words(motion: Any) -> dict[str, str]:
         return {"comes to rest": "does not move", "duration": "-"}
     if motion.arrested:
         return {}
+    if motion.status is Status.CREEPS:
+        arrival = f"infinite, 99 % of the run-out in {shown(motion.settling_time)} s"
+        return {"comes to rest": "no, it creeps to its equilibrium", "duration": arrival}
     time = OUTCOMES["duration"].text(motion)
     if motion.plan.scene.end_time is None:
         return {"comes to rest": "no, nothing holds it", "duration": f"first standstill at {time}"}

@@ -33,7 +33,7 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
     turn_per_rotation = stage.magnification * float(motion.plan.scene.arc.facing)
     ax.add_patch(Polygon(mass.outline(), closed=True, zorder=2, **AREAS["start"]))
     body = ax.add_patch(Polygon(mass.outline(), closed=True, zorder=4, **AREAS["moving"]))
-    times = np.linspace(0.0, motion.duration, frames if motion.moves else 1)
+    times = np.linspace(0.0, motion.settling_time, frames if motion.moves else 1)
     states = motion.at(times)
     turns = turn_per_rotation * states.rotation
     speeds = np.abs(states.velocity)
@@ -54,7 +54,7 @@ def _pace(motion: Motion, seconds: float, magnification: float) -> str:
     """Speed-up and magnification of a film, in words."""
     words = ""
     if motion.moves:
-        speed_up = motion.duration / seconds
+        speed_up = motion.settling_time / seconds
         ratio = f"{max(speed_up, 1.0 / speed_up):.2g}"
         words = f"; {ratio} times {'faster' if speed_up > 1.0 else 'slower'}" if ratio != "1" else "; in real time"
     if magnification > 1.0:

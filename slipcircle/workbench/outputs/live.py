@@ -179,7 +179,7 @@ def headline(motion: Motion) -> str:
     if motion.status not in ANSWERED:
         return f"no result: {motion.reason}"
     if not motion.moves:
-        return f"does not move, factor of safety {shown(motion.factor_of_safety)}"
+        return f"does not move, factor of safety {shown(motion.factor_of_safety)} by the paper's method"
     run_out, duration = (OUTCOMES[name].text(motion) for name in ("run_out", "duration"))
     return f"{run_out} in {duration}, {ending(motion)}"
 
