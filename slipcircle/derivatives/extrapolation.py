@@ -51,7 +51,8 @@ def _without_power(column: Floats, power: int) -> Floats:
     longer = column[..., :-1]
     shorter = column[..., 1:]
     difference = factor * shorter - longer
-    return np.asarray(difference / (factor - 1))
+    weight = factor - 1
+    return np.asarray(difference / weight)
 
 
 def _noise_without_power(noise: Floats, power: int) -> Floats:
@@ -59,7 +60,8 @@ def _noise_without_power(noise: Floats, power: int) -> Floats:
     longer = noise[..., :-1]
     shorter = noise[..., 1:]
     most = factor * shorter + longer
-    return np.asarray(most / (factor - 1))
+    weight = factor - 1
+    return np.asarray(most / weight)
 
 
 def _last_change(following: Floats, column: Floats) -> Floats:
@@ -82,7 +84,8 @@ def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
     other = following[..., None, :]
     differences = np.abs(one - other)
     allowed = NOISY * noise
-    unlike = differences - allowed[..., None, :]
+    allowed_of_other = allowed[..., None, :]
+    unlike = differences - allowed_of_other
     at_shorter = _at_shorter(unlike)
     return np.asarray(np.max(unlike, axis=-1, where=at_shorter, initial=0.0))
 

@@ -119,7 +119,8 @@ def parameters(scene: Scene[float]) -> dict[str, Free]:
     numbers = scene.numbers
     names = dict.fromkeys(("friction", *numbers) if "friction" in numbers else numbers)
     has_effect = [name for name in names if np.all(numbers[name]) or not _rests_at_zero(name)]
-    return free_parameters(scene, [name for name in has_effect if name not in left_out])
+    chosen = [name for name in has_effect if name not in left_out]
+    return free_parameters(scene, chosen)
 
 
 def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free]:
@@ -179,7 +180,8 @@ def _scale(arc: Any, parameter: Parameter, value: float) -> float:
         size = abs(arc.theta_2 - arc.theta_1)
     else:
         size = abs(value) or usual.get(parameter.unit, 1.0)
-    return float(2.0 ** round(math.log2(size)))
+    exponent = round(math.log2(size))
+    return float(2.0**exponent)
 
 
 def _parameters_of_arc(arc: Any) -> Iterator[Parameter]:
