@@ -293,7 +293,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return sentences
 
     def sensitivity(self) -> Any:
-        """Exact derivatives of a single motion by every number of its scene: `slipcircle.derivatives.sensitivity`.
+        """Derivatives of a single motion by every number of its scene, with stated errors.
+
+        They are those of neighbouring scenes, extrapolated: `slipcircle.derivatives.neighbours`.
 
         Raises
         ------
