@@ -1,8 +1,9 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a3d3e5b4730a28464ce4948489706c7e789a57f378517f798aee69136d2b75c3
+# sha256 of the text below: 8e9295a5b9d674dd7f45fd3b19ba982db770fb09a5355fdbae01c486389f09af
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
-The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel.
+The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
+of a level, such as ``baseline``, asks for the loops of lesser processors.
 """
 
 import os
@@ -53,7 +54,8 @@ def load(digest: str = DIGEST) -> dict[str, tuple[str, Mapping[str, Mapping[str,
 
 
 LEVELS = load()
-LEVEL = next(iter(LEVELS))
+_asked = os.environ.get("SLIPCIRCLE_COMPILED", "")
+LEVEL = _asked if _asked in LEVELS else next(iter(LEVELS))
 
 
 def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:

@@ -20,26 +20,13 @@ if getattr(generated, "__project__", None) != "slipcircle":
     )
 
 from slipcircle.base import VERSION
-from slipcircle.core.motion.forms import use_forms
+from slipcircle.base.forms import use_forms
 
 if TYPE_CHECKING:
-    from slipcircle.core import (
-        Arc,
-        Dimensionless,
-        Energy,
-        LayeredSection,
-        Motion,
-        Plan,
-        Pulse,
-        Scene,
-        Section,
-        Series,
-        Soil,
-        State,
-        Status,
-        plan,
-        solve,
-    )
+    from slipcircle.core import Arc, Dimensionless, Energy, Motion, Plan, Scene, State, Status, plan, solve
+    from slipcircle.ground import Section
+    from slipcircle.layers import LayeredSection, Soil
+    from slipcircle.tables import Pulse, Series
     from slipcircle.workbench.files.scenefile import load
     from slipcircle.workbench.records.records import Record
     from slipcircle.workbench.records.suite import Suite, read_suite
@@ -60,16 +47,16 @@ _PLACES = {
     "Critical": "workbench.stability.search",
     "Dimensionless": "core",
     "Energy": "core",
-    "LayeredSection": "core",
+    "LayeredSection": "layers",
     "Motion": "core",
     "Plan": "core",
-    "Pulse": "core",
+    "Pulse": "tables",
     "Record": "workbench.records.records",
     "Scene": "core",
-    "Section": "core",
-    "Series": "core",
+    "Section": "ground",
+    "Series": "tables",
     "Slope": "workbench.stability.stability",
-    "Soil": "core",
+    "Soil": "layers",
     "State": "core",
     "Status": "core",
     "Study": "workbench.studies.study",

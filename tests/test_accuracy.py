@@ -4,6 +4,7 @@
 """
 
 import hashlib
+import json
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -14,9 +15,10 @@ import pytest
 import slipcircle
 from generated import layout as ix
 from slipcircle import Arc, Scene, load, solve
-from slipcircle.core.flow.problem import Problem
-from tests.support import references, taylor, vaiont
+from slipcircle.workbench.files.scenefile import shipped
+from tests.support import references, section_references, taylor, vaiont
 from tests.support.accuracy import DATA, MANY, NUMBERS, ROWS, TIMED, error, near_limit, scene, solved, true_error
+from tests.support.lanes import Problem, backend, needs_binary, work
 
 
 @pytest.mark.parametrize("group", references.STEADY | references.TIMED)
@@ -26,11 +28,43 @@ def test_accuracy_is_what_the_user_gets(group: str) -> None:
         agrees(k, solved(k))
 
 
+@needs_binary
+def test_numpy_is_as_accurate() -> None:
+    """Every eighth, so that all groups are among them."""
+    for k in range(0, 400, 8):
+        with backend("NumPy"):
+            agrees(k, slipcircle.solve(scene(ROWS[k])))
+
+
 def agrees(number: int, motion: Any) -> None:
     reference = ROWS[number]["reference"]
     decisions = (motion.moves, motion.arrested, bool(motion.lift_off))
     assert decisions == (reference["moves"], reference["arrested"], reference["lifted"]), f"scene {number}"
     assert motion.error_estimate >= max(true_error(motion, reference)), f"scene {number}"
+
+
+# Steps of all scenes of a group together, and the operations on series in them.
+WORK = {
+    "frozen": (210, 500), "constant": (853, 4820), "exponential": (645, 7249), "linear": (343, 2884),
+    "hyperbolic": (442, 4501), "tabulated": (5480, 54960), "viscous": (53, 250), "pulse": (307, 3249),
+    "series": (345, 4004), "rate": (195, 2021), "rate table": (596, 7623), "prescribed": (67, 530),
+    "product": (195, 2804), "heated": (122, 1598), "water": (54, 367), "all": (578, 13855),
+    "sections": (357, 4529), "that ship": (465, 6092),
+}  # fmt: skip
+
+
+@needs_binary
+@pytest.mark.parametrize("group", WORK)
+def test_motions_take_the_work_that_they_took(group: str) -> None:
+    """To a fiftieth: more is slower, and less may well be another step than the one that was meant."""
+    if group == "that ship":
+        motions = [solve(load(name)) for name in shipped()]
+    elif group == "sections":
+        rows = json.loads(section_references.FILE.read_text("utf-8"))
+        motions = [solve(section_references.scene(row["scene"])) for row in rows]
+    else:
+        motions = [solved(k) for k, row in enumerate(ROWS) if row["group"] == group]
+    assert np.sum([work(motion) for motion in motions], axis=0) == pytest.approx(WORK[group], rel=0.02)
 
 
 def test_energy_balances_at_all_times() -> None:

@@ -159,6 +159,11 @@ def test_half_discs_given_in_degrees(first: float) -> None:
 
 def test_given_coefficients_are_taken_as_they_are() -> None:
     d = vaiont(given=TABLE_4_1).dimensionless
+    level = 3.0 * np.pi - VAIONT["theta_2"]
+    several = vaiont(given=TABLE_4_1, theta_1=np.array([3.7, level])).moment_coefficients
+    for lane, theta_1 in enumerate((3.7, level)):
+        alone = vaiont(given=TABLE_4_1, theta_1=theta_1).moment_coefficients
+        assert [float(np.broadcast_to(x, 2)[lane]) for x in several] == [float(x) for x in alone]
     assert {n: getattr(d, n) for n in GIVEN} == TABLE_4_1
     assert d.limit_friction == 0.0387 / 0.0870
     assert d.static_normal_stress == 0.0870 / 0.1523

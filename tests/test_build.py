@@ -17,8 +17,9 @@ import pytest
 from derive import build
 from derive.approximate.programs import variants
 from derive.generate import emit_c, write
-from slipcircle.core.flow import compiled
+from tests.campaigns import matrix
 from tests.support.kernels import COMPILED, FITTED, LEVELS, needs_binary
+from tests.support.lanes import BINARY
 
 ROOT = Path(__file__).parents[1]
 
@@ -177,14 +178,23 @@ def test_without_a_compiler_of_the_machine_that_of_the_package_index_serves(monk
 
 
 @needs_binary
+@pytest.mark.skipif("NPY_DISABLE_CPU_FEATURES" in os.environ, reason="NumPy is told otherwise")
 def test_kernels_and_integrator_use_what_the_processor_has() -> None:
     """NumPy asks the processor too; a compiler's library may know none of it, and all takes 2.6 times as long."""
     has = getattr(np, "_core")._multiarray_umath.__cpu_features__  # noqa: B009 (private, and without a type)
     widest = "avx512" if has["AVX512_SKX"] else "avx2" if has["AVX2"] and has["FMA3"] else COMPILED[-1]
-    integrator = compiled.module()
-    assert integrator is not None
     assert COMPILED[0] == widest
-    assert next(iter(integrator.LEVELS)) == widest
+    assert next(iter(BINARY.LEVELS)) == widest
+
+
+@pytest.mark.parametrize("name", matrix.PROCESSORS)
+def test_every_processor_shows_the_same_digits(name: str) -> None:
+    """A sample of what `python -m tests.campaigns.matrix` runs with NumPy's wide loops off, or ours."""
+    notebook = "tests/test_notebooks.py::test_outputs_are_those_of_a_fresh_run[6_from_a_slope_to_a_slide]"
+    examples = ["tests/test_readme.py::test_python", "tests/test_readme.py::test_the_earthquake_of_the_readme"]
+    tests = [notebook, *examples, "tests/test_golden.py::test_numbers_are_those_kept"]
+    passed, line = matrix.tested(ROOT, sys.executable, matrix.PROCESSORS[name], tests)
+    assert passed, line
 
 
 def test_without_a_compiler_the_wheel_is_pure_and_works(tmp_path: Path) -> None:

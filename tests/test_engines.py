@@ -24,7 +24,7 @@ import pytest
 from slipcircle import ensemble, load
 from slipcircle.base import progress as progress_module
 from slipcircle.base.progress import Progress
-from slipcircle.base.series import Series
+from slipcircle.tables import Series
 from slipcircle.workbench.common.files import write
 from slipcircle.workbench.studies import engines, export
 from slipcircle.workbench.studies.design import Design

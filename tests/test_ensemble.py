@@ -7,18 +7,19 @@ import tomllib
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
 from scipy import stats
 
 from slipcircle import Scene, backanalyse, ensemble, load, solve
-from slipcircle.base.series import Series
 from slipcircle.core.motion.states import Status
+from slipcircle.tables import Series
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.scenefile import load as read
 from slipcircle.workbench.files.schema import schema
+from slipcircle.workbench.outputs.report import study_report
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.ensemble import grid
@@ -143,9 +144,36 @@ def test_pairs_are_correlated() -> None:
     assert (np.mean(x), np.std(x), np.mean(y)) == pytest.approx((22.0, 1.0, 5.0), rel=1e-2)
     assert study.linear["reach"].std == pytest.approx(study.std("reach").value, rel=0.1)
     assert not study.sensitivity
-    for wrong, words in (({pair: 1.5}, "must be between -1 and 1"), ({(pair[0], "x"): 0.1}, "not uncertain")):
+    said = f"correlation of {pair[0]} with {pair[1]} -0.6"
+    assert said in study_report(study)
+    assert study.to_dict()["correlation"] == [{"key": pair[0], "with": pair[1], "value": -0.6}]
+    wrongs = {
+        "must be between -1 and 1": {pair: 1.5},
+        "not uncertain": {(pair[0], "x"): 0.1},
+        "must be a mapping from pairs": {pair[0]: 0.1},
+    }
+    for words, wrong in wrongs.items():
         with pytest.raises(ValueError, match=words):
-            ensemble(scene, 16, 1, correlation=wrong)
+            ensemble(scene, 16, 1, correlation=cast(Any, wrong))
+
+
+def test_peak_and_scale_of_a_record_do_not_vary_together() -> None:
+    scene = replace(load("vaiont"), effects={"shaking": {"horizontal": RECORD, "scale": 1.0}}, end_time=1.0)
+    with pytest.raises(ValueError, match=r"shaking\.scale and shaking\.peak exclude each other: .*; vary one"):
+        grid(scene, {"shaking.scale": [1.0, 2.0], "shaking.peak_g": [0.3, 0.6]})
+
+
+def test_names_of_settings_are_checked() -> None:
+    """Also those that a call without records ignored."""
+    scene = replace(load("vaiont"), uncertain={"friction.angle_deg": {"distribution": "normal", "mean": 9, "std": 1}})
+    settings: list[tuple[dict[str, Any], str]] = [
+        ({"scale": [1]}, r"scale = \[1\]: is unknown"),
+        ({"scales": [1]}, "is for records; give records"),
+        ({"records": [RECORD], "scale": [1]}, r"is unknown; did you mean scales\?"),
+    ]
+    for given, words in settings:
+        with pytest.raises(ValueError, match=words):
+            ensemble(scene, 8, 1, **given)
 
 
 def factors_of_samples(study: Study) -> dict[str, Any]:

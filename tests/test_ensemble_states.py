@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.core import with_parameter_arrays
+from slipcircle.derivatives import with_parameter_arrays
 from tests.support import accuracy, golden
 from tests.support.ensembles import EFFECTS, LANES, LAWS, lanes, together
 

@@ -119,8 +119,8 @@ def check_moment(root: Path) -> None:
     }
     assert all(r["definition"] == ["r^1"] for r in records)
     assert max(r["bound"] for r in records if (r["tier"], r["form"]) == ("best", "fused")) <= 1
-    code = "from slipcircle.workbench.cost import ways; from derive.judge.hard import CASES; "
-    code += "print('area' in ways.FUNCTIONS, [c.why for c in CASES if c.function == 'area'] != [])"
+    code = "from slipcircle.workbench.cost.kernels import KERNELS; from derive.judge.hard import CASES; "
+    code += "print('area' in KERNELS, [c.why for c in CASES if c.function == 'area'] != [])"
     assert run(root, "-c", code).split() == ["True", "True"]
 
 

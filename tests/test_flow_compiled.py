@@ -9,12 +9,10 @@ import pytest
 
 import slipcircle
 from generated import layout as ix
-from slipcircle.base.series import Pulse, Series
-from slipcircle.core.flow import compiled, integrate
-from slipcircle.core.flow.problem import Problem, build_problem
-from slipcircle.core.flow.program import Samples
+from slipcircle.tables import Pulse, Series
+from tests.support.lanes import BACKENDS, BINARY, Problem, Samples, build_problem, compiled, integrate, needs_binary
 
-pytestmark = pytest.mark.skipif(compiled.module() is None, reason="no compiled integrator here")
+pytestmark = needs_binary
 
 LANES = 37
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
@@ -43,7 +41,6 @@ SCENES: dict[str, tuple[dict[str, Any], Any, float]] = {
     "heat": (TURNING | {"thermal_pressurisation": {"pressurisation": 1e3, "heat_capacity": 2.7e6, "thickness": 0.1}},
              MU, 200.0),
 }  # fmt: skip
-RESULTS = slice(0, ix.OMEGA + 1)
 
 
 def lanes(name: str, accuracy: float = 1e-11) -> Problem:
@@ -51,21 +48,15 @@ def lanes(name: str, accuracy: float = 1e-11) -> Problem:
     return build_problem(slipcircle.load("vaiont").arc, called, friction, PUSHED, end, accuracy, LANES)
 
 
-def run(bound: Problem, which: Any = slice(None), **options: Any) -> Any:
-    cells = np.array(bound.cells[:, which], order="C")
-    compiled.integrate(bound.program, bound.tables, cells, **options)
-    return cells[RESULTS]
-
-
 @pytest.mark.parametrize("name", SCENES)
 def test_a_lane_is_the_same_alone_in_any_order_and_when_interrupted(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     bound = lanes(name)
-    whole, order = run(bound), np.random.default_rng(1).permutation(LANES)
-    assert np.array_equal(run(bound, order), whole[:, order], equal_nan=True)
-    alone = [run(bound, [k])[:, 0] for k in range(LANES)]
+    whole, order = integrate(bound), np.random.default_rng(1).permutation(LANES)
+    assert np.array_equal(integrate(bound, order), whole[:, order], equal_nan=True)
+    alone = [integrate(bound, [k])[:, 0] for k in range(LANES)]
     assert np.array_equal(np.array(alone).T, whole, equal_nan=True)
     monkeypatch.setattr(compiled, "ROUNDS", 2)
-    assert np.array_equal(run(bound), whole, equal_nan=True)
+    assert np.array_equal(integrate(bound), whole, equal_nan=True)
 
 
 COUNTED = (ix.STATUS, ix.STEPS, ix.PHASES, ix.TURNS, ix.DIRECTION, ix.LAST_WAY, ix.LIFTED, ix.PASSED)
@@ -84,16 +75,14 @@ def alike(one: Any, other: Any, within: float) -> None:
 @pytest.mark.parametrize("name", SCENES)
 def test_the_integrator_in_numpy_is_the_same(name: str) -> None:
     bound = lanes(name)
-    cells = bound.cells.copy()
-    integrate.integrate(bound.program, bound.tables, cells)
-    alike(run(bound), cells[RESULTS], 1e-11)
+    alike(integrate(bound), integrate(bound, name="NumPy"), 1e-11)
 
 
 @pytest.mark.parametrize("name", SCENES)
 def test_every_kind_of_processor_gives_the_same(name: str) -> None:
     bound = lanes(name)
-    for level in compiled.module().LEVELS:
-        alike(run(bound), run(bound, level=level), 1e-12)
+    for level in BINARY.LEVELS:
+        alike(integrate(bound), integrate(bound, level=level), 1e-12)
 
 
 def test_samples_and_notes_are_those_of_numpy() -> None:
@@ -101,9 +90,9 @@ def test_samples_and_notes_are_those_of_numpy() -> None:
     unit = float(np.asarray(slipcircle.load("vaiont").arc.time_scale))
     times = np.tile(np.linspace(0.0, 30.0, 61)[:, None] / unit, (1, LANES))
     states, notes = [], []
-    for integrator in (compiled.integrate, integrate.integrate):
+    for name in BACKENDS:
         samples, log = Samples(times, np.full((4, 61, LANES), np.nan)), list[Any]()
-        integrator(bound.program, bound.tables, bound.cells.copy(), samples, log)
+        integrate(bound, name=name, samples=samples, log=log)
         states.append(samples.states)
         notes.append([(k, round(t, 9)) for k, t, *_ in log if k in (ix.NOTE_BEGINS, ix.NOTE_STANDS)])
     assert np.all(np.isfinite(states))
@@ -117,8 +106,8 @@ def test_samples_and_notes_are_those_of_numpy() -> None:
 def test_threads_walk_side_by_side() -> None:
     bound = lanes("softening")
     with ThreadPoolExecutor(2) as pool:
-        halves = list(pool.map(lambda half: run(bound, half), (slice(18), slice(18, None))))
-    assert np.array_equal(np.concatenate(halves, axis=1), run(bound), equal_nan=True)
+        halves = list(pool.map(lambda half: integrate(bound, half), (slice(18), slice(18, None))))
+    assert np.array_equal(np.concatenate(halves, axis=1), integrate(bound), equal_nan=True)
 
 
 def test_what_does_not_fit_is_refused() -> None:
@@ -126,9 +115,9 @@ def test_what_does_not_fit_is_refused() -> None:
     code, cells, nothing = compiled.encoded(bound.program), bound.cells.copy(), np.empty(0)
     for bad in (code[:-4], code + code[:4]):
         with pytest.raises(ValueError, match="do not fit"):
-            compiled.module().integrate(bad, (), cells, 14, 0, LANES, 1, nothing, nothing, nothing, 0)
+            BINARY.integrate(bad, (), cells, 14, 0, LANES, 1, nothing, nothing, nothing, 0)
     with pytest.raises(ValueError, match="do not fit"):
-        compiled.module().integrate(code, (), cells, 99, 0, LANES, 1, nothing, nothing, nothing, 0)
+        BINARY.integrate(code, (), cells, 99, 0, LANES, 1, nothing, nothing, nothing, 0)
 
 
 def test_a_binary_of_another_source_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,9 +13,8 @@ from derive.declare import effects as declared
 from derive.declare.effects import EFFECTS, SLIP, THETA, VALUE, Effect, Parameter
 from derive.flow import fragments, operations
 from generated import series
-from slipcircle.core.flow.build import build_program
-from slipcircle.core.flow.program import Program
 from tests.campaigns import flow_oracle
+from tests.support.lanes import Program, build_program
 
 
 @pytest.fixture

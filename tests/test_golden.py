@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from flint import arb, arb_series, ctx
 
-from slipcircle import Arc, Motion
+from slipcircle import Arc, Motion, Scene, solve
 from tests.support import accuracy, golden, oracle, taylor
 from tests.support.pieces import constant
 
@@ -111,7 +111,21 @@ def test_state_of_limit_and_stress_from_the_definitions(name: str) -> None:
         return
     yields = (held + mu * normal - fall) / (along - mu * across)
     carried = normal + yields * across < 0.0
-    assert carried or motion.yield_coefficient == pytest.approx(yields, rel=1e-12, abs=1e-13)
+    yields = (held - fall) / along if carried else yields
+    assert motion.yield_coefficient == pytest.approx(yields, rel=1e-12, abs=1e-13)
     limit = (fall - held) / normal if normal > 0.0 else math.copysign(math.inf, fall - held)
     assert motion.limit_friction == pytest.approx(limit, rel=1e-12)
     assert motion.factor_of_safety == pytest.approx((held + mu * max(normal, 0.0)) / fall, rel=1e-12)
+
+
+@pytest.mark.parametrize(("cohesion", "alike"), [(2e3, False), (2e6, True)])
+def test_a_mass_that_lifts_before_it_yields_needs_no_friction(cohesion: float, alike: bool) -> None:
+    """Where cohesion is so great that the shaking carries the mass first, k_y is that of cohesion and weight alone."""
+    effects = {"rotation": {}, "cohesion": {"cohesion": cohesion}}
+    arc = Arc(**dict[str, Any](golden.SLOPE))
+    one, other = (solve(Scene(arc, mu, effects)).yield_coefficient for mu in (0.1, 0.4))
+    assert (one == pytest.approx(other, rel=1e-12)) == alike
+    turned = np.array([arc.theta_1, arc.theta_2]).mean() - 1.5 * np.pi  # of the chord's middle from straight below
+    held = cohesion * 2 * float(arc.half_angle) * float(arc.radius) ** 2
+    pull = float(arc.weight_moment)
+    assert not alike or one == pytest.approx((held - pull) / (pull / np.tan(abs(turned))), rel=1e-9)

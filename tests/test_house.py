@@ -8,15 +8,20 @@ import sys
 import sysconfig
 import tokenize
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import cache
 from graphlib import TopologicalSorter
+from importlib import import_module
 from pathlib import Path
+from typing import Any
+from unittest.mock import Mock
 
 import pytest
 
 from derive import build
-from slipcircle import core
+from slipcircle import Motion, load, solve
+from slipcircle.core import doors
 
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("derive", "generated", "slipcircle")
@@ -122,6 +127,8 @@ def test_imports_go_one_way(package: str) -> None:
         assert package != "generated" or names <= {"generated", "numpy", *sys.stdlib_module_names}, path
 
 
+# What only some scenes need: each room knows those before it.
+ROOMS = ("tables", "ground", "layers", "stiff", "derivatives", "words")
 # Folders and modules of each package, from what needs nothing of it to what nothing in it needs.
 LAYERS = {
     "derive": (
@@ -132,7 +139,7 @@ LAYERS = {
         *("definitions", "effects", "flow", "laws", "series", "tiers", "_evaluate", "_compiled"),
         *("growth", "kernels", "motion", "printed", "slopes", "stable", "__init__"),
     ),
-    "slipcircle": (*("kernels", "base", "core", "workbench", "__init__", "__main__"),),
+    "slipcircle": ("kernels", "base", "core", *ROOMS, "workbench", "__init__", "__main__"),
 }
 
 
@@ -151,7 +158,8 @@ def graph(package: str) -> dict[str, set[str]]:
 def layer(name: str) -> int:
     """The place of a module in its package's layers."""
     package, _, rest = name.partition(".")
-    return LAYERS[package].index(rest.partition(".")[0] or "__init__")
+    part = rest.partition(".")[0] or "__init__"
+    return LAYERS[package].index(part)
 
 
 @pytest.mark.parametrize("package", LAYERS)
@@ -162,28 +170,78 @@ def test_imports_go_down_the_layers_without_a_circle(package: str) -> None:
     TopologicalSorter(found).prepare()  # CycleError names a circle
 
 
-def test_the_workbench_uses_public_names_of_the_core_alone() -> None:
-    public = {*vars(core)["_MODULES"]}
+def test_the_workbench_uses_public_names_of_the_core_and_its_rooms_alone() -> None:
+    public = {f"slipcircle.{part}": vars(import_module(f"slipcircle.{part}")) for part in ("core", *ROOMS)}
     for path in (*(ROOT / "slipcircle/workbench").rglob("*.py"), ROOT / "slipcircle/__main__.py"):
         for module, names in imported(path):
-            assert not module.startswith("slipcircle.core."), f"{path}: {module} is internal to the core"
-            assert module != "slipcircle.core" or names <= public, path
+            inside = next((part for part in public if module.startswith(part)), None)
+            assert inside in (None, module), f"{path}: {module} is internal to {inside}"
+            assert inside is None or names <= {*public[inside]["__all__"]}, path
 
 
-def test_the_core_loads_nothing_of_the_workbench() -> None:
-    """Nor does listing it load anything of itself; every public name exists."""
+CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e9, "thickness": 0.5}}
+# What opens each door: a scene that ships, with what no file can say, and a question about its motion.
+OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
+    "forcing": ("vaiont-shaken", {}, bool),
+    "tables": ("newmark-pulse", {}, bool),
+    "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),
+    "water": ("valley-side", {}, bool),
+    "creep": ("vaiont", {"effects": CREEP}, bool),
+    "stiff": ("vaiont", {"effects": CREEP, "end_time": 1e6}, bool),
+    "equation": ("vaiont", {}, lambda motion: motion.plan.equation),
+    "estimate": ("vaiont", {}, lambda motion: motion.error_estimate),
+    "warnings": ("vaiont", {}, lambda motion: motion.warnings),
+    "summary": ("vaiont", {}, repr),
+    "parameters": ("vaiont", {"friction": [0.1, 0.2]}, lambda motion: motion[0]),
+    "sensitivity": ("vaiont", {}, lambda motion: motion.sensitivity()),
+}
+
+
+@pytest.mark.parametrize("door", doors.DOORS)
+def test_each_door_is_opened_by_a_scene(door: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    name, fields, question = OPENED[door]
+    opening = Mock(wraps=import_module)
+    monkeypatch.setattr(doors, "import_module", opening)
+    question(solve(replace(load(name), **fields)))
+    opening.assert_any_call(doors.DOORS[door].module)
+
+
+def loaded(scene: str) -> set[str]:
+    """The folders of `slipcircle` that solving a scene loads."""
+    code = f"""
+import sys
+import numpy as np
+import slipcircle as s
+arc = s.Arc(100.0, 3.7, 4.8, 20e3)
+ground = [[-100, 20], [0, 20], [40, 0], [100, 0]]
+s.solve(s.Scene({scene}))
+print(*(name.split(".")[1] for name in sys.modules if name.startswith("slipcircle.")))
+"""
+    return {*python(code).split()} - {"base", "core", "kernels"}
+
+
+def test_a_plain_scene_enters_no_room_and_a_plain_section_only_the_ground() -> None:
+    assert loaded('arc, 0.1, ["rotation", "centripetal"]') == set()
+    softening = {"law": "exponential", "peak": 0.3, "residual": 0.1, "length": 1.0}
+    effects = {"rotation": {}, "drag": {"xi": 500.0}, "pore_pressure": {"ratio": 0.1}}
+    assert loaded(f"arc, {softening}, {effects}, np.array([0.0, 1.0])") == set()
+    section = "s.Section(ground, centre=[22, 38], radius=38.0, unit_weight=20e3)"
+    assert loaded(f'{section}, 0.2, ["rotation"]') == {"ground"}
+
+
+def test_import_of_the_core_loads_no_workbench() -> None:
+    """Nor do derivatives; and the core reaches its rooms through its doors alone."""
     code = """
 import sys
 import slipcircle.core as core
-print(*sorted(name for name in sys.modules if name.startswith("slipcircle.core.")))
-public = [getattr(core, name) for name in core._MODULES]
 arc = core.Arc(100.0, 3.7, 4.8, 20e3)
 core.solve(core.Scene(arc, 0.1, ["rotation"])).sensitivity()
 print(*(name for name in sys.modules if name.startswith("slipcircle.workbench")))
 """
-    at_import, of_workbench = python(code).split("\n")[:2]
-    assert at_import == "slipcircle.core.motion slipcircle.core.motion.forms"  # where the package on top sets its forms
-    assert of_workbench == ""
+    assert python(code) == "\n"
+    for path in sources("slipcircle"):
+        if "slipcircle/core/" in path.as_posix():
+            assert all(name.startswith("generated.") for name in called(path)), f"{path} reaches beside the doors"
 
 
 @pytest.mark.parametrize("package", ["generated", "slipcircle"])
@@ -252,6 +310,8 @@ DENSITY = {
     "derive": 11.1,
     "slipcircle/base": 10.1,
     "slipcircle/core": 10.3,
+    **{f"slipcircle/{room}": 10.9 for room in ROOMS},
+    "slipcircle/stiff": 11.4,
     **{str(path.parent.relative_to(ROOT)): 12.0 for path in WORKBENCH},
 }
 

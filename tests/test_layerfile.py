@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 import slipcircle
-from slipcircle.core import LayeredSection, Scene, Soil
+from slipcircle.core import Scene
+from slipcircle.layers import LayeredSection, Soil
 from slipcircle.workbench.files.loaded import warnings_of
-from slipcircle.workbench.files.scenefile import critical_of_file
+from slipcircle.workbench.files.scenefile import critical_of_file, find
 from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope
@@ -263,3 +264,28 @@ def test_one_soil_takes_cracks_loads_and_ponds_in_statics(write: Write, refused:
     assert factors(write(one_soil, more)) == pytest.approx(factors(write(layered, more)), rel=1e-12)
     error = refused("run", write(one_soil, LOAD))
     assert re.search(r"surcharge: a motion takes it on layered ground alone.*\[soils.NAME\].*\[\[layers\]\]", error)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("amplitude_g = 0.4", "amplitude_g = 35", "no ground has shaken with more than 5 g"),
+        ("peak_deg = 30", "peak_deg = 20", "friction.peak is below the residual friction"),
+        ("cohesion_kPa = 3", "cohesion_kPa = 3000", "a file takes kPa: was 3000 Pa meant?"),
+    ],
+)
+def test_odd_numbers_are_questioned(tmp_path: Path, old: str, new: str, words: str, asked: Any) -> None:
+    path = tmp_path / "scene.toml"
+    path.write_text(find("shaken-slope").read_text("utf-8").replace(old, new), "utf-8")
+    assert words in asked("run", path)[2]
+
+
+def test_a_load_that_acts_on_nothing_is_told(tmp_path: Path, asked: Any) -> None:
+    """Outside the ground (0 to 90 m), across its end, beyond the arc, and on the mass."""
+    path = tmp_path / "scene.toml"
+    loads = [(150, 160), (85, 95), (70, 75), (40, 75)]
+    tables = "".join(f"\n[[surcharge]]\nfrom_m = {x}\nto_m = {y}\npressure_kPa = 20\n" for x, y in loads)
+    path.write_text(find("layered-slope").read_text("utf-8") + tables, "utf-8")
+    for command in ("run", "search"):
+        lines = re.findall(r"surcharge\.(\d): (?:what )?lies beside the (\w+)", asked(command, path)[2])
+        assert lines == [("1", "ground"), ("2", "ground"), ("2", "mass"), ("3", "mass")]

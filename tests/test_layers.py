@@ -6,17 +6,19 @@ from typing import Any
 import numpy as np
 import pytest
 
-from slipcircle import Scene, Section, solve
-from slipcircle.base.series import Series
-from slipcircle.core import LayeredSection, Soil, stretches
-from slipcircle.core.flow import compiled
-from slipcircle.core.flow.layered import RotationTables
-from slipcircle.core.scene.parameters import with_parameter_arrays, with_parameters
+from slipcircle import Scene, Section, load, solve
+from slipcircle.derivatives.parameters import with_parameter_arrays, with_parameters
+from slipcircle.layers import LayeredSection, Soil, stretches
+from slipcircle.tables import Series
+from slipcircle.workbench.common.quantities import foreland_words
+from slipcircle.workbench.files.loaded import stability_of
+from slipcircle.workbench.outputs.tables import difference_words, plan_part, stretches_part
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 from tests.campaigns.layered_benchmarks import CASES, differences, solved
 from tests.support.along_the_arc import AlongTheArc, random_section
-from tests.support.layered import GROUND, TOPS, TURNING, profile, tangent
+from tests.support.lanes import RotationTables, backend
+from tests.support.layered import BELOW_GROUND, CRACKED, GROUND, RICH, TURNING, of_each_soil, profile, sloping
 
 FORELAND = Soil(18e3, 2e3, 0.4, None, 500.0, 8.0, name="foreland")
 
@@ -35,26 +37,6 @@ def test_a_layered_mass_accelerates_as_its_weight_and_strength_along_the_arc_say
             acceleration, friction = arc.motion(state)
             assert state.acceleration == pytest.approx(acceleration, rel=0, abs=1e-13)
             assert state.normal_stress * motion.friction == pytest.approx(friction, rel=1e-13)
-
-
-LAWS: list[Any] = [
-    {"law": "linear", "peak": 0.57, "residual": 0.45, "length": 0.3},
-    {"law": "tabulated", "slip": [0.0, 0.5, 2.0, 6.0], "coefficient": [0.36, 0.32, 0.23, 0.21]},
-    {"law": "rate_weakening", "peak": 0.16, "residual": 0.1, "velocity": 2.0},
-    {"law": "hyperbolic", "peak": 0.44, "residual": 0.36, "length": 1.0},
-]
-BELOW_GROUND = [(-60, 12), (0, 9), (40, -1.4), (120, -1.8)]
-
-
-def sloping(soils: Any, tops: Any = TOPS, **given: Any) -> LayeredSection:
-    """The slope of `profile` with other soils."""
-    return LayeredSection(GROUND, (30, 45), 48.0, layers=list(zip(soils, tops, strict=True)), **given)
-
-
-def of_each_soil(**given: Any) -> LayeredSection:
-    """A friction law of its own for each soil."""
-    rows: Any = zip((18e3, 19e3, 17e3, 21e3), (3e3, 2e3, 1e3, 0.0), LAWS, "abcd", strict=True)
-    return sloping([Soil(w, c, law, name=name) for w, c, law, name in rows], strength="mass", **given)
 
 
 def shaken(k_h: float, k_v: float) -> dict[str, Any]:
@@ -88,7 +70,7 @@ def test_motions_of_softening_soils_are_those_of_another_integrator(
     motion = solve(Scene(section, effects=effects, end_time=60.0))
     assert (motion.peak.velocity, motion.run_out) == pytest.approx((velocity, run_out), rel=1e-9)
     assert max(motion.energy_error_estimate, motion.error_estimate) < 1e-11
-    with compiled.numpy_only():
+    with backend("NumPy"):
         assert solve(motion.plan.scene).run_out == pytest.approx(motion.run_out, rel=1e-11)
 
 
@@ -110,21 +92,10 @@ def test_stretches_carry_the_means_along_the_arc() -> None:
             assert [*computed, row.weight_share * above[6].sum()] == pytest.approx(sums, rel=1e-11)
 
 
-RICH = [
-    Soil(18e3, 3e3, {"law": "exponential", "peak": 0.57, "residual": 0.45, "length": 0.8}, name="a"),
-    Soil(19e3, 2e3, {"law": "exponential", "peak": 0.36, "residual": 0.26, "length": 0.8}, pore_ratio=0.1, name="b"),
-    Soil(17e3, 1e3, {"law": "exponential", "peak": 0.16, "residual": 0.1, "length": 0.8}, 18.5e3, 300.0, 1.5, name="c"),
-    Soil(21e3, 0.0, 0.42, name="d"),
-]  # fmt: skip
-GROWING = Soil(21e3, 1e3, 0.36, cohesion_gradient=200.0, name="d")
 EVERYTHING: dict[str, Any] = {
     "soils": RICH, "tops": (None, 18.5, [(-20, 4), (20, 2.5), (60, 1)], -1.0), "level": BELOW_GROUND,
     "surcharge": [(-3.0, 4.0, 2e4, 3e4)],
 }  # fmt: skip
-CRACKED = LayeredSection(
-    [(-60, 22), (-2, 20), (40, 0), (120, 0)], (30, 45), 48.0, crack=4.0, surcharge=[(-3.0, 4.0, 2e4, 3e4)],
-    layers=list(zip([*RICH[:2], GROWING], (None, 12.0, 3.0), strict=True)),
-)  # fmt: skip
 MIRRORED = replace(
     CRACKED, ground=np.asarray(CRACKED.ground)[::-1] * [-1, 1], centre=(-30, 45), surcharge=[(-4.0, 3.0, 3e4, 2e4)]
 )
@@ -215,32 +186,6 @@ def test_where_a_boundary_touches_the_arc_there_is_no_derivative(soils: Any, top
         solve(Scene(sloping(constant, tops, crack=crack), effects=TURNING)).sensitivity()
 
 
-SOIL_NUMBERS = {"soils.soil 2.friction.peak": tangent([9.0, 8.0]), "soils.soil 1.unit_weight": [19e3, 18e3]}
-
-
-@pytest.mark.parametrize(
-    ("section", "values"),
-    [
-        (profile("softening", "base"), SOIL_NUMBERS),
-        (profile("softening", "mass"), SOIL_NUMBERS),
-        (of_each_soil(level=BELOW_GROUND), {"soils.a.friction.length": [0.3, 0.302]}),
-        (profile("constant friction"), {"radius": [48.0, 47.5], "layers.3.top": [2.0, 2.4]}),
-        (CRACKED, {"crack": [4.0, 3.5], "surcharge.1.pressure": [3e4, 5e4], "layers.3.top": [3.0, 5.0]}),
-    ],
-    ids=["the base", "the mass", "laws of soils", "circles and boundaries", "cracks, loads and cohesion"],
-)
-def test_lanes_are_the_scenes_that_they_stand_for(section: LayeredSection, values: dict[str, Any]) -> None:
-    scene = Scene(section, effects=TURNING)
-    lanes, invalid = with_parameter_arrays(scene, {name: np.array(value) for name, value in values.items()})
-    assert not invalid.any()
-    motions, factors = solve(lanes, accuracy=1e-13), factors_of_safety(lanes)
-    for k in (0, 1):
-        one = with_parameters(scene, {name: float(value[k]) for name, value in values.items()})
-        assert motions.run_out[k] == pytest.approx(solve(one).run_out, rel=1e-9)
-        for method, factor in factors_of_safety(one).items():
-            assert factors[method][k] == pytest.approx(factor, rel=1e-9)
-
-
 SLIDING = [Soil(19e3, 0.0, {"law": "linear", "peak": 0.4, "residual": 0.0, "length": length}, name=str(length))
            for length in (1.0, 2.0)]  # fmt: skip
 
@@ -321,3 +266,38 @@ def test_a_drowned_slope_is_the_buoyant_one_in_all_methods() -> None:
     drowned, buoyant = Slope(GROUND, 5e3, 0.4, 20e3, pond=40.0), Slope(GROUND, 5e3, 0.4, 20e3 - 9810.0)
     factors, expected = (at_circle(slope, section).factor_of_safety for slope in (drowned, buoyant))
     assert factors == pytest.approx(expected, rel=1e-13)
+
+
+# --- what is said of layered ground ----------------------------------------------------------------------------------
+
+
+def test_a_state_has_one_normal_stress_whoever_asks() -> None:
+    """Of soils that soften the stress depends on the slip until then: at the end, the peak and the farthest point."""
+    motion = solve(load("layered-slope"))
+    arc, start = AlongTheArc(motion.plan.scene.arc, motion.plan.scene.arc), motion.at(0.0)
+    weight, _ = arc.weights(arc.columns().b)
+    columns = arc.columns()
+    pressing = float((weight[0] * np.cos(columns.b) * columns.length).sum()) / np.ptp(arc.ends)
+    assert start.normal_stress == pytest.approx(pressing, rel=1e-12)
+    for state in (motion.end, motion.peak, motion.reach):
+        assert state.normal_stress == pytest.approx(motion.at(state.time).normal_stress, rel=1e-13)
+
+
+def test_plans_and_tables_say_what_layered_scenes_do() -> None:
+    """Cohesion and pore pressure act by the soils; one reason for one effect; the foreland; the gap of this circle."""
+    motion = solve(load("layered-slope"))
+    chosen = motion.plan
+    assert {"cohesion", "pore_pressure"}.isdisjoint(chosen.left_out)
+    assert len({*chosen.why.split("; ")}) == len(chosen.why.split("; "))
+    rows = {row[0]: row[1] for row in plan_part(chosen).rows}
+    assert not {"a step's operations", "expected cost"} & {*rows}
+    assert rows["foreland"] == "the strength of clay, the lowest of the soils that meet there"
+    layered = stretches_part(motion)
+    assert layered is not None
+    assert "strength of clay" in layered.note
+    critical = stability_of(chosen.scene)
+    assert critical is not None
+    factors = factors_of_safety(chosen.scene)
+    assert f"{100 * (1 - factors['paper'] / factors['bishop']):.1f} % lower here" in difference_words(critical)
+    assert foreland_words(replace(chosen.scene.arc, foreland=FORELAND)) == "the strength of foreland, as given"
+    assert foreland_words(replace(chosen.scene.arc, strength="mass")) == foreland_words(load("vaiont").arc) == ""

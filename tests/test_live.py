@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Motion, Scene, Section, Series, load, solve
-from slipcircle.core import parameter_value
+from slipcircle.derivatives import parameter_value
 from slipcircle.workbench.files.numbers import number_in
 from slipcircle.workbench.outputs import live, livesection
 from slipcircle.workbench.outputs.interpolant import hermite, interpolant

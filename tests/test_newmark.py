@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.base.series import Pulse, Series
+from slipcircle.tables import Pulse, Series
 from tests.support.blocks import exactly
 
 GRAVITY = 9.81

@@ -10,12 +10,13 @@ import pytest
 import sympy as sp
 from sympy.parsing.sympy_parser import convert_xor, implicit_multiplication, parse_expr, standard_transformations
 
+from generated import layout as ix
 from generated.effects import ALL_EFFECTS, EFFECTS, LAWS
 from generated.flow import TERMS
 from slipcircle import Scene, load, plan, solve
-from slipcircle.base.series import Series
-from slipcircle.core.motion.equation import Equation
-from slipcircle.core.motion.plan import FLOW
+from slipcircle.core.motion.plan import FLOW, STEPS, flops
+from slipcircle.tables import Series
+from slipcircle.words.equation import Equation
 from slipcircle.workbench.studies.ladder import ladder
 
 ARC = load("vaiont").arc
@@ -62,6 +63,23 @@ def test_a_plan_depends_on_what_is_called_for_never_on_values() -> None:
         assert (one.fragments, one.operations, one.cost) == (other.fragments, other.operations, other.cost)
         assert one.effects == effects
         assert set(one.left_out) == set(EFFECTS) - set(effects)
+
+
+def test_accuracy_counts_in_ensembles_alone() -> None:
+    """A single scene is solved to rounding: same digits, same operations; what is planned is what is solved."""
+    alone: Scene[Any] = load("vaiont-softening")
+    several = replace(alone, friction=SOFTENING | {"peak": np.array([0.4, 0.41])})
+    accuracies = (1e-3, 1e-6, 1e-9)
+    assert len({solve(alone, accuracy).run_out for accuracy in accuracies}) == 1
+    assert len({plan(alone, accuracy).cost for accuracy in accuracies}) == 1
+    costs = [plan(several, accuracy).cost for accuracy in accuracies]
+    assert costs == sorted(set(costs))
+    assert costs[-1] < plan(alone, 1e-3).cost
+    for scene, accuracy in ((alone, 1e-3), (several, 1e-3), (several, 1e-12)):
+        motion = solve(scene, accuracy)
+        (terms,) = {*motion._lanes.problem.cells[ix.ORDER].tolist()}
+        program = motion._lanes.problem.program
+        assert motion.plan.cost == STEPS * flops(program, int(terms))
 
 
 @pytest.mark.parametrize("name", ["vaiont", "wet-slope", "valley-side"])

@@ -12,10 +12,10 @@ from matplotlib.patches import Polygon
 from matplotlib.text import Text
 from PIL import Image, ImageSequence
 
-from slipcircle import Arc, Scene, critical, grid, load, solve
+from slipcircle import Arc, Scene, Section, critical, grid, load, solve
 from slipcircle.workbench.common.quantities import record
 from slipcircle.workbench.files.loaded import stability_of
-from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot
+from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot, sectionplot
 from slipcircle.workbench.outputs.report import report
 from slipcircle.workbench.outputs.tables import motion_column, stretches_part
 from slipcircle.workbench.outputs.trace import csv
@@ -150,6 +150,21 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
     assert ("tangential" in words) == (name not in ("swings", "first stop", "lifted"))
 
 
+def test_the_water_level_is_drawn_where_it_is() -> None:
+    motion = solve(load("valley-side"))
+    axes = sectionplot.section(motion)
+    arc = motion.plan.scene.arc
+    assert isinstance(arc, Section)
+    level = np.asarray(arc.level).reshape(-1, 2)
+    x = np.linspace(70.0, 250.0, 19)
+    wanted = np.interp(x, *level.T)
+    lines = [np.asarray(line.get_xydata()) for line in axes.lines]
+    assert any(
+        np.allclose(np.interp(x, *line.T), wanted) for line in lines if line[0, 0] < 70.0 and line[-1, 0] > 250.0
+    )
+    assert any("water level" in text.get_text() for text in axes.texts)
+
+
 @pytest.mark.parametrize(("name", "way"), [("vaiont", 1), ("to the left", -1), ("pushed up", -1)])
 def test_reactions_push_inwards_and_against_the_motion(name: str, way: int) -> None:
     arrows = [a for a in plots.section(motion(name), drawn(), forces=True).texts if hasattr(a, "arrow_patch")]
@@ -171,13 +186,13 @@ def test_ladder_is_drawn() -> None:
 
 def test_animation_moves_the_mass() -> None:
     m, figure = motion("wet-slope"), canvas()
-    played = plots.animate(m, figure, 5)
+    played = plots.animate(m, figure=figure)
     played._init_draw()  # which else complains that nothing was rendered
     moving = [p for p in figure.axes[0].patches if isinstance(p, Polygon)][-1]
     first = float(np.asarray(getattr(m.plan.scene.arc, "theta_1")))  # noqa: B009
-    for frame in (0, 2, 4):
+    for frame in (0, 30, 59):
         played._func(frame)
-        state = m.at(m.duration * frame / 4)
+        state = m.at(m.duration * frame / 59)
         x, y = moving.get_xy()[0]
         assert np.arctan2(y, x) % (2 * np.pi) == pytest.approx(first + float(state.rotation))
         assert f"{float(state.velocity):.2f} m/s" in figure.get_suptitle()

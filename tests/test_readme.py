@@ -4,7 +4,6 @@ import json
 import re
 import tomllib
 from collections.abc import Callable, Iterator
-from functools import partial
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -18,7 +17,7 @@ from generated._compiled import LEVEL, LEVELS
 from generated.effects import EFFECTS
 from generated.tiers import BOUNDS
 from slipcircle import Motion, load, solve
-from slipcircle.workbench.cost import cost, costplot
+from slipcircle.workbench.cost import costplot, kernels, rows
 from slipcircle.workbench.outputs import pictures
 from tests.support import accuracy
 from tests.support.kernels import angles, errors
@@ -56,6 +55,7 @@ def test_proved_bounds_of_the_page_on_accuracy() -> None:
     shown = {row[0].strip(" `"): float(row[5]) for row in rows}
     assert shown == {name: BOUNDS[name]["best"]["fused"][1] for name in shown}
     assert len(shown) == 5
+    assert f"at most {shown['polar_moment']} ulp with FMA" in PAGES["accuracy"]
     assert f"proved to {BOUNDS['polar_moment']['1e-6']['fused'][0]}" in PAGES["accuracy"]
 
 
@@ -102,11 +102,11 @@ def test_the_picture_of_what_accuracy_costs_is_drawn_so_today(monkeypatch: pytes
     """What its titles, axes and legends say, with a compiler that has FMA."""
     if LEVELS[LEVEL][0] == "fused":
         for name, value in QUICK.items():
-            monkeypatch.setattr(cost, name, value)
-        rows = cost.measure(["polar_moment"])
-        today = words_of(pictures.render(partial(costplot.overview, rows), costplot.size(rows), "png"))
+            monkeypatch.setattr(rows, name, value)
+        measured = kernels.of_kernel("polar_moment")
+        today = words_of(pictures.render(lambda f: costplot.frontier(measured, f.add_subplot()), costplot.SIZE, "png"))
         assert words_of((ROOT / "notebooks/frontier.png").read_bytes()) == today
-        assert "ours, worst seen; a bar up to what is proved" in today
+        assert "polar_moment, filled on the frontier" in today
 
 
 def commands() -> list[str]:
@@ -117,7 +117,7 @@ def commands() -> list[str]:
         plain = re.sub(r"\[[^]]*\]", "", base)
         more = [x for x in re.findall(r"`(--[^`]* [^`]*)`", row[1]) if "=" in x or "+-" in x]
         for extra in ["", *re.findall(r"\[([^]]*)\]", base), *more]:
-            if not extra.startswith("NAME") and not plain.startswith("slipcircle cost"):
+            if extra != "NAME":
                 rest = plain if "+-" not in extra else plain.partition(" --run-out-m")[0]
                 found.add(f"{rest.removeprefix('slipcircle ')} {extra.split('|')[0]}")
     return sorted(found)
@@ -164,7 +164,10 @@ def energy_error(motion: Motion) -> float:
 
 
 def test_the_largest_errors_are_those_of_the_table() -> None:
-    """Those that take seconds to find again. Rounding is not the same on every machine: within a factor of 3."""
+    """Those that take seconds to find again. Rounding is not the same on every machine: within a factor of 3.
+
+    Processors that round products and sums apart, or NumPy, may well err less.
+    """
     shown = {row[3].split("`")[1]: float(row[2].split()[0].rstrip(";")) for row in VALIDATED[:-1]}
     numbers = [k for k in accuracy.NUMBERS if not accuracy.near_limit(k)]
     numbers = [k for k in numbers if accuracy.ROWS[k]["reference"]["phases"] < accuracy.MANY]
@@ -173,11 +176,13 @@ def test_the_largest_errors_are_those_of_the_table() -> None:
         "test_accuracy_is_what_the_user_gets": max(max(accuracy.error(k)) for k in accuracy.TIMED),
         "test_energy_balances_at_all_times": max(energy_error(accuracy.solved(k)) for k in accuracy.TIMED),
     }
-    if LEVELS[LEVEL][0] == "fused":
+    fused = LEVELS[LEVEL][0] == "fused"
+    if fused:
         alphas, kernel = angles(), generated.moment_of_inertia
         found["test_accuracy"] = errors(kernel, "moment_of_inertia", alphas)[0][0]
     for name, error in found.items():
-        assert shown[name] / 3 < error < shown[name] * 3, (name, error)
+        assert error < shown[name] * 3, (name, error)
+        assert not fused or shown[name] / 3 < error, (name, error)
 
 
 # --- links -----------------------------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Record, Scene, load, solve
-from slipcircle.base.series import Pulse, Series
+from slipcircle.tables import Pulse, Series
 from slipcircle.workbench.records import recordfiles
 from slipcircle.workbench.records.records import read_pore_pressure, read_record
 
@@ -199,7 +199,7 @@ def test_missing_and_huge_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     with pytest.raises(ValueError, match="holds = 'both': must be"):
         read_record(path, holds="both")  # type: ignore[arg-type]
     monkeypatch.setattr(recordfiles, "MOST_BYTES", 10)
-    with pytest.raises(ValueError, match="must be at most 1 GB"):
+    with pytest.raises(ValueError, match="must be at most 0 MB"):
         read_record(path, holds="driving")
 
 

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Motion, Scene, load, solve
-from slipcircle.base.series import Series
+from slipcircle.tables import Series
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import RESULTS
 from slipcircle.workbench.common.quantities import record as record_of

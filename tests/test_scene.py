@@ -12,8 +12,8 @@ import pytest
 
 import slipcircle
 from slipcircle import Arc, Scene, load, plan, solve
-from slipcircle.base.series import Pulse
 from slipcircle.core.scene.arc import QUANTITIES
+from slipcircle.tables import Pulse
 from slipcircle.workbench.files.scenefile import load as read
 from slipcircle.workbench.files.scenefile import shipped
 from tests.support import vaiont

@@ -9,9 +9,9 @@ import pytest
 from flint import arb, ctx
 
 from slipcircle import Scene, Section, backanalyse, load, solve
-from slipcircle.core import with_parameters
 from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.coordinates import arc_numbers
+from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support import section_references, taylor
 from tests.support.differences import check_derivatives
@@ -28,32 +28,6 @@ def body(**more: Any) -> Section:
 
 # --- lanes -----------------------------------------------------------------------------------------------------------
 
-RAISED = np.array(GROUND) + np.array([0.0, 0.2, -0.1])[:, None, None] * [[0, 0], [0, 0], [0, 1], [0, 1], [0, 1]]
-LANES: dict[str, dict[str, Any]] = {
-    "radius": {"radius": np.array([28.3, 28.5, 28.4])},
-    "circles": {"centre": [[30.5, 53.6], [30.4, 53.5], [30.6, 53.4]], "radius": np.array([28.4, 28.35, 28.3])},
-    "grounds": {"ground": RAISED},
-    "a grid of circles": {"centre": [[[30.5, 53.6]], [[30.4, 53.7]]], "radius": np.array([28.3, 28.5, 28.4])},
-    "levels": {"level": np.array(LEVEL) - np.array([0.5, 1.0, 2.0])[:, None, None] * [0, 1], "centre": [33.0, 56.0],
-               "radius": 28.0},
-    "circles under a level": {"centre": [[33.0, 56.0], [33.05, 55.97], [32.94, 56.02]], "level": LEVEL,
-                              "radius": np.array([28.0, 28.03, 27.96])},
-    "soils": {"unit_weight": np.array([19e3, 20e3])},
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("which", LANES)
-def test_lanes_are_their_sections(which: str) -> None:
-    section = body(**LANES[which])
-    many = solve(Scene(section, 0.25, TURNING, accuracy=1e-15))
-    assert many.shape == np.broadcast_shapes(section.shape, np.shape(section.unit_weight))
-    table = many.to_dict()
-    for at in np.ndindex(many.shape):
-        one = solve(many[at].plan.scene).to_dict()
-        assert one["run_out"] > 0.1
-        for name in ("run_out", "duration", "factor_of_safety", "toe_x", "toe_y", "travel_angle", "exit_x", "area"):
-            assert table[name][at] == pytest.approx(one[name], rel=1e-13), (name, at)
-
 
 @pytest.mark.parametrize(
     ("given", "said"),
@@ -66,6 +40,18 @@ def test_lanes_are_their_sections(which: str) -> None:
 def test_a_lane_that_is_none_is_named(given: dict[str, Any], said: str) -> None:
     with pytest.raises(ValueError, match=said):
         body(**given)
+
+
+def test_a_circle_that_only_touches_a_scarp_is_none() -> None:
+    """Its entry and its exit were one point, half an angle of 6e-17 apart."""
+    x, height = 39.93594546227666, 19.304500093424398
+    ground = [[-160.0, 0.0], [x, 0.0], [x, height], [240.0, height]]
+    given: dict[str, Any] = {"ground": ground, "centre": [33.49550289007233, 8.148909736444072], "unit_weight": 2e4}
+    with pytest.raises(ValueError, match=r"radius = 6\.44.* only touches the ground, at \[39.9359, 8.14891\]"):
+        Section(**given, radius=6.440442572204333)
+    assert Section(**given, radius=6.440442572204333 * (1 + 1e-13)).half_angle > 1e-8
+    with pytest.raises(ValueError, match=r"lane \[1\]: radius = .*only touches the ground"):
+        Section(**given, radius=np.array([6.5, 6.440442572204333]))
 
 
 def test_a_lane_beyond_half_a_circle_is_named() -> None:

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, Section, solve
-from slipcircle.core.flow import compiled
-from slipcircle.core.scene import transport
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
+from slipcircle.derivatives import transport
 from tests.campaigns import section_heights
 from tests.support import accuracy, references, section_references, taylor
 from tests.support.grounds import GROUND, LEVEL
+from tests.support.lanes import backend
 
 GAMMA = 20e3
 
@@ -56,7 +56,7 @@ def test_a_thin_mass_lands_where_it_leaves_the_water(wide: float, friction: floa
     assert (motion.arrested, len(motion.lift_off)) == (reference["arrested"], 1)
     assert max(accuracy.true_error(motion, reference)) < 1e-10
     assert motion.error_estimate < 1e-11
-    with compiled.numpy_only():
+    with backend("NumPy"):
         assert solve(motion.plan.scene).run_out == pytest.approx(motion.run_out, rel=1e-10)
 
 

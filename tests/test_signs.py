@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Record, Scene, Section, ensemble, solve
-from slipcircle.base.series import Pulse, Series
+from slipcircle.tables import Pulse, Series
 from slipcircle.workbench.common.quantities import HISTORY, RESULTS
 
 RIGHT = Arc(60.0, math.radians(220.0), math.radians(290.0), 19e3)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import slipcircle
-from slipcircle.core import with_parameters
+from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.files.variation import slope_of
@@ -56,12 +56,19 @@ def test_from_a_file_to_circle_and_picture(write: Write, tmp_path: Path, asked: 
     path, picture = write(ACADS), tmp_path / "slope.png"
     _, out, err = asked("search", path, "--json --plot", picture)
     (record,) = json.loads(out)
-    assert record.keys() == {"factor_of_safety", "circle", "entry", "exit", "tried", "refused"}
+    numbers = {"factor_of_safety", "circle", "entry", "exit", "tried", "refused"}
+    assert record.keys() == numbers | {"scene", "method", "facing", "warnings"}
+    assert (record["scene"], record["method"], record["facing"]) == ("my-slope", "bishop", -1)
     assert record["factor_of_safety"] == found_in(path).factor_of_safety
     assert "my-slope: least factor" in err
     assert picture.read_bytes().startswith(b"\x89PNG")
     (record,) = records("search", path, "--method ordinary")
     assert record["factor_of_safety"]["ordinary"] == pytest.approx(0.9424, abs=5e-5)
+    reaches = ACADS + "[search]\nexit_m = [40, 45]\n"
+    record, other = records("search", write(ACADS), "real-slope")
+    assert (record["warnings"], other["scene"]) == ([], "real-slope")
+    (record,) = records("search", write(reaches))
+    assert "the exit is at a limit of the search" in record["warnings"][0]
     (record,) = records("search", write(ACADS + CIRCLE))  # a circle that is given is not searched
     assert (record["tried"], record["refused"]) == (1, 0)
     assert record["circle"] == {"centre": [29.5, 53.6], "radius": 28.6}
@@ -89,7 +96,7 @@ def test_the_motion_has_the_factors_of_its_circle(write: Write, tmp_path: Path, 
     assert table["circle"] == ["least factor by bishop"]
     assert "circles evaluated, invalid" in page.read_text("utf-8")
     (motion,), (alone,) = records("run", path), records("search", path)
-    assert motion["stability"] == alone
+    assert alone == {"scene": "my-slope", "warnings": []} | motion["stability"]
     assert motion["factor_of_safety"] == pytest.approx(alone["factor_of_safety"]["paper"], rel=1e-9)
 
 
@@ -161,7 +168,7 @@ def test_what_a_file_says(write: Write) -> None:
         "[search]\nk_h = 0.1\nentry_m = [-30, -10]\ndepth_m = 1\n[rotation]\n[circle]\n"
     )  # fmt: skip
     path = write(text + "through_m = [[-14, 10], [0, 0]]\ndepth_m = 3\n")
-    name, _, found = critical_of_file(path, None, print)
+    name, _, found, _ = critical_of_file(path, None, print)
     slope, section = found.slope, slipcircle.load(path).arc
     assert isinstance(section, slipcircle.Section)
     assert np.asarray(slope.ground)[1] == pytest.approx([-10.0, 10.0])
@@ -230,6 +237,7 @@ def test_every_sample_slides_along_the_circle_of_the_means(
 def test_a_circle_that_is_given_stays(write: Write, asked: Any) -> None:
     drawn = {"friction.peak_deg": {"distribution": "normal", "mean": 30, "std": 0.2}}
     study = slipcircle.ensemble(replace(slipcircle.load(write(FIXED)), uncertain=drawn), 16, rng=1, sensitivity=0)
+    assert isinstance(study.scene.arc, slipcircle.Section)
     assert np.array_equal(study.scene.arc.centre, [29.5, 53.6])
     assert not any("critical" in warning for warning in study.warnings)
     _, _, err = asked("sweep", write(SCENE), "--grid friction.peak_deg=18,19")

@@ -8,9 +8,9 @@ from flint import arb
 
 from generated import kernels
 from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.circles import MEASURES
-from slipcircle.core.scene.ground import circle_through, circle_touching, simple_slope
-from slipcircle.core.scene.section import Section
+from slipcircle.ground.circles import MEASURES
+from slipcircle.ground.ground import circle_through, circle_touching, simple_slope
+from slipcircle.ground.section import Section
 from tests.support.grounds import Ground, bumpy, moments
 from tests.support.strips import integrals
 

@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 from slipcircle import LayeredSection, Scene, Soil, solve
-from slipcircle.core.scene.ground import circle_through
-from slipcircle.core.scene.section import Section
+from slipcircle.ground.ground import circle_through
+from slipcircle.ground.section import Section
+from slipcircle.workbench.stability import family
+from slipcircle.workbench.stability.factors import factors_by
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.search import at_circle, critical
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
@@ -64,6 +66,22 @@ def test_taylor_s_numbers_of_toe_circles(angle: float, number: float, method: st
     assert factor * 20e3 * 10.0 / 20e3 == pytest.approx(number, rel=1e-4)
 
 
+def test_the_course_of_a_search_does_not_depend_on_last_bits(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a dam, whose circles are as critical as their mirror images, with factors as another processor rounds them."""
+    dam = Slope([(-40, 0), (-20, 0), (0, 10), (20, 0), (40, 0)], 5e3, 0.4, 20e3)
+    here = critical(dam)
+    exact, rng = factors_by, np.random.default_rng(1)
+
+    def rounded(*arguments: Any) -> Any:
+        factors, facing = exact(*arguments)
+        return factors * (1.0 + 2.0**-52 * rng.integers(-2, 3, factors.shape)), facing
+
+    monkeypatch.setattr(family, "factors_by", rounded)
+    there = critical(dam)
+    assert (there.tried, there.refused, there.facing) == (here.tried, here.refused, here.facing)
+    assert (*there.centre, there.radius) == pytest.approx((*here.centre, here.radius), rel=1e-12)
+
+
 def test_ever_deeper_circles_below_gentle_slopes_without_friction() -> None:
     """F gamma H/c tends to 5.52 (Taylor): here by 1000 slopes' heights of soil."""
     deep = Slope([(-6e4, 0), (0, 0), (10 / tangent(40), 10), (6e4, 10)], 20e3, 0.0, 20e3, base=-1e4)
@@ -114,6 +132,22 @@ def test_a_base_may_lie_at_the_height_of_the_toe(cohesion: float, friction: floa
     rock, above = (critical(replace(ACADS, cohesion=cohesion, friction=friction, base=y)) for y in (25.0, 25.0 - 1e-6))
     assert rock.factor_of_safety["bishop"] == pytest.approx(above.factor_of_safety["bishop"], rel=1e-6)
     Section(ACADS.ground, rock.centre, rock.radius, 20e3, between=rock.between, base=25.0)  # is not refused
+
+
+@pytest.mark.parametrize(
+    ("points", "centre", "slides"),
+    [
+        ([(-90, 0), (-10, 0), (10, 10), (90, 10)], (-4.0, 13.0), True),
+        ([(-90, 0), (-10, 0), (10, 10), (90, 10)], (-1.0, 7.0), False),  # overhangs at its right end
+        ([(-90, 10), (-10, 10), (10, 0), (90, 0)], (1.0, 7.0), False),  # at its left end
+        ([(-90, 0), (-10, 0), (2, 30), (10, 0), (90, 0)], (0.0, 12.0), False),  # its centre lies in a hill
+    ],
+)
+def test_arcs_that_overhang_and_buried_centres_have_no_factor(points: Any, centre: Any, slides: bool) -> None:
+    slope = Slope(points, 3e3, 0.3, 20e3)
+    left, right = np.array([points[1]]), np.array([points[-2]])
+    factors, _ = factors_by(slope.arrays(), np.array([centre]), np.hypot(*(left - centre).T), left, right, "paper")
+    assert np.isfinite(factors).tolist() == [slides]
 
 
 def test_a_lifted_toe_is_refused_by_bishop_alone() -> None:

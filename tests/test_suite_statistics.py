@@ -8,11 +8,11 @@ import pytest
 from scipy import signal, stats
 
 from slipcircle import Series
-from slipcircle.workbench.suites.fragility import fragility_curve
+from slipcircle.workbench.studies.fragility import fragility_curve
+from slipcircle.workbench.studies.suitestatistics import distribution, exceedance, exceedance_shares, variance_shares
 from slipcircle.workbench.suites.intensities import intensities, spectral_acceleration
 from slipcircle.workbench.suites.regressions import REGRESSIONS, Shaking, comparisons
 from slipcircle.workbench.suites.spectra import misfit
-from slipcircle.workbench.suites.statistics import distribution, exceedance, exceedance_shares, variance_shares
 from slipcircle.workbench.suites.synthetic import synthetic_records
 
 

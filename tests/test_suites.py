@@ -7,6 +7,7 @@ import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from matplotlib import pyplot
 
 from slipcircle import Arc, Scene, Series, ensemble, load, solve
 from slipcircle.core import Status
+from slipcircle.workbench.records import recordfiles
 from slipcircle.workbench.records.records import read_record
 from slipcircle.workbench.records.suite import place_of, read_suite
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
@@ -175,10 +177,25 @@ def test_what_is_no_record_is_listed_and_the_rest_goes_on(tmp_path: Path) -> Non
         ({"strict": True}, r"(?s)corrupt.AT2.*nan.csv.*still.AT2"),
         ({"units": "furlong"}, "units = 'furlong': must be one of g, m/s2"),
         ({"step": 0.0}, r"step = 0.0: must be a positive time in s"),
+        ({"holds": "both"}, "holds = 'both': must be"),
+        ({"gaps": "mend"}, "gaps = 'mend': must be"),
     ]
     for more, message in refused:
         with pytest.raises(ValueError, match=message):
             read_suite([tmp_path], **more)
+
+
+def test_a_file_of_several_records_is_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    rows = [f"{0.01 * k:.2f},{k % 3 / 10},{k % 5 / 10},{k % 7 / 10}" for k in range(20)]
+    (tmp_path / "three.csv").write_text("t (s),x (g),y (g),w (g)\n" + "\n".join(rows), "utf-8")
+    calls = {name: Mock(side_effect=getattr(recordfiles, name)) for name in ("_text", "_values")}
+    for name, call in calls.items():
+        monkeypatch.setattr(recordfiles, name, call)
+    suite = read_suite([tmp_path], holds="driving")
+    assert [call.call_count for call in calls.values()] == [1, 1]
+    assert [entry.component for entry in suite] == ["x", "y", "w"]
+    assert suite.entries[2].record().values == pytest.approx([k % 7 / 10 for k in range(20)])
+    assert [replace(entry, kept=None).record().values[6] for entry in suite] == [0.0, 0.1, 0.6]
 
 
 # --- what is solved --------------------------------------------------------------------------------------------------
@@ -196,7 +213,7 @@ def test_frozen_slopes_slide_as_single_scenes_do() -> None:
     assert study.displacement.shape == (2, 2, 3, 1)
     assert np.all(study.values["status"][:, :, 0] == Status.STAYS)
     for r, p, s in np.ndindex(2, 2, 3):
-        scaled = [*records.values()][r].scaled(study.polarities[p] * study.scales[s] / 0.35)
+        scaled = [*records.values()][r].scaled(float(study.polarities[p] * study.scales[s]) / 0.35)
         single = solve(replace(FROZEN, effects={"shaking": {"horizontal": scaled}}))
         assert study.displacement[r, p, s, 0] == pytest.approx(single.run_out, rel=1e-11)
         assert study.values["slips"][r, p, s, 0] == (len(single.phases) if s else 0)

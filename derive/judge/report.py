@@ -31,20 +31,24 @@ def counts(judged: Iterable[Row]) -> str:
     return f"{sum(number.values())} claims: " + ", ".join(f"{number[v]} {v}" for v in VERDICTS if number[v])
 
 
-def report(form: str = "text") -> str:
-    """Judge the paper: as "text" for a terminal of 100 columns, as "json", or as "markdown" for a colleague."""
+def report(form: str = "text", width: int = 100) -> str:
+    """Judge the paper: as "text" of some columns, as "json", or as "markdown" for a colleague."""
     if form == "json":
         return json.dumps([row._asdict() for row in rows()], indent=2)
-    return {"text": _text, "markdown": _markdown}[form](rows())
+    return _text(rows(), width) if form == "text" else _markdown(rows())
 
 
 def show(form: str = "text", verbose: bool = False) -> None:
-    """Print the report; on a terminal with rich a table of all claims, and the text only if ``verbose``."""
-    table = form == "text" and sys.stdout.isatty() and find_spec("rich") is not None
+    """Print the report; on a terminal with rich a table of all claims, and the text only if ``verbose``.
+
+    In a file or a pipe each claim is one line, so that what is quoted is whole.
+    """
+    terminal = sys.stdout.isatty()
+    table = form == "text" and terminal and find_spec("rich") is not None
     if table:
         _show_table(rows())
     if verbose or not table:
-        print(report(form))
+        print(report(form) if terminal else report(form, sys.maxsize))
 
 
 def _show_table(judged: Sequence[Row]) -> None:
@@ -70,9 +74,9 @@ def failing(judged: Iterable[Row]) -> list[Row]:
     return [row for row in judged if row.verdict not in SIMPLY]
 
 
-def _text(judged: Sequence[Row]) -> str:
+def _text(judged: Sequence[Row], width: int) -> str:
     def paragraph(text: str) -> str:
-        return textwrap.fill(text, 100, subsequent_indent="    ")
+        return textwrap.fill(text, width, subsequent_indent="    ")
 
     def described(x: Row) -> str:
         compared = f"printed {x.printed}; from the definitions {x.computed}"
@@ -88,7 +92,7 @@ def _text(judged: Sequence[Row]) -> str:
             "Verdicts:",
             *(paragraph(f"{verdict}: {rule}") for verdict, rule in VERDICTS.items()),
             "",
-            textwrap.fill(f"{counts(judged)}.", 100),
+            textwrap.fill(f"{counts(judged)}.", width),
         ]
     )
 

@@ -321,7 +321,8 @@ def _digits(value: Any) -> str:
 
 def _instead(postulate: Postulate) -> str:
     """A postulate, a state that violates it, and the size of the effect."""
-    effect = postulate.effect.format(f"{mp.nstr(100 * exhibit(postulate), 4)} %")
+    size, printed = (f"{mp.nstr(100 * share, 4)} %" for share in (exhibit(postulate), postulate.printed_size()))
+    effect = postulate.effect.format(size, printed=printed)
     return f"{postulate.words}; instead, {postulate.alternative}: {effect}"
 
 

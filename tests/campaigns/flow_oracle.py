@@ -18,8 +18,7 @@ from flint import arb, arb_series, ctx
 
 from generated.series import scalar_ops, series_ops
 from slipcircle.base.kinds import Floats
-from slipcircle.core.flow.build import build_program
-from slipcircle.core.flow.program import Program
+from tests.support.lanes import Program, build_program
 
 ORDER = 7
 Point = dict[str, Any]  # numbers and short series of a scene and of a moment of its motion

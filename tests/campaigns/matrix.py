@@ -1,9 +1,10 @@
 """Machines and installations that users reach: ``python -m tests.campaigns.matrix [CASE ...]`` runs tests in each.
 
-Without a compiled binary, with a home that cannot be written, without a locale, in a path with spaces, with NumPy's
-oldest allowed version, and with every Python here that the package allows. The last two make environments of their own
-in a temporary folder, from the package index. Each case runs the tests that own the values of scenes, what the
-command line prints, and scene files; its line says what came of them.
+Without a compiled binary, with the loops of the least processors in ours or in NumPy, with a home that cannot be
+written, without a locale, in a path with spaces, with NumPy's oldest allowed version, and with every Python here that
+the package allows. The last two make environments of their own in a temporary folder, from the package index. Each case
+runs the tests that own the values of scenes, what the command line prints, and scene files, and those of the documents
+where only the processor differs; its line says what came of them.
 """
 
 import argparse
@@ -14,15 +15,25 @@ import subprocess
 import sys
 import tempfile
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+
+import numpy as np
 
 ROOT = Path(__file__).parents[2]
 TESTED = ("accuracy", "ensemble_states", "scenefile", "cli", "records")
-TESTS = [f"tests/test_{name}.py" for name in TESTED]
+PRINTED = ("golden", "notebooks", "readme")  # the same digits on every processor
+TESTS, DOCUMENTS = ([f"tests/test_{name}.py" for name in names] for names in (TESTED, PRINTED))
 COPIED = ("derive", "generated", "slipcircle", "tests", "notebooks")
+_UMATH = getattr(np, "_core")._multiarray_umath  # noqa: B009 (private, and without a type)
+_WIDE = [name for name in _UMATH.__cpu_dispatch__ if _UMATH.__cpu_features__[name]]
+PROCESSORS: dict[str, dict[str, str]] = {
+    "wide loops off": {"NPY_DISABLE_CPU_FEATURES": " ".join(_WIDE)},
+    "our C at its baseline": {"SLIPCIRCLE_COMPILED": "baseline"},
+}
 SETTINGS: dict[str, dict[str, str]] = {
     "no binary": {"SLIPCIRCLE_COMPILED": "0"},
+    **PROCESSORS,
     "read-only home": {"HOME": "/dev/null", "XDG_CACHE_HOME": "", "XDG_CONFIG_HOME": "", "MPLCONFIGDIR": ""},
     "no locale": {"LC_ALL": "C", "LANG": "", "LC_CTYPE": "", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
 }
@@ -46,10 +57,10 @@ def pythons() -> dict[str, Path]:
     return found
 
 
-def tested(folder: Path, python: Path | str, settings: Mapping[str, str]) -> tuple[bool, str]:
-    """Whether the tests of a checkout pass, and pytest's last line."""
+def tested(folder: Path, python: Path | str, settings: Mapping[str, str], tests: Sequence[str]) -> tuple[bool, str]:
+    """Whether tests of a checkout pass, and pytest's last line."""
     environment = {name: value for name, value in (os.environ | settings).items() if value}
-    command: list[str | Path] = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *TESTS]
+    command: list[str | Path] = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *tests]
     done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, encoding="utf-8")
     lines = (done.stdout + done.stderr).strip().splitlines() or ["no output"]
     failed = [line for line in lines if re.match("(FAILED|ERROR) ", line)]
@@ -82,19 +93,20 @@ def environment(folder: Path, python: Path, numpy: str = "") -> Path:
 def case(name: str, folder: Path) -> tuple[bool, str]:
     """One case, in a temporary folder."""
     if name in SETTINGS:
-        return tested(ROOT, sys.executable, SETTINGS[name])
+        tests = TESTS + DOCUMENTS if name in PROCESSORS else TESTS
+        return tested(ROOT, sys.executable, SETTINGS[name], tests)
     if name == SPACES:
         checkout = copied(folder / "a path with späces")
         compiling = subprocess.run([sys.executable, "-m", "derive.build"], cwd=checkout, capture_output=True, text=True)
-        passed, line = tested(checkout, sys.executable, {"PYTHONPATH": str(checkout)})
+        passed, line = tested(checkout, sys.executable, {"PYTHONPATH": str(checkout)}, TESTS)
         return passed, f"{line}; {compiling.stdout.strip()}"
     checkout = copied(folder / "checkout")
     interpreters = pythons()
     if name == OLDEST_NUMPY:
         project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
         numpy = project["dependencies"][0].removeprefix("numpy>=") + ".*"
-        return tested(checkout, environment(checkout, next(iter(interpreters.values())), numpy), {})
-    return tested(checkout, environment(checkout, interpreters[name]), {})
+        return tested(checkout, environment(checkout, next(iter(interpreters.values())), numpy), {}, TESTS)
+    return tested(checkout, environment(checkout, interpreters[name]), {}, TESTS)
 
 
 def main() -> int:

@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 import generated
 from derive.declare.quantities import RESISTANCE
 from derive.declare.symbols import alpha
-from slipcircle.workbench.cost.cost import interleaved
+from slipcircle.workbench.cost.rows import interleaved
 from slipcircle.workbench.outputs.info import machine
 
 Floats = NDArray[np.float64]

@@ -12,13 +12,13 @@ from mpmath import mpf
 
 import slipcircle
 from slipcircle import Motion, Scene
-from slipcircle.core.flow import compiled
 from tests.support import golden, references, taylor
+from tests.support.lanes import BINARY
 
 DATA = references.FILE.read_bytes()
 ROWS: list[dict[str, Any]] = json.loads(DATA)
 # In NumPy a scene takes a third of a second by itself: there every eighth.
-EVERY = 1 if compiled.module() else 8
+EVERY = 1 if BINARY else 8
 NUMBERS = range(0, 300, EVERY)
 TIMED = range(300, 400, EVERY)
 MANY = 100  # phases: each adds its error to the next

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.core import LayeredSection, Soil
+from slipcircle.layers import LayeredSection, Soil
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
@@ -39,7 +39,7 @@ def random_section(rng: np.random.Generator, strongest: float = 1.0, **given: An
             )  # fmt: skip
         except ValueError:
             continue
-        if section.no_motion is None and max(np.abs(AlongTheArc(section, section).ends)) < 1.5:
+        if not section.mistakes(None, {}) and max(np.abs(AlongTheArc(section, section).ends)) < 1.5:
             return section
 
 

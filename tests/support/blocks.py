@@ -5,7 +5,7 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 
-from slipcircle.base.series import Series
+from slipcircle.tables import Series
 
 
 def quake(seed: int, samples: int = 500, step: float = 0.01) -> Series:

@@ -2,11 +2,14 @@
 
 A scene is plain data, in SI units and radians. Its numbers are those of `solve` when the file was written; run-out,
 peak velocity, duration and states on the way of all of them were within the estimated error of Taylor series in ball
-arithmetic, which know nothing of the package, and `test_golden` solves some of them again.
+arithmetic, which know nothing of the package, and `test_golden` solves some of them again. ``python -m
+tests.support.golden`` writes the file: numbers that are those kept, to within rounding, stay as they are, so that every
+processor writes the same; so do derivatives, which an earlier program computed another way.
 """
 
+import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict
 from functools import cache
 from pathlib import Path
@@ -15,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.base.series import Series
+from slipcircle.tables import Series
 
 FILE = Path(__file__).with_name("golden.json")
 SHARES = (0.18, 0.47, 0.76)  # of the duration, at which states are taken
@@ -233,7 +236,7 @@ def differences(name: str, motion: Motion, kept: Data) -> list[str]:
     found, arc = numbers(motion, kept["times"], kept["sensitivity"] is not None), motion.plan.scene.arc
     error = motion.error_estimate + kept["estimate"] + 4e-15
     run_out, peak, duration = abs(kept["run_out"]), abs(kept["peak"]["velocity"]), max(kept["duration"], 1e-300)
-    radius, gravity, stress = float(arc.radius), float(arc.gravity), float(arc.static_normal_stress)  # type: ignore[arg-type]
+    radius, gravity, stress = float(arc.radius), float(arc.gravity), float(arc.static_normal_stress)
     # A place of greatest speed or of no pressure is a root of what is known with an error of this size.
     flat = 30 * math.sqrt(error)
     place = flat * duration
@@ -272,3 +275,31 @@ def compared(one: Any, other: Any, bound: Any) -> Iterator[str]:
         )
     if not np.all(near):
         yield f" is {one!r}, was {other!r}, bound {bound:.2g}"
+
+
+# --- the file --------------------------------------------------------------------------------------------------------
+
+
+def read(file: Path) -> list[Data]:
+    """Rows of a stored reference."""
+    return list(json.loads(file.read_text("utf-8")))
+
+
+def write(file: Path, stored: Iterable[Data]) -> None:
+    """Store them, a line each."""
+    file.write_text("[\n" + ",\n".join(map(json.dumps, stored)) + "\n]\n", "utf-8")
+
+
+def main() -> None:
+    kept = {row["name"]: row["numbers"] for row in read(FILE)}
+    found: list[Data] = []
+    for name in rows():
+        motion, before = solved(name), kept.get(name)
+        if before is None or differences(name, motion, before):
+            before = numbers(motion, times(motion)) | {"sensitivity": (before or {}).get("sensitivity")}
+        found.append({"name": name, "numbers": before})
+    write(FILE, found)
+
+
+if __name__ == "__main__":
+    main()

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slipcircle.core.scene import circles
+from slipcircle.ground import circles
 
 GROUND = [[0.0, 25.0], [30.0, 25.0], [38.0, 30.0], [50.0, 35.0], [90.0, 35.0]]
 LEVEL = [[0.0, 25.0], [30.0, 25.0], [45.0, 32.0], [90.0, 32.0]]

@@ -35,5 +35,4 @@ def rows(page: Any) -> dict[str, Any]:
 
 
 # Few elements and few turns: no test is about how long something takes.
-QUICK: dict[str, Any] = {"SIZES": (1, 50, 400), "REPEATS": 2, "_TICK": 1e-7, "_PATIENCE": 0.0, "_PASS": 0.04,
-                         "_LONG": 0.0}  # fmt: skip
+QUICK: dict[str, Any] = {"REPEATS": 2, "_TICK": 1e-7}

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.base.series import Pulse
+from slipcircle.tables import Pulse
 
 
 def canvas(size: tuple[float, float] = (7.0, 5.0), dpi: float = 100) -> Figure:

@@ -2,7 +2,7 @@
 
 Scenes are plain data, 300 of position and speed and 100 that depend on time, on rates or on heat; they are solved by
 `taylor`. Each was solved twice, with series of different length at different precision, and both had to agree;
-`test_accuracy` solves six of them again.
+`test_accuracy` solves six of them again; ``python -m tests.support.references`` solves all, and stores the answers.
 """
 
 import math
@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from flint import arb, ctx
 
-from tests.support import taylor
+from tests.support import golden, taylor
 from tests.support.combinations import friction as friction_law
 from tests.support.taylor import Unfit
 
@@ -151,3 +151,12 @@ def called(group: str, rng: np.random.Generator, arc: dict[str, Any], limit: flo
     if "rotation" not in effects or rng.random() < 0.15:
         end = float(pace * rng.uniform(1.0, 3.0))
     return {"arc": arc, "friction": friction, "effects": effects, "initial_velocity": start, "end_time": end}
+
+
+def main() -> None:
+    golden.write(FILE, (row | {"reference": taylor.solve(row["scene"], row["shares"], digits(row["group"]))}
+                        for row in golden.read(FILE)))  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()

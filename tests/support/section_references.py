@@ -1,9 +1,10 @@
 """Random sections and their motion to 30 digits.
 
-``python -m tests.campaigns.references 130 --sections`` compares them. Grounds of up to eight edges that fall
-either way, dry or under a water level, with every law and effect, pushed either way. Moments come from strips in ball
-arithmetic, the pressure below a level from the heights of its line above the arc, the motion from Taylor series in
-time: nothing here knows a line of the package but the random grounds.
+``python -m tests.campaigns.references 130 --sections`` compares them, and ``python -m
+tests.support.section_references`` solves those that are kept again, and stores the answers. Grounds of up to eight
+edges that fall either way, dry or under a water level, with every law and effect, pushed either way. Moments come from
+strips in ball arithmetic, the pressure below a level from the heights of its line above the arc, the motion from Taylor
+series in time: nothing here knows a line of the package but the random grounds.
 """
 
 import math
@@ -180,3 +181,12 @@ def scene(given: Mapping[str, Any]) -> slipcircle.Scene:
     """As the package takes it."""
     whole = golden.built("", {**given, "arc": golden.SLOPE})
     return replace(whole, arc=slipcircle.Section(**given["arc"]))
+
+
+def main() -> None:
+    golden.write(FILE, (row | {"reference": taylor.solve(row["scene"], references.SHARES, 28, Section)}
+                        for row in golden.read(FILE)))  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from flint import acb, arb, ctx
 
-from slipcircle.core.scene.circles import MEASURES
+from slipcircle.ground.circles import MEASURES
 from tests.support.oracle import exact
 
 BITS = 220

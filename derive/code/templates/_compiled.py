@@ -1,6 +1,7 @@
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
-The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel.
+The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
+of a level, such as ``baseline``, asks for the loops of lesser processors.
 """
 
 import os
@@ -51,7 +52,8 @@ def load(digest: str = DIGEST) -> dict[str, tuple[str, Mapping[str, Mapping[str,
 
 
 LEVELS = load()
-LEVEL = next(iter(LEVELS))
+_asked = os.environ.get("SLIPCIRCLE_COMPILED", "")
+LEVEL = _asked if _asked in LEVELS else next(iter(LEVELS))
 
 
 def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:

@@ -8,26 +8,17 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property, partial
 from math import prod
-from typing import TYPE_CHECKING, Any, Generic, Self
+from typing import Any, Generic, Self
 
 import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.checks import choose
+from slipcircle.base.forms import Forms
 from slipcircle.base.kinds import Floats, Numbers
-from slipcircle.core.motion.accuracy import estimate
-from slipcircle.core.motion.forms import Forms
+from slipcircle.core.doors import room
 from slipcircle.core.motion.states import Phase, State, Status
-from slipcircle.core.motion.summary import ensemble_summary, summary
 from slipcircle.core.motion.trajectory import Trajectory
-from slipcircle.core.motion.warnings import collect_warnings
-from slipcircle.core.scene.parameters import with_parameters
-from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.turning import Journey
-
-if TYPE_CHECKING:
-    from slipcircle.core.motion.derivatives import Sensitivity
-
 
 # The state entries of each lane's end that a motion is read off.
 FINAL_ENTRIES = (
@@ -77,6 +68,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         Whether it rests at the end.
     duration : float
         Time from the start to the end, s.
+        Infinite if it creeps to its equilibrium.
+    settling_time : float
+        Time by which 99 % of the run-out is covered if it creeps, else the duration, s.
     run_out : float
         Displacement along the arc at the end, m.
     outcomes : mapping
@@ -181,6 +175,10 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return self.outcomes["duration"]
 
     @property
+    def settling_time(self) -> Numbers:
+        return self._shaped(self._settling_time)
+
+    @property
     def run_out(self) -> Numbers:
         return self.outcomes["run_out"]
 
@@ -227,6 +225,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     def _final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         lanes = self._lanes
+        if not self.shape and "layered_strength" in self.plan.effects:  # the stress depends on the slip until then
+            return self._stress_at(np.asarray(time))
         stress = lanes.stress(time / lanes.time_scale, rotation, omega)
         return self._shaped(stress + 0.0)
 
@@ -238,12 +238,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return farthest > end * (1 + SWING)
 
     @property
-    def journey(self) -> Journey:
+    def journey(self) -> Any:
         """Position at the end, for a `Section`: toe and its horizontal run-out, drop of the centroid, travel angle."""
-        section = self.plan.scene.arc
-        if not isinstance(section, Section):
-            raise AttributeError("journey: needs a Section, as an Arc has no position")
-        return section.journey(self.end.rotation)
+        return self.plan.scene.arc.journey(self.end.rotation)
 
     # --- along the way, of a single motion ---------------------------------------------------------------------------
 
@@ -270,11 +267,11 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     def phases(self) -> tuple[Phase, ...]:
         """Phases of a single motion between its standstills."""
         scale = float(np.squeeze(self._lanes.time_scale))
-        duration = float(np.squeeze(self._duration))
+        last = float(np.squeeze(self._settling_time))
         phases = list[Phase]()
         for event, time, rotation, direction in self._log:
             if event == ix.NOTE_BEGINS:
-                phase = Phase(time * scale, duration, rotation, int(direction))
+                phase = Phase(time * scale, last, rotation, int(direction))
                 phases.append(phase)
             elif event == ix.NOTE_STANDS:
                 phase = phases.pop()
@@ -303,7 +300,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @cached_property
     def _errors(self) -> Floats:
-        return estimate(self._lanes, self._final)
+        errors: Floats = room("estimate").estimate(self._lanes, self._final)
+        return errors
 
     @property
     def error_estimate(self) -> Numbers:
@@ -311,13 +309,13 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @cached_property
     def energy(self) -> Any:
-        """Energy balance from the start to the end."""
-        return self.energy_at(self.duration)
+        """Energy balance from the start to the end, of a mass that creeps to its `settling_time`."""
+        return self.energy_at(self.settling_time)
 
     @cached_property
     def energy_error_estimate(self) -> float:
         """Greatest error of the energy balance of a single motion, relative to all energy until then."""
-        times = np.linspace(0.0, self._duration, ENERGY_CHECKS)
+        times = np.linspace(0.0, self._settling_time, ENERGY_CHECKS)
         energy = self.energy_at(times)
         exchanged = energy.kinetic_start + np.abs(energy.work) + energy.dissipation
         greatest = np.maximum.accumulate(exchanged)
@@ -327,18 +325,17 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        return collect_warnings(self)
+        sentences: tuple[str, ...] = room("warnings").collect_warnings(self)
+        return sentences
 
-    def sensitivity(self) -> "Sensitivity":
-        """Exact derivatives of a single motion by every number of its scene: `slipcircle.core.motion.sensitivity`.
+    def sensitivity(self) -> Any:
+        """Exact derivatives of a single motion by every number of its scene: `slipcircle.derivatives.sensitivity`.
 
         Raises
         ------
         ValueError
             If the scene is exactly at its limit, where the motion has no derivative, or has arrays.
         """
-        from slipcircle.core.motion.sensitivity import sensitivity
-
         if self.shape:
             raise ValueError("sensitivity: takes a single scene; solve one case of the ensemble")
         if not self.moves and self.limit_friction == self.friction:
@@ -346,7 +343,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         at: dict[str, Any] = dict(self.outcomes)
         if not self.moves:
             at = dict.fromkeys(at, 0.0)
-        return sensitivity(self.plan.scene, self._lanes, at)
+        return room("sensitivity").sensitivity(self.plan.scene, self._lanes, at)
 
     # --- lanes, and one line of text ---------------------------------------------------------------------------------
 
@@ -368,7 +365,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
             if np.ndim(value):
                 values = np.broadcast_to(value, self.shape)
                 chosen[name] = values[index]
-        plan = replace(self.plan, scene=with_parameters(scene, chosen))
+        plan = replace(self.plan, scene=room("parameters").with_parameters(scene, chosen))
         every_lane = np.arange(prod(self.shape))
         numbers = every_lane.reshape(self.shape)[index]
         flat = np.ravel(numbers)
@@ -385,5 +382,5 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         if name:
             name += ": "
         if self.shape:
-            return f"<{prod(self.shape)} motions {name}{ensemble_summary(self)}>"
-        return f"<Motion {name}{summary(self)}>"
+            return f"<{prod(self.shape)} motions {name}{room('summary').ensemble_summary(self)}>"
+        return f"<Motion {name}{room('summary').summary(self)}>"

@@ -3,21 +3,24 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
+from math import prod
 from typing import Any
 
 from generated.effects import ALL_EFFECTS, EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Names
-from slipcircle.core.flow.build import build_program
-from slipcircle.core.flow.problem import Recipe, order, recipe_of
-from slipcircle.core.flow.program import Program
-from slipcircle.core.motion.equation import Equation, equation_of
-from slipcircle.core.scene.friction import OF_SOIL, law_depends, law_names, without_soil
+from slipcircle.core.doors import room
+from slipcircle.core.problem.problem import Recipe, order, recipe_of, solved_accuracy
+from slipcircle.core.program.build import build_program
+from slipcircle.core.program.program import Program
+from slipcircle.core.scene.effects import OF_SOIL, without_soil
+from slipcircle.core.scene.friction import law_depends, law_names
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
 
 DEFAULT_ACCURACY = 1e-9
 FLOW = "Taylor series in time, events as their roots"
 WORDS = {"speed": "the speed"}
+OF_SOILS = ("pore_pressure", "cohesion")  # effects that layered ground has by its soils and water level
 STEPS = 8  # that a motion typically takes
 
 
@@ -29,7 +32,7 @@ class Plan:
     ----------
     scene : Scene
     effects, left_out : tuple of str
-        Effects of the scene, and known effects that it does not use.
+        Effects of the scene, and known effects that it does not use; soils have cohesion and pore pressure themselves.
     law : str
         The friction law.
     method, why : str
@@ -41,7 +44,7 @@ class Plan:
     cost : int
         Typical number of floating-point operations of a solution.
     accuracy : float
-        Requested relative error.
+        Requested relative error. It sets the order of the series of ensembles; a single scene is solved to rounding.
     """
 
     scene: Scene
@@ -56,9 +59,9 @@ class Plan:
     accuracy: float
 
     @property
-    def equation(self) -> Equation:
+    def equation(self) -> Any:
         """Equation of motion of this scene: its terms, and the values of its coefficients."""
-        return equation_of(self.scene, self.accuracy)
+        return room("equation").equation_of(self.scene, self.accuracy)
 
 
 def plan(scene: Scene, accuracy: float | None = None) -> Plan:
@@ -81,15 +84,17 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     if accuracy is None:
         accuracy = DEFAULT_ACCURACY if scene.accuracy is None else scene.accuracy
     recipe = recipe_of(scene.called, law_names(scene.friction))
-    choice = _choice(recipe, law_depends(scene.friction), accuracy)
+    terms = order(solved_accuracy(accuracy, prod(scene.shape)))
+    choice = _choice(recipe, law_depends(scene.friction), terms)
     return Plan(scene, **choice, accuracy=accuracy)
 
 
 @cache
-def _choice(recipe: Recipe, depends: Names, accuracy: float) -> dict[str, Any]:
+def _choice(recipe: Recipe, depends: Names, terms: int) -> dict[str, Any]:
     """What a plan is made of but for the scene's values, so that it is chosen once."""
     program = build_program(*recipe)
     effects = tuple(dict.fromkeys(map(without_soil, recipe.effects)))
+    has_soils = "layered_strength" in effects
     symbols = {*map(without_soil, recipe.moving)}
     of_rotation = list[str]()
     of_time = dict[str, None]()
@@ -105,12 +110,11 @@ def _choice(recipe: Recipe, depends: Names, accuracy: float) -> dict[str, Any]:
     for effect in effects:
         reasons += _reasons(effect, effect in of_time)
     reasons += [f"{e} depends on time" for e in of_time if "time" not in ALL_EFFECTS[e].depends_on]
-    reasons += [f"{e} depends on the rotation" for e in of_rotation]
+    reasons += [f"{e} depends on the rotation" for e in dict.fromkeys(of_rotation)]
     reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends]
-    terms = order(accuracy)
     return {
         "effects": effects,
-        "left_out": tuple(e for e in EFFECTS if e not in effects),
+        "left_out": tuple(e for e in EFFECTS if e not in effects and (e not in OF_SOILS or not has_soils)),
         "law": _law_in_words(recipe.laws),
         "method": FLOW,
         "why": "; ".join(reasons),

@@ -17,11 +17,11 @@ from generated.effects import ALL_EFFECTS
 from generated.layout import MOST_TURNS
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Numbers
-from slipcircle.core.flow.lanes import BLOCK
-from slipcircle.core.flow.scene_lanes import lanes_of
 from slipcircle.core.motion.motion import FINAL_ENTRIES, Motion, final_entries
 from slipcircle.core.motion.plan import Plan, plan
 from slipcircle.core.motion.states import Status
+from slipcircle.core.problem.lanes import BLOCK
+from slipcircle.core.problem.scene_lanes import lanes_of
 from slipcircle.core.scene.scene import Scene
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
@@ -34,7 +34,8 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
     ----------
     scene : Scene
     accuracy : float, optional
-        Requested relative error; by default that of the scene, or 1e-9.
+        Requested relative error; by default that of the scene, or 1e-9. It sets the order of the series of ensembles.
+        A single scene is solved to rounding; if its estimated error is larger than requested, it has a warning.
     invalid : array_like of bool, optional
         Invalid cases, as returned by `with_parameter_arrays`; their status is `Status.INVALID`.
 

@@ -17,10 +17,11 @@ class Status(IntEnum):
     STAYS = 1  #: it does not move
     MOVING = 2  #: it still moves at its end time, or nothing ever brings it to rest: then to its first standstill
     TURNED = 3  #: it turned back at least once, and came to rest
-    UPRIGHT = 4  #: no result: the chord stands upright and the mass would hang over
-    ENDLESS = 5  #: no result: it never rests, or turns back too often
-    FAILED = 6  #: no result: overflow
-    INVALID = 7  #: its numbers are no scene
+    CREEPS = 4  #: a viscous layer lets it approach its equilibrium ever more slowly; its run-out is the equilibrium's
+    UPRIGHT = 5  #: no result: the chord stands upright and the mass would hang over
+    ENDLESS = 6  #: no result: it never rests, or turns back too often
+    FAILED = 7  #: no result: overflow
+    INVALID = 8  #: its numbers are no scene
 
     @property
     def words(self) -> str:
@@ -38,6 +39,7 @@ _WORDS = {
     "STAYS": "does not move",
     "MOVING": "still moving",
     "TURNED": "comes to rest after turning back",
+    "CREEPS": "creeps to its equilibrium",
     "UPRIGHT": "turns over",
     "ENDLESS": "never rests",
     "FAILED": "overflow",
@@ -50,7 +52,7 @@ _REASONS = {
     "INVALID": "its numbers are not a valid scene: an angle below its bound, say, or a circle that misses the ground",
 }
 
-ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
+ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED, Status.CREEPS)
 # How a lane that moved has ended, by the status in which the integration leaves it.
 STATUS_OF_END = np.full(ix.NEED + 1, Status.FAILED, np.int8)
 STATUS_OF_END[[ix.ARRESTED, ix.PAUSED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_LONG]] = (

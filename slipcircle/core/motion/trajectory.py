@@ -15,14 +15,15 @@ from numpy.typing import ArrayLike
 from generated import layout as ix
 from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.core.flow.lanes import Lanes
-from slipcircle.core.flow.program import Log
 from slipcircle.core.motion.plan import Plan
 from slipcircle.core.motion.states import STATUS_OF_END, Energy, State, Status
+from slipcircle.core.problem.lanes import Lanes
+from slipcircle.core.program.program import Log
 
 RESTS = int(Status.RESTS)
 STAYS = int(Status.STAYS)
 TURNED = int(Status.TURNED)
+CREEPS = int(Status.CREEPS)
 INVALID = int(Status.INVALID)
 ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
 
@@ -79,7 +80,8 @@ class Trajectory:
         rests = status == RESTS
         has_turned = final[ix.TURNS] > 0.0
         status = choose(rests & has_turned, TURNED, status)
-        answered = status <= TURNED
+        status = choose(final[ix.TIME] == np.inf, CREEPS, status)
+        answered = status <= CREEPS
         still = final[ix.PHASES] == 0.0
         stays = still & (ended != ix.STOPPED)
         status = choose(answered & stays, STAYS, status)
@@ -88,7 +90,7 @@ class Trajectory:
     @cached_property
     def _solved(self) -> Any:
         """Which lanes have a result."""
-        return self._status <= TURNED
+        return self._status <= CREEPS
 
     @property
     def is_finite(self) -> bool:
@@ -111,6 +113,12 @@ class Trajectory:
         status = self._final[ix.STATUS]
         duration = choose(status == ix.ENDED, lanes.end_time, rest)
         return self._known(duration)
+
+    @cached_property
+    def _settling_time(self) -> Any:
+        """Time by which each lane has covered 99 % of its run-out if it creeps, else its duration, s."""
+        time = self._final[ix.REST_SINCE] * self._lanes.time_scale
+        return choose(self._status == CREEPS, time, self._duration)
 
     # --- states ------------------------------------------------------------------------------------------------------
 

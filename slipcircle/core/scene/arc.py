@@ -5,14 +5,14 @@ from __future__ import annotations  # so that a signature says ArrayLike
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
+from generated.effects import EFFECTS
 from slipcircle.base.checks import (
-    EPS,
     INFINITY,
     Bounds,
     Fault,
@@ -24,8 +24,8 @@ from slipcircle.base.checks import (
     shape_mistakes,
     two_sum,
 )
-from slipcircle.base.kinds import Array, Numbers
-from slipcircle.core.scene.weights import Dimensionless, MomentCoefficients, SlidingBody
+from slipcircle.base.kinds import Array, Effects, Numbers
+from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
     "radius": (1e-6, 1e20, "a positive length in m"),
@@ -64,7 +64,7 @@ def _given_mistakes(given: Any) -> list[str]:
 
 
 @dataclass(frozen=True)
-class Arc(SlidingBody, Generic[Numbers]):
+class Arc(Mass, Generic[Numbers]):
     """A circular slip surface with the mass above it, closed by its chord.
 
     Parameters
@@ -105,7 +105,6 @@ class Arc(SlidingBody, Generic[Numbers]):
     width: Numbers | float = WIDTH
     given: Mapping[str, float] | None = None
     quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # what scenes vary, each without axes
-    rounding: ClassVar[float] = 4 * EPS  # that each of the `weights` may have, relative
 
     if TYPE_CHECKING:  # one array makes an ensemble
 
@@ -133,17 +132,24 @@ class Arc(SlidingBody, Generic[Numbers]):
         ) -> None: ...
         def __init__(self, *given: Any, **named: Any) -> None: ...
 
+    def __new__(cls, *numbers: Any, **named: Any) -> Self:
+        """With given coefficients it is another mass, a `GivenArc`."""
+        given = named.get("given", numbers[6] if len(numbers) > 6 else None)
+        kind: Any = cls if given is None else GivenArc
+        arc: Self = object.__new__(kind)
+        return arc
+
     def __post_init__(self) -> None:
+        raise_all("Arc", self._mistakes())
+
+    def _mistakes(self) -> list[str]:
+        """What is wrong with its fields."""
         values = {name: getattr(self, name) for name in ARC_BOUNDS}
         found = mistakes(values, ARC_BOUNDS) or shape_mistakes(values)
         if not found and not self._is_plain_arc:
             angles = np.broadcast(self.theta_1, self.theta_2)
             found = complaint(self.geometry_errors(), angles.shape)
-        if self.given is not None:
-            found += _given_mistakes(self.given)
-        raise_all("Arc", found)
-        if self.given is not None:
-            object.__setattr__(self, "given", dict(self.given))
+        return found
 
     @property
     def _is_plain_arc(self) -> bool:
@@ -209,21 +215,11 @@ class Arc(SlidingBody, Generic[Numbers]):
     @cached_property
     def facing(self) -> Any:
         """1 where gravity turns the mass counterclockwise, to the right; -1 where it turns it to the left."""
-        moment = self._lean if self.given is None else self.given["weight_moment"]
-        return choose(np.less(moment, 0.0), -1.0, 1.0)
+        return choose(np.less(self._lean, 0.0), -1.0, 1.0)
 
     @cached_property
     def dimensionless(self) -> Dimensionless:
-        """Coefficients of the equation of motion, computed or as given."""
-        if self.given is not None:
-            g = {**self.given, "weight_moment": self.facing * self.given["weight_moment"]}
-            return Dimensionless(
-                **g,
-                static_normal_stress=g["radial_weight"] / g["resistance_factor"],
-                limit_friction=g["weight_moment"] / g["radial_weight"],
-                radial_weight_per_inertia=g["radial_weight"] / g["moment_of_inertia"],
-                polar_moment_per_inertia=g["resistance_factor"] * g["dynamic_coefficient"] / g["moment_of_inertia"],
-            )
+        """Coefficients of the equation of motion."""
         alpha = self.half_angle
         limit_friction, static_normal_stress, polar_per_inertia = self._quotients
         return Dimensionless(
@@ -241,9 +237,6 @@ class Arc(SlidingBody, Generic[Numbers]):
     @cached_property
     def _quotients(self) -> tuple[Any, Any, Any]:
         """J_theta/J_r, J_r/lambda and I_p*/Theta*, from reduced functions, so that thin arcs do not underflow."""
-        if self.given is not None:
-            d = self.dimensionless
-            return d.limit_friction, d.static_normal_stress, d.polar_moment_per_inertia
         polar_per_inertia = kernels.polar_moment_per_inertia(self.half_angle)
         # J_r/lambda = (J_r/Theta*) (A Theta*/I_p*), by lambda A = I_p*
         static = self.normal_load * kernels.dynamic_coefficient(self.half_angle) / polar_per_inertia
@@ -255,13 +248,7 @@ class Arc(SlidingBody, Generic[Numbers]):
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
         """C_theta/Theta* and C_r/Theta*, from which J_theta/Theta* and J_r/Theta* follow at any dip."""
-        alpha = self.half_angle
-        dip = self.dip
-        if self.given is not None and dip != 0.0:  # J_theta = C_theta sin(psi), J_r = C_r cos(psi)
-            normal_load = self.dimensionless.radial_weight_per_inertia
-            driving_moment = self.dimensionless.limit_friction * normal_load
-            return driving_moment / np.sin(dip), normal_load / np.cos(dip)
-        return kernels.weight_moment_per_inertia(alpha), self._radial_amplitude
+        return kernels.weight_moment_per_inertia(self.half_angle), self._radial_amplitude
 
     @cached_property
     def _radial_amplitude(self) -> Any:
@@ -288,8 +275,6 @@ class Arc(SlidingBody, Generic[Numbers]):
     @cached_property
     def normal_load(self) -> Any:
         """J_r/Theta* at the start."""
-        if self.given is not None:
-            return self.dimensionless.radial_weight_per_inertia
         return self.amplitudes_per_inertia[1] * self._cosine_of_dip
 
     @cached_property
@@ -336,3 +321,60 @@ class Arc(SlidingBody, Generic[Numbers]):
     def limit_friction_angle(self) -> Any:
         """Friction angle at limit equilibrium (3.21), rad."""
         return np.arctan(self.dimensionless.limit_friction)
+
+
+@dataclass(frozen=True)
+class GivenArc(Arc[Numbers]):
+    """An arc with coefficients from a printed table in place of computed ones; they belong to its initial position."""
+
+    def _mistakes(self) -> list[str]:
+        return super()._mistakes() + _given_mistakes(self.given)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        object.__setattr__(self, "given", dict(self.coefficients))
+
+    @property
+    def coefficients(self) -> Mapping[str, float]:
+        """Those of `GIVEN`."""
+        assert self.given is not None
+        return self.given
+
+    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+        """They do not turn with the mass."""
+        if any(EFFECTS[name].turns for name in effects if name in EFFECTS):
+            return ["arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"]
+        return []
+
+    @cached_property
+    def facing(self) -> Any:
+        return choose(self.coefficients["weight_moment"] < 0.0, -1.0, 1.0)
+
+    @cached_property
+    def dimensionless(self) -> Dimensionless:
+        g = {**self.coefficients, "weight_moment": self.facing * self.coefficients["weight_moment"]}
+        return Dimensionless(
+            **g,
+            static_normal_stress=g["radial_weight"] / g["resistance_factor"],
+            limit_friction=g["weight_moment"] / g["radial_weight"],
+            radial_weight_per_inertia=g["radial_weight"] / g["moment_of_inertia"],
+            polar_moment_per_inertia=g["resistance_factor"] * g["dynamic_coefficient"] / g["moment_of_inertia"],
+        )
+
+    @cached_property
+    def _quotients(self) -> tuple[Any, Any, Any]:
+        d = self.dimensionless
+        return d.limit_friction, d.static_normal_stress, d.polar_moment_per_inertia
+
+    @cached_property
+    def amplitudes_per_inertia(self) -> tuple[Any, Any]:
+        driving_moment = self.dimensionless.limit_friction * self.normal_load
+        of_level, radial_of_level = super().amplitudes_per_inertia
+        is_level = np.equal(self.dip, 0.0)
+        sine = np.sin(choose(is_level, 1.0, self.dip))
+        weight = choose(is_level, of_level, driving_moment / sine)  # J_theta = C_theta sin, J_r = C_r cos
+        return weight, choose(is_level, radial_of_level, self.normal_load / np.cos(self.dip))
+
+    @cached_property
+    def normal_load(self) -> Any:
+        return self.dimensionless.radial_weight_per_inertia

@@ -9,8 +9,8 @@ import numpy as np
 from generated.effects import LAWS
 from slipcircle.base.checks import mistakes, parameter_mistakes, shown
 from slipcircle.base.kinds import Names, Parameters
+from slipcircle.core.scene.effects import OF_SOIL, without_soil
 
-OF_SOIL = "#"  # before the number of a soil, in the name of its law
 RATE_LAWS = tuple(name for name in LAWS if LAWS[name].depends_on == ("speed",))
 Law = tuple[str, Parameters]  # by name, with its parameters
 
@@ -113,16 +113,6 @@ def number_name(path: str, name: str) -> str:
     return path if (path, name) == ("friction", "coefficient") else f"{path}.{name}"
 
 
-def without_soil(name: str) -> str:
-    """The name of a law or an effect without the number of a soil."""
-    return name.partition(OF_SOIL)[0]
-
-
-def soil_number(name: str) -> str:
-    """The number of the soil whose law or effect this is, after its mark; empty for that of a whole arc."""
-    return "".join(name.partition(OF_SOIL)[1:])
-
-
 def law_names(given: Any) -> Names:
     """Of the law that a scene's friction stands for, and of the law of speed that multiplies it."""
     return tuple(name for name, _ in law_parts(given))
@@ -130,8 +120,13 @@ def law_names(given: Any) -> Names:
 
 def law_depends(given: Any) -> Names:
     """What a scene's friction depends on: some of slip, speed, time."""
+    return variables_of(law_names(given))
+
+
+def variables_of(names: Names) -> Names:
+    """What laws of friction depend on: some of slip, speed, time."""
     variables: dict[str, None] = {}
-    for name in law_names(given):
+    for name in names:
         law = LAWS.get(without_soil(name))
         depends_on = law.depends_on if law else ("slip",)
         variables |= dict.fromkeys(depends_on)

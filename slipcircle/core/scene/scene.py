@@ -11,18 +11,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS
-from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, parameter_mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Array, Effects, Numbers, Parameters, Values
-from slipcircle.base.series import Pulse, Series
+from slipcircle.core.doors import room
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import arc_numbers
-from slipcircle.core.scene.forcing import factor, resolved
+from slipcircle.core.scene.effects import effect_mistakes, named, resolved
 from slipcircle.core.scene.friction import law_mistakes, law_parts, law_paths, number_name
-from slipcircle.core.scene.layers import LayeredSection
-from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.strength import MeanFriction
+from slipcircle.core.scene.mass import Mass
 
-One = float | str | Series | Pulse | Mapping[str, float | str]  # what a parameter is in one scene
+One = float | str | Callable[[Any], Any] | Mapping[str, float | str]  # what a parameter is in one scene
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 
 
@@ -50,7 +48,7 @@ class Scene(Generic[Numbers]):
     end_time : float or array_like, optional
         End of the integration, s; by default until the mass rests.
     accuracy : float, optional
-        Requested relative error; that of the call takes precedence.
+        Requested relative error of ensembles, see `solve`; that of the call takes precedence.
     name, note : str, optional
         What the scene describes, and the source of its numbers.
     uncertain : mapping, optional
@@ -70,7 +68,7 @@ class Scene(Generic[Numbers]):
         Lists every mistake with its field, its value and what is allowed.
     """
 
-    arc: Arc[Numbers] | Section
+    arc: Arc[Numbers] | Any
     friction: Numbers | float | Mapping[str, Numbers | One | Sequence[float]] | Callable[[Any], Any] | None = None
     effects: Mapping[str, Mapping[str, Numbers | One | Sequence[float]]] | Iterable[str] = field(default_factory=dict)
     initial_velocity: Numbers | float = 0.0
@@ -97,14 +95,14 @@ class Scene(Generic[Numbers]):
         ) -> None: ...
         @overload
         def __init__(
-            self: Scene[Array], arc: Arc | Section, friction: NDArray[Any] | Sequence[float], *more: Any, **named: Any
+            self: Scene[Array], arc: Mass, friction: NDArray[Any] | Sequence[float], *more: Any, **named: Any
         ) -> None: ...
         @overload
         def __init__(self: Scene[Array], arc: Arc[Array], *more: Any, **named: Any) -> None: ...
         @overload
         def __init__(
             self: Scene[Any],
-            arc: Arc | Section,
+            arc: Mass,
             friction: float | Parameters | Callable[[Any], Any] | None = None,
             effects: Effects | Iterable[str] = ...,
             initial_velocity: ArrayLike = ...,
@@ -117,17 +115,23 @@ class Scene(Generic[Numbers]):
         def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
-        effects, faults = _named(self.effects)
+        effects, faults = named(self.effects)
         object.__setattr__(self, "effects", effects)
-        faults += _arc_faults(self.arc, effects)
-        faults += self._field_faults()
-        if isinstance(self.arc, LayeredSection):
-            faults += layered_mistakes(self.friction, effects)
-            object.__setattr__(self, "friction", self.arc.friction)
+        mass: Any = self.arc
+        is_mass = hasattr(type(mass), "moment_coefficients")
+        own_friction = None
+        if is_mass:
+            faults += mass.mistakes(self.friction, effects)
+            own_friction = mass.friction
         else:
+            faults.append(f"arc = {mass!r}: must be an Arc or a Section")
+        faults += self._field_faults()
+        if own_friction is None:
             faults += law_mistakes(self.friction)
+        else:
+            object.__setattr__(self, "friction", own_friction)
         for name, parameters in effects.items():
-            if of_effect := _effect_mistakes(name, parameters):
+            if of_effect := effect_mistakes(name, parameters):
                 faults += of_effect
                 continue
             try:
@@ -154,25 +158,22 @@ class Scene(Generic[Numbers]):
     def called(self) -> Effects:
         """Effects by name, each with its parameters, and the water level of a section."""
         assert isinstance(self.effects, dict)
-        return self.arc.section_effects(self.effects)
+        return self.arc.effects_with_own(self.effects)
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
         """All numbers that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``,
         ``cohesion.cohesion``, ..."""
         numbers = arc_numbers(self.arc)
-        if not isinstance(self.arc, LayeredSection):  # whose soils have the numbers of friction
+        if self.arc.friction is None:  # otherwise its soils have the numbers of friction
             numbers |= _friction_numbers(self.friction)
         numbers["initial_velocity"] = self.initial_velocity
         if self.end_time is not None:
             numbers["end_time"] = self.end_time
         assert isinstance(self.effects, dict)
         shaking = self.effects.get("shaking", {})
-        record = shaking.get("horizontal")
-        if isinstance(record, Series):  # its peak and its scale stand for each other
-            scale = factor("shaking", shaking, "horizontal")
-            numbers["shaking.scale"] = scale
-            numbers["shaking.peak"] = scale * record.greatest
+        if callable(shaking.get("horizontal")):
+            numbers |= room("forcing").record_numbers(shaking)
         for effect, given in self.effects.items():
             for p in EFFECTS[effect].parameters:
                 if p.name in given and p.kind in ("number", "series"):
@@ -201,16 +202,6 @@ def _friction_numbers(friction: Any) -> dict[str, Any]:
     return numbers
 
 
-def layered_mistakes(friction: Any, effects: Effects) -> list[str]:
-    """What a scene of layered ground says that its soils say."""
-    of_soils = "is given by the soils of a layered section; leave it out"
-    strengths = ("cohesion", "pore_pressure")
-    faults = [f"effects.{name}: {of_soils}" for name in strengths if name in effects]
-    if friction is not None and not isinstance(friction, MeanFriction):
-        faults.append(f"friction = {friction!r}: {of_soils}")
-    return faults
-
-
 def accuracy_mistakes(accuracy: Any) -> list[str]:
     """A sentence if it is given, and no relative error."""
     if accuracy is None:
@@ -225,50 +216,3 @@ def checked(scene: Any, what: str) -> Scene:
         asked = f"load({scene!r})" if isinstance(scene, str) else "load(name)"
         raise ValueError(f"{what}: scene = {scene!r}: must be a Scene; {asked} gives that of a file, or one that ships")
     return scene
-
-
-def _named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
-    """Effects by name, each with its parameters, and a sentence for what is no such thing."""
-    if isinstance(effects, str) or not isinstance(effects, Iterable):
-        return {}, [f"effects = {effects!r}: must be a list of names, or a mapping from names to parameters"]
-    given = effects if isinstance(effects, Mapping) else {name: {} for name in effects}
-    named = {}
-    faults = []
-    for name, parameters in given.items():
-        if isinstance(parameters, Mapping):
-            named[str(name)] = dict(parameters)
-        else:
-            what = f"effects.{name} = {parameters!r}"
-            faults.append(f"{what}: must be a mapping of parameters, {{}} where there are none")
-    return named, faults
-
-
-def _arc_faults(arc: Any, effects: Effects) -> list[str]:
-    """What keeps an arc or a section from moving under some effects."""
-    if not isinstance(arc, Arc | Section):
-        return [f"arc = {arc!r}: must be an Arc or a Section"]
-    faults: list[str] = []
-    if isinstance(arc, Section) and arc.no_motion:
-        faults.append(f"arc: {arc.no_motion}")
-    has_level = isinstance(arc, Section) and arc.level is not None
-    if has_level and "ratio" in effects.get("pore_pressure", {}):
-        faults.append(
-            "{effects.pore_pressure.ratio}: cannot be combined with the level of the section, which says the pore "
-            "pressure already; leave one out"
-        )
-    turns = any(EFFECTS[name].turns for name in effects if name in EFFECTS)
-    if turns and arc.given is not None:
-        faults.append("arc.given: belongs to the initial position and cannot be combined with rotation; leave one out")
-    return faults
-
-
-def _effect_mistakes(name: str, parameters: Parameters) -> list[str]:
-    if name not in EFFECTS:
-        return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
-    effect = EFFECTS[name]
-    path = f"effects.{name}"
-    faults = []
-    if effect.any_of and parameters.keys().isdisjoint(effect.any_of):
-        names = ", ".join(effect.any_of)
-        faults.append(f"{path}: one of {names} is missing")
-    return faults + parameter_mistakes(path, parameters, effect.parameters)

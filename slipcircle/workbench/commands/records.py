@@ -13,7 +13,8 @@ from slipcircle.base.text import shown
 from slipcircle.workbench.common import files
 from slipcircle.workbench.outputs.tables import Answer, Part
 from slipcircle.workbench.records.headers import ACCELERATION, UNITS
-from slipcircle.workbench.records.records import read_samples
+from slipcircle.workbench.records.recordfiles import parse
+from slipcircle.workbench.records.records import checked_samples
 from slipcircle.workbench.records.suite import Suite, read_suite
 from slipcircle.workbench.suites.spectra import misfit
 from slipcircle.workbench.suites.synthetic import synthetic_records, write_records
@@ -83,7 +84,9 @@ def target_spectrum(options: argparse.Namespace) -> tuple[Floats, Floats] | None
     if not options.spectrum:
         return None
     try:
-        found = read_samples(ACCELERATION, options.spectrum, None, None, None, None, "linear", "g")
+        parsed = parse(ACCELERATION, options.spectrum, Path(options.spectrum), None, None)
+        in_g = parsed._replace(units=parsed.units or "g")
+        found = checked_samples(ACCELERATION, options.spectrum, in_g, None, None, "linear")
     except ValueError as error:
         form = "a spectrum has increasing periods in s in its first column and accelerations in g in its second"
         raise ValueError(f"--spectrum {error}; {form}") from error

@@ -40,8 +40,8 @@ def options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     _check_options(options)
-    sources = [find(name).read_bytes() for name in options.scenes] if options.report else []
     scenes = [load(name) for name in options.scenes]
+    sources = [find(name).read_bytes() for name in options.scenes] if options.report else []
     if options.polarities:
         scenes = [polarity for scene in scenes for polarity in (scene, other_way(scene))]
         sources = [source for source in sources for _ in range(2)]
@@ -64,8 +64,10 @@ def _parts(motions: Sequence[Motion], means: Mapping[str, Mapping[str, float]], 
         texts = {q.label: f"{shown(mean[name])} {q.unit}" for name, q in OUTCOMES.items()}
         columns.append({label: text for label, text in texts.items() if label in columns[0]})
     notes = [f"{scene.name}: {scene.note}" for scene in scenes if scene.note]
-    if any(map(stability_of, scenes)):
-        notes.append(tables.DIFFERENCE)
+    for scene in scenes:
+        if critical := stability_of(scene):
+            of_scene = f"{scene.name}: " if len(scenes) > 1 else ""
+            notes.append(of_scene + tables.difference_words(critical))
     head = ["", *(scene.name for scene in scenes), *means]
     yield Part(head, tables.beside(columns), note="; ".join(notes))
     if verbose:

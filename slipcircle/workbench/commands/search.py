@@ -1,7 +1,6 @@
 """`slipcircle search`: the circle along which a slope fails first, and its factors of safety."""
 
 import argparse
-from typing import Any
 
 from slipcircle.base.progress import track
 from slipcircle.workbench.commands.common import add_files
@@ -9,7 +8,6 @@ from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.outputs import pictures, tables
 from slipcircle.workbench.outputs.tables import Answer, Part, say
 from slipcircle.workbench.stability.factors import YIELD
-from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
 HELP = "the critical circle of a slope, and its factors of safety by three methods"
@@ -33,17 +31,14 @@ def run(options: argparse.Namespace) -> Answer:
         raise ValueError(f"search: --method {options.method}: k_y is by the paper's method; leave it out")
     method = YIELD if options.least == YIELD else options.method
     searched = [critical_of_file(name, method, say) for name in track(options.scenes, "slopes searched")]
-    names, notes, circles = zip(*searched, strict=True)
+    names, notes, circles, warnings = zip(*searched, strict=True)
     pictures.write(options.plot, "search", circles[0])
-    for name, circle in zip(names, circles, strict=True):
-        if circle.warning:
-            say(f"{name}: {circle.warning}")
     columns = [tables.stability_column(circle) for circle in circles]
     note = "; ".join(f"{name}: {text}" for name, text in zip(names, notes, strict=True) if text)
     table = Part(["", *names], tables.beside(columns), note=note)
-    of_yield = options.least == YIELD
-    return Answer(lambda: [_record(circle, of_yield) for circle in circles], [table])
-
-
-def _record(circle: Critical, of_yield: bool) -> dict[str, Any]:
-    return circle.record() | ({"yield_coefficient": circle.yield_coefficient} if of_yield else {})
+    records = [
+        {"scene": name} | circle.record() | {"warnings": lines}
+        for name, circle, lines in zip(names, circles, warnings, strict=True)
+    ]
+    lines = [f"{name}: {line}" for name, of_slope in zip(names, warnings, strict=True) for line in of_slope]
+    return Answer(lambda: records, [table], lines)

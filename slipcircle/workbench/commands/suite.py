@@ -15,9 +15,9 @@ from slipcircle.workbench.commands.records import FORMATS, add_reading, add_synt
 from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.studies.ensemble import ensemble
 from slipcircle.workbench.studies.statistics import value_text
+from slipcircle.workbench.studies.suitestatistics import distribution, exceedance, variance_shares
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 from slipcircle.workbench.suites.regressions import Comparison
-from slipcircle.workbench.suites.statistics import distribution, exceedance, variance_shares
 
 _HEADS = {
     "record": "record",

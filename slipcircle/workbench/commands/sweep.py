@@ -251,5 +251,7 @@ def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
 
 def _of_samples(study: Study) -> _Tables:
     """Every estimate of a study with its interval."""
-    title = f"{study.scene.name}: {study.design.n} samples, {study.design.method}, seed {study.seed}\n"
+    design = study.design
+    drawn = [f"{design.n} samples", design.method, f"seed {study.seed}", *filter(None, [design.correlations_text])]
+    title = f"{study.scene.name}: {', '.join(drawn)}\n"
     return _Tables(export.HEAD, export.rows(study), study.to_dict, [title, *parts(study)])

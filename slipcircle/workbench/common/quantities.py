@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.text import DIGITS, digits_left, shown
-from slipcircle.core import LayeredSection, stretches
+from slipcircle.core import Status
+from slipcircle.layers import LayeredSection, stretches
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
@@ -125,6 +126,9 @@ def end_words(motion: Any) -> dict[str, str]:
         return {"comes to rest": "does not move", "duration": "-"}
     if motion.arrested:
         return {}
+    if motion.status is Status.CREEPS:
+        arrival = f"infinite, 99 % of the run-out in {shown(motion.settling_time)} s"
+        return {"comes to rest": "no, it creeps to its equilibrium", "duration": arrival}
     time = OUTCOMES["duration"].text(motion)
     if motion.plan.scene.end_time is None:
         return {"comes to rest": "no, nothing holds it", "duration": f"first standstill at {time}"}
@@ -194,6 +198,15 @@ def stretch_records(motion: Any) -> list[dict[str, Any]]:
     if not isinstance(arc, LayeredSection):
         return []
     return [stretch._asdict() | {"soil": stretch.soil.name} for stretch in stretches(arc)]
+
+
+def foreland_words(arc: Any) -> str:
+    """The soil whose strength continues beyond the exit of a layered arc; empty for another arc."""
+    if not isinstance(arc, LayeredSection) or arc.lanes_shape or arc.strength == "mass":
+        return ""
+    (layer,) = arc.arc_strength.stretches.last
+    why = "as given" if arc.foreland else "the lowest of the soils that meet there"
+    return f"the strength of {arc.soils[layer].name}, {why}"
 
 
 def plain(value: Any) -> Any:

@@ -153,7 +153,9 @@ _TOP = (
         optional=True,
     ),
     declare("end_time", "end_time_s", "s", "end time, by default when the mass rests", *LIMITS["s"], optional=True),
-    declare("accuracy", "accuracy", "", "requested relative error", 0.0, 1.0, 1.0, True, "fixed"),
+    declare(
+        "accuracy", "accuracy", "", "requested relative error; a single scene: rounding", 0.0, 1.0, 1.0, True, "fixed"
+    ),
 )
 ARC = tuple(
     declare(name, key, unit, help, *ARC_BOUNDS[name][:2], per_unit, ", by default " in help)

@@ -15,7 +15,9 @@ import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
-from slipcircle.core import LayeredSection, Scene, arc_numbers, law_names, parameters
+from slipcircle.core import Scene, arc_numbers, law_names
+from slipcircle.derivatives import parameters
+from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.files.keys import VARYING, Table, tables_of
 from slipcircle.workbench.files.keys import Number as Number
@@ -94,6 +96,7 @@ def by_name(scene: Any) -> dict[str, Number]:
 def number_in(scene: Any, path: str) -> Number:
     """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
     known = by_key(scene)
+    path = str(path)
     only = [k for k in known if path in EFFECTS and k.startswith(f"{path}.")]
     path = only[0] if len(only) == 1 else path  # of an effect with one number
     if path in known:

@@ -8,8 +8,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.checks import InputError
-from slipcircle.core import Soil, layer_mistakes
+from slipcircle.layers import Soil, layer_mistakes
 from slipcircle.workbench.files.document import shown
+from slipcircle.workbench.stability.search import Critical
 
 Arguments = Mapping[str, dict[str, Any]]
 
@@ -107,6 +108,18 @@ def _unknown_soils(places: Mapping[str, str], names: list[str]) -> Iterator[str]
     for name in names:
         if name not in places.values() and name not in meant:
             yield f"soils.{name}: is the soil of no layer; use it in [[layers]], or leave it out"
+
+
+def idle_loads(loads: list[tuple[float, float, float, float]], circle: Critical) -> Iterator[str]:
+    """A sentence for each surcharge that lies, in part or as a whole, where it acts on no mass."""
+    ground = np.asarray(circle.slope.ground)[[0, -1], 0].tolist()
+    for k, (left, right, _, _) in enumerate(loads, 1):
+        for (first, last), what in ((ground, "ground"), (circle.between, "mass that slides")):
+            if right <= first or left >= last:
+                yield f"surcharge.{k}: lies beside the {what} (x = {first:.4g} to {last:.4g} m), and has no effect"
+                break
+            if what == "ground" and (left < first or right > last):
+                yield f"surcharge.{k}: what lies beside the {what} (x = {first:.4g} to {last:.4g} m) has no effect"
 
 
 def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:

@@ -14,19 +14,21 @@ import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import InputError, Message
-from slipcircle.core import Arc, Scene, Section, law_mistakes
+from slipcircle.core import Arc, Scene, law_mistakes
+from slipcircle.ground import Section
 from slipcircle.workbench.files.document import Document
 from slipcircle.workbench.files.keys import Table
 from slipcircle.workbench.files.layout import Layout, layout_of
 from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import uncertain_numbers
-from slipcircle.workbench.files.profile import profile, surcharges
+from slipcircle.workbench.files.profile import idle_loads, profile, surcharges
 from slipcircle.workbench.files.slope import SlopeInput, motion_mistakes
 from slipcircle.workbench.files.slopekeys import LOADS, SLOPING
 from slipcircle.workbench.records.forcing import with_records
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import soil
 
+_MOST_BYTES, _DEEPEST = 10**7, 64
 _FOLDER = resources.files("slipcircle") / "scenes"
 
 
@@ -79,8 +81,8 @@ def find(name: str | PathLike[str]) -> Any:
 
 def critical_of_file(
     name: str | PathLike[str], method: str | None, tell: Callable[[str], None]
-) -> tuple[str, str, Critical]:
-    """Name, note and critical circle of the slope in a file, by default as it says, or by Bishop's method.
+) -> tuple[str, str, Critical, list[str]]:
+    """Name, note, critical circle and warnings of the slope in a file, by default as it says, or by Bishop's method.
 
     If it gives a circle, the factors of that circle. ``tell`` is called with lines of progress.
     """
@@ -98,23 +100,38 @@ def critical_of_file(
         raise ValueError(
             f"{file}: circle: has no factors of safety: the soil has no strength, or a pore pressure from a record"
         )
-    for remark in parts["remarks"]:
-        tell(f"{parts['name']}: {remark}")
+    warnings = [*parts["remarks"], *filter(None, [parts["stability"].warning])]
     if parts["uncertain"]:
-        tell(f"{parts['name']}: at the median of {', '.join(parts['uncertain'])}")
-    return parts["name"], parts.get("note", ""), parts["stability"]
+        warnings.append(f"at the median of {', '.join(parts['uncertain'])}")
+    return parts["name"], parts.get("note", ""), parts["stability"], warnings
 
 
 def _content(source: Any, file: str) -> dict[str, Any]:
     """Content of a TOML file; an error in one sentence if it cannot be read."""
     try:
-        return tomllib.loads(source.read_bytes().decode("utf-8-sig"))
+        with source.open("rb") as opened:
+            text = opened.read(_MOST_BYTES + 1)
+        if len(text) > _MOST_BYTES:
+            most = f"must be at most {_MOST_BYTES / 1e6:g} MB; records belong in files of their own"
+            raise ValueError(f"{file}: is too large: {most}")
+        content = tomllib.loads(text.decode("utf-8-sig"))
+        _check_depth(content, file)
+        return content
     except OSError as error:
         raise ValueError(f"{file}: {error.strerror}") from error
     except UnicodeDecodeError as error:
         raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}") from error
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise ValueError(f"{file}: is not TOML: {error}") from error
+
+
+def _check_depth(content: Mapping[str, Any], file: str) -> None:
+    """Reject tables and lists in one another, deeper than any scene has them, on which recursions would fail."""
+    inside: list[Any] = [content]
+    for _ in range(_DEEPEST):
+        inside = [v for i in inside for v in (i.values() if isinstance(i, dict) else i if isinstance(i, list) else ())]
+    if inside:
+        raise ValueError(f"{file}: is nested too deeply: must be at most {_DEEPEST} tables and lists in one another")
 
 
 class _Input(NamedTuple):
@@ -161,7 +178,8 @@ def _parts(
     if slope is not None:
         strength = {} if friction is None else soil(friction, effects)
         parts["arc"], parts["stability"] = _along_slope(replace(slope, strength=strength), keys, tell, file, moving)
-        parts["remarks"] = tuple(slope.profile.remarks) if slope.profile else ()
+        remarks = slope.profile.remarks if slope.profile else []
+        parts["remarks"] = (*remarks, *(idle_loads(slope.surcharge, parts["stability"]) if parts["stability"] else ()))
     return parts | document.arguments[""], keys
 
 

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.checks import InputError
-from slipcircle.core import LayeredSection, Section, circle_through, circle_touching, simple_slope
+from slipcircle.ground import Section, circle_through, circle_touching, simple_slope
+from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.profile import Profile, numbered
 from slipcircle.workbench.stability.search import Critical, at_circle, critical
 from slipcircle.workbench.stability.stability import Slope, require_drive

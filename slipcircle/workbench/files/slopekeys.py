@@ -6,7 +6,8 @@ from dataclasses import replace
 from typing import Any
 
 from generated.effects import INFINITY, LAWS, LIMITS, Parameter
-from slipcircle.core import RATE_LAWS, SOIL_BOUNDS
+from slipcircle.core import RATE_LAWS
+from slipcircle.derivatives import SOIL_BOUNDS
 from slipcircle.workbench.files.keys import ARC, Key, Table, declare, law_table, table_of
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS
@@ -58,7 +59,7 @@ _UPRIGHT = declare(
     "angle",
     "angle_deg",
     "rad",
-    "its angle, at most 90",
+    "its angle, 90 for a scarp",
     0.0,
     math.nextafter(math.pi / 2, 2.0),
     math.pi / 180,

@@ -6,7 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.core import LayeredSection, Scene, Section, with_parameters
+from slipcircle.core import Scene
+from slipcircle.derivatives import with_parameters
+from slipcircle.ground import Section
+from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.stability.columns import SlopeArrays

@@ -155,7 +155,7 @@ def _outcome(motion: Motion) -> str:
     """Run-out, peak velocity and duration in words."""
     if not motion.moves:
         return "does not move"
-    speed, duration = number(abs(float(motion.peak.velocity))), number(motion.duration)
+    speed, duration = number(abs(float(motion.peak.velocity))), number(motion.settling_time)
     return f"{number(motion.run_out)} m, peak {speed} m/s, {ending(motion)} after {duration} s"
 
 

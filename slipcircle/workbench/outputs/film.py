@@ -10,6 +10,8 @@ from slipcircle.core import Motion
 from slipcircle.workbench.outputs.plotstyle import AREAS, axis, number
 from slipcircle.workbench.outputs.sectionplot import set_stage
 
+_FRAMES = 60
+
 
 class Film(NamedTuple):
     """A section with a moving mass: its moving artists, a function that draws a frame, and the times of frames."""
@@ -31,7 +33,7 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
     turn_per_rotation = stage.magnification * float(motion.plan.scene.arc.facing)
     ax.add_patch(Polygon(mass.outline(), closed=True, zorder=2, **AREAS["start"]))
     body = ax.add_patch(Polygon(mass.outline(), closed=True, zorder=4, **AREAS["moving"]))
-    times = np.linspace(0.0, motion.duration, frames if motion.moves else 1)
+    times = np.linspace(0.0, motion.settling_time, frames if motion.moves else 1)
     states = motion.at(times)
     turns = turn_per_rotation * states.rotation
     speeds = np.abs(states.velocity)
@@ -52,14 +54,15 @@ def _pace(motion: Motion, seconds: float, magnification: float) -> str:
     """Speed-up and magnification of a film, in words."""
     words = ""
     if motion.moves:
-        speed_up = motion.duration / seconds
-        words = f"; {speed_up:.2g} times as fast" if speed_up > 1.0 else f"; {1.0 / speed_up:.2g} times slower"
+        speed_up = motion.settling_time / seconds
+        ratio = f"{max(speed_up, 1.0 / speed_up):.2g}"
+        words = f"; {ratio} times {'faster' if speed_up > 1.0 else 'slower'}" if ratio != "1" else "; in real time"
     if magnification > 1.0:
         words += f", displacements {number(magnification)} times as large"
     return words
 
 
-def animate(motion: Motion, figure: Any = None, frames: int = 60, seconds: float = 5.0) -> Any:
+def animate(motion: Motion, seconds: float = 5.0, figure: Any = None) -> Any:
     """The slide as a matplotlib.animation.FuncAnimation: the section with the mass at equidistant times.
 
     An empty figure may be given, with a constrained layout; keep what is returned while it plays, or save it. Where the
@@ -67,5 +70,5 @@ def animate(motion: Motion, figure: Any = None, frames: int = 60, seconds: float
     """
     from matplotlib.animation import FuncAnimation
 
-    slide = film(motion, figure, frames, seconds)
-    return FuncAnimation(slide.figure, slide.draw, len(slide.times), interval=1e3 * seconds / frames)
+    slide = film(motion, figure, _FRAMES, seconds)
+    return FuncAnimation(slide.figure, slide.draw, len(slide.times), interval=1e3 * seconds / _FRAMES)

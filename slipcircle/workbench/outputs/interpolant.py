@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import ANSWERED, Motion, in_time
+from slipcircle.core import ANSWERED, Motion
+from slipcircle.tables import in_time
 
 TOLERANCE = 8e-7  # of the greatest velocity
 _FIRST = 17  # equidistant times at the start
@@ -136,7 +137,7 @@ def _dividing_times(times: Floats, divided: NDArray[np.intp], bends: Floats) -> 
 
 def _first_times(motion: Motion) -> tuple[Floats, Floats]:
     """Equidistant times with both sides of each possible jump of the acceleration, and times at which it may bend."""
-    duration = float(motion.duration)
+    duration = float(motion.settling_time)
     jumps, bends = [0.0, duration], [np.array([0.0, duration])]
     for phase in motion.phases:
         jumps += [phase.start, phase.end]

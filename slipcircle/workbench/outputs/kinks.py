@@ -7,7 +7,8 @@ from itertools import pairwise
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import Motion, in_time, law_parts
+from slipcircle.core import Motion, law_parts
+from slipcircle.tables import in_time
 from slipcircle.workbench.outputs.trace import drawn
 
 Kinks = list[tuple[float, str]]
@@ -20,7 +21,7 @@ def motion_kinks(motion: Motion) -> Kinks:
         words = "turns back" if phase.start == before.end else "starts again"
         kinks.append((phase.start, words))
     shaking_ends = max(_breakpoints(motion, "shaking."), default=math.inf)
-    if shaking_ends < motion.duration:
+    if shaking_ends < motion.settling_time:
         kinks.append((shaking_ends, "shaking ends"))
     return kinks
 
@@ -42,13 +43,13 @@ def friction_kinks(motion: Motion) -> Kinks:
                 kinks += _crossings(times, speed, float(end), f"{end:g} m/s")
         elif name == "prescribed":
             kinks += [(float(time), "breakpoint") for time in given["time"]]
-    return [kink for kink in kinks if 0.0 < kink[0] < motion.duration]
+    return [kink for kink in kinks if 0.0 < kink[0] < motion.settling_time]
 
 
 def water_kinks(motion: Motion) -> Kinks:
     """Breakpoints of a pore pressure that varies in time."""
     times = _breakpoints(motion, "pore_pressure.")
-    return [(time, "breakpoint") for time in times if 0.0 < time < motion.duration]
+    return [(time, "breakpoint") for time in times if 0.0 < time < motion.settling_time]
 
 
 def _breakpoints(motion: Motion, effect: str) -> list[float]:

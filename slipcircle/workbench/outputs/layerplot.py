@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import LayeredSection, Motion, mean_normal_stress, stretches
+from slipcircle.core import Motion
+from slipcircle.layers import LayeredSection, mean_normal_stress, stretches
 from slipcircle.workbench.common.quantities import prefixed
 from slipcircle.workbench.outputs.plotstyle import LINES, SOILS, axis, label, points_of
 from slipcircle.workbench.outputs.shapes import Mass, View

@@ -13,7 +13,9 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
-from slipcircle.core import LayeredSection, Motion, in_time
+from slipcircle.core import Motion
+from slipcircle.layers import LayeredSection
+from slipcircle.tables import in_time
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
 from slipcircle.workbench.outputs.comparison import ladder
 from slipcircle.workbench.outputs.film import animate
@@ -113,7 +115,7 @@ def _limit(ax: Any, motion: Motion, what: str, curves: Sequence[Floats]) -> None
     if what == "friction" or is_level:
         _from_zero(ax, curves)
     ax.grid(alpha=0.3)
-    ax.set_xlim(0.0, motion.duration)
+    ax.set_xlim(0.0, motion.settling_time)
 
 
 def _unit(quantity: Quantity, curves: Sequence[Floats]) -> tuple[float, str]:
@@ -214,7 +216,7 @@ def _marks(motion: Motion, with_reach: bool = False) -> list[tuple[str, float, s
     marks = [("peak", float(motion.peak.time), "peak velocity")]
     if with_reach and motion.swings_back:
         marks.append(("reach", float(motion.reach.time), "farthest"))
-    return [*marks, ("end", motion.duration, ending(motion))]
+    return [*marks, ("end", motion.settling_time, ending(motion))]
 
 
 def _read(time: float, times: Floats, values: Floats) -> float:
@@ -301,7 +303,7 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     if not functions:
         return empty("not shaken", ax, "x", "y")
     if motion.moves:
-        last, times = motion.duration, drawn(motion)["time"]
+        last, times = motion.settling_time, drawn(motion)["time"]
     else:
         last = float(np.max(np.concatenate(kinks)))
         times = np.unique(np.concatenate([np.linspace(0, last, 401), *kinks]))
@@ -354,9 +356,9 @@ def _panels(motion: Motion) -> list[Callable[..., Any]]:
 def title(motion: Motion) -> str:
     """A scene's name and what happened, to three digits."""
     name = shorten(motion.plan.scene.name, 80)
-    outcome = f"does not move, factor of safety {shown(float(motion.factor_of_safety), 3)}"
+    outcome = f"does not move, factor of safety {shown(float(motion.factor_of_safety), 3)} by the paper's method"
     if motion.moves:
-        outcome = f"{shown(motion.run_out, 3)} m in {shown(motion.duration, 3)} s, {ending(motion)}"
+        outcome = f"{shown(motion.run_out, 3)} m in {shown(motion.settling_time, 3)} s, {ending(motion)}"
     return ": ".join(filter(None, (name[:1].upper() + name[1:], outcome)))
 
 

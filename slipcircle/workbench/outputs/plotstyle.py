@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.text import shown
-from slipcircle.core import Motion
+from slipcircle.core import Motion, Status
 from slipcircle.workbench.files.numbers import Number
 
 WIDTH = 8.6  # inches of a picture of several panels, about what a page shows: texts have 8 points and more there
@@ -232,6 +232,8 @@ def ending(motion: Motion) -> str:
     """How a motion ends, in words."""
     if motion.arrested:
         return "at rest"
+    if motion.status is Status.CREEPS:
+        return "creeping, 99 % covered"
     return "first standstill" if motion.plan.scene.end_time is None else "still moving"
 
 

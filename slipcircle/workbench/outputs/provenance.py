@@ -9,11 +9,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import EFFECTS, LAWS
-from slipcircle.base.series import Pulse, Series
 from slipcircle.core import Scene, arc_numbers, law_parts
+from slipcircle.tables import Pulse, Series
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.layout import layout_of
 from slipcircle.workbench.files.numbers import by_name, uncertain_numbers
+from slipcircle.workbench.outputs.tables import Part
+from slipcircle.workbench.studies.design import Design
 
 # A table's head or a key with its value, and a comment.
 _LINE = r"""\s*(?:\[{1,2}([^\[\]]+)\]{1,2}|([\w-]+)\s*=\s*(?:[^"'#]|"(?:[^"\\]|\\.)*"|'[^']*')*)\s*(?:#(.*))?$"""
@@ -153,3 +155,14 @@ def _shown(value: Any) -> str:
     if count > 12:
         texts = [*texts[:3], "...", *texts[-3:], f"({count} numbers)"]
     return ", ".join(texts)
+
+
+def uncertain_part(design: Design) -> Iterator[Part]:
+    """Distributions of the inputs, where any are uncertain, and which of them are correlated."""
+    rows = []
+    for unknown in design.drawn.values():
+        distribution = [f"{name} {value}" for name, value in unknown.record.items() if name != "key"]
+        rows.append([unknown.key, ", ".join(distribution)])
+    note = f"{design.correlations_text}; all others are independent" if design.correlations else "all are independent"
+    if rows:
+        yield Part(["input", "distribution"], rows, "What is uncertain", note)

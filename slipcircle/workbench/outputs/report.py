@@ -15,7 +15,8 @@ import numpy as np
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.progress import track
 from slipcircle.base.text import shown
-from slipcircle.core import LayeredSection, Motion, Plan, Status, law_names, plan
+from slipcircle.core import Motion, Plan, Status, law_names, plan
+from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
 from slipcircle.workbench.common.quantities import (
     OUTCOMES,
@@ -33,7 +34,7 @@ from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.outputs import live, pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
-from slipcircle.workbench.outputs.provenance import inputs
+from slipcircle.workbench.outputs.provenance import inputs, uncertain_part
 from slipcircle.workbench.outputs.tables import Part, interval, motion_column, stretches_part
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.stability import METHODS
@@ -142,7 +143,7 @@ def input_parts(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
     yield Part(["input", "value", "unit", "what it is", "source"], given, "Inputs")
     effects = []
     for name, effect in EFFECTS.items():
-        use = "used" if name in plan.effects else "not included"
+        use = "used" if name in plan.effects else "not included" if name in plan.left_out else "by the soils"
         effects.append([name, use, effect.help, effect.equation])
     yield Part(["effect", "", "what it does", "equation of the paper"], effects)
     laws = []
@@ -380,11 +381,7 @@ def _of_study(study: Study, way: Plan, file: bytes | None) -> Iterable[Part | Ra
     yield Raw(f'<dl class="facts">{key_numbers}</dl>')
     yield from parts(study)
     yield from input_parts(way, file)
-    uncertain = []
-    for unknown in design.drawn.values():
-        distribution = [f"{name} {value}" for name, value in unknown.record.items() if name != "key"]
-        uncertain.append([_path(unknown.key), ", ".join(distribution)])
-    yield Part(["input", "distribution, independent of the others"], uncertain, "What is uncertain")
+    yield from uncertain_part(design)
     ends = [f"{count} {Status(status).words}" for status, count in enumerate(study.counts) if count]
     method = [
         ["samples", f"{design.n}, {design.method}"],

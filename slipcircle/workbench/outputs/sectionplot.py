@@ -7,7 +7,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import Arc, LayeredSection, Motion, Section
+from slipcircle.core import Arc, Motion
+from slipcircle.ground import Section
+from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.forces import draw_forces
 from slipcircle.workbench.outputs.layerplot import draw_bands, draw_stretches
@@ -119,21 +121,21 @@ def _poses(motion: Motion) -> list[Pose]:
     if motion.moves:
         peak, end = motion.peak, motion.end
         toe = f",\ntoe {number(motion.journey.run_out)} m further" if isinstance(motion.plan.scene.arc, Section) else ""
-        poses.append(Pose("end", float(end.rotation), f"{ending(motion)} {_after(end)}{toe}"))
+        poses.append(Pose("end", float(end.rotation), f"{ending(motion)} {_after(end, motion.settling_time)}{toe}"))
         if peak.rotation not in (0.0, end.rotation):
             poses.append(
                 Pose(
                     "peak",
                     float(peak.rotation),
-                    f"peak velocity {number(abs(float(peak.velocity)))} m/s {_after(peak)}",
+                    f"peak velocity {number(abs(float(peak.velocity)))} m/s {_after(peak, peak.time)}",
                 )
             )
     return poses
 
 
-def _after(state: Any) -> str:
+def _after(state: Any, time: float) -> str:
     """Time and displacement of a state."""
-    return f"\nafter {number(state.time)} s and {number(state.displacement)} m"
+    return f"\nafter {number(time)} s and {number(state.displacement)} m"
 
 
 def _draw_poses(ax: Any, poses: Sequence[Pose], outlines: Sequence[Floats], rightwards: bool, small: bool) -> None:

@@ -20,7 +20,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     points_of,
 )
 from slipcircle.workbench.outputs.trace import drawn
-from slipcircle.workbench.suites.statistics import distribution, exceedance
+from slipcircle.workbench.studies.suitestatistics import distribution, exceedance
 
 if TYPE_CHECKING:
     from slipcircle.workbench.studies.suitestudy import SuiteStudy
@@ -127,7 +127,7 @@ def _history(study: "SuiteStudy", what: str, ax: Any = None) -> Any:
     ax.set_title(_shortened(f"median: {study.suite.entries[record].name}"), loc="right", fontsize="small")
     ax.set(xlabel="time (s)", ylabel=f"{what} ({HISTORY[what].unit})")
     motions = study.motions_of(record, scale)
-    end = max(float(motion.duration) for motion in motions)
+    end = max(float(motion.settling_time) for motion in motions)
     if not any(motion.moves for motion in motions):
         return empty("does not move", ax, "x", "y")
     for words, motion, (colour, dashes, _) in zip(_POLARITIES, motions, SERIES, strict=False):

@@ -10,6 +10,7 @@ from slipcircle.base.text import shown
 from slipcircle.core import plan
 from slipcircle.workbench.common.markup import Raw, terms
 from slipcircle.workbench.outputs import pictures
+from slipcircle.workbench.outputs.provenance import uncertain_part
 from slipcircle.workbench.outputs.report import chapter, figure, input_parts, page
 from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
@@ -38,6 +39,7 @@ def _contents(study: SuiteStudy, tables: Sequence[Part], file: bytes) -> Iterato
     yield from tables
     yield from input_parts(plan(study.scene, study.design.sampling.accuracy), file)
     sampling = study.design.sampling
+    yield from uncertain_part(sampling)
     method = [
         ["records", str(len(study.suite))],
         ["motions", str(study.displacement.size)],

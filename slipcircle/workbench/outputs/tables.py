@@ -16,6 +16,7 @@ from slipcircle.core import Motion, Plan, step_operations
 from slipcircle.workbench.common.quantities import (
     OUTCOMES,
     end_words,
+    foreland_words,
     results,
     stretch_records,
     summary,
@@ -32,7 +33,7 @@ from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 
 if TYPE_CHECKING:
-    from slipcircle.core import Sensitivity
+    from slipcircle.derivatives import Sensitivity
 
 _RESIDUE = 1e-12  # of an outcome: what rounding leaves of a derivative that is 0
 WIDTH = 100  # of a table in files and pipes
@@ -74,7 +75,7 @@ COEFFICIENTS = {
 
 DIFFERENCE = (
     "Bishop's method includes horizontal forces between slices, which increase the normal stress on steep bases; the "
-    "paper's method uses the mean normal stress under the weight and gives a lower factor, by 4 to 14 % in one soil"
+    "paper's method uses the mean normal stress under the weight"
 )
 
 
@@ -87,6 +88,18 @@ def motion_summary(motion: Motion) -> dict[str, str]:
         if critical.slope.surcharge and "shaking" in motion.plan.scene.called:
             column["loads at the start"] = "those of the motion, also for k_y: surcharges are shaken with the mass"
     return column | {"estimated error": f"{motion.error_estimate:.1e}"}
+
+
+def difference_words(critical: Critical) -> str:
+    """How far the paper's factor of safety of a circle is from Bishop's, and why."""
+    factors = critical.factor_of_safety_without_k_h or critical.factor_of_safety
+    paper = factors["paper"]
+    bishop = factors["bishop"]
+    if paper is None or bishop is None:
+        return DIFFERENCE
+    gap = 100.0 * (paper / bishop - 1.0)
+    side = "lower" if gap < 0.0 else "higher"
+    return f"{DIFFERENCE}; its factor is {abs(gap):.1f} % {side} here"
 
 
 def _starting_factors(critical: Critical, paper: float, shown_paper: str) -> dict[str, str]:
@@ -146,6 +159,8 @@ def stretches_part(motion: Motion) -> Part | None:
         rows.append([record["soil"], shown(record["length"]), f"{100 * record['weight_share']:.1f}", *in_kilopascal])
     head = ["soil", "length (m)", "weight (%)", *(f"{words(name)} (kPa)" for name in stresses)]
     note = "From the upper end down: the share of the weight above each stretch, and means along it at the start."
+    if beyond := foreland_words(motion.plan.scene.arc):
+        note += f" Beyond the exit: {beyond}."
     return Part(head, rows, f"{motion.plan.scene.name}: soils along the slip surface", note)
 
 
@@ -206,9 +221,8 @@ def plan_part(plan: Plan) -> Part:
         "method": plan.method,
         "because": plan.why,
         "program of": ", ".join(plan.fragments),
-        "a step's operations": plan.operations,
-        "expected cost": f"about {plan.cost} floating-point operations",
-        "requested accuracy": f"{plan.accuracy:.1e}",
+        "foreland": foreland_words(plan.scene.arc),
+        "requested accuracy": f"{plan.accuracy:.1e}" + ("" if plan.scene.shape else "; a single scene: to rounding"),
     }
     return Part(["", plan.scene.name], [row for row in rows.items() if row[1]])
 

@@ -22,7 +22,7 @@ from slipcircle.workbench.outputs.plotstyle import (
 from slipcircle.workbench.studies.motions import scales
 
 if TYPE_CHECKING:
-    from slipcircle.core import Sensitivity
+    from slipcircle.derivatives import Sensitivity
 
 _MOST_BARS = 10  # further ones are summarised in text
 _SHARE = 0.01  # relative change of each number if the scene has no uncertain numbers

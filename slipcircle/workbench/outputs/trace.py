@@ -8,7 +8,9 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
-from slipcircle.core import Motion, Section, in_time
+from slipcircle.core import Motion
+from slipcircle.ground import Section
+from slipcircle.tables import in_time
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import HISTORY
 
@@ -34,7 +36,7 @@ def even_times(motion: Motion) -> Floats:
     """Equidistant times from the start to the end."""
     if not motion.moves:
         return np.zeros(1)
-    return np.linspace(0.0, motion.duration, SAMPLES + 1)
+    return np.linspace(0.0, motion.settling_time, SAMPLES + 1)
 
 
 def telling_times(motion: Motion) -> Floats:
@@ -59,7 +61,7 @@ def telling_times(motion: Motion) -> Floats:
     if isinstance(law, Mapping) and "time" in law:
         times.append(law["time"])
     every = np.concatenate(times)
-    return np.unique(np.clip(every, 0.0, motion.duration))
+    return np.unique(np.clip(every, 0.0, motion.settling_time))
 
 
 def _kinks_and_crests(function: Any) -> list[Any]:

@@ -34,7 +34,9 @@ def with_records(
                 templates = [Message(where + message.template) for message in error.messages]
                 raise InputError("", [template.within(f"effects.{name}") for template in templates]) from error
             except (ValueError, OSError) as error:
-                raise InputError("", [f"{{effects.{name}}}: {error}"]) from error
+                is_vertical = str(effects[name].get("vertical_record")) in str(error)
+                record = "vertical_record" if is_vertical else "record"
+                raise InputError("", [f"{{effects.{name}.{record}}}: {error}"]) from error
     gravities = [key for key in ("arc.gravity_m_s2", "ground.gravity_m_s2") if key in uncertain]
     if gravities and "record" in effects.get("shaking", {}):
         raise InputError("", [f"{gravities[0]}: must be one number with a record, which is read over gravity"])

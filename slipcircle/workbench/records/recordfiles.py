@@ -3,9 +3,10 @@
 import io
 import re
 from array import array
+from collections.abc import Iterator
 from itertools import repeat
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +23,7 @@ from slipcircle.workbench.records.headers import (
     unit_of,
 )
 
-MOST_BYTES = 2**30
+MOST_BYTES, MOST_NUMBERS = 2**28, 2**24
 
 
 class Samples(NamedTuple):
@@ -37,11 +38,18 @@ class Samples(NamedTuple):
 def _text(quantity: Quantity, path: Path, name: str) -> str:
     try:
         size = path.stat().st_size
+        if not path.is_file():  # but a folder, a device, or a pipe that never ends
+            raise ValueError(f"{name}: is not a file; give the file of a record")
         if size > MOST_BYTES:
-            raise ValueError(f"{name}: has {size / 1e9:.3g} GB: must be at most 1 GB; cut or resample the record")
+            most = f"must be at most {MOST_BYTES / 1e6:.0f} MB; cut or resample the record"
+            raise ValueError(f"{name}: has {size / 1e6:.4g} MB: {most}")
         data = path.read_bytes()
     except OSError as error:
         raise ValueError(f"{name}: {error.strerror}") from error
+    is_blank = np.frombuffer(data, np.uint8) <= ord(",")
+    count = np.count_nonzero(is_blank[1:] & ~is_blank[:-1])
+    if count > MOST_NUMBERS:
+        raise ValueError(f"{name}: holds {count:.2g} numbers: must be at most {MOST_NUMBERS:.2g}; cut or resample it")
     if b"\0" in data[:4096]:
         raise ValueError(f"{name}: is not text; save the record as {quantity.kinds}")
     try:
@@ -60,25 +68,30 @@ def parse(quantity: Quantity, name: str, path: Path, column: int | str | None, s
     if len(parts) > 1:
         chosen = _column(quantity, name, column, [component for component, _ in parts], [*range(len(parts))])
         name, column = f"{name}, channel {chosen + 1}", None
-    text = parts[chosen][1]
-    headed = header_of(name, _first_lines(text)) if quantity is ACCELERATION else None
+    _, text = parts[chosen]
+    return _of_header(quantity, name, text, column, step) or _of_table(quantity, name, text, column, step)
+
+
+def _of_header(quantity: Quantity, name: str, text: str, column: Any, step: float | None) -> Samples | None:
+    """Samples below a header of a known kind; None without one."""
+    first_lines = text[:20000].split("\n")
+    headed = header_of(name, first_lines) if quantity is ACCELERATION else None
     if headed is None:
-        samples = _table(quantity, name, text, column, step)
-    else:
-        kind, header = headed
-        for argument, value in (("column", column), ("step", step)):
-            if value is not None:
-                rule = f"{kind} has one column and its own step; leave it out"
-                raise InputError("", [f"{name}: {{{argument}}} = {value!r}: {rule}"])
-        samples = _wrapped(name, text, header)
+        return None
+    kind, header = headed
+    for argument, value in (("column", column), ("step", step)):
+        if value is not None:
+            rule = f"{kind} has one column and its own step; leave it out"
+            raise InputError("", [f"{name}: {{{argument}}} = {value!r}: {rule}"])
+    return _wrapped(name, text, header)
+
+
+def _several(name: str, samples: Samples) -> Samples:
+    """Samples, of which a record has two at least."""
     count = samples.time.size
     if count < 2:
         raise ValueError(f"{name}: holds {count} sample{'s' * (count != 1)}: a record has two at least")
     return samples
-
-
-def _first_lines(text: str) -> list[str]:
-    return text[:20000].split("\n")
 
 
 class Component(NamedTuple):
@@ -89,24 +102,38 @@ class Component(NamedTuple):
     step: float | None = None
 
 
-def components(name: str, path: Path, step: float | None) -> list[Component]:
-    """The records of acceleration in a file; the step is for files without times."""
+def components(name: str, path: Path, step: float | None) -> Iterator[tuple[Component, Samples]]:
+    """The records of acceleration in a file, which is read once; the step is for files without times."""
     parts = channels(_text(ACCELERATION, path, name))
-    if len(parts) > 1:
-        return [Component(component, place) for place, (component, _) in enumerate(parts, 1)]
-    text = parts[0][1]
-    if header_of(name, _first_lines(text)):
-        return [Component()]
+    for place, (component, text) in enumerate(parts, 1):
+        is_one = len(parts) == 1
+        of_part = name if is_one else f"{name}, channel {place}"
+        samples = _of_header(ACCELERATION, of_part, text, None, None)
+        if samples is None:
+            yield from _components_of_table(of_part, text, step)
+        else:
+            yield Component() if is_one else Component(component, place), samples
+
+
+def _components_of_table(name: str, text: str, step: float | None) -> Iterator[tuple[Component, Samples]]:
+    """The records in the columns of a table."""
     head = _table_head(ACCELERATION, name, text)
-    has_no_times = head.width == 1 or (
-        not head.fields and _along_lines(_values(name, text, head.lines, head.separator)[1])
-    )
-    if has_no_times:
-        return [Component(step=step)]
+    runs_along_lines = False
+    if not head.fields:
+        _, lines = _values(name, text, head.lines, head.separator)
+        runs_along_lines = _along_lines(lines)
+    if head.width == 1 or runs_along_lines:
+        yield Component(step=step), _of_table(ACCELERATION, name, text, None, step)
+        return
+    rows = _rows(name, text, head)
     clock = _clock(name, head.fields, head.names, head.width, None)
     columns = [k for k in range(head.width) if k != clock and not _is_other(head, k)]
-    of_table = [Component(head.names[k] if head.names else str(k + 1), k + 1) for k in columns]
-    return of_table if len(of_table) > 1 else [component._replace(name="") for component in of_table]
+    names = [""]
+    if len(columns) > 1:
+        names = [head.names[k] if head.names else str(k + 1) for k in columns]
+    for label, k in zip(names, columns, strict=bool(columns)):
+        column = k + 1
+        yield Component(label, column), _of_column(ACCELERATION, name, head, rows, column, None)
 
 
 def _is_other(head: "_TableHead", column: int) -> bool:
@@ -128,7 +155,8 @@ def _wrapped(name: str, text: str, header: Header) -> Samples:
         )
     if header.about_mean:
         values = values - np.mean(values)
-    return Samples(header.step * np.arange(float(header.samples)), values * header.scale, header.units, lines)
+    time = header.step * np.arange(float(header.samples))
+    return _several(name, Samples(time, values * header.scale, header.units, lines))
 
 
 def _fixed(name: str, text: str, header: Header) -> tuple[Floats, NDArray[np.int64]]:
@@ -166,26 +194,41 @@ def _table_head(quantity: Quantity, name: str, text: str) -> _TableHead:
     return _TableHead(lines, separator, width, fields, names, suffix)
 
 
-def _table(quantity: Quantity, name: str, text: str, column: int | str | None, step: float | None) -> Samples:
+_Rows = tuple[Floats, NDArray[np.int64]]  # numbers of a table, (rows, columns), and their lines
+
+
+def _of_table(quantity: Quantity, name: str, text: str, column: int | str | None, step: float | None) -> Samples:
     """Numbers in columns after any header lines."""
-    head, separator, width, fields, names, suffix = _table_head(quantity, name, text)
-    if step is not None and column is None and not fields and width > 1:
-        samples = _row_by_row(name, text, head, separator, step)
+    head = _table_head(quantity, name, text)
+    if step is not None and column is None and not head.fields and head.width > 1:
+        samples = _row_by_row(name, text, head.lines, head.separator, step)
         if samples is not None:
             return samples
-    values, lines = _values(name, text, head, separator, width)
-    if any(map(_is_number, fields)) and width > 1:  # not a header but a damaged sample
-        _values(name, text, head - 1, separator, width)
-    numbers, lines = values.reshape(-1, width), lines[::width]
-    clock = _clock(name, fields, names, width, step)
-    chosen = _column(quantity, name, column, names, [k for k in range(width) if k != clock])
-    unit = re.search(suffix, fields[chosen]) if fields else None
+    return _of_column(quantity, name, head, _rows(name, text, head), column, step)
+
+
+def _rows(name: str, text: str, head: _TableHead) -> _Rows:
+    """The numbers of a table, and the line of each row."""
+    values, lines = _values(name, text, head.lines, head.separator, head.width)
+    if any(map(_is_number, head.fields)) and head.width > 1:  # not a header but a damaged sample
+        _values(name, text, head.lines - 1, head.separator, head.width)
+    return values.reshape(-1, head.width), lines[:: head.width]
+
+
+def _of_column(
+    quantity: Quantity, name: str, head: _TableHead, rows: _Rows, column: int | str | None, step: float | None
+) -> Samples:
+    """The samples in a column of a table."""
+    numbers, lines = rows
+    clock = _clock(name, head.fields, head.names, head.width, step)
+    chosen = _column(quantity, name, column, head.names, [k for k in range(head.width) if k != clock])
+    unit = re.search(head.suffix, head.fields[chosen]) if head.fields else None
     units = unit_of(unit.group(1) or unit.group(2) or "", quantity) if unit else None
     if clock is None:
         time = float(step or 0.0) * np.arange(float(len(numbers)))
     else:
         time = numbers[:, clock].copy()
-    return Samples(time, numbers[:, chosen].copy(), units or "", lines)
+    return _several(name, Samples(time, numbers[:, chosen].copy(), units or "", lines))
 
 
 def _row_by_row(name: str, text: str, head: int, separator: str | None, step: float) -> Samples | None:
@@ -265,7 +308,8 @@ def _along_lines(lines: NDArray[np.int64]) -> bool:
     first = counts[0]
     last = counts[-1]
     is_even = np.all(counts[:-1] == first) and last <= first
-    return bool(is_even and (first > 3 or len(counts) == 1 or last < first))
+    is_single = len(counts) == 1
+    return bool(is_even and (first > 3 or is_single or last < first))
 
 
 def _is_number(field: str) -> bool:
@@ -311,9 +355,6 @@ def _column(quantity: Quantity, name: str, column: int | str | None, names: list
 
 def _values(name: str, text: str, head: int, separator: str | None, width: int = 0) -> tuple[Floats, NDArray[np.int64]]:
     """Numbers below a header and their lines: of a table with so many columns, or all in sequence."""
-    plain = _plain_values(text, head, separator, width)
-    if plain is not None:
-        return plain
     fields, lines = list[str](), array("q")
     for k, line in enumerate(map(_without_comment, io.StringIO(text)), 1):
         if k <= head or not line:
@@ -333,21 +374,6 @@ def _values(name: str, text: str, head: int, separator: str | None, width: int =
     except ValueError:  # quotes, Fortran's exponents, or an invalid number
         values = array("d", map(_number, repeat(name), lines, fields))
     return np.array(values), np.array(lines)
-
-
-def _plain_values(text: str, head: int, separator: str | None, width: int) -> tuple[Floats, NDArray[np.int64]] | None:
-    """The same, five times as fast, of rows of numbers alone; None where there is anything else."""
-    rows = text.rstrip("\n").split("\n")[head:]
-    per_row = [len(row.split(separator)) for row in rows]
-    is_even = per_row.count(width) == len(rows) if width else 0 not in per_row
-    fields = (separator or " ").join(rows).split(separator)
-    if not is_even or len(fields) != sum(per_row):
-        return None
-    try:
-        values = array("d", map(float, fields))
-    except ValueError:
-        return None
-    return np.array(values), np.repeat(np.arange(head + 1, head + 1 + len(rows)), per_row)
 
 
 def _number(name: str, line: int, field: str) -> float:

@@ -16,8 +16,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import EPS, INFINITY, Bounds, InputError, mistakes, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.base.series import Series, bad_sample
-from slipcircle.core import STRONGEST
+from slipcircle.tables import STRONGEST, Series, bad_sample
 from slipcircle.workbench.records.headers import ACCELERATION, PORE_PRESSURE, UNITS, Quantity, unit_of
 from slipcircle.workbench.records.recordfiles import Samples, parse
 
@@ -76,10 +75,6 @@ def read_record(
     ValueError
         Names the file, the line, the value, what is allowed, and the remedy.
     """
-    if holds not in ("ground", "driving"):
-        raise ValueError(
-            f'holds = {holds!r}: must be "ground" (acceleration of the ground) or "driving" (its opposite)'
-        )
     raise_all(str(path), mistakes({"gravity": gravity}, {"gravity": (0.0, INFINITY, "a positive number in m/s^2")}))
     samples = read_samples(ACCELERATION, path, units, column, step, start, gaps)
     return shaking_of(samples, str(path), holds, gravity, scaled)
@@ -87,6 +82,9 @@ def read_record(
 
 def shaking_of(samples: Samples, name: str, holds: str, gravity: float, scaled: bool = False) -> Series:
     """Accelerations of a file as shaking; the arguments are those of `read_record`."""
+    if holds not in ("ground", "driving"):
+        choice = '"ground" (acceleration of the ground) or "driving" (its opposite)'
+        raise ValueError(f"holds = {holds!r}: must be {choice}")
     if not scaled:
         _check_unit(name, samples.values, samples.units)
     return Series(samples.time, _over_gravity(samples.values, samples.units, holds, gravity), held=False)
@@ -221,23 +219,27 @@ def read_samples(
     step: float | None,
     start: float | None,
     gaps: str,
-    default_units: str | None = None,
 ) -> Samples:
-    """Checked samples of a file and their unit; the default unit if neither file nor call gives one."""
+    """Checked samples of a file and their unit."""
     name = str(path)
-    if gaps not in ("refuse", "linear"):
-        raise ValueError(f'gaps = {gaps!r}: must be "refuse" or "linear"')
     times = {n: v for n, v in (("step", step), ("start", start)) if v is not None}
     raise_all(name, mistakes(times, {n: _TIMES[n] for n in times}))
+    samples = parse(quantity, name, Path(path), column, step)
+    return checked_samples(quantity, name, samples, units, start, gaps)
+
+
+def checked_samples(
+    quantity: Quantity, name: str, samples: Samples, units: str | None, start: float | None, gaps: str
+) -> Samples:
+    """Samples of a file with checked times and their unit; the arguments are those of `read_samples`."""
     requested = "" if units is None else unit_of(units, quantity)
     if requested is None:
         raise ValueError(f"{name}: units = {units!r}: must be one of {quantity.choice}")
-    samples = parse(quantity, name, Path(path), column, step)
     if samples.units and requested and samples.units != requested:
         raise ValueError(
             f"{name}: units = {units!r}, but its header says {samples.units}; leave units out, or correct the header"
         )
-    unit = samples.units or requested or default_units
+    unit = samples.units or requested
     if not unit:
         raise ValueError(f"{name}: units are missing: its header names none; give units, one of {quantity.choice}")
     return samples._replace(time=_checked_times(name, samples, start, gaps), units=unit)
@@ -245,6 +247,8 @@ def read_samples(
 
 def _checked_times(name: str, samples: Samples, start: float | None, gaps: str) -> Floats:
     """Times of samples, checked: finite, increasing, not before the scene, without rejected gaps."""
+    if gaps not in ("refuse", "linear"):
+        raise ValueError(f'gaps = {gaps!r}: must be "refuse" or "linear"')
     wrong = bad_sample(samples.time, samples.values)
     if wrong is None and gaps == "refuse":
         wrong = _gap(samples.time)

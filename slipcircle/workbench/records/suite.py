@@ -21,10 +21,10 @@ from typing import Any, Literal, NamedTuple
 
 from slipcircle.base.checks import raise_all
 from slipcircle.base.progress import track
-from slipcircle.base.series import Series
+from slipcircle.tables import Series
 from slipcircle.workbench.records.headers import ACCELERATION, unit_of
-from slipcircle.workbench.records.recordfiles import Component, components
-from slipcircle.workbench.records.records import read_samples, shaking_of
+from slipcircle.workbench.records.recordfiles import Component, Samples, components, parse
+from slipcircle.workbench.records.records import checked_samples, shaking_of
 from slipcircle.workbench.suites.intensities import Intensities, intensities
 
 _KEPT = 2**21  # samples of a suite that stay in memory
@@ -114,7 +114,7 @@ class Entry:
 
     def record(self) -> Series:
         """Driving acceleration over gravity, zero before and after; from a file it starts at 0 s."""
-        return self.kept if self.kept is not None else _read(self.file, **self.reading)[0]
+        return self.kept if self.kept is not None else _read(self.file, **self.reading)
 
 
 class Unread(NamedTuple):
@@ -160,10 +160,15 @@ class Suite:
         return [(same[0], same[1]) for same in by_station.values() if len(same) == 2]
 
     @property
-    def not_used(self) -> list[str]:
+    def reasons(self) -> list[str]:
         """A line for each file without a record and each vertical component."""
         verticals = [f"{entry.name}: is a vertical component by its name" for entry in self.verticals]
-        return [f"{line}; not used" for line in (*self.unread, *verticals)]
+        return [*map(str, self.unread), *verticals]
+
+    @property
+    def not_used(self) -> list[str]:
+        """The same as warnings."""
+        return [f"{line}; not used" for line in self.reasons]
 
     def to_dict(self) -> dict[str, Any]:
         """The records with their intensity measures, and what is not used, for JSON."""
@@ -177,17 +182,17 @@ class Suite:
         }
 
     @classmethod
-    def of(cls, records: Any, **reading: Any) -> "Suite":
+    def of(cls, records: Any, strict: bool = False, gravity: float = 9.81) -> "Suite":
         """A suite as it is, of paths as `read_suite` takes them, or of `Series` (a sequence, or a mapping by name)."""
         if isinstance(records, Suite):
             return records
         if isinstance(records, str | PathLike):
-            return read_suite([records], **reading)
+            records = [records]
         named = records if isinstance(records, Mapping) else dict(enumerate(records, 1))
         series = {str(name): value for name, value in named.items() if isinstance(value, Series)}
         if len(series) == len(named) > 0:
             return cls(tuple(_entry(name, "", Place(name, ""), value, "g") for name, value in series.items()))
-        return read_suite(records, **reading)
+        return read_suite(records, strict=strict, gravity=gravity)
 
 
 def read_suite(
@@ -235,9 +240,11 @@ def read_suite(
     if unread and strict:
         raise_all("records", [*map(str, unread)])
     horizontal = tuple(entry for entry in entries if not entry.place.is_vertical)
+    verticals = tuple(entry for entry in entries if entry.place.is_vertical)
+    suite = Suite(horizontal, verticals, tuple(unread))
     if not horizontal:
-        raise ValueError(_nothing_read(paths, unread, entries))
-    return Suite(horizontal, tuple(entry for entry in entries if entry.place.is_vertical), tuple(unread))
+        raise ValueError(_nothing_read(paths, suite.reasons))
+    return suite
 
 
 def _check_reading(units: str | None, step: float | None) -> None:
@@ -248,9 +255,8 @@ def _check_reading(units: str | None, step: float | None) -> None:
         raise ValueError(f"records: step = {step!r}: must be a positive time in s")
 
 
-def _nothing_read(paths: Iterable[Any], unread: Sequence[Unread], verticals: Sequence[Entry]) -> str:
+def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
     """Why there is no horizontal record."""
-    reasons = [*map(str, unread), *(f"{entry.name}: is a vertical component by its name" for entry in verticals)]
     shown = "".join(f"; {reason}" for reason in reasons[:_SHOWN])
     more = f"; and {len(reasons) - _SHOWN} more" if len(reasons) > _SHOWN else ""
     where = ", ".join(map(str, paths))
@@ -270,19 +276,27 @@ def _files(paths: Iterable[str | PathLike[str]]) -> Sequence[Path]:
 def _entries(file: Path, step: float | None, reading: Mapping[str, Any]) -> list[Entry]:
     """The records of a file."""
     entries = []
-    for component in components(str(file), file, step):
-        series, unit = _read(str(file), component, **reading)
+    for component, parsed in components(str(file), file, step):
+        series, unit = _as_shaking(str(file), parsed, **reading)
         name = f"{file.name} {component.name}".rstrip()
         known = {**reading, "component": component}
         entries.append(_entry(name, str(file), place_of(file.name, component.name), series, unit, known))
     return entries
 
 
-def _read(
-    file: str, component: Component, holds: str, units: str | None, gravity: float, gaps: str
+def _read(file: str, component: Component, **reading: Any) -> Series:
+    """A record, read again."""
+    parsed = parse(ACCELERATION, file, Path(file), component.column, component.step)
+    series, _ = _as_shaking(file, parsed, **reading)
+    return series
+
+
+def _as_shaking(
+    file: str, parsed: Samples, holds: str, units: str | None, gravity: float, gaps: str
 ) -> tuple[Series, str]:
-    """A record and the unit of its file, from 0 s."""
-    samples = read_samples(ACCELERATION, file, None, component.column, component.step, 0.0, gaps, units)
+    """A record from 0 s, and the unit of its file, or the given one where the file says none."""
+    with_unit = parsed._replace(units=parsed.units or units or "")
+    samples = checked_samples(ACCELERATION, file, with_unit, None, 0.0, gaps)
     return shaking_of(samples, file, holds, gravity), samples.units
 
 

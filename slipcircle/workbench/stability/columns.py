@@ -13,7 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import continued, edge_below, line_crossings
+from slipcircle.ground import continued
+from slipcircle.layers import edge_below, line_crossings
 
 
 class SoilArrays(NamedTuple):

@@ -14,7 +14,7 @@ _SHRINK = 0.5  # of the steps of a grid without a better neighbour
 _SHRINK_SMOOTH = 0.2  # where a parabola describes it
 _GROWTH = 2.0  # of steps while the best neighbour is on the rim
 _GAIN = 1e-6  # relative; by less, a step counts as none
-_ROUNDING = 1e-13  # relative; by less, a value is no better
+_TIE = 1e-10  # relative; factors as near as this are equal, so that no rounding decides the course of a search
 _FINEST = 1e-4  # step at which a valley is done, over its first
 _HOPELESS = 0.1  # over the least factor, as a share of it, a valley is left
 _OFFSETS = np.array(list(product([-1.0, 0.0, 1.0], repeat=3)))
@@ -59,11 +59,12 @@ class Descent:
         """Go to the best proposals, and choose the next steps; leave what is far above the least of all."""
         live = self.unfinished
         rows = np.arange(len(live))
-        chosen = np.argmin(values, axis=1)
+        least = np.min(values, axis=1)
+        chosen = np.argmax(values <= tied(least)[:, None], axis=1)  # the first
         lowest = values[rows, chosen]
         before = self.best[live]
         size = np.abs(lowest)
-        better = lowest + _ROUNDING * size < before
+        better = tied(lowest) < before
         with np.errstate(invalid="ignore"):
             gain = before - lowest
             gains = gain > _GAIN * size
@@ -97,6 +98,20 @@ class Descent:
         limit = least_of_all + _HOPELESS * size
         hopeless = self.best > limit
         self._step[hopeless] = 0.0
+
+
+def tied(values: Floats) -> Floats:
+    """The greatest values that count as equal to these."""
+    return values + _TIE * np.abs(values)
+
+
+def in_order(values: Floats) -> Any:
+    """Indices that sort values, in which ties keep their order; the last are NaN."""
+    order = np.argsort(values, kind="stable")
+    ordered = values[order]
+    is_greater = ordered[1:] > tied(ordered[:-1])
+    group = np.append(0, np.cumsum(is_greater))
+    return order[np.lexsort((order, group))]
 
 
 def _is_smooth(leaps: Floats) -> Any:

@@ -8,7 +8,7 @@ import numpy as np
 
 from generated import slopes
 from slipcircle.base.kinds import Floats
-from slipcircle.core import arc_crossings
+from slipcircle.layers import arc_crossings
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.slices import NODES, Arcs, Slices, angle_from_below, slices_above
 

@@ -15,8 +15,8 @@ import numpy as np
 
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Floats
-from slipcircle.core import circle_through, circle_touching
-from slipcircle.workbench.stability.descent import Descent
+from slipcircle.ground import circle_through, circle_touching
+from slipcircle.workbench.stability.descent import Descent, in_order
 from slipcircle.workbench.stability.factors import YIELD, factors_by
 from slipcircle.workbench.stability.slices import NODES, angle_from_below
 from slipcircle.workbench.stability.stability import Slope
@@ -290,7 +290,7 @@ class Search:
             values = self.evaluate(near.reshape(-1, 4), _FINE_NODES)
             values = np.nan_to_num(values, nan=np.inf)
             descent.move(near, values.reshape(near.shape[:2]))
-        order = np.argsort(descent.best, kind="stable")[:_KEPT]
+        order = in_order(descent.best)[:_KEPT]
         return descent.q[order], step[order]
 
 
@@ -310,7 +310,7 @@ def valleys_of(q: Floats, values: Floats, steps: Floats, most: int, most_on_edge
     """The best circles that are no neighbours of a better one, of those that touch no boundary and those of each."""
     valleys: list[int] = []
     touched = q[:, 3]
-    order = np.argsort(values, kind="stable")
+    order = in_order(values)
     order = order[np.isfinite(values[order])]
     for edge in np.unique(touched):
         rest = order[touched[order] == edge]

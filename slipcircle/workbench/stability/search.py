@@ -11,7 +11,7 @@ import numpy as np
 
 from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.core import Section
+from slipcircle.ground import Section
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.stability import METHODS, Slope, least_of
@@ -87,8 +87,11 @@ class Critical:
         """For JSON, in SI units."""
         without = self.factor_of_safety_without_k_h
         return {
+            "method": self.method,
+            "facing": self.facing,
             "factor_of_safety": self.factor_of_safety,
             **({"factor_of_safety_without_k_h": without} if without else {}),
+            **({"yield_coefficient": self.yield_coefficient} if self.method == YIELD else {}),
             "circle": {"centre": list(self.centre), "radius": self.radius},
             "entry": list(self.entry),
             "exit": list(self.exit),

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from generated import slopes
 from slipcircle.base.kinds import Floats
-from slipcircle.core import meets_circle
+from slipcircle.layers import meets_circle
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays
 
 NODES = 10  # of Gauss' rule in each interval

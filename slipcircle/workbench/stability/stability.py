@@ -1,4 +1,4 @@
-"""Factors of safety of a homogeneous slope: the paper's, the ordinary method's and Bishop's, on given circles.
+"""Factors of safety of a slope on given circles: the paper's, the ordinary method's and Bishop's.
 
 `slices` has the numerics; here are the slope as users give it, the methods' names and words, and scenes of arrays.
 """
@@ -15,16 +15,9 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.core import (
-    LayeredSection,
-    Section,
-    Soil,
-    datum_of,
-    friction_at_rest,
-    layer_mistakes,
-    pond_errors,
-    slope_errors,
-)
+from slipcircle.core import friction_at_rest
+from slipcircle.ground import Section, pond_errors, slope_errors
+from slipcircle.layers import LayeredSection, Soil, datum_of, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
@@ -75,7 +68,7 @@ _Layers = Sequence[tuple[Soil, Any]]  # each with its top
 
 @dataclass(frozen=True)
 class Slope:
-    """A homogeneous slope in plane strain.
+    """A slope in plane strain, of one soil or of layers.
 
     Parameters
     ----------

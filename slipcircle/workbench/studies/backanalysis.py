@@ -12,7 +12,8 @@ import numpy as np
 
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
-from slipcircle.core import Motion, Scene, checked, solve, with_parameters
+from slipcircle.core import Motion, Scene, checked, solve
+from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.studies.fits import fits
 from slipcircle.workbench.studies.motions import derivatives
@@ -79,14 +80,14 @@ class Solution:
 
     @property
     def standard_errors(self) -> dict[str, float] | None:
-        """Of the values, by field."""
+        """Standard errors of the values, by field; None without a covariance."""
         if self.covariance is None:
             return None
         return dict(zip(self.values, np.sqrt(np.diag(self.covariance)).tolist(), strict=True))
 
     @property
     def standard_error(self) -> float | None:
-        """Of the first field."""
+        """Standard error of the value of the first field; None without a covariance."""
         return None if self.covariance is None else math.sqrt(self.covariance[0, 0])
 
     @property
@@ -133,7 +134,7 @@ class BackAnalysis:
 
     @property
     def standard_error(self) -> float | None:
-        """Value of the first solution and field."""
+        """Standard error of the first field in the first solution."""
         return self.solutions[0].standard_error
 
     @property

@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import ANSWERED, Motion, Scene, Section, Status
+from slipcircle.core import ANSWERED, Motion, Scene, Status
+from slipcircle.ground import Section
 from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain
@@ -49,6 +50,19 @@ class Design:
     seed: int
     size: int  # samples of a block, a power of two, 4 at least
     search_each: bool = False  # whether factors of safety are also those of the circle searched for each sample
+
+    @property
+    def correlations(self) -> list[dict[str, Any]]:
+        """Correlated inputs by their keys, with the correlation of their normal scores; for JSON."""
+        keys = [number.key for number in self.inputs.values()]
+        places = np.argwhere(np.triu(self.correlation, 1)).tolist()
+        return [{"key": keys[i], "with": keys[j], "value": float(self.correlation[i, j])} for i, j in places]
+
+    @property
+    def correlations_text(self) -> str:
+        """The same in words; empty where there are none."""
+        pairs = [f"{pair['key']} with {pair['with']} {pair['value']:g}" for pair in self.correlations]
+        return f"correlation of {' and of '.join(pairs)}" if pairs else ""
 
     @property
     def replicates(self) -> int:

@@ -4,10 +4,10 @@ import hashlib
 import json
 import math
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import nullcontext
 from dataclasses import fields, replace
-from typing import IO, Any, TypeVar, Unpack
+from typing import IO, Any, TypeVar, Unpack, cast, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,15 +15,16 @@ from numpy.typing import NDArray
 from slipcircle.base import VERSION
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
 from slipcircle.base.progress import Progress
-from slipcircle.base.series import Series
-from slipcircle.core import Scene, Section, arc_numbers, checked, parameter_value, plan
+from slipcircle.core import Scene, arc_numbers, checked, plan
+from slipcircle.derivatives import parameter_value
+from slipcircle.ground import Section
+from slipcircle.tables import Series
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, uncertain_numbers
 from slipcircle.workbench.files.variation import along_means
-from slipcircle.workbench.studies.design import METHODS, REPLICATES, Design, Result
+from slipcircle.workbench.studies.design import REPLICATES, Design, Result
 from slipcircle.workbench.studies.engines import Blocks, Folder, as_executor, engine, run_blocks, stored
-from slipcircle.workbench.studies.sampling import MOST_LATIN
-from slipcircle.workbench.studies.searched import search_mistakes
+from slipcircle.workbench.studies.settings import OF_ARRAYS, OfSamples, OfSuite, setting_mistakes, whole
 from slipcircle.workbench.studies.study import Study
 from slipcircle.workbench.studies.suitedesign import OfRecords, SuiteDesign, suite_design
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
@@ -32,10 +33,6 @@ T = TypeVar("T")
 _KEEP = 2**20  # samples up to which they are kept by default
 _BASE = 2**14
 _MOST_GRID = 2**26
-_MOST = 10**12
-_MOST_BASE = 2**22
-_OF_ARRAYS = "a scene of arrays is solved as it is: use solve"
-_OUTSIDE = 1e-4  # of a distribution, that may lie out of a number's bounds; such samples are counted apart
 
 
 def _known(given: Any) -> Any:
@@ -55,23 +52,27 @@ def _known(given: Any) -> Any:
     return f"{given.__module__}.{given.__qualname__}" if hasattr(given, "__qualname__") else repr(given)
 
 
-def _whole(value: Any) -> bool:
-    return isinstance(value, int | np.integer) and not isinstance(value, bool)
-
-
 def _seed(rng: Any, folder: Any) -> int:
     """A seed from whatever NumPy takes as one; that of the folder's study where there is none."""
     if rng is None and folder is not None and (held := stored(folder)):
         return int(held["seed"])
     try:
         made = np.random.default_rng(rng)
-        return int(rng) if _whole(rng) else int(made.integers(2**53))
+        return int(rng) if whole(rng) else int(made.integers(2**53))
     except (TypeError, ValueError) as error:
         raise ValueError(
             f"rng = {rng!r}: must be a seed, a whole number of at least 0, or one of NumPy's generators"
         ) from error
 
 
+@overload
+def ensemble(
+    scene: Scene, n: int = 1, rng: Any = None, executor: Any = None, *, records: None = None, **of: Unpack[OfSamples]
+) -> Study: ...
+@overload
+def ensemble(
+    scene: Scene, n: int = 1, rng: Any = None, executor: Any = None, *, records: Any, **of: Unpack[OfSuite]
+) -> SuiteStudy: ...
 def ensemble(
     scene: Scene,
     n: int = 1,
@@ -89,8 +90,8 @@ def ensemble(
     correlation: Mapping[tuple[str, str], float] | None = None,
     search_each: bool = False,
     records: Any = None,
-    **of_records: Unpack[OfRecords],
-) -> Any:
+    **of_records: Any,
+) -> Study | SuiteStudy:
     """Solve a scene for samples of its uncertain numbers, under its own shaking or each record of a suite.
 
     Parameters
@@ -127,11 +128,11 @@ def ensemble(
     1.0
     """
     settings = method, sensitivity, keep, size, search_each
-    raise_all("ensemble", _mistakes(scene, n, confidence, settings, correlation, records is not None))
+    raise_all("ensemble", setting_mistakes(scene, n, confidence, settings, correlation, records, of_records))
     design = _design(scene, int(n), _seed(rng, folder), settings, correlation or {}, accuracy)
     if records is None:
         return conduct(design, executor, confidence, folder, progress)
-    return _over_records(design, records, of_records, executor, folder, progress)
+    return _over_records(design, records, cast(OfRecords, of_records), executor, folder, progress)
 
 
 def _design(
@@ -176,68 +177,6 @@ def _base_points(asked: int | None, inputs: int, n: int, correlation: Any) -> in
     return min(_BASE, n) if inputs > 1 and n > 1 and not correlation else 0
 
 
-def _mistakes(
-    scene: Scene, n: Any, confidence: Any, settings: Sequence[Any], correlation: Any, with_records: bool
-) -> list[str]:
-    """A sentence for each mistake."""
-    method, points, _, size, search_each = settings
-    of_settings = _setting_mistakes(n, method, size, confidence) + _sensitivity_mistakes(points, correlation)
-    found = _scene_mistakes(scene, search_each, with_records) + of_settings
-    if with_records and (search_each or points):
-        found.append("search_each and sensitivity do not go with records; leave them out")
-    return found or _truncated(uncertain_numbers(scene))
-
-
-def _scene_mistakes(scene: Scene, search_each: bool, with_records: bool) -> list[str]:
-    mistakes = [_OF_ARRAYS] if checked(scene, "ensemble").shape else []
-    if not scene.uncertain and not with_records:
-        mistakes.append("no number is uncertain; give Scene(uncertain=...), --uncertain, or a distribution in its file")
-    return mistakes + (search_mistakes(scene) if search_each else [])
-
-
-def _setting_mistakes(n: Any, method: Any, size: Any, confidence: Any) -> list[str]:
-    """A sentence for each setting out of bounds."""
-    mistakes = []
-    is_count = _whole(n) and 1 <= n <= _MOST
-    if not is_count:
-        mistakes.append(f"n = {n!r}: must be a whole number of samples, from 1 to {_MOST:.0e}")
-    if method not in METHODS:
-        mistakes.append(f"method = {method!r}: must be one of {', '.join(METHODS)}")
-    if method == "latin-hypercube" and is_count and n > MOST_LATIN:
-        mistakes.append(f"n = {n}: a Latin hypercube is held in memory, so {MOST_LATIN} at most; take method='sobol'")
-    if not (isinstance(confidence, float) and 0.0 < confidence < 1.0):
-        mistakes.append(f"confidence = {confidence!r}: must be between 0 and 1")
-    is_power = _whole(size) and size >= 4 and not size & (size - 1)
-    if size is not None and not is_power:
-        mistakes.append(f"size = {size!r}: must be a power of two, 4 at least")
-    return mistakes
-
-
-def _sensitivity_mistakes(points: Any, correlation: Any) -> list[str]:
-    mistakes = []
-    if points is not None and not (_whole(points) and 0 <= points <= _MOST_BASE and points != 1):
-        mistakes.append(f"sensitivity = {points!r}: must be 0, or 2 to {_MOST_BASE} base points")
-    if not isinstance(correlation, Mapping | None):
-        mistakes.append(f"correlation = {correlation!r}: must be a mapping from pairs of keys to numbers")
-    if correlation and points:
-        mistakes.append("sensitivity indices need independent inputs; omit correlation or sensitivity")
-    return mistakes
-
-
-def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
-    """A sentence for each distribution of which much lies where there is no scene: it is truncated only by name."""
-    found = []
-    for uncertain in drawn.values():
-        number, distribution = uncertain.number, uncertain.distribution
-        outside = float(distribution.cdf(number.low) + 1.0 - distribution.cdf(number.high))
-        if outside > _OUTSIDE:
-            found.append(
-                f"{number.key}: {100 * outside:.2g} % of its distribution lies outside of {number.low:g} to "
-                f"{number.high:g}, where scenes are invalid; use truncated_normal with low and high"
-            )
-    return found
-
-
 def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> NDArray[np.float64]:
     """Of all inputs, from pairs of their keys or names."""
     known = [*(u.key for u in drawn.values()), *drawn]
@@ -247,7 +186,7 @@ def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str],
         places = {known.index(k) % len(drawn) for k in pair if k in known}
         if unknown := [k for k in pair if k not in known]:
             mistakes.append(f"correlation: {', '.join(unknown)} is not uncertain; known are {', '.join(known)}")
-        elif len(pair) != 2 or len(places) != 2 or not -1.0 < value < 1.0:
+        elif len(places) != 2 or not -1.0 < value < 1.0:
             words = " and ".join(pair)
             mistakes.append(f"correlation of {words} = {value!r}: must be between -1 and 1, of two numbers")
         else:
@@ -305,7 +244,7 @@ def grid(
     n = math.prod(np.size(values) for values in levels.values())
     if n > _MOST_GRID:
         found.append(f"{n} combinations: a grid is held in memory, at most {_MOST_GRID}; use samples instead")
-    raise_all("grid", ([_OF_ARRAYS] if scene.shape else []) + found)
+    raise_all("grid", ([OF_ARRAYS] if scene.shape else []) + found)
     axes = tuple(np.asarray(values, dtype=np.float64) for values in levels.values())
     accuracy, independent = plan(scene, accuracy).accuracy, np.eye(len(inputs))
     design = Design(scene, accuracy, inputs, {}, axes, "grid", n, 0, True, independent, 0, _size(n, "grid"))

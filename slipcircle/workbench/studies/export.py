@@ -87,6 +87,7 @@ def record(study: Any) -> dict[str, Any]:
     return {
         "scene": study.scene.name,
         "inputs": [u.record for u in design.drawn.values()],
+        "correlation": design.correlations,
         "method": design.method,
         "samples": design.n,
         "valid_samples": study.n,

@@ -7,7 +7,8 @@ from statistics import median
 from time import process_time
 from timeit import timeit
 
-from slipcircle.core import Motion, Scene, Section, plan, solve
+from slipcircle.core import Motion, Scene, plan, solve
+from slipcircle.ground import Section
 
 _PATIENCE = 0.5  # seconds for the solutions of one rung that are timed, five at most
 

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import Motion, Scene, solve, with_parameter_arrays
+from slipcircle.core import Motion, Scene, solve
+from slipcircle.derivatives import with_parameter_arrays
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import lengths
 

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.core import ANSWERED, DIP, Scene, Status, law_depends, parameter_value
+from slipcircle.core import ANSWERED, Scene, Status, law_depends
+from slipcircle.derivatives import DIP, parameter_value
 from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
 from slipcircle.workbench.studies.motions import motions
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slipcircle.core import with_parameters
+from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.studies.design import Design
 from slipcircle.workbench.studies.motions import derivatives

@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import Scene, with_parameters
+from slipcircle.core import Scene
+from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.variation import slope_of
 from slipcircle.workbench.stability.samples import SampleSearch

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.text import DIGITS, shown
+from slipcircle.base.text import shown
 from slipcircle.workbench.common.distributions import statistics
 
 # Bins of a histogram: of equal relative width 2**-10 from 2**-30 to 2**30, one below (zero too), one above, and the
@@ -69,9 +69,9 @@ NOT_GIVEN = Estimate(math.nan, math.nan, math.nan)
 BEYOND = "beyond"  # in place of an infinite value: exceeded by samples that slide to no known end
 
 
-def value_text(value: float, digits: int = DIGITS) -> str:
+def value_text(value: float) -> str:
     """A value of an estimate as people read it."""
-    return BEYOND if value == math.inf else shown(value, digits)
+    return BEYOND if value == math.inf else shown(value)
 
 
 def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
@@ -88,7 +88,7 @@ def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
 
 
 def standard_error(values: Floats) -> Any:
-    """Of the mean of a few independent estimates, along the first axis."""
+    """Standard error of the mean of a few independent estimates, along the first axis."""
     deviation = np.std(values, axis=0, ddof=1)
     return deviation / math.sqrt(len(values))
 

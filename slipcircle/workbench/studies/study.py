@@ -12,8 +12,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.forms import Pictured
 from slipcircle.base.kinds import Floats
-from slipcircle.core import Motion, Pictured, Scene, Status
+from slipcircle.core import Motion, Scene, Status
 from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words

@@ -12,14 +12,14 @@ from typing import Any, TypedDict
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.series import Series
-from slipcircle.core import STRONGEST, Scene
+from slipcircle.core import Scene
+from slipcircle.tables import STRONGEST, Series
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.records.suite import Entry, Suite
 from slipcircle.workbench.studies.design import Design, Result
 from slipcircle.workbench.studies.motions import motions
-from slipcircle.workbench.suites.statistics import THRESHOLDS
+from slipcircle.workbench.studies.suitestatistics import THRESHOLDS
 
 # Of each lane, with its unit: signed, NaN without a result, 0 of what does not move.
 LANE_RESULTS: Mapping[str, str] = {name: q.unit for name, q in OUTCOMES.items()} | {"rotation": "rad", "slips": ""}

@@ -9,19 +9,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.forms import Pictured
 from slipcircle.base.kinds import Floats
-from slipcircle.base.series import Pulse
 from slipcircle.base.text import shown
-from slipcircle.core import Motion, Pictured, Scene, Status, solve
+from slipcircle.core import Motion, Scene, Status, solve
+from slipcircle.tables import Pulse
 from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.quantities import plain
 from slipcircle.workbench.studies.design import NO_RESULT, Result
+from slipcircle.workbench.studies.fragility import FragilityCurve, fragility_curve
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.suitedesign import LANE_RESULTS, SuiteDesign
-from slipcircle.workbench.suites.fragility import FragilityCurve, fragility_curve
+from slipcircle.workbench.studies.suitestatistics import distribution, exceedance, exceedance_shares
 from slipcircle.workbench.suites.intensities import spectral_acceleration
 from slipcircle.workbench.suites.regressions import RIGID, Comparison, Shaking, comparisons
-from slipcircle.workbench.suites.statistics import distribution, exceedance, exceedance_shares
 
 DIMENSIONS = ("record", "polarity", "scale", "sample")
 
@@ -289,6 +290,7 @@ class SuiteStudy(Pictured):
             "method": sampling.method,
             "accuracy": sampling.accuracy,
             "inputs": [uncertain.record for uncertain in sampling.drawn.values()],
+            "correlation": sampling.correlations,
             "distribution": [
                 {"scale": scale} | distribution(self.displacement, k)._asdict()
                 for k, scale in enumerate(self.scales.tolist())

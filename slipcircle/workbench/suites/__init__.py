@@ -1,1 +1,1 @@
-"""Suites of records: intensity measures of a record, and statistics of the displacements that a suite causes."""
+"""Measures of records: intensities, spectra, published regressions, and synthetic records."""

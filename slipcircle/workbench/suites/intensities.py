@@ -7,10 +7,11 @@ from typing import NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.series import Series
+from slipcircle.tables import Series
 
 _BAND = 0.25, 20.0  # Hz, of the mean period
 _RESOLUTION = 0.05  # Hz, at most, of its spectrum
+_DAMPING = 0.05  # of an oscillator, over the critical one
 _STEPS_OF_PERIOD = 100  # of an oscillator: a peak between them is too small by 5e-4 at most
 
 
@@ -88,10 +89,8 @@ def _mean_period(record: Series) -> float:
     return float(np.average(periods, weights=weights))
 
 
-def spectral_acceleration(
-    record: Series, period: float, damping: float = 0.05, resolution: int = _STEPS_OF_PERIOD
-) -> float:
-    """Pseudo-acceleration of a record at a period, over gravity.
+def spectral_acceleration(record: Series, period: float, resolution: int = _STEPS_OF_PERIOD) -> float:
+    """Pseudo-acceleration of a record at a period and a damping ratio of 5 %, over gravity.
 
     The greatest displacement of an oscillator times the square of its angular frequency. Between samples the
     acceleration is linear, of which the recurrence of Nigam and Jennings (1969) is exact.
@@ -102,8 +101,6 @@ def spectral_acceleration(
         Acceleration over gravity, zero before and after; samples at uneven times are interpolated at even ones.
     period : float
         Natural period, s; at 0 the result is the peak acceleration.
-    damping : float
-        Damping ratio, below 1.
     resolution : int
         Steps of a period, at least; the result is too small by 5/resolution^2 at most.
 
@@ -125,21 +122,21 @@ def spectral_acceleration(
     at_rest = np.zeros(math.ceil(1.5 * period / step))  # the oscillation may be greatest after the end
     acceleration = np.concatenate([record(times), at_rest])
     frequency = 2.0 * math.pi / period
-    displacement = _oscillation(acceleration, float(step), frequency, damping)
+    displacement = _oscillation(acceleration, float(step), frequency)
     return float(frequency**2 * np.max(np.abs(displacement)))
 
 
-def _oscillation(acceleration: Floats, step: float, frequency: float, damping: float) -> Floats:
+def _oscillation(acceleration: Floats, step: float, frequency: float) -> Floats:
     """Displacement u of an oscillator from rest at even times, u'' + 2 zeta omega u' + omega^2 u = -a."""
     from scipy.signal import lfilter
 
-    weights, recurrence, at_start = _recurrence(step, frequency, damping)
+    weights, recurrence, at_start = _recurrence(step, frequency)
     displacement, _ = lfilter(weights, recurrence, acceleration, zi=at_start * acceleration[0])
     return np.asarray(displacement)
 
 
 @lru_cache(maxsize=1024)
-def _recurrence(step: float, frequency: float, damping: float) -> tuple[Floats, Floats, Floats]:
+def _recurrence(step: float, frequency: float) -> tuple[Floats, Floats, Floats]:
     """Weights of three accelerations and three displacements, and of the first acceleration, before which is rest.
 
     By Cayley and Hamilton u_(n+1) - tr(E) u_n + det(E) u_(n-1), E the free oscillation over a step, is a sum of three
@@ -149,7 +146,7 @@ def _recurrence(step: float, frequency: float, damping: float) -> tuple[Floats, 
 
     oscillator = np.zeros((4, 4))  # displacement, velocity, acceleration of the ground and its slope
     oscillator[0, 1] = oscillator[2, 3] = 1.0
-    oscillator[1, :3] = -(frequency**2), -2.0 * damping * frequency, -1.0
+    oscillator[1, :3] = -(frequency**2), -2.0 * _DAMPING * frequency, -1.0
     over_step = expm(step * oscillator)
     free = over_step[:2, :2]
     by_next = over_step[:2, 3] / step

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.series import Series
+from slipcircle.tables import Series
 from slipcircle.workbench.suites.intensities import spectral_acceleration
 
 Spectrum = tuple[Any, Any]  # periods, s, and accelerations over gravity at a damping of 5 %
@@ -21,10 +21,10 @@ def log_ratios(record: Series, periods: Floats, accelerations: Floats) -> Floats
     return np.log(ratios)
 
 
-def resampled(spectrum: Spectrum, count: int = 30) -> tuple[Floats, Floats]:
-    """A spectrum at so many periods, equally far apart on a logarithmic axis, between which it is a power."""
+def resampled(spectrum: Spectrum) -> tuple[Floats, Floats]:
+    """A spectrum at 30 periods, equally far apart on a logarithmic axis, between which it is a power."""
     periods, accelerations = np.log(np.asarray(spectrum, dtype=np.float64))
-    even = np.linspace(periods[0], periods[-1], count)
+    even = np.linspace(periods[0], periods[-1], 30)
     between = np.interp(even, periods, accelerations)
     return np.exp(even), np.exp(between)
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.base.series import Series
+from slipcircle.tables import Series
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.suites.intensities import intensities

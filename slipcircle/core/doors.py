@@ -1,0 +1,32 @@
+"""The one table of what the core may reach beyond itself: rooms, loaded when a scene or a question asks for them."""
+
+from importlib import import_module
+from typing import Any, NamedTuple
+
+
+class Door(NamedTuple):
+    """When a room is entered, and the module that answers there."""
+
+    condition: str
+    module: str
+
+
+DOORS = {
+    "forcing": Door("shaking, or water that changes with time", "slipcircle.tables.forcing"),
+    "tables": Door("a function of time, or a law in pieces or by a list", "slipcircle.tables.tables"),
+    "functions": Door("friction as a function of slip in Python", "slipcircle.tables.interpolation"),
+    "water": Door("a section has a water level", "slipcircle.ground.water"),
+    "creep": Door("a viscous layer, and no end time", "slipcircle.stiff.creep"),
+    "stiff": Door("explicit steps were too many", "slipcircle.stiff.implicit"),
+    "equation": Door("the equation of a scene is asked for", "slipcircle.words.equation"),
+    "estimate": Door("the error of a motion is asked for", "slipcircle.words.accuracy"),
+    "warnings": Door("the warnings of a motion are asked for", "slipcircle.words.warnings"),
+    "summary": Door("a motion in one line is asked for", "slipcircle.words.summary"),
+    "parameters": Door("lanes of an ensemble are chosen", "slipcircle.derivatives.parameters"),
+    "sensitivity": Door("derivatives are asked for", "slipcircle.derivatives.sensitivity"),
+}
+
+
+def room(name: str) -> Any:
+    """The module behind a door, imported on its first use."""
+    return import_module(DOORS[name].module)

@@ -1,0 +1,1 @@
+"""The problem of a scene: its numbers, tables and initial cells."""

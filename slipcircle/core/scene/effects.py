@@ -1,0 +1,87 @@
+"""The effects of a scene by name, with their parameters; those of one soil have its number in their names."""
+
+from collections.abc import Iterable, Mapping
+from functools import lru_cache
+from typing import Any
+
+from generated.effects import ALL_EFFECTS, EFFECTS
+from slipcircle.base.checks import parameter_mistakes
+from slipcircle.base.kinds import Names, Parameters
+from slipcircle.core.doors import room
+
+OF_SOIL = "#"  # before the number of a soil, in the name of its law or effect
+
+
+def without_soil(name: str) -> str:
+    """The name of a law or an effect without the number of a soil."""
+    return name.partition(OF_SOIL)[0]
+
+
+def soil_number(name: str) -> str:
+    """The number of the soil whose law or effect this is, after its mark; empty for that of a whole arc."""
+    return "".join(name.partition(OF_SOIL)[1:])
+
+
+@lru_cache(maxsize=256)
+def symbols_of(effect: str) -> dict[str, str]:
+    """Symbols of an effect's parameters in the balance, by their names; of one soil with its number."""
+    number = soil_number(effect)
+    declared = ALL_EFFECTS[without_soil(effect)].parameters
+    return {p.name: p.symbol + number for p in declared if p.symbol}
+
+
+def rotates(effects: Iterable[str]) -> bool:
+    """Whether an effect lets the mass rotate."""
+    return any(ALL_EFFECTS[without_soil(effect)].turns for effect in effects)
+
+
+@lru_cache(maxsize=256)
+def in_order(effects: Names) -> Names:
+    """Effects by name, each once, in the order in which they are declared."""
+    declared = list(ALL_EFFECTS)
+
+    def place(effect: str) -> int:
+        return declared.index(without_soil(effect))
+
+    once = dict.fromkeys(effects)
+    return tuple(sorted(once, key=place))
+
+
+# --- as a scene gives them -------------------------------------------------------------------------------------------
+
+
+def named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
+    """Effects by name, each with its parameters, and a sentence for what is no such thing."""
+    if isinstance(effects, str) or not isinstance(effects, Iterable):
+        return {}, [f"effects = {effects!r}: must be a list of names, or a mapping from names to parameters"]
+    given = effects if isinstance(effects, Mapping) else {name: {} for name in effects}
+    named = {}
+    faults = []
+    for name, parameters in given.items():
+        if isinstance(parameters, Mapping):
+            named[str(name)] = dict(parameters)
+        else:
+            what = f"effects.{name} = {parameters!r}"
+            faults.append(f"{what}: must be a mapping of parameters, {{}} where there are none")
+    return named, faults
+
+
+def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
+    if name not in EFFECTS:
+        return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
+    effect = EFFECTS[name]
+    path = f"effects.{name}"
+    faults = []
+    if effect.any_of and parameters.keys().isdisjoint(effect.any_of):
+        names = ", ".join(effect.any_of)
+        faults.append(f"{path}: one of {names} is missing")
+    return faults + parameter_mistakes(path, parameters, effect.parameters)
+
+
+def resolved(name: str, given: dict[str, Any]) -> dict[str, Any]:
+    """An effect's parameters, with functions of time in the place of what they are made of."""
+    series = {p.name for p in EFFECTS[name].parameters if p.kind == "series"}
+    if not series or (series.issuperset(given) and not any(map(callable, given.values()))):
+        return given
+    resolved: dict[str, Any] = room("forcing").resolved(name, given)
+    return resolved

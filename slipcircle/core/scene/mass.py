@@ -1,0 +1,163 @@
+"""What the core asks of a mass: one protocol for arcs, sections and layered ground.
+
+Whatever implements it can be solved: nothing in the core asks what kind of mass it has.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+
+from slipcircle.base.checks import EPS, Fault
+from slipcircle.base.kinds import Effects, Values
+from slipcircle.core.scene.piecewise import Tables
+
+
+@dataclass(frozen=True)
+class Dimensionless:
+    """Dimensionless coefficients of the equation of motion (3.11) at the start, positive down-slope.
+
+    Attributes
+    ----------
+    moment_of_inertia, radial_weight, weight_moment, resistance_factor, dynamic_coefficient
+        Theta* (3.12), J_r (2.23), J_theta (3.13), lambda (3.14), A (2.24).
+    static_normal_stress
+        J_r/lambda (2.22).
+    limit_friction
+        J_theta/J_r, the friction coefficient at limit equilibrium (3.21).
+    radial_weight_per_inertia, polar_moment_per_inertia
+        J_r/Theta* and I_p*/Theta* = lambda A/Theta*.
+    """
+
+    moment_of_inertia: Any
+    radial_weight: Any
+    weight_moment: Any
+    resistance_factor: Any
+    dynamic_coefficient: Any
+    static_normal_stress: Any
+    limit_friction: Any
+    radial_weight_per_inertia: Any
+    polar_moment_per_inertia: Any
+
+
+class MomentCoefficients(NamedTuple):
+    """Of the balance of moments about the centre: J_theta, J_r, lambda and I_p* over Theta*, and two stresses' scales.
+
+    After a rotation phi the driving moment is J_theta cos(phi) - J_theta' sin(phi), and so is the normal load: the
+    slopes are the derivatives by the dip, which a rotation lowers.
+    """
+
+    driving_moment: Any
+    driving_moment_slope: Any
+    normal_load: Any
+    normal_load_slope: Any
+    resistance_factor: Any
+    polar_moment: Any
+    limit_friction: Any  # J_theta/J_r at the start
+    cover: Any  # the stress of which r_u is a share, over the static normal stress
+
+
+Farther = Callable[[], Tables]
+
+
+class Mass:
+    """A mass that slides along a circular arc: what each kind has to say, what it may add, and what follows.
+
+    Attributes
+    ----------
+    radius, unit_weight, gravity, width : float or array
+        m, N/m^3, m/s^2, m.
+    half_angle, facing : float or array
+        alpha, rad; 1 where gravity turns the mass counterclockwise, -1 where clockwise.
+    dimensionless : Dimensionless
+    moment_coefficients : MomentCoefficients
+        Its weights and how they change as it turns, its resistance and its closure.
+    quantities : mapping
+        Its fields that scenes vary, each with the number of axes that one mass has of it.
+    rounding : float
+        Relative error that each of its coefficients may have.
+    friction : mapping or None
+        That of its soils, in place of the scene's.
+    given : mapping or None
+        Coefficients in place of computed ones.
+    """
+
+    radius: Any
+    unit_weight: Any
+    gravity: Any
+    width: Any
+    half_angle: Any
+    facing: Any
+    dimensionless: Any
+    moment_coefficients: Any
+    quantities: ClassVar[Mapping[str, int]]
+    rounding: ClassVar[float] = 4 * EPS
+    friction: Any = None
+    given: Any = None
+
+    # --- what it may add; a plain arc adds nothing -------------------------------------------------------------------
+
+    def geometry_errors(self) -> Iterator[Fault]:
+        """Which of its lanes are no such mass, or cannot move, and a sentence about one."""
+        return iter(())
+
+    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+        """What keeps it from moving under a friction and effects."""
+        return []
+
+    def effects_with_own(self, effects: Effects) -> Effects:
+        """Effects with what it adds to them: the water level of a section, the strengths of its soils."""
+        return effects
+
+    def tables(self, effects: Effects, friction: Any, upslope: bool, tolerance: float) -> tuple[Tables, Farther | None]:
+        """Its functions of the rotation by their symbols, and what lays them out farther, where that may be needed.
+
+        ``upslope`` is whether the mass may move beyond where it began, ``tolerance`` a relative error.
+        """
+        return {}, None
+
+    def other_numbers(self) -> dict[str, Any]:
+        """Numbers beside those of its fields, by name: of the soils of a layered section."""
+        return {}
+
+    def fields_with(self, values: Values) -> dict[str, Any]:
+        """The fields that differ once some of these have other values."""
+        return {}
+
+    def journey(self, rotation: Any) -> Any:
+        """Where a rotation brings it."""
+        raise AttributeError("journey: needs a Section, as an Arc has no position")
+
+    def drowned(self, *rotations: float) -> float:
+        """How far below a water level the ground over it comes, where that is deepest, m."""
+        return 0.0
+
+    # --- what follows ------------------------------------------------------------------------------------------------
+
+    @property
+    def mean_unit_weight(self) -> Any:
+        """Weight over area, N/m^3."""
+        return self.unit_weight
+
+    @cached_property
+    def sagitta(self) -> Any:
+        """f, the depth of the arc below its chord (2.12), by which stresses are scaled, m."""
+        versine = 2 * np.sin(self.half_angle / 2) ** 2  # 1 - cos(alpha)
+        return np.multiply(self.radius, versine)
+
+    @cached_property
+    def time_scale(self) -> Any:
+        """t_c = sqrt(R/g) (3.9), s."""
+        return np.sqrt(np.divide(self.radius, self.gravity))
+
+    @cached_property
+    def reference_stress(self) -> Any:
+        """sigma_ref (2.13), Pa."""
+        return np.multiply(self.mean_unit_weight, self.sagitta)
+
+    @cached_property
+    def static_normal_stress(self) -> Any:
+        """sigma_n0, mean normal stress on the arc at rest (2.27), Pa."""
+        return self.reference_stress * self.dimensionless.static_normal_stress

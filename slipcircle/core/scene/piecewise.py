@@ -1,0 +1,68 @@
+"""Piecewise polynomials of slip, speed, time or rotation, as a program takes them; `slipcircle.tables` makes them."""
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.base.kinds import Floats, Integers
+
+
+class Data(NamedTuple):
+    """A piecewise polynomial: piece k begins at ``breaks[k]``, with ``coefficients[k]`` in powers of what is beyond.
+
+    The first piece extends below its break, the last one to infinity. ``jumps`` are the discontinuities of a function
+    of time at the start of each piece. The coefficients of a ``sine`` are amplitude, rate and phase. Beyond the last
+    break of an ``open`` table, that of a Python function, nothing has been sampled yet.
+    """
+
+    breaks: Floats  # (pieces,), or of functions of the rotation (pieces, lanes)
+    coefficients: Floats  # (pieces, terms), or (pieces, terms, lanes)
+    jumps: Floats
+    sine: bool = False
+    open: bool = False
+
+    def lanes(self, which: Any) -> "Data":
+        """The table of some of the lanes."""
+        if self.coefficients.ndim < 3:
+            return self
+        breaks = self.breaks
+        if breaks.ndim == 2:
+            breaks = np.ascontiguousarray(breaks[:, which])
+        of_lanes = self.coefficients[..., which]
+        return self._replace(breaks=breaks, coefficients=np.ascontiguousarray(of_lanes))
+
+    def begins(self, piece: Integers) -> Floats:
+        """The break at which the piece of each lane begins."""
+        if self.breaks.ndim == 1:
+            return np.asarray(self.breaks[piece])
+        lane = np.arange(piece.size)
+        begins = self.breaks[piece, lane]
+        return np.asarray(begins)
+
+    def entered(self, places: Floats, upwards: Any) -> Integers:
+        """The number of the piece at each place; at a break, of the piece ahead in the direction of travel."""
+        breaks = self.breaks
+        if breaks.ndim == 1:
+            breaks = breaks[:, None]
+        below = breaks < places
+        passed = below | (breaks == places) & upwards
+        begun = np.count_nonzero(passed, axis=0)
+        return np.maximum(begun - 1, 0)
+
+    def polynomial(self, piece: Integers) -> Floats:
+        """Coefficients of each lane's piece, (terms, lanes)."""
+        if self.coefficients.ndim == 2:
+            return np.asarray(self.coefficients[piece].T)
+        lane = np.arange(piece.size)
+        by_lane = self.coefficients[piece, :, lane]
+        return np.asarray(by_lane.T)
+
+
+def continuous(breaks: Floats, coefficients: Floats, sine: bool = False) -> Data:
+    """A piecewise polynomial without discontinuities."""
+    jumps = np.zeros(len(breaks))
+    return Data(breaks, coefficients, jumps, sine)
+
+
+Tables = Mapping[str, Data]  # by name

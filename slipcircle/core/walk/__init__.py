@@ -1,0 +1,1 @@
+"""The integrator, in C where it is compiled, otherwise in NumPy."""

@@ -1,0 +1,209 @@
+"""The compiled integrator: a program as integers, and calls short enough for Ctrl-C to interrupt."""
+
+import os
+import sys
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from functools import cache, lru_cache
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from generated import layout as ix
+from generated.series import DIGEST, SCALAR, SERIES
+from slipcircle.base.kinds import Floats
+from slipcircle.core.program.link import RESULTS
+from slipcircle.core.program.program import Log, Program, Samples
+from slipcircle.core.scene.piecewise import Data
+from slipcircle.core.walk import integrate as in_numpy
+
+STRIDE = 42  # coefficients from one register to the next: the highest order that C takes, and two
+ROUNDS = 50_000  # steps of some lanes between looks at the keyboard: a tenth of a second at most
+LOWEST = 5  # order that it takes
+NOTES = 256  # events that one call may note
+_NOTHING = np.empty(0)
+
+
+@cache
+def module() -> Any:
+    """The compiled module; None if there is none, or if it is disabled."""
+    if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
+        return None
+    try:
+        binary = import_module("generated._flow")
+    except ModuleNotFoundError:
+        return None
+    except ImportError as error:
+        fault = f"it cannot be loaded ({error})"
+    else:
+        if binary.DIGEST == DIGEST:
+            return binary
+        fault = "it was built from another source"
+    warnings.warn(
+        f"the compiled integrator is not used, NumPy is: {fault}; run `python -m derive.build` or install again",
+        RuntimeWarning,
+        stacklevel=2,
+    )
+    return None
+
+
+@cache
+def _widest() -> int:
+    """The kind of processor with the widest vectors of those that run here, or the one that is asked for by name."""
+    levels = module().LEVELS
+    return levels.get(os.environ.get("SLIPCIRCLE_COMPILED"), min(levels.values()))
+
+
+_numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open
+
+
+@contextmanager
+def numpy_only() -> Iterator[bool]:
+    """Integrate in NumPy although the compiled module is installed, for comparisons; yields whether it is."""
+    _numpy_only.append(True)
+    try:
+        yield module() is not None
+    finally:
+        _numpy_only.pop()
+
+
+def engine() -> Any:
+    """The faster module for `integrate`, `begin_phase` and `registers` on this machine."""
+    return sys.modules[__name__] if module() and not _numpy_only else in_numpy
+
+
+@lru_cache(maxsize=256)
+def encoded(program: Program) -> bytes:
+    """A program as the C integrator reads it: sizes, roles, operations, states and tables, as 32-bit integers."""
+    rates, others = _split(program)
+    series = _encoded_series(program, rates)
+    later = _encoded_series(program, others)
+    scalar = list[int]()
+    for kind, *names in program.scalar:
+        scalar += [SCALAR[kind], *names]
+    sizes = [
+        len(program.cells),
+        program.given,  # at the start a lane needs no cells beyond its inputs, except constants
+        len(program.registers),
+        len(program.states),
+        len(program.tables),
+        len(scalar),
+        len(series),
+        len(later),
+        int(program.autonomous),
+    ]
+    roles = []
+    for name in ix.ROLES:
+        place = program.roles.get(name, -1)
+        roles.append(place if name.startswith("cell_") else _begin(place))
+    integers = [*sizes, *roles, *scalar, *series, *later]
+    for cell, register, rate in program.states:
+        integers += [cell, _begin(register), _begin(rate)]
+    for table in program.tables:
+        integers += [ix.KINDS.index(table.kind), _begin(table.register), table.cells, table.degree]
+    return np.array(integers, dtype=np.int32).tobytes()
+
+
+def _begin(register: int) -> int:
+    """Where the coefficients of a register begin; -1 for none."""
+    return -1 if register < 0 else register * STRIDE
+
+
+def _split(program: Program) -> tuple[list[int], list[int]]:
+    """Operations that rates need, and those that wait until the series of the states are complete."""
+    needed = {rate for _, _, rate in program.states}
+    rates = list[int]()
+    others = list[int]()
+    for k in reversed(range(len(program.series))):
+        kind, *names = program.series[k]
+        if needed & {*_results(kind, names)}:
+            needed |= {register for _, register in names[2]} if kind == "lin" else {*names}
+            rates.insert(0, k)
+        else:
+            others.insert(0, k)
+    return rates, others
+
+
+def _results(kind: str, names: Sequence[Any]) -> Sequence[int]:
+    return names[: RESULTS.get(kind, 1)]
+
+
+def _encoded_series(program: Program, chosen: Sequence[int]) -> list[int]:
+    """Operations on series; the terms of a sum in the order in which they are ready, so that it waits for one only."""
+    ready = {register: k for k, (kind, *names) in enumerate(program.series) for register in _results(kind, names)}
+    code = list[int]()
+    for k in chosen:
+        kind, *names = program.series[k]
+        code.append(SERIES[kind])
+        if kind == "lin":
+            result, constant, terms = names
+            code += [_begin(result), constant, len(terms)]
+            for cell, register in sorted(terms, key=lambda term: ready.get(term[1], -1)):
+                code += [cell, _begin(register)]
+        elif kind in ("pow", "ramp"):  # the last one is a cell or a table
+            code += [*map(_begin, names[:-1]), names[-1]]
+        else:
+            code += map(_begin, names)
+    return code
+
+
+def integrate(
+    program: Program,
+    tables: Sequence[Data],
+    cells: Floats,
+    samples: Samples | None = None,
+    log: Log | None = None,
+    level: str | None = None,
+) -> None:
+    """Integrate every lane until it rests, ends or fails, as `integrate.integrate` does; other threads run meanwhile.
+
+    Parameters
+    ----------
+    program, tables, cells, samples, log
+        As there; ``cells`` and the samples' arrays are C-contiguous.
+    level : str, optional
+        The kind of processor to run for, one of those that the binary names in ``LEVELS``; by default the best.
+    """
+    binary = module()
+    count = cells.shape[1]
+    if not count:
+        return
+    number = binary.LEVELS[level] if level else _widest()
+    pieces = _pieces(tables, count)
+    times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
+    notes = _NOTHING if log is None else np.empty((NOTES, 4))
+    code = encoded(program)
+    order = int(cells[ix.ORDER].max())
+    left = 1
+    while left:
+        left, noted = binary.integrate(code, pieces, cells, order, 0, count, ROUNDS, times, states, notes, number)
+        if log is not None:
+            log += [(int(kind), *at) for kind, *at in notes[:noted].tolist()]
+
+
+def begin_phase(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
+    """As `slipcircle.core.walk.integrate.begin_phase`: phases that begin where lanes are, and registers there."""
+    return registers(program, tables, cells, 1)
+
+
+def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: int = 0) -> Floats:
+    """As `slipcircle.core.walk.integrate.registers`: where lanes are within their phases."""
+    binary = module()
+    count = cells.shape[1]
+    values = np.zeros((len(program.registers), count))
+    if count:
+        code = encoded(program)
+        pieces = _pieces(tables, count)
+        binary.integrate(code, pieces, cells, LOWEST, 0, count, begins, _NOTHING, values, _NOTHING, _widest())
+    return values
+
+
+def _pieces(tables: Sequence[Data], count: int) -> tuple[Any, ...]:
+    """Tables as the C integrator takes them."""
+    rows = []
+    for t in tables:
+        across = count if t.coefficients.ndim == 3 else 0
+        rows.append((t.breaks, t.coefficients, t.jumps, t.coefficients.shape[1], across, t.sine, t.open))
+    return tuple(rows)

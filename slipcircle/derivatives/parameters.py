@@ -1,0 +1,215 @@
+"""The numbers of a scene that may vary, by their SI names, and scenes with other values of them.
+
+Names are those of `Scene.numbers` (``radius``, ``ground.3.y``, ``friction.peak``, ``cohesion.cohesion``), and ``dip``,
+of the chord of an arc, with which both its ends turn. A grid, a sample of uncertain numbers, a fit and a derivative
+all replace values by these names; how a scene file calls them is the file reader's affair.
+"""
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import effects as declared
+from slipcircle.base.checks import InputError
+from slipcircle.base.kinds import Flags, Values
+from slipcircle.core.scene.arc import ARC_BOUNDS
+from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
+from slipcircle.core.scene.effects import without_soil
+from slipcircle.core.scene.friction import law_parts, law_paths, number_name
+from slipcircle.core.scene.scene import Scene
+from slipcircle.ground.ground import BOUNDS, FAR
+
+ARC_UNITS = {
+    "radius": "m",
+    "theta_1": "rad",
+    "theta_2": "rad",
+    "unit_weight": "N/m^3",
+    "gravity": "m/s^2",
+    "width": "m",
+}
+_SOIL_UNITS = {
+    "unit_weight": "N/m^3",
+    "saturated_unit_weight": "N/m^3",
+    "cohesion": "Pa",
+    "cohesion_gradient": "Pa/m",
+    "pore_ratio": "",
+    "top": "m",
+    "pressure": "Pa",
+}
+_COEFFICIENT = ("", -5e-324, declared.LIMITS[""][1])
+SOIL_BOUNDS: dict[str, tuple[str, float, float]] = {  # units, and open bounds
+    **{name: (unit, *BOUNDS[name][:2]) for name, unit in _SOIL_UNITS.items()},
+    "friction": _COEFFICIENT,
+    "peak": _COEFFICIENT,
+    "residual": _COEFFICIENT,
+    "length": ("m", *declared.LIMITS["m"]),
+    "velocity": ("m/s", *declared.LIMITS["m/s"]),
+    "crack": ("m", 0.0, FAR),
+}
+SMALLEST = 5e-324  # a lower bound of minus this allows zero, as all bounds are open
+
+_OTHER_FACTOR = {"peak": "scale", "scale": "peak"}  # two names of one factor of shaking
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number that a scene may have: its name, SI unit, and open bounds."""
+
+    name: str
+    unit: str
+    lower: float
+    upper: float
+
+    def allows(self, values: Any) -> Any:
+        """Which values lie within the bounds; never what is infinite or NaN."""
+        is_finite = abs(values) < math.inf
+        return is_finite & (values > self.lower) & (values < self.upper)
+
+
+DIP = Parameter("dip", "rad", -SMALLEST, math.pi / 2)
+_, _GREATEST_SPEED = declared.LIMITS["m/s"]
+_MOTION = (
+    Parameter("initial_velocity", "m/s", -_GREATEST_SPEED, _GREATEST_SPEED),
+    Parameter("end_time", "s", *declared.LIMITS["s"]),
+)
+
+
+def parameters(scene: Scene) -> dict[str, Parameter]:
+    """Every number that a scene with this arc and friction law may have, whether it has a value of it or not."""
+    every = [*_MOTION, *_parameters_of_arc(scene.arc), *_parameters_of_friction(scene.friction)]
+    for name, effect in declared.EFFECTS.items():
+        every += _scalars(name, effect.parameters)
+    return {parameter.name: parameter for parameter in every}
+
+
+def _parameters_of_arc(arc: Any) -> Iterator[Parameter]:
+    """Of an arc or a section; coordinates have a point in their names."""
+    for name, (lower, upper, _) in ARC_BOUNDS.items():
+        if name in arc.quantities:
+            yield Parameter(name, ARC_UNITS[name], lower, upper)
+    if "ground" not in arc.quantities:
+        yield DIP
+    else:
+        for name in arc_numbers(arc):
+            if "." in name:
+                yield Parameter(name, "m", -FAR, FAR)
+    for name in arc.other_numbers():
+        _, _, quantity = name.rpartition(".")
+        yield Parameter(name, *SOIL_BOUNDS[quantity])
+
+
+def _parameters_of_friction(friction: Any) -> Iterator[Parameter]:
+    """Of the laws of a scene's friction but those of soils, whose numbers are the section's."""
+    for path, (name, _) in zip(law_paths(friction), law_parts(friction), strict=True):
+        law = declared.LAWS.get(without_soil(name))
+        if law is not None and not path.startswith("soils."):
+            yield from _scalars(path, law.parameters)
+
+
+def _scalars(path: str, parameters: Iterable[declared.Parameter]) -> Iterator[Parameter]:
+    """Those declared parameters of a law or an effect that are one number, or a function of time that may be one."""
+    for p in parameters:
+        if p.kind in ("number", "series"):
+            yield Parameter(number_name(path, p.name), p.unit, p.lower, p.upper)
+
+
+def parameter_value(scene: Scene, name: str) -> float | None:
+    """The value of one number of a scene, SI; None where it has none."""
+    value = scene.arc.dip if name == DIP.name else scene.numbers.get(name)
+    return None if value is None else float(np.asarray(value))
+
+
+def with_parameters(scene: Scene, values: Values) -> Scene:
+    """A scene with other values of its numbers, SI: of each one number, or an array of them.
+
+    Nothing of it is uncertain any more.
+
+    Raises
+    ------
+    ValueError
+        If that is no scene; lists every mistake.
+    """
+    numbers = {name: value if np.ndim(value) else float(value) for name, value in values.items()}
+    changed = _fields_with(scene, numbers)
+    of_arc = changed.pop("arc")
+    arc = replace(scene.arc, **of_arc) if of_arc else scene.arc
+    return replace(scene, arc=arc, **changed)
+
+
+def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, Flags]:
+    """A scene of arrays of numbers, SI, and which of its lanes are no scenes: `solve` takes both.
+
+    A value out of bounds or an impossible section makes its lane invalid, not the call an error. In such lanes the
+    scene has the values of the first valid one.
+    """
+    known = parameters(scene)
+    allowed_by_name = [known[name].allows(value) for name, value in values.items()]
+    allowed = np.broadcast_arrays(*allowed_by_name)
+    invalid = ~np.logical_and.reduce(allowed)
+    before: dict[str, Any] = {name: parameter_value(scene, name) for name in values}
+    while True:
+        none_valid = bool(np.all(invalid))
+        first_valid = 0 if none_valid else np.argmin(invalid)
+        valid_values = {}
+        for name, value in values.items():
+            stand_in = before[name] if none_valid else value[first_valid]
+            valid_values[name] = np.where(invalid, stand_in, value)
+        changed = _fields_with(scene, valid_values)
+        arc = replace_unchecked(scene.arc, changed["arc"])
+        faults = () if none_valid or arc is scene.arc else arc.geometry_errors()
+        impossible = next((lanes for lanes, _ in faults if np.any(lanes)), None)
+        if impossible is None:
+            return replace_unchecked(scene, changed | {"arc": arc}), invalid
+        if impossible.size > 1:
+            impossible = impossible.reshape(invalid.shape)
+        invalid = invalid | impossible
+
+
+def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
+    """The fields of a scene, and under "arc" those of its arc that change, with other values of numbers; unchecked."""
+    arc = changed_fields(scene.arc, values)
+    if DIP.name in values:
+        change = scene.arc.dip - values[DIP.name]
+        turn = scene.arc.facing * change
+        for end in ("theta_1", "theta_2"):
+            theta = np.asarray(getattr(scene.arc, end))
+            arc[end] = theta + turn
+    of_arc = {DIP.name, *arc_numbers(scene.arc)}
+    assert isinstance(scene.effects, dict)
+    effects = {name: dict(given) for name, given in scene.effects.items()}
+    friction = scene.friction
+    others: dict[str, Any] = {}
+    for name, value in values.items():
+        table, _, number = name.partition(".")
+        if name in of_arc:
+            continue
+        if table == "friction":
+            friction = _friction_with(friction, number, value)
+        elif number:
+            given = effects.setdefault(table, {})
+            other_name = _OTHER_FACTOR.get(number, "")
+            if f"{table}.{other_name}" in values:
+                both = f"{{{name}}} and {{{table}.{other_name}}}"
+                raise InputError("", [f"{both} exclude each other: one is the other times the record's peak; vary one"])
+            given.pop(other_name, None)
+            given[number] = value
+        else:
+            others[name] = value
+    return {"arc": arc, "effects": effects, "friction": friction, "uncertain": {}} | others
+
+
+def _friction_with(friction: Any, number: str, value: Any) -> Any:
+    """A friction with another value of one number: "" is a constant's, "rate.peak" of the law of speed beside it."""
+    if not number:
+        beside_rate = isinstance(friction, Mapping) and friction["law"] == "constant"
+        return {**friction, "coefficient": value} if beside_rate else value
+    assert isinstance(friction, Mapping)
+    rate, _, name = number.rpartition(".")
+    if not rate:
+        return {**friction, name: value}
+    law_of_speed = {**friction[rate], name: value}
+    return {**friction, rate: law_of_speed}

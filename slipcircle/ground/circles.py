@@ -1,0 +1,330 @@
+"""Many circles through grounds of straight edges: where they cross, what lies between, and its moments. Arrays only.
+
+A *stretch* is the part of the ground between two neighbouring crossings that lies inside the circle; the mass hangs
+between it and the arc below. Everything is over R and from the centre; n circles stand before E edges.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from generated import slopes
+from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Flags, Floats, Integers
+from slipcircle.ground.doubledouble import DoubleDouble
+from slipcircle.ground.plane import Vectors, each_lane
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(slopes.NODES)
+_PLACES = (1.0 + _NODES) / 2  # for integrals from 0 to 1
+_GAUSS = list(zip(_PLACES, _WEIGHTS / 2, strict=True))
+MEASURES = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
+_BLOCK = 1 << 14  # edges at a time: their arrays stay in the cache
+
+
+class Cut(NamedTuple):
+    """The parts of a ground's edges that lie inside circles, each from left to right, (n, E)."""
+
+    start: Vectors  # first end
+    part: Vectors  # from the first end to the second; 0 where the edge is outside
+    first: Floats  # 1 - rho^2 at both ends, 0 on the circle
+    second: Floats
+    stretch: Integers  # number of the stretch that the part belongs to, from 0; -1 before the first crossing
+    enters: Flags  # whether the ground enters or leaves the circle here
+    leaves: Flags
+
+    def only(self, lanes: Any) -> "Cut":
+        """The same of some circles."""
+        return Cut._make(part[lanes] for part in self)
+
+
+class _Edges(NamedTuple):
+    """Edges of lines, with ends from the centres of circles, (n, E)."""
+
+    first: Vectors
+    last: Vectors
+    edge: Vectors  # from the first to the last end, as exact as the line
+    first_clear: Floats  # R^2 - rho^2 of ends inside by more than rounding, 0 of others
+    last_clear: Floats
+
+    def only(self, chosen: Any) -> "_Edges":
+        """Some of them."""
+        return _Edges._make(part[chosen] for part in self)
+
+    def reversed(self) -> "_Edges":
+        """From the last ends to the first."""
+        edge = -self.edge
+        return _Edges(self.last, self.first, edge, self.last_clear, self.first_clear)
+
+
+def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
+    """Cut grounds (n or 1, V, 2) by circles (n, 2), (n,).
+
+    A vertex as near to a circle as rounding of its coordinates goes lies on it, and parts two stretches.
+    """
+    of_circles = each_lane(points, len(radius))
+    line = Vectors.of(of_circles)
+    middle = Vectors.of(centre)
+    from_centre = line - middle[:, None]
+    clear = _clearances(line, from_centre, middle, radius)
+    first_clear = clear[:, :-1]
+    last_clear = clear[:, 1:]
+    edges = _Edges(from_centre.starts, from_centre.ends, line.edges, first_clear, last_clear)
+    start, share = _with_an_end_inside(edges)
+    at = np.nonzero(_may_pass_through(edges))
+    lane, _ = at
+    if lane.size:
+        first = line.starts[at]
+        last = line.ends[at]
+        of_circle = middle[lane], radius[lane]
+        start[at], share[at] = _with_both_ends_outside(first, last, *of_circle)
+
+    has_part_inside = share > 0.0
+    enters = has_part_inside & (edges.first_clear == 0.0)
+    leaves = has_part_inside & (edges.last_clear == 0.0)
+    per_r = 1.0 / radius[:, None]
+    per_square = per_r**2
+    before = edges.edge * start
+    entry = edges.first + before
+    return Cut(
+        start=entry * per_r,
+        part=edges.edge * share * per_r,
+        first=edges.first_clear * per_square,
+        second=edges.last_clear * per_square,
+        stretch=np.cumsum(enters, axis=1) - 1,
+        enters=enters,
+        leaves=leaves,
+    )
+
+
+def _clearances(line: Vectors, from_centre: Vectors, centre: Vectors, radius: Floats) -> Floats:
+    """R^2 - rho^2 of each vertex inside by more than rounding of coordinates, and 0 of the others."""
+    r = radius[:, None]
+    x, y = from_centre
+    square = r * r
+    clear = square - x * x - y * y
+    is_near = np.abs(clear) < 0.1 * square  # a difference of near equals takes two doubles
+    near = np.nonzero(is_near)
+    lane, _ = near
+    origin = _doubled(centre[lane])
+    vertex = _doubled(line[near]) - origin
+    accurate = _clearance(vertex, radius[lane])
+    clear[near] = accurate.high
+    size = line.largest + centre.largest[:, None]
+    rounding = 32 * EPS * r * (r + size)
+    return np.where(clear > rounding, clear, 0.0)
+
+
+def _doubled(vectors: Vectors) -> Vectors:
+    """Vectors of numbers of about 32 digits."""
+    x = DoubleDouble(vectors.x)
+    y = DoubleDouble(vectors.y)
+    return Vectors(x, y)
+
+
+def _clearance(from_centre: Vectors, radius: Floats) -> DoubleDouble:
+    """R^2 - rho^2 of points, which is small near the circle."""
+    r = DoubleDouble(radius)
+    clearance: DoubleDouble = r * r - from_centre.square
+    return clearance
+
+
+def _with_an_end_inside(edges: _Edges) -> tuple[Floats, Floats]:
+    """Where on an edge the part inside begins, and its length, as shares of the edge; 0 where both ends are outside."""
+    first_in = edges.first_clear > 0.0
+    last_in = edges.last_clear > 0.0
+    both_in = first_in & last_in
+    share = both_in.astype(np.float64)
+    start = np.zeros(share.shape)
+    leaves = first_in & ~last_in
+    leaving = edges.only(leaves)
+    share[leaves] = _share_from_inside(leaving)
+    enters = last_in & ~first_in
+    entering = edges.only(enters)
+    share[enters] = _share_from_inside(entering.reversed())
+    start[enters] = 1.0 - share[enters]
+    return start, share
+
+
+def _share_from_inside(edges: _Edges) -> Floats:
+    """Of edges whose first end is inside, the root s of D s^2 + 2 b s = g, by the form that does not cancel."""
+    b = edges.first.dot(edges.edge)
+    d = edges.edge.square
+    g = edges.first_clear
+    discriminant = b * b + d * g
+    root = np.sqrt(discriminant)
+    from_sum = g / (b + root)
+    from_difference = (root - b) / d
+    positive_root = np.where(b > 0.0, from_sum, from_difference)
+    return np.minimum(positive_root, 1.0)
+
+
+def _may_pass_through(edges: _Edges) -> Flags:
+    """Edges with both ends outside and the foot of the perpendicular from the centre between them."""
+    to_foot = -edges.first.dot(edges.edge)
+    square = edges.edge.square
+    foot_on_edge = (to_foot > 0.0) & (to_foot < square)
+    first_outside = edges.first_clear == 0.0
+    last_outside = edges.last_clear == 0.0
+    passes: Flags = foot_on_edge & first_outside & last_outside
+    return passes
+
+
+def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radius: Floats) -> tuple[Floats, Floats]:
+    """The same of edges that may pass through: the discriminant may be small, and takes two doubles."""
+    begin = _doubled(first)
+    edge = _doubled(last) - begin
+    from_centre = begin - _doubled(centre)
+    b = from_centre.dot(edge)
+    d = edge.square
+    clearance = _clearance(from_centre, radius)
+    discriminant = b * b + d * clearance
+    not_negative = np.maximum(discriminant.high, 0.0)
+    root = np.sqrt(not_negative)
+    square = d.high
+    entry = (-b.high - root) / square
+    start = np.maximum(entry, 0.0)
+    length = 2 * root / square
+    share = np.minimum(length, 1.0 - start)
+    return start, share
+
+
+def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
+    """Circle and number of every whole stretch; and which circles hold an end of the ground."""
+    leaves_first = parts.leaves & (parts.stretch < 0)
+    from_start = leaves_first.any(axis=1)  # the ground begins inside the circle
+    count = parts.leaves.sum(axis=1) - from_start
+    to_end = parts.enters.sum(axis=1) > count
+    first_clear = parts.first[:, 0]
+    last_clear = parts.second[:, -1]
+    begins_inside = first_clear > 0.0
+    ends_inside = last_clear > 0.0
+    never_leaves = ~parts.leaves.any(axis=1)
+    all_inside = begins_inside & ends_inside & never_leaves
+    circles = np.arange(len(count))
+    lanes = np.repeat(circles, count)
+    before = np.cumsum(count) - count
+    first_of_circle = np.repeat(before, count)
+    numbers = np.arange(len(lanes))
+    number = numbers - first_of_circle
+    holds_an_end = from_start | to_end | all_inside
+    return lanes, number, holds_an_end
+
+
+def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
+    """The left and the right crossing of one stretch for each circle, (n,) each."""
+    of_circles = np.asarray(number)
+    mine = parts.stretch == of_circles[:, None]
+    lane = np.arange(len(mine))
+    enters = parts.enters & mine
+    leaves = parts.leaves & mine
+    first = lane, enters.argmax(axis=1)
+    last = lane, leaves.argmax(axis=1)
+    all_ends = parts.start + parts.part
+    left = parts.start[first]
+    right = all_ends[last]
+    return left, right
+
+
+def moments(parts: Cut, mine: Flags) -> dict[str, Floats]:
+    """Integrals of ``MEASURES`` over the mass under the parts that are meant, (n, E), for each circle.
+
+    Source: `generated.slopes`; about 1e-15 of each, of radial and moment: of the vector's length.
+    """
+    n, count = mine.shape
+    out = np.zeros((len(MEASURES), n))
+    rows = max(1, _BLOCK // max(count, 1))
+    for k in range(0, n, rows):
+        some = slice(k, k + rows)
+        block = parts.only(some)
+        out[:, some] = _moments(block, mine[some])
+    return dict(zip(MEASURES, out, strict=True))
+
+
+def _moments(parts: Cut, mine: Flags) -> Floats:
+    """The same of one block: short edges by quadrature of their rings, long ones by sectors and triangles."""
+    start = parts.start
+    edge = parts.part.where(mine)
+    end = start + edge
+    distances = start.length + end.length
+    reach = slopes.REACH * distances
+    is_long = edge.square > reach**2
+    short = edge.where(~is_long)
+    total = _ring_moments(parts, short)
+    at = np.nonzero(is_long)
+    lane, _ = at
+    if lane.size:
+        long = edge[at]
+        total += _sector_moments(start[at], long, lane, len(mine))
+    return total
+
+
+def _sector_moments(start: Vectors, edge: Vectors, lane: Any, count: int) -> Floats:
+    """Of edges, each of a circle, by the closed forms of sectors and triangles; sums by circle."""
+    end = start + edge
+    cross = start.cross(edge)
+    dot = start.dot(end)
+    angle = np.arctan2(cross, dot)
+    by_edge = slopes.closed(start.x, start.y, edge.x, edge.y, angle)
+    by_circle = [np.bincount(lane, values, count) for values in by_edge]
+    return np.array(by_circle)
+
+
+def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
+    """Of the rings between edges and arcs, with g = (1-s) g_1 + s g_2 + s (1-s) d^2 along an edge."""
+    used = edge.is_nonzero
+    first = np.where(used, parts.first, 0.0)
+    second = np.where(used, parts.second, 0.0)
+    square = edge.square
+    totals = np.zeros((len(MEASURES), *square.shape))
+    for s, weight in _GAUSS:
+        rest = 1.0 - s
+        along_chord = rest * first + s * second
+        bulge = s * rest * square
+        gap = along_chord + bulge
+        rings = np.array(slopes.rings(gap))
+        totals[:5] += weight * rings
+        vectors = rings[3:]
+        weight_of_s = weight * s
+        totals[5:] += weight_of_s * vectors
+    area, polar, inertia, radial, moment, radial_s, moment_s = totals
+    start = parts.start
+    of_radial = start * radial + edge * radial_s
+    of_moment = start * moment + edge * moment_s
+    by_edge = np.array([area, polar, inertia, *of_radial, *of_moment])
+    over_edges = by_edge * start.cross(edge)
+    moments_of_circles: Floats = over_edges.sum(axis=2)
+    return moments_of_circles
+
+
+def thickness(parts: Cut, mine: Flags) -> Floats:
+    """The greatest distance from the arc to the ground towards the centre, for each circle."""
+    square = parts.part.square
+    along = parts.start.dot(parts.part)
+    to_foot = -along  # of the perpendicular from the centre
+    on_edge = (to_foot > 0.0) & (to_foot < square)
+    nowhere = np.zeros_like(square)
+    share = np.divide(to_foot, square, out=nowhere, where=on_edge)
+    rest = 1.0 - share
+    along_chord = rest * parts.first + share * parts.second
+    bulge = share * rest * square
+    at_foot = along_chord + bulge
+    at_ends = np.maximum(parts.first, parts.second)
+    gap = np.maximum(at_ends, at_foot)  # 1 - rho^2
+    gap_of_mine = np.where(mine, gap, 0.0)
+    widest = gap_of_mine.max(axis=1)
+    greatest = np.minimum(widest, 1.0)
+    least_distance = np.sqrt(1.0 - greatest)
+    return greatest / (1.0 + least_distance)
+
+
+def below_ground(parts: Cut, mine: Flags) -> Flags:
+    """Which circles have their centre below the ground of the stretch."""
+    left = parts.start
+    right = left + parts.part
+    from_left = left.x <= 0.0
+    to_right = right.x >= 0.0
+    is_upright = parts.part.x <= 0.0
+    around_centre = from_left & to_right & ~is_upright
+    above_centre = left.cross(parts.part) <= 0.0
+    is_below = mine & around_centre & above_centre
+    return np.any(is_below, axis=1)

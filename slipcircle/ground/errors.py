@@ -1,0 +1,125 @@
+"""What keeps lanes of sections from being any, or from moving: one kind of error at a time, of all lanes at once.
+
+Each is a pair: which lanes have it, and the sentence for one of them. A kind is looked for where the ones before it are
+not, since it may need them.
+"""
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.checks import Fault
+from slipcircle.ground import circles
+from slipcircle.ground.ground import pond_errors
+
+
+def geometry_errors(section: Any) -> Iterator[Fault]:
+    """Lanes that are no sections."""
+    if section.level is not None:
+        yield pond_errors(section._circle[0], section._level)
+    yield _not_one_stretch(section)
+    yield _below_ground(section)
+    yield _one_point(section)
+    if section.base is not None:
+        yield _below_base(section)
+
+
+def _not_one_stretch(section: Any) -> Fault:
+    """Circles that cut off no stretch of ground, or several, or one that an end of the ground cuts short."""
+    ground, centre, radius = section._circle
+    lane, _, left, right, held = section._candidates
+    count = np.bincount(lane, minlength=len(radius))
+
+    def sentence(k: int) -> str:
+        x, y = centre[k].tolist()
+        r = radius[k]
+        line = ground[k % len(ground)]
+        which = f"{{centre}} = [{x:.10g}, {y:.10g}], {{radius}} = {r:.10g}"
+        mine = lane == k
+        one_besides_an_end = count[k] == 1 and held[k]
+        if count[k] > 1 or one_besides_an_end:
+            ends = zip(left[mine], right[mine], strict=True)
+            stretches = ", ".join(_pairs(ends))
+            short = " besides one that an end of the ground cuts short" if held[k] else ""
+            return f"{which}: cuts off several masses; choose one by {{between}} = {stretches}{short}"
+        if held[k]:
+            beyond = f"x = {x - r:.6g} or {x + r:.6g}"
+            return f"{which}: an end of the ground lies inside the circle; the ground must continue beyond {beyond}"
+        cut = section._cut.only([k])
+        of_circle, _, _ = circles.stretches(cut)
+        if section.between is not None and of_circle.size:
+            return f"{{between}} = {section.between!r}: the circle cuts off no mass there"
+        first, *_, last = _pairs(line)
+        return f"{which}: misses the ground, which reaches from {first} to {last}"
+
+    return (count != 1) | held, sentence
+
+
+def _pairs(numbers: Iterable[Any]) -> list[str]:
+    """Pairs of numbers in brackets."""
+    return [f"[{first:.6g}, {second:.6g}]" for first, second in numbers]
+
+
+def _below_ground(section: Any) -> Fault:
+    """Centres below the ground; also where the ground passes over the centre outside the circle."""
+    centre = section._circle[1]
+    first, last = section._angles
+    is_below = circles.below_ground(section._cut, section._mine)
+    return (
+        is_below | (last <= first),
+        lambda k: f"{{centre}} = {centre[k].tolist()}: lies below the ground; a slip circle's lies above it",
+    )
+
+
+def _one_point(section: Any) -> Fault:
+    """Circles that touch the ground: entry and exit are one point to rounding of the coordinates."""
+    _, centre, radius = section._circle
+    left, right = section._ends
+    chord = radius * np.hypot(right.x - left.x, right.y - left.y)
+    coordinates = np.abs(centre).max(axis=1) + radius
+
+    def sentence(k: int) -> str:
+        x, y = centre[k] + radius[k] * left.points[k]
+        return (
+            f"{{radius}} = {radius[k]:.10g}: the circle only touches the ground, at [{x:.6g}, {y:.6g}]; to cut off a "
+            "mass it must be greater, or {centre} closer"
+        )
+
+    return chord <= 2e-16 * coordinates, sentence
+
+
+def _below_base(section: Any) -> Fault:
+    """Arcs whose lowest point, of the circle or an end, is below the firm layer."""
+    _, centre, radius = section._circle
+    left, right = section._ends
+    holds_lowest = (left.x < 0.0) & (right.x > 0.0)
+    lowest_end = np.minimum(left.y, right.y)
+    over_radius = np.where(holds_lowest, -1.0, lowest_end)
+    lowest = centre[:, 1] + radius * over_radius
+    base = section.base
+
+    def sentence(k: int) -> str:
+        which = f"{{radius}} = {radius[k]:.10g}"
+        return f"{which}: the circle goes down to y = {lowest[k]:.6g}, below {{base}} = {base:.10g}"
+
+    rounding = 1e-9 * radius
+    return lowest < base - rounding, sentence
+
+
+def motion_errors(section: Any) -> Iterator[Fault]:
+    """Lanes to which the method gives no motion."""
+    half_angle = np.ravel(section.half_angle)
+    half_circle = np.pi / 2 * (1 + 8e-16)
+    yield (
+        half_angle > half_circle,
+        lambda _: (
+            "the arc is longer than half a circle: parts of it carry negative normal stress, and the mean normal "
+            "stress of the method (2.9) loses its sense"
+        ),
+    )
+    normal_load = np.ravel(section.moment_coefficients.normal_load)
+    yield (
+        normal_load <= 0.0,
+        lambda _: "there is no normal load: the weight of the mass has no component towards the arc",
+    )

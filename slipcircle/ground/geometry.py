@@ -1,0 +1,217 @@
+"""The geometry of sections: the arc that a circle cuts off a ground, and the mass above it."""
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any, ClassVar
+
+import numpy as np
+
+from slipcircle.base.kinds import Floats
+from slipcircle.core.scene.coordinates import leading_shape
+from slipcircle.ground import circles
+from slipcircle.ground.circles import Cut
+from slipcircle.ground.heights import HeightIntegrals, height_integrals, integral_inside
+from slipcircle.ground.plane import Vectors
+from slipcircle.ground.turning import TurningMass
+
+
+class SectionGeometry(TurningMass):
+    """Circles through a ground; arrays have one axis of lanes, results the shape of the fields."""
+
+    radius: Any
+    between: Any
+    quantities: ClassVar[Mapping[str, int]]
+
+    @cached_property
+    def shape(self) -> tuple[int, ...]:
+        """Of the results."""
+        leading = []
+        for name in ("radius", "centre", "ground", "level"):
+            axes = self.quantities[name]
+            leading.append(leading_shape(getattr(self, name), axes))
+        return np.broadcast_shapes(*leading)
+
+    @cached_property
+    def _circle(self) -> tuple[Floats, Floats, Floats]:
+        """Ground, centre and radius with one axis of lanes."""
+        centres = np.add(self.centre, 0.0)
+        radii = np.add(self.radius, 0.0)
+        centre = np.broadcast_to(centres, (*self.shape, 2))
+        radius = np.broadcast_to(radii, self.shape)
+        ground = self._lines(self.ground)
+        return ground, centre.reshape(-1, 2), radius.reshape(-1)
+
+    def _lines(self, points: Any) -> Floats:
+        """Lines with one axis of lanes; of one for all that is 1."""
+        points = np.add(points, 0.0)
+        own = points.shape[-2:]
+        if points.ndim > 2:
+            points = np.broadcast_to(points, (*self.shape, *own))
+        return points.reshape(-1, *own)
+
+    @cached_property
+    def _cut(self) -> Cut:
+        return circles.cut(*self._circle)
+
+    @cached_property
+    def _candidates(self) -> tuple[Any, ...]:
+        """Lane, number and both x of the stretches that may be meant; and which circles hold an end of the ground."""
+        _, centre, radius = self._circle
+        lane, number, held = circles.stretches(self._cut)
+        of_stretches = self._cut.only(lane)
+        first, last = circles.ends(of_stretches, number)
+        r = radius[lane]
+        x = centre[lane, 0]
+        left = x + r * first.x
+        right = x + r * last.x
+        if self.between is None:
+            return lane, number, left, right, held
+        low, high = self.between
+        rounding = 1e-9 * r
+        after_low = left >= low - rounding
+        before_high = right <= high + rounding
+        is_between = after_low & before_high
+        count = np.bincount(lane, is_between, len(radius))
+        none_between = count[lane] == 0
+        middle = (left + right) / 2
+        middle_between = (middle >= low) & (middle <= high)
+        keep = is_between | (none_between & middle_between)
+        chosen = [column[keep] for column in (lane, number, left, right)]
+        return *chosen, np.zeros_like(held)
+
+    @cached_property
+    def _ends(self) -> tuple[Vectors, Vectors]:
+        """The left and the right end of the arc from the centre, over R."""
+        _, number, *_ = self._candidates
+        return circles.ends(self._cut, number)
+
+    @cached_property
+    def _mine(self) -> Any:
+        _, number, *_ = self._candidates
+        return self._cut.stretch == number[:, None]
+
+    @property
+    def _edges_over_mass(self) -> Any:
+        """Which edges of the ground of one section lie over its mass."""
+        return self._mine[0] & self._cut.part[0].is_nonzero
+
+    @cached_property
+    def _moments(self) -> dict[str, Floats]:
+        """Integrals of `circles.MEASURES` over the mass."""
+        return circles.moments(self._cut, self._mine)
+
+    def _shaped(self, values: Any) -> Any:
+        """Values by lane in the shape of the results; a number where there are no arrays."""
+        values = np.asarray(values)
+        _, *components = values.shape
+        shaped = values.reshape((*self.shape, *components))
+        return shaped[()]
+
+    @cached_property
+    def _facing(self) -> Floats:
+        left, right = self._ends
+        by_weight = -np.sign(self._moments["moment_x"])
+        rises = left.y < right.y
+        by_height = np.where(rises, -1.0, 1.0)
+        return np.where(by_weight != 0.0, by_weight, by_height)
+
+    @cached_property
+    def facing(self) -> Any:
+        """1 where gravity turns the mass to the right, -1 to the left."""
+        return self._shaped(self._facing)
+
+    @cached_property
+    def _angles(self) -> tuple[Floats, Floats]:
+        """Of both ends from straight below the centre, left to right."""
+        left, right = self._ends
+        first = np.arctan2(left.x, -left.y)
+        last = np.arctan2(right.x, -right.y)
+        return first, last
+
+    @cached_property
+    def _chord(self) -> Vectors:
+        """From the left to the right end, over R, (n,)."""
+        run, rise = self._cut.part.where(self._mine)
+        return Vectors(run.sum(axis=1), rise.sum(axis=1))
+
+    @cached_property
+    def chord(self) -> Any:
+        """Its length, m."""
+        length = self._shaped(self._chord.length)
+        return length * self.radius
+
+    @cached_property
+    def half_angle(self) -> Any:
+        """alpha, half the opening angle of the arc, rad."""
+        left, right = self._angles
+        by_ends = (right - left) / 2
+        sine = np.minimum(self._chord.length / 2, 1.0)
+        acute = np.arcsin(sine)
+        is_acute = by_ends <= np.pi / 2
+        by_chord = np.where(is_acute, acute, np.pi - acute)
+        accurate = np.where(sine > 0.7, by_ends, by_chord)  # each where it keeps its digits
+        return self._shaped(accurate)
+
+    @cached_property
+    def dip(self) -> Any:
+        """psi, the dip of the chord, rad, positive down-slope."""
+        run, rise = self._chord
+        fall = -self._facing * rise
+        return self._shaped(np.arctan2(fall, run))
+
+    def _end(self, way: float) -> Any:
+        """The left end where the mass faces this way, else the right."""
+        _, centre, radius = self._circle
+        is_left = self._facing == way
+        left, right = self._ends
+        end = np.where(is_left[:, None], left.points, right.points)
+        from_centre = radius[:, None] * end
+        return self._shaped(centre + from_centre)
+
+    @cached_property
+    def entry(self) -> Any:
+        """Upper end of the slip surface, x and y in m."""
+        return self._end(1.0)
+
+    @cached_property
+    def exit(self) -> Any:
+        """Lower end of the slip surface, the toe at the start, x and y in m."""
+        return self._end(-1.0)
+
+    @cached_property
+    def area(self) -> Any:
+        """Of the section, m^2."""
+        area = self._shaped(self._moments["area"])
+        return area * np.square(self.radius)
+
+    @cached_property
+    def depth(self) -> Any:
+        """Greatest thickness of the mass along a radius, m."""
+        thickness = circles.thickness(self._cut, self._mine)
+        return self._shaped(thickness) * self.radius
+
+    @cached_property
+    def _level(self) -> Floats:
+        return self._lines(self.level)
+
+    @cached_property
+    def _water(self) -> HeightIntegrals:
+        return height_integrals(self._level, *self._circle[1:])
+
+    @cached_property
+    def mean_cover(self) -> Any:
+        """Mean height of the ground above the arc, m; times r_u and the unit weight it is a mean pressure.
+
+        Where the arc overhangs, it is the ground outside the mass.
+        """
+        first, last = self._angles
+        of_cut = integral_inside(self._cut)
+        by_edge = np.where(self._mine, of_cut, 0.0)
+        integral = by_edge.sum(axis=1)
+        widest = np.maximum(-first, last)
+        overhangs = widest > np.pi / 2
+        if overhangs.any():
+            above = height_integrals(*self._circle)
+            integral = np.where(overhangs, above.integral(first, last), integral)
+        mean = self._shaped(integral) / (2 * self.half_angle)
+        return mean * self.radius

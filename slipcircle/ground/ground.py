@@ -1,0 +1,341 @@
+"""Grounds and circles as people give them, and what is wrong with them."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from slipcircle.base.checks import INFINITY, Bounds, Fault, complaint, mistakes, raise_all, shape_mistakes
+from slipcircle.base.kinds import Floats, Values
+from slipcircle.core.scene.coordinates import leading_shape
+from slipcircle.ground.plane import Vectors, each_lane
+
+FAR = 1e9  # m; coordinates are smaller
+
+
+def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
+    """Which of many lines (n, V, 2) do not lead from left to right."""
+    with np.errstate(invalid="ignore"):
+        before_first = lines[:, :1] - 1.0
+        step = np.diff(lines, axis=1, prepend=before_first)
+
+    def at(bad: Any, words: str) -> Fault:
+        places = np.argmax(bad, axis=1)
+
+        def sentence(k: int) -> str:
+            place = places[k]
+            point = lines[k, place].tolist()
+            return f"{{{name}}}[{place}] = {point}: {words}"
+
+        return bad.any(axis=1), sentence
+
+    is_near = np.abs(lines) < FAR
+    yield at(~is_near.all(axis=2), "must be two finite numbers within 1e9 m")
+    yield at(~step.any(axis=2), "is equal to the point before it; remove one")
+    yield at(step[..., 0] < 0.0, "lies left of the point before it; order them by x")
+    x = lines[..., 0]
+    first_x = x[:, 0]
+    is_upright = x[:, -1] == first_x
+    yield is_upright, lambda _: f"{{{name}}}: all points have the same x; it must extend from left to right"
+
+
+def points_errors(name: str, given: Any, many: bool) -> list[str]:
+    """What is wrong with points that should make a line from left to right, or with the first of many that is."""
+    try:
+        points = np.asarray(given)
+    except (ValueError, RuntimeError):  # ragged, or nested too deep
+        points = np.asarray(None)
+    most_axes = 15 if many else 2
+    shape = points.shape
+    are_numbers = points.dtype.kind in "iuf"
+    has_axes = 2 <= points.ndim <= most_axes
+    are_points = has_axes and shape[-1] == 2
+    if not are_numbers or not are_points or shape[-2] < 2:
+        return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
+    *lanes, count, _ = shape
+    one_axis = points.reshape(-1, count, 2)
+    lines = one_axis.astype(np.float64)
+    faults = line_errors(name, lines)
+    return complaint(faults, tuple(lanes))
+
+
+def continued(lines: Floats, left: Any, right: Any) -> Floats:
+    """Lines (n, V, 2) with a horizontal edge at either end that leads at least to an x, (n, V + 2, 2)."""
+    first = lines[:, :1]
+    last = lines[:, -1:]
+    longer = np.concatenate([first, lines, last], axis=1)
+    x = longer[..., 0].T
+    x[0] = np.minimum(left, x[0] - 1.0)
+    x[-1] = np.maximum(right, x[-1] + 1.0)
+    return longer
+
+
+def _upper(lines: Floats, x: Floats) -> Floats:
+    """Heights of lines (n, V, 2) at x (n, M), the upper one on a scarp; -inf beyond their ends."""
+    line = Vectors.of(lines[:, None])
+    start = line.starts
+    edge = line.edges
+    at = x[..., None]
+    beyond = at - start.x
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = beyond / edge.x
+    is_scarp = edge.x <= 0.0
+    rises = edge.y > 0.0
+    share = np.where(is_scarp, rises, share)
+    heights = start.y + share * edge.y
+    to_end = line.ends.x - at
+    on_edge = (beyond >= 0.0) & (to_end >= 0.0)
+    of_edges = np.where(on_edge, heights, -np.inf)
+    upper: Floats = of_edges.max(axis=-1)
+    return upper
+
+
+def pond_errors(grounds: Floats, levels: Floats) -> Fault:
+    """Where water levels (n or 1, W, 2) stand above grounds (n or 1, V, 2), or beside them; and what to say of one."""
+    lanes = max(len(grounds), len(levels))
+    of_grounds = each_lane(grounds, lanes)
+    of_levels = each_lane(levels, lanes)
+    vertices = np.concatenate([of_grounds, of_levels], axis=1)
+    x = vertices[..., 0]
+    ground = _upper(grounds, x)
+    level = _upper(levels, x)
+    over_ground = np.isfinite(ground)
+    both = over_ground & np.isfinite(level)
+    known_level = np.where(both, level, -np.inf)
+    known_ground = np.where(both, ground, 0.0)
+    excess = known_level - known_ground
+    size = np.ptp(grounds, axis=(1, 2))
+
+    def sentence(k: int) -> str:
+        if not both[k].any():
+            return "{level}: lies beside the ground; it must extend over it"
+        above = excess[k]
+        highest = np.argmax(above)
+        water = f"{{level}}: stands {above[highest]:.4g} m above the ground at x = {x[k, highest]:.10g}"
+        return f"{water}; standing water needs {{pond}}, which factors of safety know and motions do not"
+
+    lies_beside = ~both.any(axis=1)
+    rounding = 1e-9 * size
+    stands_above = excess.max(axis=1) > rounding
+    return lies_beside | stands_above, sentence
+
+
+_WEIGHT = (0.0, 1e6, "a positive unit weight in N/m^3")
+_STRESS = (-5e-324, 1e12, "a stress of at least 0 in Pa")
+BOUNDS: Mapping[str, Bounds] = {  # of the numbers of sections and their soils, and of slopes
+    "radius": (0.0, FAR, "a positive length below 1e9 m"),
+    "unit_weight": _WEIGHT,
+    "saturated_unit_weight": _WEIGHT,
+    "water_unit_weight": _WEIGHT,
+    "width": (0.0, INFINITY, "a positive length in m"),
+    "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
+    "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"),
+    "base": (-FAR, FAR, "one finite number in m"),
+    "between": (-FAR, FAR, "two x in m, from left to right"),
+    "cohesion": _STRESS,
+    "cohesion_gradient": (-5e-324, 1e12, "a growth of at least 0 in Pa/m"),
+    "pressure": _STRESS,
+    "friction": (-5e-324, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
+    "pore_ratio": (-5e-324, 1.0, "at least 0 and below 1"),
+    "k_h": (-1.0, 1.0, "between -1 and 1"),
+    "top": (-FAR, FAR, "a height in m, or points from left to right"),
+}
+
+
+def slope_errors(given: Values) -> list[str]:
+    """What is wrong with the fields of one slope, all numbers but for its lines."""
+    bounds = _bounds_of(given)
+    errors = mistakes(given, bounds, one=bounds)
+    return errors + _lines_errors(given, many=False)
+
+
+def section_errors(given: Values, axes: Mapping[str, int]) -> list[str]:
+    """What is wrong with the fields of sections, also as shapes in front of the axes of one."""
+    bounds = _bounds_of(given)
+    errors = mistakes(given, bounds, one=("base", "water_unit_weight"))
+    if not errors:  # all of them are numbers
+        errors = _pair_errors(given, bounds)
+    errors += _lines_errors(given, many=True)
+    if errors:
+        return errors
+    of_lanes = {}
+    for name, own_axes in axes.items():
+        value = given[name]
+        if value is not None:
+            shape = leading_shape(value, own_axes)
+            of_lanes[name] = np.empty(shape)
+            if 0 in shape:
+                errors.append(f"{{{name}}}: is empty")
+    return shape_mistakes(of_lanes) or errors
+
+
+def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
+    """Of the centre, which is two numbers, and of the range of x, which is an increasing pair."""
+    wrong = []
+    *_, coordinates = np.atleast_1d(given["centre"]).shape
+    if coordinates != 2:
+        wrong.append("centre")
+    pair = given["between"]
+    if pair is not None:
+        are_two = np.shape(pair) == (2,)
+        if not are_two or pair[0] >= pair[1]:
+            wrong.append("between")
+    errors = []
+    for name in wrong:
+        _, _, allowed = bounds[name]
+        errors.append(f"{{{name}}} = {given[name]!r}: must be {allowed}")
+    return errors
+
+
+def _bounds_of(given: Values) -> dict[str, Bounds]:
+    """Bounds of the fields that are given."""
+    bounds = {name: BOUNDS[name] for name in BOUNDS if name in given}
+    for optional in ("base", "between"):
+        if optional in given and given[optional] is None:
+            del bounds[optional]
+    return bounds
+
+
+def _lines_errors(given: Values, many: bool) -> list[str]:
+    """Of the ground, and of a level if there is one."""
+    errors = points_errors("ground", given["ground"], many)
+    if given["level"] is not None:
+        errors += points_errors("level", given["level"], many)
+    return errors
+
+
+def simple_slope(height: float, *, angle: float | None = None, run: float | None = None) -> Floats:
+    """Points of a straight slope that falls to the right between level ground, its toe at the origin, m.
+
+    The level ground on either side is four heights and the run long.
+
+    Parameters
+    ----------
+    height : float
+        m.
+    angle, run : float
+        Of the slope in rad, up to upright, or its horizontal length in m; one of them.
+    """
+    bounds = {"height": (0.0, INFINITY, "a positive length in m")}
+    if run is not None:
+        bounds["run"] = (-5e-324, INFINITY, "a length of at least 0 in m")
+    if angle is not None:
+        bounds["angle"] = (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)")
+    fields: dict[str, Any] = {"height": height, "run": run, "angle": angle}
+    errors = mistakes(fields, bounds)
+    if (run is None) == (angle is None):
+        errors.append("{angle} or {run}: give one of them")
+    raise_all("simple_slope", errors)
+    if angle is not None:
+        is_upright = angle > 1.5707963
+        slope = float(np.tan(angle))
+        run = 0.0 if is_upright else height / slope
+    assert run is not None
+    flat = 4 * height + run
+    left = -run - flat
+    x = [left, -run, 0.0, flat]
+    y = [height, height, 0.0, 0.0]
+    return np.stack([x, y], axis=1)
+
+
+def _from_left(first: ArrayLike, second: ArrayLike) -> tuple[Vectors, Vectors]:
+    """Two points, or many pairs of them, each from left to right."""
+    p = np.asarray(first, dtype=np.float64)
+    q = np.asarray(second, dtype=np.float64)
+    p_x = p[..., :1]
+    q_x = q[..., :1]
+    left = np.where(p_x > q_x, q, p)
+    right = np.where(p_x > q_x, p, q)
+    return Vectors.of(left), Vectors.of(right)
+
+
+def circle_through(
+    first: ArrayLike, second: ArrayLike, *, radius: ArrayLike | None = None, depth: ArrayLike | None = None
+) -> tuple[Any, Any]:
+    """Centre and radius of the circle through two points, its centre above, by its radius or its depth below the chord.
+
+    Raises
+    ------
+    ValueError
+        For points above each other, a radius below half their distance, or a depth above it (beyond a half disc).
+    """
+    p, q = _from_left(first, second)
+    chord = q - p
+    half = chord.length / 2
+    raise_all("circle_through", _through_errors(chord, half, radius, depth))
+    if depth is not None:
+        below = np.asarray(depth)
+        sum_of_squares = half**2 + np.square(below)
+        radius = sum_of_squares / (2 * below)
+    size = np.asarray(radius)
+    square = (size - half) * (size + half)
+    above_chord = np.sqrt(square)
+    length = 2 * half
+    upwards = Vectors(-chord.y, chord.x)
+    normal = Vectors(upwards.x / length, upwards.y / length)
+    middle = (p + q) * 0.5
+    centre = middle + normal * above_chord
+    return centre.points, size[()]
+
+
+def _through_errors(chord: Vectors, half: Floats, radius: Any, depth: Any) -> list[str]:
+    errors = []
+    if (radius is None) == (depth is None):
+        errors.append("{radius} or {depth}: give one of them")
+    if np.any(chord.x == 0.0):
+        errors.append("the two points have the same x; a slip circle connects two sides")
+    elif radius is not None and np.any(np.less(radius, half)):
+        least = f"at least half the distance of the points, {np.max(half):.10g}"
+        smallest = np.min(radius)
+        errors.append(f"{{radius}} = {smallest:.10g}: must be {least}")
+    elif depth is not None and np.any(np.less_equal(depth, 0.0) | np.greater(depth, half)):
+        most = f"at most half the distance of the points, {np.min(half):.10g}"
+        greatest = np.max(depth)
+        errors.append(f"{{depth}} = {greatest:.10g}: must be above 0 and {most}")
+    return errors
+
+
+def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tuple[Any, Any]:
+    """Centre and radius of the circle through two points (entry and exit) that touches a level between them from above.
+
+    Raises
+    ------
+    ValueError
+        For a level that is above a point, or at the height of both.
+
+    Notes
+    -----
+    At heights h >= l of the points above the level, and a run between them, the circle touches the level at a distance
+    u = h (run^2 - l (h - l))/(h run + sqrt(h l (run^2 + (h - l)^2))) from the higher point, towards the lower one.
+    """
+    p, q = _from_left(first, second)
+    base = np.asarray(level, dtype=np.float64)
+    run = q.x - p.x
+    left_height = p.y - base
+    right_height = q.y - base
+    high = np.maximum(left_height, right_height)
+    low = np.minimum(left_height, right_height)
+    too_high = (low < 0.0) | (high <= 0.0)
+    is_upright = run == 0.0
+    if np.any(too_high | is_upright):
+        raise ValueError(
+            f"circle_touching: level = {np.max(base):.10g}: must lie below both points or touch the lower one, "
+            "and the points must differ in x"
+        )
+    rise = high - low
+    square = run**2 + rise**2
+    product = high * low
+    root = np.sqrt(product * square)
+    difference = run**2 - low * rise
+    numerator = high * difference
+    denominator = high * run + root
+    away = numerator / denominator
+    sum_of_squares = away**2 + high**2
+    radius = sum_of_squares / (2 * high)
+    left_is_higher = left_height >= right_height
+    from_left = p.x + away
+    from_right = q.x - away
+    x = np.where(left_is_higher, from_left, from_right)
+    centre = Vectors(x, base + radius)
+    return centre.points, radius[()]

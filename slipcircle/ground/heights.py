@@ -1,0 +1,289 @@
+"""Integrals of the height of a line, the ground or a water level, above the arcs of circles.
+
+A point of an arc lies under the line's point at its own x, however the arc gets there: where it overhangs, the column
+above it goes through ground outside the mass, which presses and is wet all the same; so does that above the point
+below. A line goes on horizontally beyond its ends; where it lies below the arc its height counts as 0.
+
+Lengths are over R and from the centre. Angles are from straight below the centre, rad: the arc's point is at
+(sin, -cos), and a line y = y_0 + s (x - x_0) is y_0 + s (sin - x_0) + cos above it, on the lower half of the circle
+(cos > 0) as on the upper one.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from generated import slopes
+from slipcircle.base.kinds import Floats, Integers
+from slipcircle.ground.circles import Cut, cut
+from slipcircle.ground.ground import continued
+from slipcircle.ground.plane import Vectors, each_lane
+
+_TOGETHER = 1 << 14  # arcs times pieces at a time: their arrays stay in the caches
+
+
+class _Pieces(NamedTuple):
+    """Pieces of circles over which one edge of a line lies above the arc, a column for each edge, (n, pieces)."""
+
+    low: Floats  # angles of a piece's ends
+    high: Floats
+    span: Floats  # high - low to full precision; 0 where there is no such piece
+    sine: Floats  # at the low end
+    cosine: Floats
+    height: Floats
+
+    def only(self, pieces: Any) -> "_Pieces":
+        """Some of them."""
+        return _Pieces._make(column[:, pieces] for column in self)
+
+    def turned(self, angle: float) -> "_Pieces":
+        """The same a turn further on."""
+        low = self.low + angle
+        high = self.high + angle
+        return self._replace(low=low, high=high)
+
+
+class HeightIntegrals(NamedTuple):
+    """Pieces of circles, an edge of a line above each, over two turns from -3 pi/2 on."""
+
+    pieces: _Pieces
+    slope: Floats  # of the edge above each piece, (n, pieces)
+    edge: Integers  # its number, (pieces,)
+    line: Floats  # vertices of the line with its continuations, over R from the centre, (n, V, 2)
+
+    @property
+    def kinks(self) -> Floats:
+        """Angles at which heights have kinks, (n, 2 pieces)."""
+        ends = [self.pieces.low, self.pieces.high]
+        return np.concatenate(ends, axis=1)
+
+    def integral(self, first: Floats, last: Floats) -> Floats:
+        """Over arcs from one angle to another, (..., n)."""
+        first_angle, last_angle = _in_first_turn(first, last)
+        total = np.zeros(np.shape(first))
+        together = max(1, _TOGETHER // np.size(first))
+        for k in range(0, len(self.edge), together):
+            chosen = slice(k, k + together)
+            pieces = self.pieces.only(chosen)
+            slope = self.slope[:, chosen]
+            by_piece = _over_parts(pieces, slope, first_angle, last_angle)
+            total += by_piece.sum(axis=-1)
+        return total
+
+    def gradient(self, first: Floats, last: Floats) -> Floats:
+        """Derivatives of the integral by the vertices of the line of a single circle, ends held, (..., V, 2).
+
+        A vertex moves an edge's height by its hat function, (sin - x)/run for the second one, and, moving
+        horizontally, by minus the edge's slope times that. The line's ends take their continuations with them.
+        """
+        hats = self._hat_integrals(first, last)
+        slope = self.slope[0]
+        upwards = np.ones_like(slope)
+        direction = np.stack([-slope, upwards], axis=1)
+        vertices = self.line.shape[1] - 2  # without both ends of the continuations
+        by_vertex = np.zeros((*first.shape, vertices, 2))
+        for k, hat in enumerate(hats, -1):
+            vertex = np.clip(self.edge + k, 0, vertices - 1)
+            at_vertex: Any = (..., vertex, slice(None))
+            moved = hat[..., None] * direction
+            np.add.at(by_vertex, at_vertex, moved)
+        return by_vertex
+
+    def _hat_integrals(self, first: Floats, last: Floats) -> tuple[Floats, Floats]:
+        """Of the hat functions of both vertices of the edge above each piece, over arcs of a single circle.
+
+        That of the second one is (sin - x)/run, x of the first one; both together are 1.
+        """
+        first_angle, last_angle = _in_first_turn(first, last)
+        low = self.pieces.low[0]
+        high = self.pieces.high[0]
+        start = np.clip(first_angle, low, high)
+        stop = np.clip(last_angle, low, high)
+        line_x = self.line[0, :, 0]
+        x = line_x[self.edge]
+        second_x = line_x[self.edge + 1]
+        run = second_x - x
+        angle = stop - start
+        start_cosine = np.cos(start)
+        sine_integral = start_cosine - np.cos(stop)
+        from_first = sine_integral - x * angle
+        second = from_first / run
+        return angle - second, second
+
+    def at(self, angle: Floats) -> Floats:
+        """Height above the arc of a single circle at angles, (...,)."""
+        beta, _ = _in_first_turn(angle, angle)
+        low = self.pieces.low[0]
+        high = self.pieces.high[0]
+        is_within = (low <= beta) & (beta < high)
+        first_vertices = self.line[0, self.edge]
+        vertex = Vectors.of(first_vertices)
+        from_vertex = np.sin(beta) - vertex.x
+        rise = self.slope[0] * from_vertex
+        depth_of_arc = np.cos(beta)
+        height = vertex.y + rise + depth_of_arc
+        by_piece = np.where(is_within, height, 0.0)
+        return by_piece.sum(axis=-1)
+
+
+def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> Any:
+    """Integrals over the parts of pieces between two angles, each from its own beginning, so that nothing cancels."""
+    low, high, span, sine, cosine, height = pieces
+    start = np.clip(first, low, high)
+    stop = np.clip(last, low, high)
+    if np.array_equal(start, stop):
+        return np.zeros(1)
+    from_low = start <= low
+    to_high = stop >= high
+    is_whole = from_low & to_high
+    part = stop - start
+    angle = np.where(is_whole, span, part)
+    ahead = start - low
+    along = np.sin(ahead)
+    half_sine = np.sin(ahead / 2)
+    bent = 2 * half_sine**2  # 1 - cos(ahead)
+    more_sine = cosine * along - sine * bent
+    fall = sine * along
+    more_cosine = -fall - cosine * bent
+    rise = slope * more_sine
+    start_height = height + rise + more_cosine
+    start_sine = sine + more_sine
+    start_cosine = cosine + more_cosine
+    return slopes.head(angle, start_sine, start_cosine, start_height, slope)
+
+
+def _in_first_turn(first: Floats, last: Floats) -> tuple[Floats, Floats]:
+    """Both ends of arcs, (..., n, 1), after whole turns that bring the first one within a turn from -3 pi/2."""
+    turn = 2 * np.pi
+    ahead = first + 1.5 * np.pi
+    turns = turn * np.floor(ahead / turn)
+    new_first = first - turns
+    new_last = last - turns
+    return new_first[..., None], new_last[..., None]
+
+
+def integral_inside(parts: Cut) -> Floats:
+    """Of the heights of the parts of edges inside circles, (n, E), above arcs that do not overhang."""
+    pieces = _inside(parts)
+    slope = _slope(parts.part)
+    _, _, span, sine, cosine, height = pieces
+    integral: Floats = slopes.head(span, sine, cosine, height, slope)
+    return integral
+
+
+def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIntegrals:
+    """Of lines (n or 1, V, 2) above circles (n, 2), (n,), m.
+
+    Each edge has three parts: before it enters the circle, inside, and after; it may be all before. Outside and above
+    the circle, it is over the upper half, which angles pass from right to left, as over the lower half.
+    """
+    of_circles = each_lane(points, len(radius))
+    x = centre[:, 0]
+    beyond = 2 * radius
+    left = x - beyond
+    right = x + beyond
+    points = continued(of_circles, left, right)
+    from_centre = points - centre[:, None]
+    line = from_centre / radius[:, None, None]
+    edges = Vectors.of(points).edges
+    slope = _slope(edges)
+    parts = cut(points, centre, radius)
+    vertices = Vectors.of(line)
+    lower, upper = _halves(parts, vertices, slope)
+
+    turn = 2 * np.pi
+    before = [pieces.turned(-turn) for pieces in upper]
+    after = [pieces.turned(turn) for pieces in lower]
+    two_turns = [*before, *lower, *upper, *after]
+    by_column = zip(*two_turns, strict=True)
+    columns = [np.concatenate(column, axis=1) for column in by_column]
+    every = _Pieces(*columns)
+    has_width = every.span > 0.0
+    used = np.flatnonzero(has_width.any(axis=0))
+    pieces = every.only(used)
+    edge = used % slope.shape[1]
+    return HeightIntegrals(pieces, slope[:, edge], edge, line)
+
+
+def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[_Pieces], list[_Pieces]]:
+    """Pieces over the lower halves of circles, below all three parts of edges, and over the upper halves."""
+    start = line.starts
+    last = line.ends.x
+    has_part_inside = parts.part.is_nonzero
+    entry = parts.start
+    exit_ = entry + parts.part
+    enters = np.where(has_part_inside, entry.x, last)
+    leaves = np.where(has_part_inside, exit_.x, last)
+    before, before_upper = _outside(start, slope, start.x, enters)
+    after, after_upper = _outside(start, slope, leaves, last)
+    inside = _inside(parts)
+    return [inside, before, after], [before_upper, after_upper]
+
+
+def _slope(edge: Vectors) -> Floats:
+    of_scarps = np.zeros_like(edge.x)
+    has_run = edge.x > 0.0
+    return np.divide(edge.y, edge.x, out=of_scarps, where=has_run)
+
+
+def _inside(parts: Cut) -> _Pieces:
+    """Of the parts of edges inside circles, over the lower half.
+
+    With g = 1 - rho^2 of a point, which does not cancel near the circle, the arc below it has cos = sqrt(y^2 + g), and
+    the point's height above it is cos + y = g/(cos - y).
+    """
+    x, y = parts.start
+    end = parts.start + parts.part
+    cosine_squared = y**2 + parts.first
+    cosine = np.sqrt(cosine_squared)
+    end_cosine_squared = end.y**2 + parts.second
+    end_cosine = np.sqrt(end_cosine_squared)
+    difference = cosine - y
+    total = cosine + y
+    is_lower = y < 0.0
+    height = np.divide(parts.first, difference, out=total, where=is_lower)
+    low = np.arctan2(x, cosine)
+    high = np.arctan2(end.x, end_cosine)
+    span = _span(parts.part.x, cosine, end_cosine)
+    return _Pieces(low, high, span, x, cosine, height)
+
+
+def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tuple[_Pieces, _Pieces]:
+    """Of parts of edges outside circles from one x to another, over the lower and over the upper half."""
+    x = np.clip(first, -1.0, 1.0)
+    end_x = np.clip(last, -1.0, 1.0)
+    to_first = x - start.x
+    to_last = end_x - start.x
+    y = start.y + slope * to_first
+    end_y = start.y + slope * to_last
+    cosine = _half_width(x)
+    end_cosine = _half_width(end_x)
+    run = end_x - x
+    is_upper = y + end_y > 0.0
+    is_above = is_upper & (run > 0.0)
+    full_span = _span(run, cosine, end_cosine)
+    span = np.where(is_above, full_span, 0.0)
+    low = np.arctan2(x, cosine)
+    end_angle = np.arctan2(end_x, end_cosine)
+    high = np.where(is_above, end_angle, low)
+    above_lower = y + cosine
+    above_upper = end_y - end_cosine
+    lower = _Pieces(low, high, span, x, cosine, above_lower)
+    upper_low = np.pi - high
+    upper_high = np.pi - low
+    upper = _Pieces(upper_low, upper_high, span, end_x, -end_cosine, above_upper)
+    return lower, upper
+
+
+def _half_width(x: Floats) -> Floats:
+    """Half the circle's width across its axis at x, the cosine of a direction whose sine is x."""
+    square = (1.0 - x) * (1.0 + x)
+    half_width: Floats = np.sqrt(square)
+    return half_width
+
+
+def _span(run: Floats, cosine: Floats, end_cosine: Floats) -> Floats:
+    """Angle from one point of the lower half to another: tan(span/2) = (sin_2 - sin_1)/(cos_1 + cos_2)."""
+    half_span = np.arctan2(run, cosine + end_cosine)
+    span: Floats = 2 * half_span
+    return span

@@ -1,0 +1,261 @@
+"""The failed section of a real slope: a ground, a circle, a water level, and the mass between ground and arc."""
+
+from __future__ import annotations  # so that a signature says ArrayLike
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass, fields
+from functools import cached_property
+from itertools import chain
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from slipcircle.base.checks import Fault, complaint, raise_all
+from slipcircle.base.kinds import Effects, Floats
+from slipcircle.core.doors import room
+from slipcircle.core.scene.effects import rotates
+from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
+from slipcircle.core.scene.piecewise import Tables
+from slipcircle.ground.errors import geometry_errors, motion_errors
+from slipcircle.ground.geometry import SectionGeometry
+from slipcircle.ground.ground import line_errors, section_errors
+from slipcircle.ground.plane import Vectors
+
+# The fields that the geometry consists of, and what is computed of them alone.
+_GEOMETRY = ("ground", "centre", "radius", "between", "level")
+_OF_GEOMETRY = [name for name, value in vars(SectionGeometry).items() if isinstance(value, cached_property)]
+_OF_GEOMETRY += ["sagitta", "pressure_kinks", "_lines_over_radius", "_strips", "profile"]
+
+
+@dataclass(frozen=True)
+class Section(SectionGeometry, Mass):
+    """A slip circle through a ground of straight edges, with the mass between ground and arc.
+
+    Parameters
+    ----------
+    ground : array_like
+        Points from left to right, (..., V, 2), x and y in m; equal x is a vertical scarp.
+    centre : array_like
+        Of the circle, (..., 2), m.
+    radius : float or array_like
+        m.
+    unit_weight : float or array_like
+        N/m^3.
+    gravity, width : float or array_like, optional
+        m/s^2; length across the section, m.
+    between : pair of float, optional
+        Range of x that contains the intended mass, or x of its middle, if the circle cuts off several masses.
+    level : array_like, optional
+        Points of the water level from left to right, (..., W, 2), m; it continues horizontally beyond them.
+    water_unit_weight : float
+        N/m^3.
+    base : float, optional
+        y of a firm layer below which no circle goes, m.
+
+    Raises
+    ------
+    ValueError
+        Lists every mistake, one sentence each: a circle that misses the ground, several masses without a choice, points
+        out of order, a centre below the ground, a pond, ...
+
+    Notes
+    -----
+    Ground, centre, radius and level may be arrays with leading axes; results have their broadcast shape. Angles are
+    measured from straight below the centre. The mass faces the way in which gravity turns it, ``entry`` is its upper
+    end, and positive is down-slope throughout.
+
+    For exact coordinates the moments are accurate to about 1e-14 (J_r, J_theta: relative to the length of their vector)
+    however thin the mass; ``mean_cover`` and ``mean_pressure`` to about 4e-15 (1 + 1/alpha) of the greatest height
+    above the arc, alpha half its angle (1e-13/alpha at worst of 2,000 random arcs). A vertex within rounding of the
+    circle (32 times 2e-16 of the coordinates) counts as on it, which changes a mass of depth f by up to about 1e-14 (R
+    + x + y)/f, x and y its greatest coordinates: by 1e-6 at alpha = 1e-5. The cover and the water head of a point of
+    the arc are those at its x, also where the arc overhangs: the column above it is then ground outside the mass.
+    """
+
+    ground: ArrayLike
+    centre: ArrayLike
+    radius: ArrayLike
+    unit_weight: ArrayLike
+    gravity: ArrayLike = 9.81
+    width: ArrayLike = 1.0
+    between: tuple[float, float] | None = None
+    level: ArrayLike | None = None
+    water_unit_weight: float = 9810.0
+    base: float | None = None
+    # What scenes vary, with the axes of one section.
+    quantities: ClassVar[Mapping[str, int]] = {
+        "ground": 2,
+        "centre": 1,
+        "radius": 0,
+        "unit_weight": 0,
+        "gravity": 0,
+        "width": 0,
+        "level": 2,
+    }
+    rounding: ClassVar[float] = 1e-14
+
+    def __post_init__(self) -> None:
+        errors = section_errors(vars(self), self.quantities)
+        raise_all("Section", errors or complaint(geometry_errors(self), self.shape))
+
+    def takes_geometry(self, other: Section) -> bool:
+        """Whether this is another section's circle through the same lines."""
+        return all(getattr(self, name) is getattr(other, name) for name in _GEOMETRY)
+
+    def take_geometry(self, other: Section) -> None:
+        """What another section has computed of a geometry that is the same."""
+        copy_computed(other, self, _OF_GEOMETRY)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Section):
+            return False
+        names = [field.name for field in fields(self)]
+        return all(np.array_equal(getattr(self, name), getattr(other, name)) for name in names)
+
+    # --- mechanics ---------------------------------------------------------------------------------------------------
+
+    def geometry_errors(self) -> Iterator[Fault]:
+        """Invalid sections, and sections that cannot move."""
+        levels = () if self.level is None else line_errors("level", self._level)
+        return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
+
+    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+        """Why the method gives no motion, if so, and what a water level cannot be combined with."""
+        found = [f"arc: {sentence}" for sentence in complaint(motion_errors(self), self.shape)]
+        if self.level is not None and "ratio" in effects.get("pore_pressure", {}):
+            found.append(
+                "{effects.pore_pressure.ratio}: cannot be combined with the level of the section, which says the pore "
+                "pressure already; leave one out"
+            )
+        return found
+
+    def effects_with_own(self, effects: Effects) -> Effects:
+        """Adds the mean pressure below the water level, which stays in place as the mass turns through it."""
+        if self.level is None:
+            return effects
+        ratio_or_pressure = effects.get("pore_pressure", {})
+        return {**effects, "pore_pressure": {**ratio_or_pressure, "level": self.mean_pressure}}
+
+    @property
+    def _weighted_moments(self) -> Mapping[str, Floats]:
+        """Integrals of `circles.MEASURES` over the mass, each integrand times the unit weight over its mean."""
+        return self._moments
+
+    @cached_property
+    def mass_per_metre(self) -> Any:
+        """kg/m."""
+        return self.area * np.divide(self.mean_unit_weight, self.gravity)
+
+    @cached_property
+    def centroid(self) -> Any:
+        """Of the mass, x and y in m."""
+        _, centre, radius = self._circle
+        m = self._weighted_moments
+        first_moment = Vectors(m["moment_x"], m["moment_y"])
+        from_centre = first_moment * (radius / m["area"])
+        return self._shaped(centre + from_centre.points)
+
+    @cached_property
+    def moments(self) -> dict[str, Any]:
+        """Theta*, I_p*, J_r, J_theta (3.12), (2.17), (2.23), (3.13), and the derivatives of the last two by the dip."""
+        m = self._weighted_moments
+        way = self._facing
+        moments = {
+            "moment_of_inertia": m["inertia"],
+            "polar_moment": m["polar"],
+            "radial_weight": -m["radial_y"],
+            "weight_moment": -way * m["moment_x"],
+            "radial_weight_slope": way * m["radial_x"],
+            "weight_moment_slope": -m["moment_y"],
+        }
+        return {name: self._shaped(value) for name, value in moments.items()}
+
+    @cached_property
+    def dimensionless(self) -> Dimensionless:
+        """Coefficients of the equation of motion, positive down-slope; lambda = 2 alpha f/R (3.14)."""
+        m = self.moments
+        alpha = self.half_angle
+        inertia = m["moment_of_inertia"]
+        radial = m["radial_weight"]
+        moment = m["weight_moment"]
+        factor = 4 * alpha * np.sin(alpha / 2) ** 2
+        return Dimensionless(
+            moment_of_inertia=inertia,
+            radial_weight=radial,
+            weight_moment=moment,
+            resistance_factor=factor,
+            dynamic_coefficient=m["polar_moment"] / factor,
+            static_normal_stress=radial / factor,
+            limit_friction=moment / radial,
+            radial_weight_per_inertia=radial / inertia,
+            polar_moment_per_inertia=m["polar_moment"] / inertia,
+        )
+
+    @cached_property
+    def moment_coefficients(self) -> MomentCoefficients:
+        """Coefficients of the balance of momentum; r_u is relative to the overburden gamma h, averaged over the arc."""
+        m = self.moments
+        d = self.dimensionless
+        inertia = d.moment_of_inertia
+        return MomentCoefficients(
+            driving_moment=d.weight_moment / inertia,
+            driving_moment_slope=m["weight_moment_slope"] / inertia,
+            normal_load=d.radial_weight_per_inertia,
+            normal_load_slope=m["radial_weight_slope"] / inertia,
+            resistance_factor=d.resistance_factor / inertia,
+            polar_moment=d.polar_moment_per_inertia,
+            limit_friction=d.limit_friction,
+            cover=self.mean_cover / (self.sagitta * d.static_normal_stress),
+        )
+
+    # --- water -------------------------------------------------------------------------------------------------------
+
+    def mean_pressure(self, rotation: Any = 0.0) -> Any:
+        """Mean pore pressure on the arc under the mass after a rotation, Pa.
+
+        The level stays in place as the mass turns through it; smooth between the ``pressure_kinks``.
+
+        Parameters
+        ----------
+        rotation : float or array_like
+            rad, positive down-slope, (...,) in front of the shape of the section.
+        """
+        if self.level is None:
+            return 0.0 * np.add(rotation, np.zeros(self.shape))
+        turn = np.asarray(rotation, dtype=np.float64)
+        shape = np.broadcast_shapes(turn.shape, self.shape)
+        rotations = shape[: len(shape) - len(self.shape)]
+        by_lane = np.broadcast_to(turn, shape).reshape(*rotations, -1)
+        turned = by_lane * self._facing
+        first, last = self._angles
+        integral = self._water.integral(first + turned, last + turned)
+        mean_height = (integral / (last - first)).reshape(shape)
+        pressure = mean_height * np.multiply(self.radius, self.water_unit_weight)
+        return pressure[()]
+
+    def tables(self, effects: Effects, friction: Any, upslope: bool, tolerance: float) -> tuple[Tables, Farther | None]:
+        """The mean pressure below the water level, Pa."""
+        pressure = effects.get("pore_pressure", {}).get("level")
+        if pressure is None:
+            return {}, None
+        table = room("water").pressure_table(self, pressure, rotates(effects), upslope, tolerance)
+        return {"water": table}, None
+
+    @cached_property
+    def pressure_kinks(self) -> Any:
+        """Rotations at which the mean pressure is not smooth, rad, sorted, on a last axis."""
+        if self.level is None:
+            return self._shaped(np.empty((len(self._facing), 0)))
+        until_kink = [self._water.kinks - end[:, None] for end in self._angles]
+        turns = np.concatenate(until_kink, axis=1)
+        down_slope = turns * self._facing[:, None]
+        return self._shaped(np.sort(down_slope, axis=1))
+
+
+def copy_computed(source: object, target: object, names: Collection[str]) -> None:
+    """Give an object the cached properties of another one, those of these names that have been computed."""
+    computed = vars(source)
+    for name in names:
+        if name in computed:
+            vars(target)[name] = computed[name]

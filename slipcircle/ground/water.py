@@ -1,0 +1,51 @@
+"""The water level of a section: the mean pressure below it as a function of the rotation."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.kinds import Floats
+from slipcircle.core.scene.mass import Mass
+from slipcircle.core.scene.piecewise import Data, continuous
+from slipcircle.tables.interpolation import TERMS, between_kinks
+
+
+def upright(mass: Mass) -> Floats:
+    """The rotation at which the normal load J_r cos(phi) - J_r' sin(phi) of the weight falls to 0, (lanes,)."""
+    load = mass.moment_coefficients.normal_load
+    slope = mass.moment_coefficients.normal_load_slope
+    rotation = np.arctan2(load, slope)
+    return np.ravel(rotation)
+
+
+def first_rotation(last: Floats, upslope: bool) -> Floats:
+    """The rotation from which tables to the last one begin: 0, or half a turn before the last one."""
+    if upslope:
+        return last - np.pi
+    return np.zeros_like(last)
+
+
+def pressure_table(
+    section: Any, pressure_of: Callable[[Any], Any], rotates: bool, upslope: bool, tolerance: float
+) -> Data:
+    """Mean pore pressure below a section's water level, Pa, as a function of the rotation until contact is lost."""
+
+    def pressure(rotation: Any) -> Any:
+        places = rotation if section.shape else rotation[:, 0]
+        values = pressure_of(places)
+        return values.reshape(1, *rotation.shape)
+
+    last = upright(section)
+    if rotates:
+        first = first_rotation(last, upslope)
+        kinks = np.atleast_2d(section.pressure_kinks)
+        breaks, coefficients = between_kinks(pressure, kinks.T, first, last, tolerance)
+        coefficients = np.ascontiguousarray(coefficients[:, :, 0])
+    else:
+        breaks = np.zeros((1, last.size))
+        coefficients = np.zeros((1, TERMS, last.size))
+        coefficients[0, 0] = pressure(breaks)[0, 0]
+    if section.shape:
+        return continuous(breaks, coefficients)
+    return continuous(breaks[:, 0], coefficients[..., 0])

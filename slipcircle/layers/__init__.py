@@ -1,0 +1,20 @@
+"""Layered ground: soils, stretches of the arc, strips, cracks."""
+
+from slipcircle.layers.layers import LayeredSection
+from slipcircle.layers.soils import Soil, datum_of, layer_mistakes
+from slipcircle.layers.soils_along import Stretch, mean_normal_stress, stretches
+from slipcircle.layers.strips import arc_crossings, edge_below, line_crossings, meets_circle
+
+__all__ = [
+    "LayeredSection",
+    "Soil",
+    "Stretch",
+    "arc_crossings",
+    "datum_of",
+    "edge_below",
+    "layer_mistakes",
+    "line_crossings",
+    "mean_normal_stress",
+    "meets_circle",
+    "stretches",
+]

@@ -1,0 +1,170 @@
+"""The numbers of a layered section that vary, by name: of soils, tops of layers, surcharges, crack and factor of speed.
+
+Names are ``soils.NAME.cohesion``, ``soils.NAME.friction.peak``, ...; ``layers.2.top``, of a line the height of its
+first point; ``surcharge.1.pressure``, the greater one of both ends; ``crack``; ``rate.peak``, ...
+"""
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from generated.effects import LAWS
+from slipcircle.base.kinds import Values
+from slipcircle.core.scene.coordinates import replace_unchecked
+from slipcircle.layers.soils import SOIL_NUMBERS, Soil, share_one_law
+
+Load = tuple[float, float, Any, Any]  # a surcharge: x1, x2, and the pressures there
+
+
+class LayeredNumbers:
+    """Numbers of a section with layers beside those of ground, circle and water, and its fields with other values."""
+
+    layers: Sequence[tuple[Soil, Any]]
+    foreland: Soil | None
+    surcharge: Sequence[Load]
+    rate: Values | None
+    crack: Any
+
+    @cached_property
+    def soils(self) -> tuple[Soil, ...]:
+        """The soils of the layers, and that of the foreland."""
+        of_layers = tuple(soil for soil, _ in self.layers)
+        if self.foreland is None:
+            return of_layers
+        return (*of_layers, self.foreland)
+
+    def other_numbers(self) -> dict[str, Any]:
+        """Numbers by name."""
+        numbers: dict[str, Any] = {}
+        for soil in self.soils:
+            numbers |= _numbers_of_soil(soil)
+        for k, (_, top) in enumerate(self.layers, 1):
+            if top is not None:
+                numbers[f"layers.{k}.top"] = _height(top)
+        if self.rate:
+            numbers |= _numbers_of_law("rate", self.rate)
+        for k, (_, _, left, right) in enumerate(self.surcharge, 1):
+            numbers[f"surcharge.{k}.pressure"] = np.maximum(left, right)
+        if np.any(self.crack):
+            numbers["crack"] = self.crack
+        return numbers
+
+    def fields_with(self, values: Values) -> dict[str, Any]:
+        """The fields that these numbers are of, with other values."""
+        known = self.other_numbers()
+        names = [name for name in values if values[name] is not known[name]]
+        changed = {name: values[name] for name in names}
+        if not changed:
+            return {}
+        if share_one_law(self.soils):
+            _share_length(changed, known)
+        soils = {id(soil): _soil_with(soil, changed) for soil in self.soils}
+        layers = []
+        for k, (soil, top) in enumerate(self.layers, 1):
+            name = f"layers.{k}.top"
+            if name in changed and not np.array_equal(changed[name], known[name]):
+                top = _moved(top, changed[name])
+            layers.append((soils[id(soil)], top))
+        loads = []
+        for k, load in enumerate(self.surcharge, 1):
+            greatest = changed.get(f"surcharge.{k}.pressure")
+            if greatest is not None:
+                load = _scaled(load, greatest)
+            loads.append(load)
+        rate = _within("rate.", changed)
+        return {
+            "layers": tuple(layers),
+            "foreland": self.foreland and soils[id(self.foreland)],
+            "rate": {**self.rate, **rate} if self.rate else None,
+            "surcharge": tuple(loads),
+            "crack": changed.get("crack", self.crack),
+        }
+
+
+def _numbers_of_soil(soil: Soil) -> dict[str, Any]:
+    """The numbers of a soil by name."""
+    start = f"soils.{soil.name}"
+    numbers = {}
+    for name in SOIL_NUMBERS:
+        value = getattr(soil, name)
+        if value is not None:
+            numbers[f"{start}.{name}"] = value
+    if isinstance(soil.friction, Mapping):
+        return numbers | _numbers_of_law(f"{start}.friction", soil.friction)
+    numbers[f"{start}.friction"] = soil.friction
+    return numbers
+
+
+def _numbers_of_law(start: str, law: Values) -> dict[str, Any]:
+    """The numbers of a law by name; a table has none."""
+    numbers = {}
+    for parameter in LAWS[law["law"]].parameters:
+        if parameter.kind != "list":
+            numbers[f"{start}.{parameter.name}"] = law[parameter.name]
+    return numbers
+
+
+def _height(top: Any) -> Any:
+    """The height of the top of a layer, of a line that of its first point."""
+    if np.ndim(top) < 2:
+        return top
+    heights = np.asarray(top)[..., 1]
+    return heights[..., 0]
+
+
+def _share_length(changed: dict[str, Any], known: Values) -> None:
+    """Give the slip length of one soil to all, as a law that they share has one."""
+    lengths = [name for name in known if name.endswith(".friction.length")]
+    given = [changed[name] for name in changed if name in lengths]
+    if given:
+        for name in lengths:
+            changed.setdefault(name, given[0])
+
+
+def _within(start: str, values: Values) -> dict[str, Any]:
+    """The values whose names begin so, by the rest of their names."""
+    within = {}
+    for name, value in values.items():
+        if name.startswith(start):
+            within[name.removeprefix(start)] = value
+    return within
+
+
+def _soil_with(soil: Soil, values: Values) -> Soil:
+    """A soil with other values of its numbers, by their names in the section."""
+    changed = _within(f"soils.{soil.name}.", values)
+    law = _within("friction.", changed)
+    if law:
+        for name in law:
+            del changed[f"friction.{name}"]
+        changed["friction"] = {**soil.friction, **law}
+    return replace_unchecked(soil, changed)
+
+
+def _scaled(load: Load, greatest: Any) -> Load:
+    """A surcharge with another pressure at the end where it is greater; that at the other end is in proportion."""
+    first, last, left, right = load
+    known = np.maximum(left, right)
+    is_none = known == 0.0
+    unit = np.where(is_none, 1.0, known)
+    left_share = np.where(is_none, 1.0, left / unit)
+    right_share = np.where(is_none, 1.0, right / unit)
+    new_left = greatest * left_share
+    new_right = greatest * right_share
+    return first, last, new_left, new_right
+
+
+def _moved(top: Any, height: Any) -> Any:
+    """The top of a layer at another height; a line moves as a whole, and its first point has that height."""
+    if np.ndim(top) < 2:
+        return height
+    line = np.asarray(top)
+    if line.ndim > 2:  # lanes of one line
+        lines = line.reshape(-1, *line.shape[-2:])
+        line = lines[0]
+    first_height = line[0, 1]
+    rise = np.asarray(height - first_height)[..., None]
+    shift = np.broadcast_arrays(0.0, rise)
+    return line + np.stack(shift, axis=-1)

@@ -1,0 +1,377 @@
+"""Layered ground: the section of a real slope whose mass and whose arc several soils make up.
+
+*Weights* add exactly, surface by surface (`slipcircle.layers.strips`). *Resistance* with several frictions needs a
+closure, as the balance (2.1) knows the mean normal stress alone: each stretch of the arc carries the weights of (2.23)
+of the material straight above it. Their sums over the arc are J_r, its slope and I_p exactly, so that with one
+friction this is the paper's method; `slipcircle.layers.strength` has it.
+"""
+
+from __future__ import annotations  # so that a signature says ArrayLike
+
+import operator
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from functools import cached_property
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from slipcircle.base.checks import Fault, complaint, mistakes, raise_all
+from slipcircle.base.kinds import Effects, Floats, Values
+from slipcircle.core.scene.effects import symbols_of
+from slipcircle.core.scene.friction import rate_mistakes
+from slipcircle.core.scene.mass import Farther
+from slipcircle.core.scene.piecewise import Tables
+from slipcircle.ground.circles import MEASURES
+from slipcircle.ground.ground import FAR
+from slipcircle.ground.section import Section, copy_computed
+from slipcircle.layers.cracks import CrackedSection
+from slipcircle.layers.layered import RotationTables
+from slipcircle.layers.layered_numbers import LayeredNumbers
+from slipcircle.layers.profile import HEAD, Profile, profile_of
+from slipcircle.layers.soils import LANE_NUMBERS, Layers, Soil, datum_mistakes, datum_of, layer_mistakes, soil_mistakes
+from slipcircle.layers.strength import ArcStrength, MeanFriction, Needs, OfRotation, over_circles
+from slipcircle.layers.stretches import OF_GEOMETRY
+from slipcircle.layers.strips import Strips, cut_into_strips
+
+
+@dataclass(frozen=True, eq=False)
+class LayeredSection(LayeredNumbers, CrackedSection):
+    """A slip circle through layered ground, with the mass between ground and arc.
+
+    Parameters
+    ----------
+    layers : sequence of pairs
+        From the ground down, each a `Soil` and its top: None for the first, whose top is the ground; otherwise a height
+        in m or points from left to right, (V, 2), continued horizontally. A boundary is cut off where it rises above
+        the one before.
+    strength : str
+        "base": the strength belongs to the soils below the arc, over which the mass moves, and that at the exit
+        continues beyond it; "mass": the sheared sole moves with the mass.
+    foreland : Soil, optional
+        Soil along the arc beyond the exit, in place of the soil at the exit; its cohesion varies with depth by its own
+        rule.
+    surcharge : sequence of (x1, x2, q1, q2)
+        Pressures on the ground that move with the mass and are shaken with it, Pa, linear from x1 to x2, m; q1 and q2
+        may be arrays.
+    rate : mapping, optional
+        A law of speed by which the friction of all soils is multiplied, ``{"law": "rate_weakening", "peak": 1.0,
+        "residual": 0.6, "velocity": 0.1}``; a factor of 1 leaves it unchanged.
+    crack : float or array_like
+        Depth of a dry tension crack, m: the slip surface begins at its bottom, where the ground is so high above the
+        arc.
+
+    Notes
+    -----
+    The other parameters are those of `Section`, without ``unit_weight``, which the soils have.
+    """
+
+    unit_weight: ArrayLike = field(default=1.0, init=False, repr=False)  # the soils have theirs
+    layers: Layers = ()
+    strength: str = "base"
+    foreland: Soil | None = None
+    surcharge: Sequence[tuple[float, float, Any, Any]] = ()
+    rate: Values | None = None
+    crack: Any = 0.0
+    quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
+
+    def __post_init__(self) -> None:
+        errors = layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland)
+        if not errors:
+            for soil, _ in self.layers:  # whose numbers may have been replaced
+                errors += [f"soils.{soil.name}.{mistake}" for mistake in soil_mistakes(soil)]
+        if self.rate is not None:
+            errors += rate_mistakes(self.rate)
+        raise_all("LayeredSection", errors)
+        least = 0.0 if np.ndim(self.crack) else -5e-324  # of arrays none is without a crack
+        depth = (least, FAR, "a depth of at least 0 in m, in an array above 0")
+        raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}))
+        super().__post_init__()
+        raise_all("LayeredSection", complaint([self._overhang], self.shape))
+
+    @property
+    def _overhang(self) -> Fault:
+        """Arcs that reach above the centre of their circle."""
+        first, last = self._angles
+        steepest = np.maximum(-first, last)
+        above = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
+        return steepest > np.pi / 2, lambda k: above
+
+    def geometry_errors(self) -> Iterator[Fault]:
+        """Invalid sections, and sections that cannot move."""
+        yield from super().geometry_errors()
+        yield self._overhang
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, LayeredSection) or len(self.layers) != len(other.layers):
+            return False
+        if self.soils != other.soils:
+            return False
+        if not all(map(np.array_equal, self.tops, other.tops)):
+            return False
+        names = {field.name for field in fields(self)} - {"layers", "foreland"}
+        return all(np.array_equal(getattr(self, name), getattr(other, name)) for name in names)
+
+    # --- soils -------------------------------------------------------------------------------------------------------
+
+    @property
+    def tops(self) -> list[Any]:
+        """Of the layers but the first, whose top is the ground."""
+        return [top for _, top in self.layers[1:]]
+
+    @cached_property
+    def shape(self) -> tuple[int, ...]:
+        """Of results that depend on the geometry alone."""
+        shapes = [super().shape, np.shape(self.crack)]
+        for top in self.tops:
+            shape = np.shape(top)
+            is_line = len(shape) > 1
+            shapes.append(shape[:-2] if is_line else shape)
+        return np.broadcast_shapes(*shapes)
+
+    @cached_property
+    def lanes_shape(self) -> tuple[int, ...]:
+        """The broadcast shape of the geometry and of all numbers of soils."""
+        numbers = []
+        for soil in self.soils:
+            numbers += [getattr(soil, name) for name in LANE_NUMBERS]
+        for _, _, left, right in self.surcharge:
+            numbers += [left, right]
+        shapes = [np.shape(number) for number in numbers if number is not None]
+        return np.broadcast_shapes(self.shape, *shapes)
+
+    @cached_property
+    def datums(self) -> tuple[Any, ...]:
+        """Heights below which the cohesion of the soils grows, m, (circles,) each; None where it does not grow."""
+        datums: list[Any] = []
+        for soil in self.soils:
+            raise_all("LayeredSection", datum_mistakes(soil, self.layers))
+            height = datum_of(soil, self.layers)
+            if height is not None:
+                height = np.broadcast_to(height, self.shape).reshape(-1)
+            datums.append(height)
+        return tuple(datums)
+
+    @cached_property
+    def datum_levels(self) -> list[Any]:
+        """Heights of the datums above the centre of the circle, over R, (circles,) each; None where there is none."""
+        _, centre, radius = self._circle
+        centre_y = centre[:, 1]
+        levels: list[Any] = []
+        for datum in self.datums:
+            levels.append(None if datum is None else (datum - centre_y) / radius)
+        return levels
+
+    def of_soils(self, name: str) -> Floats:
+        """A number of each soil, (soils, lanes)."""
+        numbers = [getattr(soil, name) for soil in self.soils]
+        return self._by_lane(numbers)
+
+    def _by_lane(self, numbers: Sequence[Any]) -> Floats:
+        """Numbers or arrays of them, (numbers, lanes)."""
+        of_lanes = [np.broadcast_to(number, self.lanes_shape) for number in numbers]
+        rows: Floats = np.add(of_lanes, 0.0)
+        return rows.reshape(len(numbers), -1)
+
+    def _shaped(self, values: Any) -> Any:
+        """Values by lane in the shape of the results, of geometry or of all."""
+        values = np.asarray(values)
+        circles = int(np.prod(self.shape))
+        of_geometry = len(values) == circles
+        shape = self.shape if of_geometry else self.lanes_shape
+        _, *components = values.shape
+        shaped = values.reshape((*shape, *components))
+        return shaped[()]
+
+    # --- geometry ----------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _lines_over_radius(self) -> list[Floats]:
+        """Ground, tops of the layers and water level from the centre, over R, (circles or 1, V, 2)."""
+        ground, centre, radius = self._circle
+        ends = ground[:, [0, -1], 0]
+        lines = [ground]
+        for top in self.tops:
+            height = np.asarray(top)
+            if height.ndim > 1:
+                lines.append(self._lines(height))
+                continue
+            if height.ndim == 1:  # one of each circle
+                height = np.broadcast_to(height, self.shape)
+            row = height.reshape(-1, 1)
+            line = np.broadcast_arrays(ends, row)
+            lines.append(np.stack(line, axis=-1))
+        if self.level is not None:
+            lines.append(self._level)
+        origin = centre[:, None]
+        size = radius[:, None, None]
+        return [(line - origin) / size for line in lines]
+
+    @cached_property
+    def _saturated(self) -> bool:
+        """Whether a soil is heavier below the water level."""
+        if self.level is None:
+            return False
+        return any(soil.saturated_unit_weight is not None for soil, _ in self.layers)
+
+    @cached_property
+    def _strips(self) -> Strips:
+        """The mass in strips; its surfaces are the tops of layers, and the wet parts of layers."""
+        count = len(self.layers)
+        surfaces = [tuple(range(k + 1)) for k in range(count)]
+        if self._saturated:
+            surfaces += [(*lines, count) for lines in surfaces]
+        _, centre, radius = self._circle
+        centre_x = centre[:, :1]
+        size = radius[:, None]
+        loads = []
+        cuts = self._datum_crossings_x
+        for x1, x2, _, _ in self.surcharge:
+            from_centre = (x1 - centre_x, x2 - centre_x)
+            load = [x / size for x in from_centre]
+            loads.append(load)
+            cuts += load
+        extra = np.concatenate(cuts, axis=1) if cuts else None
+        return cut_into_strips(self._lines_over_radius, surfaces, count, self._ends, extra, loads)
+
+    @property
+    def _datum_crossings_x(self) -> list[Floats]:
+        """x from the centre, over R, where heights below which cohesion grows cross the circle, (circles, 1) each."""
+        crossings = []
+        for level in self.datum_levels:
+            if level is not None:
+                height = np.clip(level, -1.0, 1.0)[:, None]
+                square = (1.0 - height) * (1.0 + height)
+                across = np.sqrt(square)
+                crossings += [across, -across]
+        return crossings
+
+    @cached_property
+    def profile(self) -> Profile:
+        """Integrals along the arc of a unit weight below each surface, and of unit pressures at ends of surcharges."""
+        return profile_of(self._strips)
+
+    def heads_between(self, low: Floats, high: Floats) -> Floats:
+        """Integrals of the head of the water level over arcs in space, (..., circles)."""
+        return self._water.integral(low, high)
+
+    # --- weights -----------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def weight_steps(self) -> Floats:
+        """Steps of the unit weight below each surface, and pressures of surcharges over R, N/m^3, (surfaces, lanes)."""
+        count = len(self.layers)
+        weight = self.of_soils("unit_weight")[:count]
+        steps = [np.diff(weight, axis=0, prepend=0.0)]
+        if self._saturated:
+            wet = self.of_soils("weight_below_water")
+            increase = wet[:count] - weight
+            steps.append(np.diff(increase, axis=0, prepend=0.0))
+        if self.surcharge:
+            pressures = []
+            for _, _, left, right in self.surcharge:
+                pressures += [left, right]
+            _, _, radius = self._circle
+            steps.append(self._by_lane(pressures) / radius)
+        return np.concatenate(steps)
+
+    @cached_property
+    def _moments_of_weight(self) -> Floats:
+        """Integrals of `circles.MEASURES` over the mass with its unit weight, sums over surfaces, N/m^3, (7, lanes).
+
+        The ground's own are those of a homogeneous mass, so that one soil in many layers gives the numbers of one.
+        """
+        whole = self.profile.whole[:HEAD].copy()
+        whole[:, 0] = list(self._moments.values())
+        return over_circles(whole.transpose(1, 0, 2), self.weight_steps)
+
+    @cached_property
+    def _weights_per_area(self) -> Floats:
+        """The mean unit weight, N/m^3, (lanes,)."""
+        of_area, *_ = self._moments_of_weight
+        mean: Floats = of_area / self._moments["area"]
+        return mean
+
+    @cached_property
+    def _weighted_moments(self) -> Mapping[str, Floats]:
+        per_mean_weight = self._moments_of_weight / self._weights_per_area
+        return dict(zip(MEASURES, per_mean_weight, strict=True))
+
+    @cached_property
+    def mean_unit_weight(self) -> Any:
+        """The weight of the mass over its area, N/m^3."""
+        return self._shaped(self._weights_per_area)
+
+    # --- strength ----------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def arc_strength(self) -> ArcStrength:
+        """Strength along the arc."""
+        return ArcStrength(self)
+
+    @property
+    def friction(self) -> MeanFriction:
+        """Friction of the arc as a whole, as a `Scene` takes it."""
+        return self.arc_strength.friction
+
+    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+        """Also what a scene says that its soils say."""
+        of_soils = "is given by the soils of a layered section; leave it out"
+        strengths = ("cohesion", "pore_pressure")
+        found = super().mistakes(friction, effects)
+        found += [f"effects.{name}: {of_soils}" for name in strengths if name in effects]
+        if friction is not None and not isinstance(friction, MeanFriction):
+            found.append(f"friction = {friction!r}: {of_soils}")
+        return found
+
+    def effects_with_own(self, effects: Effects, complete: bool = False) -> Effects:
+        """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
+        strength = self.arc_strength
+        needs = Needs("rotation" in effects, "shaking" in effects, complete)
+        terms = {"layered_strength": strength.terms(needs)}
+        terms |= strength.soil_terms(needs)
+        if "centripetal" not in effects:
+            for effect, added in terms.items():
+                without = [name for name in added if not name.endswith("inertia")]
+                terms[effect] = {name: added[name] for name in without}
+        return {**effects, **terms}
+
+    def tables(self, effects: Effects, friction: Any, upslope: bool, tolerance: float) -> tuple[Tables, Farther | None]:
+        """The functions of the rotation that belong to its soils, as far as the mass is likely to move."""
+        functions = {}
+        for effect, terms in effects.items():
+            for name, term in terms.items():
+                if isinstance(term, OfRotation):
+                    functions[symbols_of(effect)[name]] = term
+        if not functions:
+            return {}, None
+        tables = RotationTables(self, effects["layered_strength"], functions, tolerance, upslope)
+        return tables.laid_out(tables.likely_reach(friction)), tables.laid_out
+
+    def takes_geometry(self, other: Section) -> bool:
+        """Whether nothing differs from another section but numbers of soils."""
+        if not isinstance(other, LayeredSection):
+            return False
+        return super().takes_geometry(other) and _same_cut(self, other)
+
+    def take_geometry(self, other: Section) -> None:
+        """What another section has computed of a geometry that is the same."""
+        super().take_geometry(other)
+        if isinstance(other, LayeredSection) and "arc_strength" in vars(other):
+            copy_computed(other.arc_strength, self.arc_strength, OF_GEOMETRY)
+
+
+def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
+    """Whether two sections have the same boundaries, crack, places of surcharges, and heights where cohesion grows."""
+    if _cut_of(one) != _cut_of(other) or one.crack is not other.crack:
+        return False
+    same_tops = all(map(operator.is_, one.tops, other.tops))
+    return same_tops and all(map(np.array_equal, one.datums, other.datums))
+
+
+def _cut_of(section: LayeredSection) -> tuple[Any, ...]:
+    """What of a section's cut can be compared by value: counts, switches and places of surcharges."""
+    places = [load[:2] for load in section.surcharge]
+    counts = len(section.layers), len(section.soils)
+    return counts, section.strength, section._saturated, places

@@ -1,0 +1,223 @@
+"""Soils of a layered ground, and what is wrong with them, with the layers that they make up, and with surcharges."""
+
+from __future__ import annotations  # so that a signature says ArrayLike
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from slipcircle.base.checks import mistakes, raise_all
+from slipcircle.core.scene.friction import friction_at_rest, law_mistakes, least_friction
+from slipcircle.ground.ground import BOUNDS, points_errors
+
+# The numbers of a soil that vary beside its friction, and all of them as one a lane.
+SOIL_NUMBERS = ("unit_weight", "cohesion", "saturated_unit_weight", "cohesion_gradient", "pore_ratio")
+LANE_NUMBERS = (*SOIL_NUMBERS, "peak", "residual")
+
+
+@dataclass(frozen=True)
+class Soil:
+    """A soil of layered ground.
+
+    Parameters
+    ----------
+    unit_weight : float or array_like
+        gamma, N/m^3.
+    cohesion : float or array_like
+        c, Pa; with a gradient, its value at and above the datum.
+    friction : float, array_like or mapping
+        Friction coefficient tan(phi); or a law, ``{"law": "linear", "peak": 0.4, "residual": 0.2, "length": 0.5}``.
+        All soils along an arc share a law of slip and its length, unless strength moves with the mass.
+    saturated_unit_weight : float or array_like, optional
+        Below the water level, N/m^3.
+    cohesion_gradient : float or array_like
+        Increase of c per metre below the datum, Pa/m.
+    datum : float, optional
+        y below which c increases, m; by default the top of the layers of this soil, where that is one height.
+    pore_ratio : float or array_like
+        r_u, pore pressure over the vertical stress of the layers above, at the start; in place of a water level.
+    name : str
+    """
+
+    unit_weight: ArrayLike
+    cohesion: ArrayLike = 0.0
+    friction: Any = 0.0
+    saturated_unit_weight: ArrayLike | None = None
+    cohesion_gradient: ArrayLike = 0.0
+    datum: float | None = None
+    pore_ratio: ArrayLike = 0.0
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        raise_all(f"Soil {self.name}".rstrip(), soil_mistakes(self))
+
+    @property
+    def weight_below_water(self) -> ArrayLike:
+        """Unit weight below the water level, N/m^3."""
+        return self.unit_weight if self.saturated_unit_weight is None else self.saturated_unit_weight
+
+    @property
+    def peak(self) -> Any:
+        """Friction coefficient at the start."""
+        return friction_at_rest(self.friction)
+
+    @property
+    def residual(self) -> Any:
+        """Friction coefficient after much slip."""
+        if not isinstance(self.friction, Mapping):
+            return self.friction
+        if "residual" in self.friction:
+            return self.friction["residual"]
+        coefficient = self.friction.get("coefficient", 0.0)
+        is_table = not {"slip", "speed", "time"}.isdisjoint(self.friction)
+        return coefficient[-1] if is_table else coefficient
+
+
+Layers = Sequence[tuple[Soil, Any]]  # each a soil and the top of its layer
+
+
+def distinct(soils: Iterable[Soil]) -> list[Soil]:
+    """Each of the soils once."""
+    by_identity = {id(soil): soil for soil in soils}
+    return list(by_identity.values())
+
+
+def soil_mistakes(soil: Soil) -> list[str]:
+    """A sentence for each number of a soil that no soil has."""
+    bounds = {name: BOUNDS[name] for name in SOIL_NUMBERS}
+    if soil.saturated_unit_weight is None:
+        del bounds["saturated_unit_weight"]
+    found = mistakes(vars(soil), bounds)
+    found += law_mistakes(soil.friction)
+    if callable(soil.friction):
+        found.append("friction: must be a number or a law by name")
+    if isinstance(soil.friction, Mapping) and "rate" in soil.friction:
+        found.append(
+            "friction.rate: is given to the section, LayeredSection(..., rate=...), for all soils along an arc"
+        )
+    return found
+
+
+def layer_mistakes(layers: Layers, surcharge: Sequence[Any], strength: str = "", foreland: Any = None) -> list[str]:
+    """A sentence for each mistake in the layers of a section, its foreland and its surcharges.
+
+    Without ``strength``, of what does not move.
+    """
+    pairs = list(layers)
+    if not pairs or not all(map(_is_layer, pairs)):
+        return ["layers: must be pairs of a Soil and its top, from the ground down; the top of the first is None"]
+    found = []
+    for k, (_, top) in enumerate(pairs):
+        found += _top_mistakes(k, top)
+    if strength not in ("", "base", "mass"):
+        found.append(f"strength = {strength!r}: must be 'base' or 'mass'")
+    if foreland is not None and not isinstance(foreland, Soil):
+        found.append(f"foreland = {foreland!r}: must be a Soil")
+    elif foreland is not None and strength == "mass":
+        found.append(
+            "{foreland}: cannot be combined with {strength} = 'mass', by which the sole of the mass keeps its own"
+        )
+    used = [soil for soil, _ in pairs]
+    if isinstance(foreland, Soil):
+        used.append(foreland)
+    soils = distinct(used)
+    found += _together_mistakes(soils, strength)
+    for soil in soils:
+        found += datum_mistakes(soil, pairs)
+    for k, load in enumerate(surcharge):
+        found += _load_mistakes(k, load)
+    return found
+
+
+def _is_layer(pair: Any) -> bool:
+    """Whether this is a soil with a top."""
+    is_pair = isinstance(pair, tuple | list) and len(pair) == 2
+    return is_pair and isinstance(pair[0], Soil)
+
+
+def _tops(soil: Soil, layers: Layers) -> list[Any]:
+    """The tops of the layers of one soil."""
+    return [top for other, top in layers if other is soil]
+
+
+def datum_of(soil: Soil, layers: Layers) -> Any:
+    """y below which the cohesion of a soil grows, by default the top of its layers; None where it does not grow."""
+    if soil.datum is None and np.any(soil.cohesion_gradient):
+        return next(iter(_tops(soil, layers)), None)
+    return soil.datum
+
+
+def datum_mistakes(soil: Soil, layers: Layers) -> list[str]:
+    """A sentence if the cohesion of a soil grows below no height in particular."""
+    if soil.datum is not None or not np.any(soil.cohesion_gradient):
+        return []
+    tops = _tops(soil, layers)
+    are_heights = all(top is not None and np.ndim(top) < 2 for top in tops)
+    if tops and are_heights and all(np.array_equal(top, tops[0]) for top in tops):
+        return []
+    why = "is missing: y below which the cohesion grows, as no one height is the top of its layers"
+    return [f"soils.{soil.name}.datum: {why}"]
+
+
+def _load_mistakes(k: int, load: Any) -> list[str]:
+    """What is wrong with a surcharge, counted from 0."""
+    words = f"surcharge[{k}] = {load!r}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
+    if not isinstance(load, Sequence) or len(load) != 4:
+        return [words]
+    numbers = [np.asarray(number) for number in load]
+    for number in numbers:
+        if number.dtype.kind not in "iuf" or not np.all(np.isfinite(number)):
+            return [words]
+    first, last, left, right = numbers
+    in_order = first.ndim == last.ndim == 0 and first < last
+    pulls = np.any(left < 0.0) or np.any(right < 0.0)
+    return [] if in_order and not pulls else [words]
+
+
+def _top_mistakes(k: int, top: Any) -> list[str]:
+    """What is wrong with the top of a layer, counted from 0 at the ground."""
+    if k == 0:
+        words = f"layers[0]: top = {top!r}: must be None, as its top is the ground"
+        return [] if top is None else [words]
+    if top is None:
+        return [f"layers[{k}]: top is missing: a height in m, or points from left to right"]
+    if np.ndim(top) > 1:
+        return points_errors(f"layers.{k + 1}.top", top, True)
+    name = f"layers.{k + 1}.top"
+    return mistakes({name: top}, {name: BOUNDS["top"]})
+
+
+def share_one_law(soils: Iterable[Soil]) -> bool:
+    """Whether soils have one law of slip and one length, or a friction that does not change."""
+    laws = set()
+    for soil in soils:
+        law = soil.friction
+        if not isinstance(law, Mapping):
+            continue
+        if not {"peak", "residual", "length"} <= {*law}:
+            return False
+        shared = dict(law)
+        del shared["peak"], shared["residual"]
+        laws.add(repr(sorted(shared.items())))
+    return len(laws) <= 1
+
+
+def _together_mistakes(soils: list[Soil], strength: str) -> list[str]:
+    """What keeps soils from lying along one arc: equal names, and friction laws that the motion does not allow."""
+    names = [soil.name for soil in soils]
+    twice = [name for name in sorted({*names}) if names.count(name) > 1]
+    found = [f"layers: {name!r} is the name of two soils; give each its own" for name in twice]
+    if not strength or share_one_law(soils):
+        return found
+    if strength == "base":
+        others = ", ".join(soil.name for soil in soils if isinstance(soil.friction, Mapping))
+        found.append(
+            f"layers: the soils along an arc share one law of slip with one length, and not {others}, as base that the "
+            "mass reaches has slipped less than the sole; with {strength} = 'mass' each may have a law of its own"
+        )
+    elif all(least_friction(soil.friction) == 0.0 for soil in soils):
+        found.append("layers: with a friction law of its own for each soil, one of them must keep some friction")
+    return found

@@ -1,0 +1,159 @@
+"""The arc of a layered section by soils: length, weight above, stress and strength of each stretch at the start.
+
+Stresses are those of the closure of `slipcircle.layers.layers`: a stretch carries the weights of (2.23) of the
+material straight above it.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from slipcircle.base.kinds import Floats
+from slipcircle.layers.layers import LayeredSection
+from slipcircle.layers.profile import AREA, HEAD, RADIAL_Y
+from slipcircle.layers.soils import Soil
+
+_SHORT = 1e-9  # rad: shorter stretches are rounding
+
+
+class Stretch(NamedTuple):
+    """A stretch of the arc in one soil, before the mass moves.
+
+    Attributes
+    ----------
+    soil : Soil
+    start, end : float
+        Directions of its ends from the centre, rad from straight below, positive down-slope.
+    length : float
+        m.
+    weight_share : float
+        Of the material straight above it, over the weight of the mass.
+    normal_stress, pore_pressure : float
+        Their means along it, Pa; total stress.
+    strength : float
+        Mean of c + tan(phi) (sigma - u) with the peak friction, Pa.
+    """
+
+    soil: Soil
+    start: float
+    end: float
+    length: float
+    weight_share: float
+    normal_stress: float
+    pore_pressure: float
+    strength: float
+
+
+def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
+    """Stretches from the entry to the exit, of a single section.
+
+    Raises
+    ------
+    ValueError
+        If the section has lanes.
+    """
+    _one_lane(section)
+    layers, ends = _layers_along(section)
+    weight = _from_entry(section, AREA, ends)
+    shares = np.diff(weight) / weight[-1]
+    normal = mean_normal_stress(section, ends)
+    vertical = _means(section, ends, _from_entry(section, HEAD, ends))
+    depth = section.arc_strength._growth(ends[:, None])
+    growth = _means(section, ends, depth[..., 0])
+    rows = []
+    for k, layer in enumerate(layers):
+        soil, _ = section.layers[layer]
+        start = float(ends[k])
+        end = float(ends[k + 1])
+        ratio = float(np.asarray(soil.pore_ratio))
+        pressure = ratio * vertical[k] if ratio else _head(section, start, end)
+        gradient = np.asarray(soil.cohesion_gradient)
+        increase = gradient * growth[layer, k]
+        cohesion = np.asarray(soil.cohesion) + increase
+        effective = normal[k] - pressure
+        friction = np.asarray(soil.peak) * effective
+        stretch = Stretch(
+            soil=soil,
+            start=start,
+            end=end,
+            length=_radius(section) * (end - start),
+            weight_share=float(shares[k]),
+            normal_stress=float(normal[k]),
+            pore_pressure=float(pressure),
+            strength=float(cohesion + friction),
+        )
+        rows.append(stretch)
+    return tuple(rows)
+
+
+def mean_normal_stress(section: LayeredSection, directions: ArrayLike) -> Floats:
+    """Mean total normal stress between neighbouring directions, at the start, Pa; (M - 1,) of (M,).
+
+    Directions as in `Stretch`, increasing.
+    """
+    _one_lane(section)
+    ends = np.asarray(directions, dtype=np.float64)
+    return _means(section, ends, -_from_entry(section, RADIAL_Y, ends))
+
+
+def _means(section: LayeredSection, ends: Floats, integral: Floats) -> Floats:
+    """Means between neighbouring directions, of an integral up to each of them that is over R."""
+    angles = np.diff(ends)
+    parts = np.diff(integral, axis=-1)
+    means = parts / angles
+    in_metres: Floats = means * _radius(section)
+    return in_metres
+
+
+def _one_lane(section: LayeredSection) -> None:
+    if section.lanes_shape or section.shape:
+        raise ValueError("stretches: of one section; this one has lanes")
+
+
+def _radius(section: LayeredSection) -> float:
+    return float(np.asarray(section.radius))
+
+
+def _layers_along(section: LayeredSection) -> tuple[list[int], Floats]:
+    """The layer of each stretch, and the directions of their ends, one more."""
+    (first,), (last,) = section.arc_strength.span
+    joints = section.arc_strength.stretches
+    layers = [int(joints.first[0])]
+    ends = [float(first)]
+    (joint_directions,) = joints.joint
+    (layers_after,) = joints.after
+    for joint, after in zip(joint_directions, layers_after, strict=True):
+        if last - joint < _SHORT:
+            break
+        if joint - ends[-1] < _SHORT:
+            layers[-1] = int(after)
+        elif after != layers[-1]:
+            layers.append(int(after))
+            ends.append(float(joint))
+    return layers, np.array([*ends, last])
+
+
+def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> Floats:
+    """An integral of the weights from the entry to directions, over R or R^2, (M,)."""
+    (facing,) = section._facing
+    profile = section.profile
+    to_the_right = facing * directions[:, None]
+    up_to = profile.up_to(to_the_right)[integral, :, :, 0]
+    if facing < 0.0:
+        up_to = profile.whole[integral] - up_to
+    by_surface = up_to * section.weight_steps
+    total: Floats = by_surface.sum(axis=0)
+    return total
+
+
+def _head(section: LayeredSection, start: float, end: float) -> float:
+    """Mean pressure of the water level between two directions, Pa."""
+    if section.level is None:
+        return 0.0
+    (facing,) = section._facing
+    low, high = np.sort([[facing * start], [facing * end]], axis=0)
+    (integral,) = section.heads_between(low, high)
+    height = float(integral / (high - low)[0])
+    water_unit_weight = float(np.asarray(section.water_unit_weight))
+    return height * _radius(section) * water_unit_weight

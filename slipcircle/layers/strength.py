@@ -1,0 +1,329 @@
+"""Strength along the arc of a layered section as functions of the rotation, for the balance of a homogeneous mass.
+
+After a rotation phi the stresses have turned with the mass; strength stays with the *base* below the arc, or goes with
+the *mass*. With A, B and P the parts of J_r, of its slope and of I_p on the stretches of each soil,
+
+    friction(phi, omega) = sum mu [cos(phi) A - sin(phi) B + omega*^2 P] - integral of mu u.
+
+What this is more than with the mean friction coefficient on the whole arc is handed to the balance.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.base.kinds import Floats, Names, Parameters
+from slipcircle.core.scene.effects import OF_SOIL
+from slipcircle.layers.soils import distinct, share_one_law
+from slipcircle.layers.stretches import StretchIntegrals
+
+
+class OfRotation(NamedTuple):
+    """A function of the rotation, the sum of coefficients (parts, lanes) times parts of the geometry alone.
+
+    ``coefficients`` are by the name of those parts: a method of `ArcStrength`, which takes rotations (M, circles),
+    down-slope, and returns (parts, M, circles).
+    """
+
+    strength: "ArcStrength"
+    coefficients: Mapping[str, Floats]
+
+    def __call__(self, rotation: Floats) -> Floats:
+        """Its values after rotations (M, circles), (M, lanes)."""
+        parts = self.strength.parts(rotation, self.coefficients)
+        return self.combined(parts)
+
+    def combined(self, parts: Mapping[str, Floats]) -> Floats:
+        """Its values from parts that are known."""
+        total: Floats = np.zeros(())
+        for name, values in self.coefficients.items():
+            total = total + over_circles(parts[name], values)
+        return total
+
+
+def over_circles(parts: Floats, coefficients: Floats) -> Floats:
+    """Sums over the first axis of parts (parts, ..., circles) times coefficients (parts, lanes), (..., lanes)."""
+    if parts.shape[-1] == 1:
+        return np.tensordot(parts[..., 0], coefficients, (0, 0))
+    return np.einsum("p...l,pl->...l", parts, coefficients)
+
+
+class Needs(NamedTuple):
+    """What a scene needs of the strength along an arc."""
+
+    rotates: bool
+    shaken: bool = False
+    complete: bool = False  # also terms that are 0, for derivatives of them that may not be
+
+
+class MeanFriction(dict[str, Any]):
+    """The law of friction of an arc as a whole that the soils along it make up."""
+
+
+@dataclass(frozen=True, eq=False)
+class ArcStrength(StretchIntegrals):
+    """The strength along the arc of a `slipcircle.layers.layers.LayeredSection`."""
+
+    _terms: dict[Needs, dict[str, Any]] = field(default_factory=dict)
+
+    def _by_surface(self, quantity: Floats) -> Floats:
+        """Coefficients of integrals up to joints of a quantity of the soils, ((J + 1) surfaces, lanes)."""
+        _, weights = self._surfaces
+        differences = self._by_direction(quantity)[:-1]
+        product = differences[:, None] * weights
+        joints, surfaces, lanes = product.shape
+        return product.reshape(joints * surfaces, lanes)
+
+    def _by_direction(self, quantity: Floats) -> Floats:
+        """The same up to directions in space, joints, exit and entry, (J + 2, lanes)."""
+        by_soil = self.incidence.transpose(1, 0, 2)
+        return over_circles(by_soil, quantity)
+
+    @cached_property
+    def _still(self) -> dict[str, Floats]:
+        """The parts at the start, by name, (parts, circles)."""
+        circles = len(self.section._facing)
+        names = ["normal", "space"]
+        if any(datum is not None for datum in self.section.datums):
+            names.append("growth")
+        if self.section.level is not None:
+            names.append("heads")
+        parts = self.parts(np.zeros((1, circles)), names)
+        return {name: part[:, 0] for name, part in parts.items()}
+
+    @cached_property
+    def _by_soil(self) -> dict[str, Floats]:
+        """What presses on the stretches of each soil at the start, over the mean unit weight, (soils, lanes)."""
+        _, weights = self._surfaces
+        at_joints = self.incidence[:-1]
+        joints, _, circles = at_joints.shape
+        by_soil = {}
+        for name in ("normal", "tilt", "inertia", "overburden"):
+            part = self._still[name]
+            by_joint = part.reshape(joints, len(weights), circles)
+            by_surface = np.einsum("jic,jsc->sic", at_joints, by_joint)
+            by_soil[name] = over_circles(by_surface, weights)
+        return by_soil
+
+    def _at_start(self, name: str, quantity: Floats) -> Floats:
+        """A quantity of the soils times what presses on their stretches, (lanes,)."""
+        by_soil = self._by_soil[name] * quantity
+        total: Floats = by_soil.sum(axis=0)
+        return total
+
+    @property
+    def _normal_load(self) -> Floats:
+        """J_r at the start, (lanes,)."""
+        load: Floats = -self.section._weighted_moments["radial_y"]
+        return load
+
+    def _mean(self, quantity: Floats) -> Floats:
+        """Mean of a friction coefficient over the arc, by the normal forces at the start, (lanes,)."""
+        return self._at_start("normal", quantity) / self._normal_load
+
+    @cached_property
+    def _peak(self) -> Floats:
+        return self.section.of_soils("peak")
+
+    @cached_property
+    def _laws(self) -> list[Parameters]:
+        """Friction laws of those soils whose friction is no constant."""
+        frictions = [soil.friction for soil in self.section.soils]
+        return [friction for friction in frictions if isinstance(friction, Mapping)]
+
+    @cached_property
+    def _residual(self) -> Floats:
+        return self.section.of_soils("residual")
+
+    @cached_property
+    def mean_peak(self) -> Floats:
+        """Friction coefficient of the whole arc at the start, (lanes,)."""
+        return self._mean(self._peak)
+
+    @cached_property
+    def mean_residual(self) -> Floats:
+        """Friction coefficient of the whole arc after much slip, by the normal forces at the start, (lanes,)."""
+        return self._mean(self._residual)
+
+    @cached_property
+    def _shares(self) -> tuple[Floats, Floats]:
+        """By soil, over their means: the part of friction that slip takes away, and what remains beyond this share.
+
+        With mu = r + (p - r) f(s) of each soil and of the means, sum mu N = mu_mean (sum (p - r)/(p - r)_mean N) +
+        sum (r - r_mean (p - r)/(p - r)_mean) N: the second sum is 0 where the soils soften alike.
+        """
+        has_friction = self.mean_peak != 0.0
+        mean = np.where(has_friction, self.mean_peak, 1.0)
+        of_peaks = self._peak / mean
+        share = np.where(has_friction, of_peaks, 1.0)
+        if not self._laws:
+            return share, np.zeros(1)
+        lost = self._peak - self._residual
+        mean_lost = self.mean_peak - self.mean_residual
+        mean_softens = mean_lost != 0.0
+        softens = np.any(lost, axis=0) & mean_softens
+        divisor = np.where(softens, mean_lost, 1.0)
+        share = np.where(softens, lost / divisor, share)
+        beyond_share = self._residual - self.mean_residual * share
+        remaining = np.where(softens, beyond_share, 0.0)
+        rounding = 1e-15 * np.abs(self._residual)
+        is_rounding = np.abs(remaining) <= rounding
+        dropped = np.where(is_rounding, remaining.real, 0.0)  # only the value: derivatives stay
+        return share, remaining - dropped
+
+    @cached_property
+    def friction(self) -> MeanFriction:
+        """The friction of the arc as a whole, as a `Scene` takes it: its mean, by the normal forces at the start."""
+        peak = self.section._shaped(self.mean_peak)
+        rate = {} if self.section.rate is None else {"rate": self.section.rate}
+        if self._own_laws:
+            by_soil = {soil.name: soil.friction for soil in self._distinct_soils}
+            return MeanFriction(law="of each soil", coefficient=peak, soils=by_soil, **rate)
+        if not self._laws:
+            return MeanFriction(law="constant", coefficient=peak, **rate)
+        residual = self.section._shaped(self.mean_residual)
+        return MeanFriction(self._laws[0], peak=peak, residual=residual, **rate)
+
+    def terms(self, needs: Needs) -> dict[str, Any]:
+        """What the balance takes beyond a homogeneous mass with the mean friction, over Theta*: numbers and functions.
+
+        Of friction what it takes hold of beyond its mean, N + G + (G_r)/mu, N of the weight; G_r remains of it where
+        soils do not soften alike. Whatever does not change with the rotation is a number. What is 0 is left out, unless
+        they are to be complete, for what derivatives may not be 0 of.
+        """
+        if needs not in self._terms:
+            terms = {"strength": self._cohesion(needs)}
+            if not self._own_laws:
+                terms |= self._friction_terms(needs)
+            counted = [name for name in terms if needs.complete or _counts(terms[name])]
+            self._terms[needs] = {name: terms[name] for name in counted}
+        return self._terms[needs]
+
+    def _friction_terms(self, needs: Needs) -> dict[str, Any]:
+        """What friction under one law of slip takes hold of beyond its mean: of its share, and of what remains."""
+        share, remaining = self._shares
+        names = ("normal", "turning", "inertia")
+        beyond_mean = share - 1.0
+        terms = self._gripping(names, beyond_mean, needs)
+        if np.any(self._peak):
+            terms["lift"] = self._lift(share, needs)
+        may_remain = needs.complete and self._laws
+        if may_remain or np.any(remaining):
+            names = ("remaining_normal", "remaining", "remaining_inertia")
+            terms |= self._gripping(names, remaining, needs)
+            terms["remaining_lift"] = self._lift(remaining, needs)
+        return terms
+
+    # --- a friction law of its own for each soil -----------------------------------------------------------------
+
+    @cached_property
+    def _own_laws(self) -> bool:
+        return not share_one_law(self.section.soils)
+
+    @property
+    def _distinct_soils(self) -> list[Any]:
+        return distinct(self.section.soils)
+
+    def soil_terms(self, needs: Needs) -> dict[str, dict[str, Any]]:
+        """What each soil with a friction law of its own adds to the balance, over Theta*, by the name of its effect.
+
+        With n_i the share of soil i of the normal force at the start, mu = sum n_i mu_i, and N_i - n_i N is what the
+        normal force on the soil exceeds its share by as the mass turns.
+        """
+        if not self._own_laws:
+            return {}
+        terms = {}
+        for k, soil in enumerate(self._distinct_soils):
+            is_soil = [[float(other is soil)] for other in self.section.soils]
+            along = np.array(is_soil)
+            share = self._mean(along)
+            names = ("", "turning", "inertia")
+            excess = self._gripping(names, along - share, needs)
+            of_soil = {"share": self.section._shaped(share)}
+            of_soil["slope"] = excess["turning_slope"]
+            of_soil["inertia"] = excess["inertia"]
+            lift = self._lift(along, needs)
+            if needs.complete or _counts(lift):
+                of_soil["lift"] = lift
+            terms[f"soil_friction{OF_SOIL}{k}"] = of_soil
+        return terms
+
+    @property
+    def _theta(self) -> Floats:
+        inertia: Floats = self.section._weighted_moments["inertia"]
+        return inertia
+
+    @property
+    def _weight_scale(self) -> Floats:
+        """gamma Theta* in N/m^3, by which weights come over Theta*, (lanes,)."""
+        return self.section._weights_per_area * self._theta
+
+    def _gripping(self, names: Names, quantity: Floats, needs: Needs) -> dict[str, Any]:
+        """What a share of friction takes hold of, of weight and of inertia."""
+        base, mass, inertia = names
+
+        def at_start(part: str) -> Any:
+            total = self._at_start(part, quantity)
+            return self.section._shaped(total / self._theta)
+
+        tilt = at_start("tilt")
+        if not needs.rotates or not self._base_stays:
+            normal = at_start("normal")
+            return {mass: normal, f"{mass}_slope": tilt, inertia: at_start("inertia")}
+        coefficients = self._by_surface(quantity) / self._theta
+        if needs.shaken:
+            tilt = OfRotation(self, {"tilt": coefficients})
+        return {
+            base: OfRotation(self, {"normal": coefficients}),
+            inertia: OfRotation(self, {"inertia": coefficients}),
+            f"{base}_slope": tilt,  # for the yield coefficient too
+        }
+
+    def _cohesion(self, needs: Needs) -> Any:
+        """Strength without normal stress, over Theta*."""
+        section = self.section
+        cohesion = section.of_soils("cohesion")
+        growth = section.of_soils("cohesion_gradient")
+        coefficients = {}
+        if needs.complete or np.any(cohesion):
+            _, _, radius = section._circle
+            dimensionless = cohesion / (self._weight_scale * radius)
+            coefficients["space"] = self._by_direction(dimensionless)
+        if np.any(growth):
+            coefficients["growth"] = growth / self._weight_scale
+        return self._function(coefficients, needs.rotates and self._base_stays)
+
+    def _lift(self, share: Floats, needs: Needs) -> Any:
+        """What water takes from the normal force of a share of friction, over Theta*: of the level, and of ratios."""
+        section = self.section
+        ratio = section.of_soils("pore_ratio")
+        coefficients = {}
+        if np.any(ratio):
+            by_surface = self._by_surface(share * ratio)
+            coefficients["overburden"] = by_surface / self._theta
+        stays_in_space = self._base_stays or section.level is not None
+        if section.level is not None:
+            below_level = np.where(ratio > 0.0, 0.0, share)
+            weight = below_level * section.water_unit_weight / self._weight_scale
+            coefficients["heads"] = self._by_direction(weight)
+        return self._function(coefficients, needs.rotates and stays_in_space)
+
+    def _function(self, coefficients: Mapping[str, Floats], changes: bool) -> Any:
+        """A function of the rotation, or the number that it is at the start; 0 of nothing."""
+        if not coefficients:
+            return 0.0
+        function = OfRotation(self, coefficients)
+        if changes:
+            return function
+        at_start = function.combined(self._still)
+        return self.section._shaped(at_start)
+
+
+def _counts(term: Any) -> bool:
+    """Whether a term is not zero."""
+    if isinstance(term, OfRotation):
+        return any(map(np.any, term.coefficients.values()))
+    return bool(np.any(term))

@@ -1,0 +1,288 @@
+"""The stretches of an arc along which soils lie, and what they carry after a rotation, for a unit weight.
+
+A quantity q of the soils summed over the stretches, with a cumulative integral C from the entry, is
+
+    q_last C(exit) + sum over the joints of stretches of (q_before - q_after) C(joint),
+
+so that only C at the joints depends on the rotation, and only the differences on the numbers of the soils.
+"""
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.base.kinds import Floats, Integers
+from slipcircle.layers.profile import HEAD, POLAR, RADIAL_X, RADIAL_Y, Profile
+
+# What sections that differ in numbers of soils alone have in common.
+OF_GEOMETRY = ("stretches", "span", "rotation_kinks", "incidence")
+_PRESSING = (RADIAL_Y, RADIAL_X, POLAR, HEAD)  # the integrals that strength takes
+
+
+class Stretches(NamedTuple):
+    """Where the soil at the base changes along the arc: (circles, J) directions, and the soils above and below."""
+
+    joint: Floats
+    before: Integers
+    after: Integers
+    first: Integers
+    last: Integers
+
+
+@dataclass(frozen=True, eq=False)
+class StretchIntegrals:
+    """Integrals over the stretches of the soils along an arc as functions of the rotation: of the geometry alone.
+
+    ``section`` is a `slipcircle.layers.layers.LayeredSection`.
+    """
+
+    section: Any
+
+    @cached_property
+    def stretches(self) -> Stretches:
+        """Where the soil at the base changes, both ends of the arc included; beyond the exit lies the foreland."""
+        section = self.section
+        strips = section._strips
+        faces_right = section._facing[:, None] > 0.0
+        base_from_right = strips.base[:, ::-1]
+        edges_from_right = -strips.beta[:, ::-1]
+        base = np.where(faces_right, strips.base, base_from_right)
+        edges = np.where(faces_right, strips.beta, edges_from_right)
+        if section.foreland is not None:
+            base[:, -1] = len(section.layers)
+        before = base[:, :-1]
+        after = base[:, 1:]
+        changes = np.any(before != after, axis=0)
+        joint = edges[:, changes]
+        before = before[:, changes]
+        after = after[:, changes]
+        return Stretches(joint, before, after, base[:, 0], base[:, -1])
+
+    @cached_property
+    def span(self) -> tuple[Floats, Floats]:
+        """Directions of the entry and of the exit, (circles,)."""
+        left, right = self.section._angles
+        faces_right = self.section._facing > 0.0
+        entry = np.where(faces_right, left, -right)
+        exit_ = np.where(faces_right, right, -left)
+        return entry, exit_
+
+    @property
+    def _joints(self) -> Floats:
+        """Directions of the joints before the mass moves, (J, circles)."""
+        return self.stretches.joint.T
+
+    @property
+    def _base_stays(self) -> bool:
+        """Whether strength belongs to the base, over which the mass moves."""
+        return bool(self.section.strength == "base")
+
+    def _joints_met(self, rotation: Floats) -> Floats:
+        """Where the mass meets the joints, and its exit, after rotations (M, circles), (J + 1, M, circles).
+
+        In directions of the mass at the start. Joints of the base stay behind as the mass moves on.
+        """
+        first, last = self.span
+        moved = rotation if self._base_stays else np.zeros_like(rotation)
+        in_mass = [joint - moved for joint in self._joints]
+        met = [np.clip(joint, first, last) for joint in in_mass]
+        exit_ = np.broadcast_to(last, rotation.shape)
+        return np.stack([*met, exit_])
+
+    @cached_property
+    def _surfaces(self) -> tuple[Profile, Floats]:
+        """The profile of what presses, and the unit weight below each of its surfaces over the mean, (surfaces, lanes).
+
+        One surface stands for all but where lanes of one geometry differ in their weights.
+        """
+        profile = self.section.profile.of(_PRESSING)
+        steps = self.section.weight_steps
+        circles = profile.edges.shape[1]
+        of_first_lane = steps[:, :1]
+        are_equal = np.all(steps == of_first_lane)
+        if circles == 1 and are_equal:
+            steps = of_first_lane
+        if steps.shape[1] == circles:
+            profile = profile.combined(steps)
+            steps = np.ones((1, 1))
+        return profile, steps / self.section._weights_per_area
+
+    def _pressing(self, rotation: Floats) -> Floats:
+        """Integrals of unit weights below surfaces up to where joints are met, (4, J + 1, surfaces, M, circles).
+
+        From the entry; of x down-slope.
+        """
+        profile, _ = self._surfaces
+        facing = self.section._facing
+        met = self._joints_met(rotation)
+        circles = met.shape[-1]
+        directions = met.reshape(-1, circles)
+        from_left = profile.up_to(facing * directions)
+        whole = profile.whole[:, :, None]
+        from_right = whole - from_left
+        from_entry = np.where(facing > 0.0, from_left, from_right)
+        from_entry[1] *= facing
+        integrals, surfaces, _, _ = from_entry.shape
+        by_joint = from_entry.reshape(integrals, surfaces, *met.shape)
+        return np.moveaxis(by_joint, 1, 2)
+
+    def parts(self, rotation: Floats, names: Collection[str]) -> dict[str, Floats]:
+        """Parts by their names, of what presses all at once."""
+        every: dict[str, Floats] = {}
+        others = {"space": self.space, "heads": self.heads, "growth": self.growth}
+        for name, part in others.items():
+            if name in names:
+                every[name] = part(rotation)
+        if len(every) < len(names):
+            every |= self._of_weight(rotation)
+        return every
+
+    def _of_weight(self, rotation: Floats) -> dict[str, Floats]:
+        """Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its derivative by psi, I_p, and the cover."""
+        pressing = self._pressing(rotation)
+        by_joint = pressing.reshape(4, -1, *rotation.shape)
+        radial_y, radial_x, polar, overburden = by_joint
+        cosine = np.cos(rotation)
+        sine = np.sin(rotation)
+        slope = radial_x * sine
+        normal = -radial_y * cosine - slope
+        tilt = radial_x * cosine - radial_y * sine
+        return {"normal": normal, "tilt": tilt, "inertia": polar, "overburden": overburden}
+
+    def space(self, rotation: Floats) -> Floats:
+        """Directions in space of the joints, the exit and the entry after rotations, (J + 2, M, circles)."""
+        first, last = self.span
+        start = first + rotation
+        end = last + rotation
+        if self._base_stays:
+            joints = [np.clip(joint, start, end) for joint in self._joints]
+        else:
+            joints = [joint + rotation for joint in self._joints]
+        return np.stack([*joints, end, start])
+
+    def heads(self, rotation: Floats) -> Floats:
+        """Integrals of the head of the water level from the entry to these directions, (J + 2, M, circles)."""
+        there = self.section._facing * self.space(rotation)
+        *_, entry = there
+        left = np.minimum(entry, there)
+        right = np.maximum(entry, there)
+        return self.section.heads_between(left, right)
+
+    def _growth(self, b: Floats) -> Floats:
+        """Integral over the arc, from its entry to directions b, of the depth below each soil's datum, over R.
+
+        (soils, ..., circles); 0 above the datum and of soils without one.
+        """
+        first, _ = self.span
+        rows = []
+        for level in self.section.datum_levels:
+            if level is None:
+                rows.append(np.zeros_like(b))
+                continue
+            depth = np.clip(-level, -1.0, 1.0)
+            reach = np.arccos(depth)  # the datum crosses the arc at -reach and reach
+            start = np.clip(first, -reach, reach)
+            end = np.clip(b, -reach, reach)
+            angle = end - start
+            above_level = level * angle
+            sine_of_start = np.sin(start)
+            integral = above_level + np.sin(end) - sine_of_start
+            rows.append(integral)
+        return np.stack(rows)
+
+    def growth(self, rotation: Floats) -> Floats:
+        """Parts of the resistance that grow with depth, of each soil one, (soils, M, circles), over R."""
+        first, last = self.span
+        there = self.space(rotation)
+        if not self._base_stays:
+            there = there - rotation
+        has_foreland = self.section.foreland is not None
+        limit = np.inf if has_foreland else last  # a foreland's own rule goes on beyond the exit
+        on_arc = np.clip(there, first, limit)
+        growth = self._growth(on_arc)
+        by_soil = self.incidence.transpose(1, 0, 2)
+        by_direction = by_soil[:, :, None] * growth
+        parts = by_direction.sum(axis=1)
+        *_, exit_, entry = there
+        if not has_foreland:
+            beyond_exit = np.maximum(exit_ - last, 0.0)
+            at_exit = self._held_value(self.stretches.last, last, beyond_exit)
+            parts = parts + at_exit
+        above_entry = np.maximum(first - entry, 0.0)
+        at_entry = self._held_value(self.stretches.first, first, above_entry)
+        beyond_both_ends: Floats = parts + at_entry
+        return beyond_both_ends
+
+    def _held_value(self, soil: Integers, direction: Floats, length: Floats) -> Floats:
+        """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
+        levels = self.section.datum_levels
+        parts = []
+        for k, level in enumerate(levels):
+            part = np.zeros_like(length)
+            if level is not None:
+                height = level + np.cos(direction)
+                depth = np.maximum(height, 0.0)
+                of_this_soil = soil == k
+                part = np.where(of_this_soil, depth * length, 0.0)
+            parts.append(part)
+        return np.stack(parts)
+
+    @cached_property
+    def rotation_kinks(self) -> Floats:
+        """Rotations at which one of these functions is not smooth, (kinks, circles), sorted."""
+        section = self.section
+        ends = np.stack(self.span, axis=1).real
+        joints = self.stretches.joint.real
+        facing = section._facing[:, None]
+        opening = np.diff(ends, axis=1)
+        kinks = [opening]
+        if section.level is not None:
+            of_level = section._water.kinks * facing
+            turning = ends
+            if not self._base_stays:
+                turning = np.concatenate([ends, joints], axis=1)
+            kinks.append(_differences(of_level, turning))
+        if self._base_stays:
+            strips = section._strips.beta.real * facing
+            kinks.append(_differences(joints, strips))
+            kinks += [_differences(crossings, ends) for crossings in self._datum_crossings]
+        every = np.concatenate(kinks, axis=1)
+        return np.sort(every, axis=1).T
+
+    @property
+    def _datum_crossings(self) -> Iterator[Floats]:
+        """Directions at which heights below which cohesion grows cross the circle, (circles, 2) each."""
+        for level in self.section.datum_levels:
+            if level is not None:
+                depth = np.clip(-level.real, -1.0, 1.0)
+                reach = np.arccos(depth)
+                yield np.stack([reach, -reach], axis=1)
+
+    @cached_property
+    def incidence(self) -> Floats:
+        """(q_before - q_after) at joints, q_last and -q_first of a quantity q of the soils, (J + 2, soils, circles).
+
+        Summed over the stretches with a cumulative integral C from the entry, q is q_last C(exit) + sum_j (q_before -
+        q_after)_j C(b_j); of an integral from elsewhere the last row takes what is at the entry.
+        """
+        joints = self.stretches
+        of_soil = np.eye(len(self.section.soils))
+        before = of_soil[joints.before.T]
+        after = of_soil[joints.after.T]
+        at_exit = of_soil[joints.last]
+        at_entry = of_soil[joints.first]
+        at_joints = before - after
+        by_soil = np.stack([*at_joints, at_exit, -at_entry])
+        incidence: Floats = by_soil.transpose(0, 2, 1)
+        return incidence
+
+
+def _differences(there: Floats, mass: Floats) -> Floats:
+    """Rotations that bring directions of the mass to directions in space, (circles, N M)."""
+    of_place = there[:, :, None]
+    of_mass = mass[:, None, :]
+    rotations = of_place - of_mass
+    return rotations.reshape(len(there), -1)

@@ -1,0 +1,1 @@
+"""Implicit steps, for brakes that explicit steps cannot follow."""

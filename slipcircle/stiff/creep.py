@@ -1,0 +1,267 @@
+"""Masses that creep to their equilibrium through a viscous layer and never rest.
+
+At rest the net moment N(phi) falls to zero at the equilibrium phi_e. With y = phi_e - phi, the rotation left, and d the
+slope of the viscous moment, both over Theta*, what brakes beside viscosity only helps:
+
+    domega*/dt* <= N - d omega*,    dy/dt* = -omega*
+
+Where d^2 > 4 N/y all the way to the equilibrium, the line omega* = y d/2 is never crossed from below: on it domega*/dy
+is at least d/2. A mass below the line (beyond its kinks, overdamped) approaches its equilibrium without ever reaching
+it: it creeps. One that passes the equilibrium comes to rest behind it in finite time. With K = N/y at the equilibrium
+and d^2 = 4 K (1 - e) it passes it by exp(-pi/sqrt(e)) of what was left: where that is rounding, it creeps, too.
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import layout as ix
+from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Floats
+from slipcircle.core.problem.problem import Problem
+from slipcircle.core.program.program import Samples
+from slipcircle.core.walk.compiled import engine
+
+Lanes = NDArray[np.intp]
+Integrate = Callable[[Problem, Samples | None], Floats]  # final cells
+
+CRITICAL = 4.0 / (1.0 + (math.pi / math.log(EPS)) ** 2)  # d^2 over K from which on a mass creeps
+LEFT = 0.01  # of the run-out, when the mass is said to have arrived
+POSITIONS = 64  # over half a turn at which the net moment is looked at, and up to the equilibrium
+MARGIN = 1.25  # of the time that is tried first
+SAMPLES = (64, 2048)  # at least and at most, between which the time of arrival is narrowed down
+SECTIONS = 16  # into which the interval of its root is divided, again and again
+COLUMNS = 20_000  # evaluated at once
+SLOW = 1e-8  # omega* at which the viscous moment is compared with that at rest
+NEXT = 1e-6  # of the rotation left, where the stiffness at the equilibrium is taken; of a time that is to be improved
+LONGEST = 2.0**200  # dimensionless time
+
+
+class Now(NamedTuple):
+    """Some lanes of a problem, and their cells where they are."""
+
+    problem: Problem
+    lanes: Lanes
+    cells: Floats
+
+
+class Ahead(NamedTuple):
+    """The equilibrium that lanes move towards: the rotation left, infinite without one, and rates close to it."""
+
+    left: Floats
+    damping: Floats  # d
+    stiffness: Floats  # N/y next to it
+    greatest: Floats  # N/y from here on, at most
+
+
+def integrate(problem: Problem, samples: Samples | None, integrate_lanes: Integrate) -> Floats:
+    """Final cells of lanes, some of which may creep: these end at an infinite time, at their equilibrium.
+
+    `ix.REST_SINCE` of such a lane is the time by which all but `LEFT` of its run-out is covered.
+
+    Parameters
+    ----------
+    problem : Problem
+    samples : Samples, optional
+    integrate_lanes : callable
+        Integrates all lanes of a problem to their end.
+    """
+    which, end_time = _candidates(problem)
+    if not which.size:
+        return integrate_lanes(problem, samples)
+    creeping = np.zeros(which.size, dtype=bool)
+    undecided = ~creeping
+    while undecided.any() and end_time.max() < LONGEST:
+        cells = integrate_lanes(_until(problem, which, end_time), None)
+        final = cells[:, which]
+        moving = final[ix.STATUS] == ix.ENDED
+        caught, equilibrium = _caught(problem, which, final)
+        creeping = moving & caught
+        undecided = moving & ~caught
+        end_time = np.where(undecided, 2.0 * end_time, end_time)
+    lanes = which[creeping]
+    rotation = equilibrium[creeping]
+    arrival = _arrival(problem, lanes, rotation, end_time[creeping], integrate_lanes)
+    if samples is not None:
+        last_sample = samples.times[-1].max()
+        last = np.maximum(end_time, last_sample)
+        integrate_lanes(_until(problem, which, last), samples)
+    _settle(cells, lanes, rotation, arrival)
+    cells[ix.END_TIME, which] = np.inf
+    cells[ix.STATUS, which[undecided]] = ix.TOO_LONG
+    return cells
+
+
+def _settle(cells: Floats, lanes: Lanes, rotation: Floats, arrival: Floats) -> None:
+    """Let lanes end at their equilibrium, never."""
+    cells[ix.TIME, lanes] = np.inf
+    cells[ix.REST_SINCE, lanes] = arrival
+    cells[ix.END_ROTATION, lanes] = rotation
+    cells[ix.END_OMEGA, lanes] = 0.0
+    cells[ix.END_RATE, lanes] = 0.0
+    reach = np.abs(cells[ix.REACH_ROTATION, lanes])
+    farthest_at_end = reach < np.abs(rotation)
+    farther = lanes[farthest_at_end]
+    cells[ix.REACH_ROTATION, farther] = rotation[farthest_at_end]
+    cells[ix.REACH_TIME, farther] = np.inf
+
+
+def _until(problem: Problem, which: Lanes, end_time: Floats) -> Problem:
+    """The same problem with other ends of some lanes."""
+    cells = problem.initial_cells()
+    cells[ix.END_TIME, which] = end_time
+    return problem._replace(cells=cells)
+
+
+def _candidates(problem: Problem) -> tuple[Lanes, Floats]:
+    """Lanes without an end that are overdamped at the equilibrium ahead, and the time that their approach takes."""
+    cells = problem.cells
+    begins = cells[ix.STATUS] == ix.START
+    endless = cells[ix.END_TIME] == np.inf
+    (which,) = np.nonzero(begins & endless)
+    begun = cells[:, which].copy()
+    place = problem.program.places["driving_moment"]
+    begun[ix.DIRECTION] = _direction(begun[place])
+    ahead = _ahead(Now(problem, which, begun))
+    creeps = ahead.damping**2 > CRITICAL * ahead.stiffness
+    damping = ahead.damping[creeps]
+    stiffness = ahead.stiffness[creeps]
+    discriminant = damping**2 - 4.0 * stiffness
+    root = np.sqrt(np.maximum(discriminant, 0.0))
+    slow_rate = 2.0 * stiffness / (damping + root)
+    time_to_arrive = np.log(1.0 / LEFT) / slow_rate
+    return which[creeps], MARGIN * time_to_arrive
+
+
+def _direction(towards: Floats) -> Floats:
+    """The direction of travel towards a side, 1 or -1."""
+    return np.where(towards < 0.0, -1.0, 1.0)
+
+
+def _caught(problem: Problem, which: Lanes, final: Floats) -> tuple[Any, Floats]:
+    """Lanes that have all but arrived and can no longer pass their equilibrium, and where that is."""
+    cells = final.copy()
+    rotation = final[ix.END_ROTATION]
+    omega = final[ix.END_OMEGA]
+    direction = _direction(omega)
+    cells[ix.DIRECTION] = direction
+    cells[ix.ROTATION] = rotation
+    cells[ix.SLIP] += final[ix.X]
+    ahead = _ahead(Now(problem, which, cells))
+    equilibrium = rotation + direction * ahead.left
+    arrived = ahead.left <= LEFT * np.abs(equilibrium)
+    left = np.where(arrived, ahead.left, 0.0)
+    line = 0.5 * ahead.damping * left
+    below_line = np.abs(omega) <= line
+    stays_below = ahead.damping**2 > CRITICAL * ahead.greatest
+    return arrived & below_line & stays_below, equilibrium
+
+
+def _ahead(now: Now) -> Ahead:
+    """The first equilibrium in the direction of travel."""
+    count = now.lanes.size
+    low = np.zeros(count)
+    high = np.full(count, np.pi)
+    low, high, falls = _bracket(now, low, high, POSITIONS)
+    high = np.where(falls, high, low)
+    while np.any(high - low > np.spacing(high)):
+        low, high, _ = _bracket(now, low, high, SECTIONS)
+    shares = np.linspace(0.0, 1.0, POSITIONS + 1)
+    shares[0] = NEXT
+    left = shares[:, None] * low
+    net = _net(now, low - left)
+    with np.errstate(all="ignore"):
+        stiffness = np.where(falls, net / left, np.inf)
+    slowed = _net(now, low[None], SLOW)
+    return Ahead(
+        left=np.where(falls, low, np.inf),
+        damping=-slowed[0] / SLOW,
+        stiffness=stiffness[0],
+        greatest=np.fmax.reduce(stiffness),
+    )
+
+
+def _bracket(now: Now, low: Floats, high: Floats, sections: int) -> tuple[Floats, Floats, Any]:
+    """The first section between two distances in which the net moment falls through zero, and whether it does."""
+    shares = np.linspace(0.0, 1.0, sections + 1)
+    width = high - low
+    edges = low + shares[:, None] * width
+    net = _net(now, edges)
+    drives = net[:-1] > 0.0
+    stops = net[1:] <= 0.0
+    falls = drives & stops
+    first = falls.argmax(axis=0)
+    lane = np.arange(low.size)
+    before = edges[first, lane]
+    behind = edges[first + 1, lane]
+    return before, behind, falls.any(axis=0)
+
+
+def _net(now: Now, distance: Floats, omega: float = 0.0) -> Floats:
+    """The net moment over Theta* farther on, (distances, lanes), at rest or at a speed."""
+    net = np.empty_like(distance)
+    together = max(1, COLUMNS // now.lanes.size)
+    for first in range(0, len(distance), together):
+        some = slice(first, first + together)
+        net[some] = _net_at_once(now, distance[some], omega)
+    return net
+
+
+def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
+    problem = now.problem
+    repeats = len(distance)
+    lanes = np.tile(now.lanes, repeats)
+    cells = np.tile(now.cells, repeats)
+    farther = distance.ravel()
+    cells[ix.ROTATION] += cells[ix.DIRECTION] * farther
+    cells[ix.SLIP] += farther
+    cells[ix.OMEGA] = omega
+    cells[ix.X] = 0.0
+    cells[ix.LIFTED] = 0.0
+    problem.extend_rotations(cells[ix.ROTATION], lanes)
+    problem.extend_tables(cells)
+    tables = [table.lanes(lanes) for table in problem.tables]
+    registers = engine().begin_phase(problem.program, tables, cells)
+    net = problem.program.roles["net"]
+    return np.reshape(registers[net], distance.shape)
+
+
+def _arrival(problem: Problem, lanes: Lanes, equilibrium: Floats, end: Floats, integrate_lanes: Integrate) -> Floats:
+    """The time from which lanes are within `LEFT` of their run-out from their equilibrium, before some end."""
+    low = np.zeros(lanes.size)
+    high = end
+    if not lanes.size:
+        return low
+    count = COLUMNS // lanes.size
+    count = np.clip(count, *SAMPLES)
+    shares = np.linspace(0.0, 1.0, count + 1)
+    within = LEFT * np.abs(equilibrium)
+    every = np.arange(lanes.size)
+    long_enough = _until(problem, lanes, 2.0 * end)
+    while np.any(high - low > NEXT * high):
+        width = high - low
+        times = low + shares[:, None] * width
+        rotation, omega = _read(long_enough, lanes, times, integrate_lanes)
+        left = np.abs(rotation - equilibrium)
+        outside = left > within
+        after_last_outside = outside[::-1].argmax(axis=0)
+        place = len(shares) - after_last_outside
+        low = times[place - 1, every]
+        high = times[place, every]
+    speed = np.abs(omega[place, every])
+    since_arrival = (within - left[place, every]) / speed
+    return high - since_arrival
+
+
+def _read(problem: Problem, lanes: Lanes, times: Floats, integrate_lanes: Integrate) -> tuple[Floats, Floats]:
+    """Rotation and omega of some lanes at times of their own, (times, lanes)."""
+    all_times = np.zeros((len(times), problem.cells.shape[1]))
+    all_times[:, lanes] = times
+    outputs = 2 + len(problem.program.states)
+    states = np.zeros((outputs, *all_times.shape))
+    integrate_lanes(problem, Samples(all_times, states))
+    rotation, omega, *_ = states[:, :, lanes]
+    return rotation, omega

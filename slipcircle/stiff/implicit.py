@@ -1,0 +1,316 @@
+"""Implicit steps of the same program, for stiff lanes such as creep through a viscous layer.
+
+The states at the points of a step (`slipcircle.stiff.radau`) solve residual = 0 by Newton's iteration with the
+exact Jacobian I - h a_ij df/dy(Y_j), which the program carries as tangents. Fast transients decay within one step of
+any length, and the end is accurate to order 2 s - 1. The step is as long as its polynomial, judged by its last Legendre
+coefficients, is the motion to rounding; events and samples are read off it. Phases and events are those of
+`slipcircle.core.walk.integrate`.
+"""
+
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import layout as ix
+from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Floats
+from slipcircle.core.problem.problem import Problem, common_cells
+from slipcircle.core.program.program import Log, Samples
+from slipcircle.core.scene.piecewise import Data
+from slipcircle.core.walk.compiled import engine
+from slipcircle.core.walk.events import Event
+from slipcircle.core.walk.integrate import Integrator
+from slipcircle.core.walk.lane_state import LaneState
+from slipcircle.stiff.radau import (
+    AT,
+    LEAST_SIZE,
+    TOLERANCE,
+    WEIGHTS,
+    Present,
+    Step,
+    falling_zero,
+    newton_correction,
+    step_factor,
+    step_through,
+)
+
+CREEP = 1e-12  # of the greatest speed, below which a mass without an end time creeps without end
+ENDLESS = 1e12  # dimensionless time, thirty thousand years and more, after which a motion has no end
+ITERATIONS = 12
+CONVERGED = 1e-12  # a correction, relative, from which on it is rounding that keeps it from falling
+# Of one lane, breaks of what changes with time not included. A step no longer than some explicit ones counts for ten:
+# then the motion is not stiff, but trembles or swings for long.
+MOST_STEPS = 2_000
+EXPLICIT = 8.0
+SHORT_STEP = 10
+FIRST, GROWS, SHRINKS, DIVERGES = 4.0, 4.0, 0.1, 0.25  # factors of explicit steps, and from one step to the next
+
+
+def integrate(
+    problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: NDArray[np.intp]
+) -> None:
+    """Integrate some lanes one after the other from their present states, as `slipcircle.core.walk.integrate` does."""
+    present = problem._replace(cells=cells)
+    with_tangents = present.with_outputs(problem.outputs, directions=1)
+    program = with_tangents.program
+    result_cells, own_cells = common_cells(problem.program, program)
+    for number in which:
+        lane_number = np.array([number])
+        tables = [table.lanes(lane_number) for table in with_tangents.tables]
+        begun = with_tangents.cells[:, lane_number]
+        lane = _Implicit(program, tables, begun, lane_number, samples, log)
+        lane.integrated = len(problem.program.states)
+        lane.status = ix.MOVING
+        lane.steps = 0.0
+        with np.errstate(all="ignore"):
+            lane.restart_phase()
+            while lane.status[0] <= ix.RESTING:
+                lane.round()
+        cells[result_cells, number] = lane.cells[own_cells, 0]
+
+
+class _Implicit(Integrator):
+    """One lane; its step extends to the next event or break and consists of any number of implicit steps."""
+
+    steps_left = MOST_STEPS
+    integrated = 0  # states, their tangents among them where these are asked for
+
+    def step(self) -> None:
+        """Implicit steps up to the next event or break."""
+        self._prepare()
+        self.begin = float(self.time[0])
+        start = self._at(self.begin, self.cells[self.state_cells])
+        now, event = self._follow(start)
+        time = np.array([now.time])
+        self.cells[:] = self._cells_at(time, now.states)
+        uneventful = event == ix.EVENT_NONE
+        if uneventful and now.time < self.limit:
+            self.status = ix.TOO_LONG
+            return
+        rate = now.registers[self.roles["net"]]
+        kind = np.array([event])
+        self.settle(kind, rate, kind == ix.EVENT_NONE)
+
+    def _prepare(self) -> None:
+        """Prepare the quantities that all implicit steps up to the next event share."""
+        program = self.program
+        (self.tangent,) = program.tangents
+        limit = np.minimum(self.next_break(), self.end_time)
+        self.limit = float(limit[0])
+        integrated = program.states[: self.integrated]
+        self.state_cells = [cell for cell, _, _ in integrated]
+        self.rates = [rate for _, _, rate in integrated]
+        self.without_tangents = len(program.states) // 2  # states, the first of them
+        self.explicit = self._explicit_step()
+        standstill = Event(ix.EVENT_STANDSTILL, self.roles["omega"])
+        self.events = [standstill, *self.possible_events()]
+
+    def _explicit_step(self) -> float:
+        """The step that explicit integration would take."""
+        endless = np.full(1, np.inf)
+        series, order = self.expand(endless)
+        step = self._step_size(series, order, endless)
+        return min(float(step[0]), 1e3)
+
+    def _follow(self, now: Present) -> tuple[Present, int]:
+        """Steps up to the next event or the greatest number of steps: the state there, and the event."""
+        h = FIRST * self.explicit
+        while now.time < self.limit and not self._is_endless(now):
+            left = self.limit - now.time
+            to_limit = h >= left
+            h = min(h, left)
+            end = self.limit if to_limit else now.time + h
+            if not to_limit:
+                is_long = h > EXPLICIT * self.explicit
+                self.steps_left -= 1 if is_long else SHORT_STEP
+            if self.steps_left <= 0 or end == now.time:
+                break
+            step = self._newton(now, h)
+            if step is None:
+                self.steps_left -= to_limit
+                h *= DIVERGES
+                continue
+            factor = step_factor(step.error)
+            if not step.error <= TOLERANCE:
+                self.steps_left -= to_limit
+                h *= max(SHRINKS, factor)
+                continue
+            end, event = self._first_event(step, now, end)
+            self._keep_peak(step, now, end)
+            self._write(step, now.time, end)
+            now = self._within(step, now, end)
+            if event != ix.EVENT_NONE:
+                return now, event
+            h *= min(GROWS, factor)
+        return now, ix.EVENT_NONE
+
+    def _is_endless(self, now: Present) -> bool:
+        """Whether a mass without an end time has become so slow, or moved so long, that it creeps without end."""
+        duration = now.time - self.begin
+        if np.isfinite(self.limit) or duration == 0.0:
+            return False
+        omega = abs(now.states[1, 0])
+        peak = abs(self.peak_omega[0])
+        return bool(omega < CREEP * peak or duration > ENDLESS)
+
+    # --- one step ----------------------------------------------------------------------------------------------------
+
+    def _tables(self, count: int) -> list[Data]:
+        first = np.zeros(count, dtype=np.intp)
+        return [table.lanes(first) for table in self.tables]
+
+    def _cells_at(self, times: Floats, states: Floats) -> Floats:
+        """Cells of this lane at some times in some states, (states, times)."""
+        cells = np.repeat(self.cells, times.size, axis=1)
+        cells[ix.TIME] = times
+        cells[self.state_cells] = states
+        tables = self._tables(times.size)
+        there = LaneState(self.program, tables, cells)
+        for piece in there.timed:
+            value = piece.taylor(0)[0]
+            piece.increment = value - piece.value  # since the phase began
+        return cells
+
+    def _registers_in(self, cells: Floats) -> Floats:
+        """Registers of lanes with these cells, (registers, lanes)."""
+        tables = self._tables(cells.shape[1])
+        return np.asarray(engine().registers(self.program, tables, cells))
+
+    def _registers_at(self, times: Floats, states: Floats) -> Floats:
+        """Registers in these states, (registers, times)."""
+        cells = self._cells_at(times, states)
+        return self._registers_in(cells)
+
+    def _at(self, time: float, states: Floats) -> Present:
+        registers = self._registers_at(np.array([time]), states)
+        return Present(time, states, registers)
+
+    def _within(self, step: Step, start: Present, time: float) -> Present:
+        """States and registers at a time within a step."""
+        since = np.array([time - start.time])
+        states = step.states(since)
+        return self._at(time, states)
+
+    def _jacobian(self, times: Floats, points: Floats) -> Floats:
+        """df_j/dy_i at points (points, states), as (i, points, j), by the program's tangents in the states' directions.
+
+        Tangents that are integrated beside the states have the same; how it changes with the states is neglected, as
+        their own equations are linear.
+        """
+        count = len(times)
+        registers = self._in_directions_of_states(times, points)
+        states = self.without_tangents
+        jacobian = np.zeros((states, count, states))
+        for j, rate in enumerate(self.rates[:states]):
+            rate_dot = self.tangent.registers.get(rate)
+            if rate_dot is not None:
+                jacobian[:, :, j] = registers[rate_dot]
+        copies = np.eye(self.integrated // states)
+        blocks = np.einsum("ab,ikj->aikbj", copies, jacobian)
+        return blocks.reshape(self.integrated, count, self.integrated)
+
+    def _in_directions_of_states(self, times: Floats, points: Floats) -> Floats:
+        """Registers with the tangents of each state set to 1 in turn, (registers, states, points)."""
+        states = self.without_tangents
+        count = len(times)
+        every_time = np.tile(times, states)
+        every_point = np.tile(points, (states, 1))
+        cells = self._cells_at(every_time, every_point.T)
+        tangent_cells = self.tangent.cells
+        cells[list(tangent_cells.values())] = 0.0
+        directions = [tangent_cells[cell] for cell in self.state_cells[:states]]
+        unit_directions = np.eye(states)
+        cells[directions] = np.repeat(unit_directions, count, axis=1)
+        registers = self._registers_in(cells)
+        return registers.reshape(-1, states, count)
+
+    def _greatest_speed(self, start: Floats) -> Floats:
+        """The greatest speed so far in the place of omega, otherwise 0.
+
+        Near an equilibrium drive and resistance cancel: what is left of the speed has the rounding of the greatest.
+        """
+        greatest = np.zeros(start.size)
+        peak = abs(self.peak_omega[0])
+        omega = abs(start[0, 1])
+        greatest[1] = max(peak, omega)
+        return greatest
+
+    def _newton(self, now: Present, h: float) -> Step | None:
+        """A step; none where Newton's iteration does not converge."""
+        times = now.time + AT * h
+        start = now.states.T
+        first_change = h * now.registers[self.rates].T
+        least_size = np.maximum(np.abs(first_change), LEAST_SIZE)
+        speeds = self._greatest_speed(start)
+        least_size = np.maximum(least_size, speeds)
+        least_size = np.maximum(np.abs(start), least_size)
+        points = start + AT[:, None] * first_change
+        before = np.inf
+        for _ in range(ITERATIONS):
+            registers = self._registers_at(times, points.T)
+            rates = registers[self.rates].T
+            change = h * WEIGHTS @ rates
+            residual = points - start - change
+            size = np.maximum(np.abs(points), least_size)
+            jacobian = self._jacobian(times, points)
+            correction = newton_correction(jacobian, h, residual, size)
+            if correction is None:
+                return None
+            points = points - correction * size
+            largest = np.abs(correction).max()
+            falls_no_more = CONVERGED > largest > before / 4
+            if largest <= 4 * EPS or falls_no_more:
+                return step_through(now, h, points, registers, rates, 8 * EPS * speeds)
+            if not largest < before:
+                return None
+            before = largest
+        return None
+
+    # --- events ------------------------------------------------------------------------------------------------------
+
+    def _first_event(self, step: Step, now: Present, end: float) -> tuple[float, int]:
+        """Time and kind of the first event of a step."""
+        first = ix.EVENT_NONE
+        for event in self.events:
+            time = self._first_time(event, step, now)
+            if time <= end:
+                end = time
+                first = event.kind
+        return end, first
+
+    def _first_time(self, event: Event, step: Step, now: Present) -> float:
+        """Time of the first event of a kind within a step; infinity without one."""
+
+        def margin(time: float) -> float:
+            registers = self._within(step, now, time).registers
+            return float(event.margin(registers)[0])
+
+        times = [now.time, *step.times]
+        registers = np.hstack([now.registers, step.registers])
+        margins = event.margin(registers)
+        for low, high in pairwise(zip(times, margins, strict=True)):
+            if low[1] > 0.0 >= high[1]:
+                return falling_zero(margin, low, high)
+        return np.inf
+
+    def _keep_peak(self, step: Step, now: Present, end: float) -> None:
+        """Greatest speed within the step, where the net moment passes zero."""
+        peak = Event(ix.EVENT_NONE, self.roles["net"])
+        time = self._first_time(peak, step, now)
+        if time <= end:
+            there = self._within(step, now, time)
+            x, omega, *_ = there.states
+            zero = np.zeros(1)
+            self.keep_faster(zero + time, x, omega, zero)
+
+    def _write(self, step: Step, begin: float, end: float) -> None:
+        """Evaluate the states at the sample times between two times."""
+        first = np.array([begin])
+        last = np.array([end])
+        for sample in self.samples_between(first, last):
+            states = step.states(sample.since)
+            x, omega, *further = states
+            registers = self._registers_at(first + sample.since, states)
+            net = registers[self.roles["net"]]
+            self.fill(sample, x, omega, net, *further)

@@ -1,0 +1,147 @@
+"""Effects as a scene is given them, made of what was given: functions of time from pulses and lists."""
+
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.checks import InputError
+from slipcircle.base.kinds import Effects, Parameters
+from slipcircle.tables.series import Pulse, Series
+
+_FACTORS = ("amplitude", "vertical_amplitude", "scale", "peak")
+_FITTING = {  # to each way to say what shakes
+    "horizontal": {"vertical", *_FACTORS},
+    "pulse": {*_FACTORS[:2], "start", "duration", "cycles"},
+}
+STRONGEST = 5.0  # g, beyond which no ground has shaken
+_OF_RECORDS = ("record", "units", "column", "step", "start", "gaps")
+_IN_FILES = "{{record}}: file names are for scene files; in Python use {} = slipcircle.Record.read(path, ...)"
+
+
+def resolved(name: str, given: Parameters) -> dict[str, Any]:
+    """An effect's parameters, with functions of time in the place of what they are made of.
+
+    Raises
+    ------
+    ValueError
+        Names the parameter that is wrong.
+    """
+    try:
+        if name == "shaking":
+            return _shaking(given)
+        if name == "pore_pressure":
+            return _water(given)
+    except InputError as error:
+        messages = [message.within(f"effects.{name}") for message in error.messages]
+        raise InputError("", messages) from error
+    except ValueError as error:
+        raise InputError("", [f"{{effects.{name}}}: {error}"]) from error
+    return dict(given)
+
+
+def factor(effect: str, given: Parameters, name: str) -> Any:
+    """What a parameter of a resolved effect is multiplied by: shaking has an amplitude, a scale or a peak."""
+    if effect != "shaking":
+        return 1.0
+    if isinstance(given.get(name), Pulse):
+        return given.get("vertical_amplitude" if name == "vertical" else "amplitude", 1.0)
+    if "peak" not in given:
+        return given.get("scale", 1.0)
+    recorded_peak = given["horizontal"].greatest or 1.0
+    return given["peak"] / recorded_peak
+
+
+def record_numbers(shaking: Parameters) -> dict[str, Any]:
+    """The scale and the peak of shaking by a record, which stand for each other."""
+    record = shaking["horizontal"]
+    if not isinstance(record, Series):
+        return {}
+    scale = factor("shaking", shaking, "horizontal")
+    return {"shaking.scale": scale, "shaking.peak": scale * record.greatest}
+
+
+def in_time(called: Effects) -> dict[str, Series | Pulse]:
+    """What changes with time in the effects of a single scene, with its factors, by ``effect.parameter``."""
+    functions = {}
+    for effect, given in called.items():
+        for name, value in given.items():
+            if isinstance(value, Series | Pulse):
+                scale = float(factor(effect, given, name))
+                functions[f"{effect}.{name}"] = value.scaled(scale)
+    return functions
+
+
+def _water(given: Parameters) -> dict[str, Any]:
+    """A ratio and a pressure: numbers, or functions of time from lists with their times."""
+    rest = dict(given)
+    rest.pop("time", None)
+    if "record" in given:
+        raise InputError("", [_IN_FILES.format("pressure")])
+    for name in _OF_RECORDS:
+        if name in given:
+            raise InputError("", [f"{{{name}}}: applies to a record; remove it, or give {{record}}"])
+    if "time" not in given:  # without it a list is an ensemble
+        return rest
+    time = np.asarray(given["time"])
+    numbers = {name: value for name, value in rest.items() if not callable(value)}
+    lists = [name for name in numbers if np.ndim(numbers[name]) == 1]
+    if time.ndim != 1 or not lists:
+        raise InputError("", ["{time} and {ratio} or {pressure}: must be lists of numbers"])
+    for name in lists:
+        values = np.asarray(rest[name])
+        rest[name] = Series(time, values)
+    return rest
+
+
+def _shaking(given: Parameters) -> dict[str, Any]:
+    """k_h(t) and k_v(t) from a pulse, or as they are, if the ground can shake like that."""
+    made = _as_series(given)
+    _check_strength(made)
+    return made
+
+
+def _as_series(given: Parameters) -> dict[str, Any]:
+    if "record" in given:
+        raise InputError("", [_IN_FILES.format("horizontal")])
+    ways = [way for way in _FITTING if way in given]
+    if len(ways) != 1:
+        both = " and ".join(f"{{{way}}}" for way in ways)
+        raise InputError("", [f"{both} exclude each other; remove one"])
+    (way,) = ways
+    fitting = _FITTING[way] | {way, "two_way"}
+    strange = [name for name in given if name not in fitting]
+    if strange:
+        raise InputError("", [f"{{{strange[0]}}} does not belong to a {way}; leave it out"])
+    if "scale" in given and "peak" in given:
+        raise InputError("", ["{scale} and {peak} exclude each other; remove one"])
+    if way == "horizontal":
+        return dict(given)
+    for needed in ("amplitude", "duration"):
+        if needed not in given:
+            raise InputError("", [f"{{{needed}}} is missing: a pulse needs it"])
+    start = float(given.get("start", 0.0))
+    duration = float(given["duration"])
+    cycles = float(given.get("cycles", 1.0))
+    pulse = Pulse(given["pulse"], 1.0, start, duration, cycles)
+    made: dict[str, Any] = {"horizontal": pulse}
+    if "vertical_amplitude" in given:
+        made["vertical"] = pulse
+    for name in (*_FACTORS, "two_way"):
+        if name in given:
+            made[name] = given[name]
+    return made
+
+
+def _check_strength(given: Parameters) -> None:
+    """Refuse a record beyond what any ground has done: its values were in another unit, or have a scale factor."""
+    for name in ("horizontal", "vertical"):
+        record = given.get(name)
+        if not isinstance(record, Series):
+            continue
+        factors = np.abs(factor("shaking", given, name))
+        greatest_factor = float(np.max(factors))
+        peak = greatest_factor * record.greatest
+        if peak > STRONGEST:
+            unlikely = f"{{{name}}} reaches {peak:.6g} g, more than any recorded ground motion ({STRONGEST:g} g)"
+            unit = 'its values are over gravity; in Python give their unit, such as Record(t, a, units="cm/s2")'
+            raise InputError("", [f"{unlikely}: {unit}"])

@@ -1,0 +1,270 @@
+"""Functions known by their values, as piecewise polynomials: of the rotation between their kinks, of slip in Python.
+
+Each piece interpolates at the nodes of Chebyshev; it is halved until the coefficients that follow are negligible.
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.polynomial import Chebyshev, Polynomial
+from numpy.polynomial.chebyshev import cheb2poly, chebfit, chebval
+
+from slipcircle.base.kinds import Floats
+from slipcircle.core.scene.piecewise import Data, continuous
+
+Function = Callable[[Any], Any]
+TERMS = 8  # of a piece
+_ORDERS = np.arange(TERMS)
+_ANGLES = np.pi * (_ORDERS + 0.5) / TERMS
+_NODES = np.cos(_ANGLES)
+_POLYNOMIALS = np.cos(np.outer(np.arccos(_NODES), _ORDERS))
+_TO_CHEBYSHEV = np.linalg.inv(_POLYNOMIALS)
+_SHORTEST = 2e-3  # width of a piece of a function of the rotation, rad
+_SAME = 1e-13  # rad, between kinks that are one
+
+
+def _powers_of_chebyshev() -> Floats:
+    """T_0 to T_7 in powers of 1 + x, the distance to the left end of a piece over half its width; (powers, T)."""
+    from_middle = Polynomial([-1.0, 1.0])
+    powers = np.zeros((TERMS, TERMS))
+    for k in range(TERMS):
+        polynomial = Chebyshev.basis(k)(from_middle)
+        powers[: k + 1, k] = polynomial.coef
+    return powers
+
+
+_POWERS = _powers_of_chebyshev()
+
+# --- functions of the rotation ---------------------------------------------------------------------------------------
+
+
+def between_kinks(
+    function: Function, kinks: Floats, least: Floats, most: Floats, tolerance: float
+) -> tuple[Floats, Floats]:
+    """Functions of the rotation as piecewise polynomials of degree 7.
+
+    Parameters
+    ----------
+    function : callable
+        Takes rotations (M, n), rad, and returns values (functions, M, n).
+    kinks : ndarray
+        Rotations at which a function may not be smooth, (kinks, n), increasing.
+    least, most : ndarray
+        Range of rotations, (n,), beyond which the polynomials extend as constants.
+    tolerance : float
+        First neglected Chebyshev coefficient of a piece, over the greatest value.
+
+    Returns
+    -------
+    breaks : ndarray
+        Where pieces begin, (pieces, n).
+    coefficients : ndarray
+        In powers of the distance to the break, (pieces, TERMS, functions, n).
+    """
+    inside = np.clip(kinks, least, most)
+    edges = np.concatenate([[least], inside, [most]])
+    first, last = _first_pieces(edges, _widest(tolerance))
+    starts = list[Floats]()
+    coefficients = list[Floats]()
+    scale = 0.0
+    while len(first):
+        chebyshev = _chebyshev(function, first, last)
+        greatest = np.abs(chebyshev).max(initial=0.0)
+        scale = max(scale, float(greatest))
+        width = last - first
+        is_wide = width.max(axis=1) > _SHORTEST
+        neglected = _next_coefficients(chebyshev)
+        rough = is_wide & (neglected > tolerance * scale)
+        smooth = ~rough
+        powers = _in_powers(chebyshev[smooth], width[smooth])
+        starts.append(first[smooth])
+        coefficients.append(powers)
+        first, last = _halves(first[rough], last[rough])
+    end = edges[-1]
+    constant = _constant(function, end)
+    start = np.concatenate(starts)
+    order = np.argsort(start.sum(axis=1), kind="stable")
+    powers = np.concatenate(coefficients)
+    breaks = np.vstack([start[order], end])
+    return breaks, np.concatenate([powers[order], constant])
+
+
+def _widest(tolerance: float) -> float:
+    """Width of a piece that interpolation meets the tolerance on, if no derivative exceeds 1."""
+    inverse_error = 2.0 ** (TERMS - 1) * math.factorial(TERMS)  # at width 2
+    half = (tolerance * inverse_error) ** (1 / TERMS)
+    return float(2 * half)
+
+
+def _first_pieces(edges: Floats, widest: float) -> tuple[Floats, Floats]:
+    """Both ends of the pieces to begin with, (pieces, n): between edges, none wider than some."""
+    greatest_width = np.diff(edges, axis=0).max(axis=1)
+    pieces = np.ceil(greatest_width / widest - 1e-9)
+    pieces[greatest_width <= _SAME] = 0
+    count = pieces.astype(np.intp)
+    numbers = map(np.arange, count)
+    number = np.concatenate([*numbers])  # of a piece between its edges
+    of = np.repeat(count, count)
+    start = np.repeat(edges[:-1], count, axis=0)
+    end = np.repeat(edges[1:], count, axis=0)
+    width = end - start
+    share_before = number / of
+    share_after = (number + 1) / of
+    first = start + width * share_before[:, None]
+    last = start + width * share_after[:, None]
+    at_end = share_after == 1.0
+    last[at_end] = end[at_end]
+    first[:1] = edges[0]  # also where the kinks next to it are one with it
+    return first, last
+
+
+def _halves(first: Floats, last: Floats) -> tuple[Floats, Floats]:
+    """Both ends of the two halves of each piece."""
+    middle = (first + last) / 2
+    firsts = np.concatenate([first, middle])
+    lasts = np.concatenate([middle, last])
+    return firsts, lasts
+
+
+def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
+    """Chebyshev coefficients of functions on pieces (pieces, n): (pieces, TERMS, functions, n)."""
+    half = (last - first) / 2
+    from_first = 1.0 + _NODES[:, None]
+    distance = half[:, None] * from_first  # pieces, nodes, n
+    rotation = first[:, None] + distance
+    lanes = rotation.shape[-1]
+    every_rotation = rotation.reshape(-1, lanes)
+    values = function(every_rotation)
+    by_piece = values.reshape(-1, *rotation.shape)
+    return np.einsum("kj,fpjn->pkfn", _TO_CHEBYSHEV, by_piece)
+
+
+def _next_coefficients(chebyshev: Floats) -> Floats:
+    """Size of the coefficients that follow, if they fall like the last two pairs of them; the largest of a piece."""
+    size = np.abs(chebyshev)
+    last = size[:, -2:].max(axis=1)
+    before = size[:, -4:-2].max(axis=1)
+    divisor = np.where(before > 0.0, before, 1.0)
+    ratio = np.minimum(last / divisor, 1.0)
+    following = last * ratio
+    return np.asarray(following.max(axis=(1, 2)))
+
+
+def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
+    """The same polynomials in powers of the distance to the beginning of each piece."""
+    powers = np.einsum("tk,pkfn->ptfn", _POWERS, chebyshev)
+    is_empty = width <= _SAME  # of which only the value has digits
+    half = np.where(is_empty, np.inf, width / 2)
+    exponents = _ORDERS[:, None, None]
+    units = half[:, None, None] ** exponents
+    return np.asarray(powers / units)
+
+
+def _constant(function: Function, end: Floats) -> Floats:
+    """Coefficients of the values at the end, (1, TERMS, functions, n)."""
+    value = function(end[None])[:, 0]
+    coefficients = np.zeros((1, TERMS, *value.shape))
+    coefficients[0, 0] = value
+    return coefficients
+
+
+def in_pieces(function: Function, breaks: Floats) -> Floats:
+    """Coefficients of other functions on the same pieces, (pieces, TERMS, functions); the last piece is constant.
+
+    The functions take rotations (M, 1) and return values (functions, M, 1); ``breaks`` are (pieces,).
+    """
+    constant = _constant(function, breaks[-1:])
+    if len(breaks) == 1:
+        return constant[..., 0]
+    first = breaks[:-1, None]
+    last = breaks[1:, None]
+    chebyshev = _chebyshev(function, first, last)
+    coefficients = _in_powers(chebyshev, last - first)
+    return np.concatenate([coefficients, constant])[..., 0]
+
+
+# --- friction as a Python function of slip ---------------------------------------------------------------------------
+
+_CHECKED = np.cos(np.linspace(0.0, np.pi, 2 * TERMS + 1))
+_PLACES = 1.0 + np.concatenate([_NODES, _CHECKED])  # from the left end, over half a width
+CLOSE = 1e-13  # error of a piece, over its greatest value
+NARROWEST = 2.0**-40  # width of a piece, over the slip up to which the function is sampled
+
+
+def sampled(function: Function, end: float, known: Data | None = None) -> Data:
+    """A Python function of slip up to an end, starting from a known table; error 1e-13 of its greatest value.
+
+    Raises
+    ------
+    ValueError
+        Where it returns no numbers, negative ones or another shape than that of its argument, or is not smooth.
+    """
+    breaks = list[float]()
+    pieces = list[Floats]()
+    left = 0.0
+    if known:
+        *breaks, left = known.breaks.tolist()
+        pieces = list(known.coefficients[:-1])
+    width = end - left
+    while left < end:
+        width = min(width, end - left)
+        piece = _piece(function, left, width)
+        if piece is not None:
+            breaks.append(left)
+            pieces.append(piece)
+            left += width
+            width *= 2
+            continue
+        width /= 2
+        if width < NARROWEST * end:
+            raise ValueError(
+                f"friction: the function changes too sharply near {left:.17g} to be followed; give a law by "
+                "name or a table whose kinks are known"
+            )
+    breaks.append(end)
+    pieces.append(pieces[-1])
+    table = continuous(np.array(breaks), np.array(pieces))
+    return table._replace(open=True)
+
+
+def _piece(function: Function, left: float, width: float) -> Floats | None:
+    """Coefficients of a function in powers of the distance to the left end; None where they are not close to it."""
+    half = width / 2
+    values = _values(function, left + half * _PLACES)
+    chebyshev = chebfit(_NODES, values[:TERMS], TERMS - 1)
+    between_nodes = chebval(_CHECKED, chebyshev)
+    error = np.abs(between_nodes - values[TERMS:])
+    greatest = np.abs(values).max()
+    if error.max() > CLOSE * greatest:
+        return None
+    about_middle = Polynomial(cheb2poly(chebyshev))
+    place = Polynomial([-1.0, 1.0 / half])
+    coefficients = about_middle(place).coef
+    missing = TERMS - coefficients.size
+    return np.pad(coefficients, (0, missing))
+
+
+def _values(function: Function, slip: Floats) -> Floats:
+    """The values of a user's function, checked."""
+    try:
+        values = np.asarray(function(slip))
+        if values.dtype.kind == "c":
+            raise ValueError("complex numbers")
+        values = values.astype(np.float64)
+    except Exception as error:  # whatever it raises, the function is wrong
+        reason = f"must take an array of numbers and return one; it says {type(error).__name__}: {error}"
+        raise ValueError(f"friction: {reason}") from error
+    if values.ndim == 0:
+        values = np.full(slip.shape, float(values))
+    if values.shape != slip.shape:
+        reason = f"returns shape {values.shape} for an argument of shape {slip.shape}: must be alike"
+        raise ValueError(f"friction: {reason}")
+    bad = ~np.isfinite(values) | (values < 0.0)
+    if np.any(bad):
+        first = np.argmax(bad)
+        at = float(slip[first])
+        value = float(values[first])
+        raise ValueError(f"friction({at:.6g}) = {value!r}: must be a number of at least 0")
+    return values

@@ -1,0 +1,175 @@
+"""Piecewise polynomials of slip, speed, time or rotation: friction laws, records and pulses."""
+
+from collections.abc import Mapping
+from itertools import chain
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from generated.effects import LAWS
+from generated.flow import PIECES
+from slipcircle.base.kinds import Floats
+from slipcircle.core.scene.piecewise import Data, continuous
+from slipcircle.tables.series import Pulse, Series
+
+# --- friction laws and functions of time -----------------------------------------------------------------------------
+
+
+def of_law(name: str, parameters: Mapping[str, ArrayLike]) -> tuple[Data, Any, str]:
+    """A friction law in pieces or by a list; the scale of its argument, and the unit of that."""
+    if name in PIECES:
+        length, _, _ = PIECES[name]
+        return _of_pieces(name, parameters), parameters[length], "m"
+    law = LAWS[name]
+    (argument,) = law.depends_on
+    x, y = (np.asarray(parameters[p.name], dtype=np.float64) for p in law.parameters)
+    return of_list(argument, x, y), 1.0, law.parameters[0].unit
+
+
+def _of_pieces(name: str, parameters: Mapping[str, ArrayLike]) -> Data:
+    """A friction law that is declared in pieces, of the slip over its scale."""
+    _, breaks, polynomials = PIECES[name]
+    arrays = dict[str, Floats]()
+    for key, value in parameters.items():
+        arrays[key] = np.add(value, 0.0)
+    pieces = polynomials(**arrays)
+    every = chain.from_iterable(pieces)
+    values = np.array(np.broadcast_arrays(*every))
+    lanes = values.shape[1:]
+    coefficients = values.reshape(len(pieces), -1, *lanes)
+    return continuous(np.array(breaks), coefficients)
+
+
+def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
+    """Linear interpolation of samples, constant before the first and after the last."""
+    first = places[0] - 1.0
+    breaks = np.concatenate([[first], places])
+    first_values = values[:-1]
+    heights = np.concatenate([[before], first_values, [after]])
+    rise = np.diff(values)
+    secant = rise / np.diff(places)
+    level = [0.0]
+    slopes = np.concatenate([level, secant, level])
+    jumps = np.zeros_like(heights)
+    jumps[1] = values[0] - before
+    jumps[-1] = after - values[-1]
+    coefficients = np.stack([heights, slopes], axis=1)
+    return Data(breaks, coefficients, jumps)
+
+
+def waves(start: float, duration: float, amplitude: float, rate: float) -> Data:
+    """A sine between its start and its end, zero elsewhere."""
+    before = start - 1.0
+    end = start + duration
+    zero = [0.0, 0.0, 0.0]
+    wave = [amplitude, rate, 0.0]
+    breaks = np.array([before, start, end])
+    coefficients = np.array([zero, wave, zero])
+    return continuous(breaks, coefficients, sine=True)
+
+
+def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data:
+    """Monotone cubic interpolation (Fritsch and Carlson 1980), smoothly continued by the last value.
+
+    Interior slopes are weighted harmonic means (Fritsch and Butland 1984); the first is that of the parabola through
+    three points, limited, or 0 for a smooth start.
+    """
+    step = np.diff(places)
+    rise = np.diff(values)
+    secant = rise / step
+    slope = np.zeros_like(values)
+    slope[1:-1] = _interior_slopes(step, secant)
+    if not smooth_start:
+        slope[0] = _first_slope(step, secant)
+    start = slope[:-1]
+    end = slope[1:]
+    quadratic = (3 * secant - 2 * start - end) / step
+    cubic = (start + end - 2 * secant) / step**2
+    *first_values, last_value = values
+    pieces = np.stack([first_values, start, quadratic, cubic], axis=1)
+    beyond = [last_value, 0.0, 0.0, 0.0]
+    coefficients = np.vstack([pieces, beyond])
+    return continuous(places, coefficients)
+
+
+def _interior_slopes(step: Floats, secant: Floats) -> Floats:
+    """Weighted harmonic means of neighbouring secants; 0 where they differ in sign."""
+    before = secant[:-1]
+    after = secant[1:]
+    step_before = step[:-1]
+    step_after = step[1:]
+    weight_before = 2 * step_after + step_before
+    weight_after = step_after + 2 * step_before
+    weight = weight_before + weight_after
+    with np.errstate(divide="ignore", invalid="ignore"):
+        reciprocal = weight_before / before + weight_after / after
+        mean = weight / reciprocal
+    same_sign = before * after > 0.0
+    return np.where(same_sign, mean, 0.0)
+
+
+def _first_slope(step: Floats, secant: Floats) -> float:
+    """Slope of the parabola through the first three points, limited so that the interpolation is monotone."""
+    if step.size == 1:
+        return float(secant[0])
+    near, far, *_ = step
+    first, second, *_ = secant
+    weighted = (2 * near + far) * first - near * second
+    slope = weighted / (near + far)
+    if slope * first <= 0.0:
+        return 0.0
+    turns = first * second <= 0.0
+    if turns:
+        slope = min(slope, 3 * first, key=abs)
+    return float(slope)
+
+
+def of_speed(speeds: Floats, values: Floats) -> Data:
+    """Monotone cubics in the logarithm of the speed, continued by the end values; the first piece begins at speed 0."""
+    cubics = monotone(np.log(speeds), values, smooth_start=True)
+    constant = [values[0], 0.0, 0.0, 0.0]
+    breaks = np.concatenate([[0.0], speeds])
+    coefficients = np.vstack([constant, cubics.coefficients])
+    return continuous(breaks, coefficients)
+
+
+def of_list(argument: str, places: Floats, values: Floats) -> Data:
+    """A friction law given as a table of slip, speed or time."""
+    if argument == "slip":
+        return monotone(places, values)
+    if argument == "speed":
+        return of_speed(places, values)
+    return _held_lines(places, values)
+
+
+def _held_lines(places: Floats, values: Floats) -> Data:
+    """Linear interpolation of samples; the first and the last one continue."""
+    first = float(values[0])
+    last = float(values[-1])
+    return lines(places, values, first, last)
+
+
+def of_time(function: Series | Pulse) -> Data:
+    """A function of time."""
+    if isinstance(function, Pulse):
+        return _of_pulse(function)
+    if function.held:
+        return _held_lines(function.time, function.values)
+    return lines(function.time, function.values, 0.0, 0.0)
+
+
+def _of_pulse(pulse: Pulse) -> Data:
+    amplitude = pulse.amplitude
+    half_waves = 1.0
+    match pulse.name:
+        case "rectangular":
+            values = np.array([amplitude, amplitude])
+            return lines(pulse.kinks, values, 0.0, 0.0)
+        case "triangular":
+            values = np.array([0.0, amplitude, 0.0])
+            return lines(pulse.kinks, values, 0.0, 0.0)
+        case "sine":
+            half_waves = 2 * pulse.cycles
+    rate = np.pi * half_waves / pulse.duration
+    return waves(pulse.start, pulse.duration, amplitude, rate)

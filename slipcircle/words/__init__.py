@@ -1,0 +1,1 @@
+"""What is said of a scene and its motion: equation, warnings, summary, error estimate."""

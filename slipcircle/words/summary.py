@@ -1,0 +1,38 @@
+"""What happened to a mass, or to those of an ensemble, in one line."""
+
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.text import digits_left, shown
+from slipcircle.core.motion.states import Status
+
+
+def summary(motion: Any) -> str:
+    """What happened to a single mass, in half a sentence."""
+    if not motion.moves:
+        return f"does not move, factor of safety {shown(motion.factor_of_safety)} by the paper's method"
+    digits = digits_left(motion.error_estimate)
+    velocity = shown(motion.outcomes["peak_velocity"], digits)
+    run_out = shown(motion.run_out, digits)
+    if motion.status is Status.CREEPS:
+        arrival = shown(motion.settling_time, digits)
+        return f"{velocity} m/s at most; creeps to a run-out of {run_out} m, 99 % of it in {arrival} s"
+    duration = shown(motion.duration, digits)
+    end = "comes to rest after" if motion.arrested else "still moving at"
+    if not motion.arrested and motion.plan.scene.end_time is None:
+        end = "followed to its first standstill at"
+    return f"{velocity} m/s at most; run-out {run_out} m; {end} {duration} s"
+
+
+def ensemble_summary(motion: Any) -> str:
+    """How many lanes ended in which way, and the range of their run-outs."""
+    counts = [f"{Status[name].words}: {count}" for name, count in motion.count().items()]
+    unknown = np.isnan(motion.run_out)
+    known = motion.run_out[~unknown]
+    span = "not known"
+    if known.size:
+        least = shown(known.min())
+        greatest = shown(known.max())
+        span = f"{least} to {greatest} m"
+    return f"{', '.join(counts)}; run-out {span}"

@@ -1,0 +1,71 @@
+"""What a user should know of a single motion beside its numbers."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from slipcircle.words.plausible import questions
+
+FORMAT_LIMIT = 1e-11  # estimated error below which only float64 limits what is known
+ENERGY_TOLERANCE = 1e-12  # of all energy on the way, beyond which an imbalance is reported
+NEAR_LIMIT = 1e-3  # relative distance of friction from its limit that makes a motion ill-conditioned
+SUBMERGED = 1e-6  # of the radius, beyond which ground below the water level is reported
+LISTED, MANY_PHASES = 3, 100  # lift-offs named one by one; phases that many times of turning back make
+
+
+def collect_warnings(motion: Any) -> tuple[str, ...]:
+    """Sentences about odd input, lift-off, conditioning, water and swinging back; empty where all is well."""
+    odd_input = questions(motion.plan.scene)
+    return (*odd_input, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *_swing(motion))
+
+
+def _lift_offs(motion: Any) -> Iterator[str]:
+    times = motion.lift_off
+    if len(times) > LISTED:
+        more = f"{len(times) - 1} times more until {times[-1]:.6g} s"
+        yield f"contact lost from {times[0]:.6g} s, and {more} (lift-off)"
+        return
+    for time in times:
+        yield f"contact lost from {time:.6g} s (lift-off)"
+
+
+def _conditioning(motion: Any) -> Iterator[str]:
+    """Whether the requested accuracy is missed, and the likely cause; or else whether energy is not balanced."""
+    error, accuracy = motion.error_estimate, motion.plan.accuracy
+    if error > accuracy:
+        limit = motion.limit_friction
+        cause = "its numbers differ by many orders of magnitude"
+        if error < FORMAT_LIMIT:
+            cause = "float64 does not allow a smaller error"
+        elif len(motion.phases) > MANY_PHASES:
+            cause = "the mass turns back many times"
+        elif abs(motion.friction - limit) < NEAR_LIMIT * abs(limit):
+            cause = "the friction is next to its limit"
+        missed = f"the estimated error {error:.1e} exceeds the requested accuracy, {accuracy:.1e}"
+        yield f"ill-conditioned: {missed}; {cause}"
+    elif motion.moves and motion.energy_error_estimate > ENERGY_TOLERANCE:
+        yield (
+            f"ill-conditioned: the energy is balanced to {motion.energy_error_estimate:.1e} only, as drive and "
+            "resistance are all but equal"
+        )
+
+
+def _submergence(motion: Any) -> Iterator[str]:
+    """Turning may bring ground below a water level, whose weight on it the method does not count."""
+    section = motion.plan.scene.arc
+    depth = section.drowned(motion.reach.rotation, motion.end.rotation)
+    if depth > SUBMERGED * np.asarray(section.radius):
+        yield (
+            f"turning brings ground down to {depth:.3g} m below the water level; the weight of the water above it is "
+            "not included"
+        )
+
+
+def _swing(motion: Any) -> Iterator[str]:
+    if motion.swings_back:
+        farthest, end = abs(motion.reach.displacement), abs(motion.run_out)
+        yield (
+            f"the mass swings back: it reaches {farthest:.4g} m after {motion.reach.time:.4g} s, farther than its "
+            f"run-out of {end:.4g} m at the end"
+        )

@@ -1,0 +1,146 @@
+"""What accuracy costs for a kernel: its tiers beside the form that the paper prints, against exact values.
+
+Inputs are uniform in value, and uniform in decades towards both ends of [0, pi/2].
+"""
+
+from collections.abc import Callable, Iterator
+from functools import cache, partial
+from importlib.util import find_spec
+from types import SimpleNamespace
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import _compiled, kernels, printed, tiers
+from generated.definitions import CLOSED, QUOTIENTS
+from slipcircle.base.kinds import Floats
+from slipcircle.workbench.cost.rows import Row, judged, medians
+
+KERNELS = tuple(kernels.TEXTS)
+SIZE = 10_000  # elements of the timed arrays, which stay in the cache
+POINTS = 10_000  # at which errors are seen
+_DECADES = {"float64": -96.0, "float32": -12.0}  # below which moments, alpha**3 or smaller, underflow
+_LANDMARKS = (0.0, 5e-324, 2.0**-1022, 2.0**-26, np.pi / 8, np.pi / 4, 1.1, np.nextafter(np.pi / 2, 0.0), np.pi / 2)
+
+
+class Way(NamedTuple):
+    """A way to compute a kernel."""
+
+    name: str
+    function: Callable[[Any], Any]
+    kind: str = "float64"  # format of its input and result
+    bound: float | None = None  # proved, of the relative error
+
+
+class Exact(NamedTuple):
+    """Exact values at some points, each the sum of two doubles."""
+
+    points: Floats
+    nearest: Floats
+    rest: Floats
+    least: float  # that errors are relative to
+
+    def errors(self, results: NDArray[Any]) -> Floats:
+        """Relative errors; infinite where a result is not finite."""
+        size = np.maximum(np.abs(self.nearest), self.least)
+        with np.errstate(all="ignore"):
+            errors = np.abs((results - self.nearest) - self.rest) / size
+        return np.where(np.isfinite(results), errors, np.inf)
+
+
+def of_kernel(name: str) -> list[Row]:
+    """Errors and times of all ways to compute a kernel."""
+    if find_spec("flint") is None:
+        raise ImportError("the reference needs python-flint: pip install 'slipcircle[derive]'")
+    inputs_in_order = np.random.default_rng(0).uniform(0.0, np.pi / 2, SIZE)
+    every = list(ways(name))
+    seconds = medians([partial(way.function, inputs_in_order.astype(way.kind)) for way in every])
+    rows = []
+    for way, taken in zip(every, seconds, strict=True):
+        exact = reference(name, way.kind)
+        errors = exact.errors(way.function(exact.points.astype(way.kind)))
+        rows.append(Row(name, way.name, SIZE, float(errors.max()), way.bound, taken / SIZE))
+    return judged(rows)
+
+
+def ways(name: str) -> Iterator[Way]:
+    """The tiers of a kernel as this machine runs them, the same on NumPy, and the printed form."""
+    for level in dict.fromkeys((_compiled.LEVEL, "numpy")):
+        form, _ = _compiled.LEVELS[level]
+        for tier in kernels.TEXTS[name]:
+            proved = tiers.BOUNDS.get(name, {}).get(tier, {})
+            bound, _ = proved.get(form, proved.get("plain", (None, None)))
+            kind = "float32" if tier == "float32" else "float64"
+            asked = bound if tier.startswith("1e") else None  # the cheapest that meets its own bound is itself
+            call = partial(_compiled.kernel(name, kernels.TEXTS[name], level), accuracy=asked)
+            yield Way(tier if level != "numpy" else f"{tier}, NumPy", call, kind, bound)
+    yield Way("printed", partial(as_printed, name))
+
+
+def as_printed(name: str, x: Floats) -> Floats:
+    """As the paper prints it; where it does not, its closed form, or the quotient of two."""
+    with np.errstate(all="ignore"):
+        if hasattr(printed, name):
+            value = getattr(printed, name)(x)
+        elif name in QUOTIENTS:
+            above, below = (as_printed(part, x) for part in QUOTIENTS[name])
+            value = above / below
+        else:
+            functions = SimpleNamespace(sin=np.sin, cos=np.cos, atanh=np.arctanh)
+            value = CLOSED[name](functions, x)
+    return np.asarray(value)
+
+
+# --- exact values ----------------------------------------------------------------------------------------------------
+
+
+@cache
+def inputs(kind: str = "float64") -> NDArray[Any]:
+    """Inputs in a format, sorted, drawn with a fixed seed."""
+    rng = np.random.default_rng(2017)
+    uniform = rng.uniform(0.0, np.pi / 2, POINTS // 2)
+    decades = rng.uniform(_DECADES[kind], 0.0, POINTS // 4)
+    near = rng.uniform(-16.5, -0.5, POINTS // 4)
+    values = np.concatenate([uniform, 10.0**decades, np.pi / 2 - 10.0**near, _LANDMARKS])
+    return np.unique(values.astype(kind))
+
+
+@cache
+def reference(name: str, kind: str = "float64") -> Exact:
+    """Exact values of a kernel at `inputs`, where it has one, by its declared closed form in ball arithmetic."""
+    from flint import ctx
+
+    with ctx.workprec(400):
+        balls = _balls(kind)
+        if name in QUOTIENTS:  # 0/0 at 0
+            above, below = QUOTIENTS[name]
+            values = {x: of[above] / of[below] for x, of in balls.items() if x}
+        else:
+            values = {x: of[name] for x, of in balls.items()}
+        nearest = [float(ball) for ball in values.values()]
+        rest = [float(ball - value) for ball, value in zip(values.values(), nearest, strict=True)]
+    return Exact(np.array([*values]), np.array(nearest), np.array(rest), float(np.finfo(kind).smallest_normal))
+
+
+@cache
+def _balls(kind: str) -> dict[float, dict[str, Any]]:
+    """Every base quantity at every input; they share sine, cosine and logarithm."""
+    from flint import arb, ctx
+
+    values = {}
+    for alpha in inputs(kind).tolist():
+        # For 50 digits: closed forms are differences of O(alpha) that are O(alpha**3), and 1 - cos is one of O(1).
+        thin = max(0, -int(np.frexp(alpha)[1])) if alpha else 0
+        with ctx.workprec(320 + 3 * thin):
+            # float32's nearest number to pi/2 lies above it, and the domain ends there.
+            right_angle = arb.pi() / 2
+            half = arb(alpha)
+            if not half < right_angle:
+                half = right_angle
+            sine, cosine = half.sin(), half.cos()
+            tangent = sine / (1 + cosine)  # of x/2, as artanh(sin x) = 2 artanh(tan(x/2))
+            log = arb(0) if cosine.contains(0) else 2 * tangent.atanh()
+            balls = SimpleNamespace(sin=arb.sin, cos=arb.cos, atanh=lambda sine, log=log: log)
+            values[alpha] = {name: form(balls, half) for name, form in CLOSED.items()}
+    return values

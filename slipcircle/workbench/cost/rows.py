@@ -1,0 +1,114 @@
+"""Ways to compute the same thing: error and time of each, measured here, and which of them are worth their time.
+
+Ratios within one run mean something; absolute times belong to the machine that the answer names.
+"""
+
+import time
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from statistics import median
+from timeit import timeit
+
+import numpy as np
+
+ULP = 2.0**-52  # relative errors that differ by no more are equal
+MARGIN = 1.2  # times and errors whose ratio is smaller are equal
+REPEATS = 9
+FRONTIER = "frontier"
+RECOMMENDED = "recommended"
+BEATEN = "beaten by "
+_TICK = 5e-4  # s, the shortest work that is timed
+_PATIENCE = 2.0  # s, after which no further turn begins
+
+
+@dataclass(frozen=True)
+class Row:
+    """One way to compute something.
+
+    Attributes
+    ----------
+    group, way : str
+        What is computed, and how.
+    count : int
+        Elements or scenes that were computed at once.
+    error : float
+        Largest relative error seen.
+    bound : float or None
+        Proved or estimated bound of it.
+    seconds : float
+        Processor time of one element or scene, the median of several turns.
+    verdict : str
+        "frontier", "recommended", or "beaten by " and the name of the faster or more accurate way.
+    """
+
+    group: str
+    way: str
+    count: int
+    error: float
+    bound: float | None
+    seconds: float
+    verdict: str = ""
+
+
+def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
+    """Seconds that each piece of work took, several times, all of them in turns: disturbances affect all alike."""
+    # glibc gives the heap's top back to the system, and faults every page again, until a large array came and went:
+    # NumPy's expressions take up to three times longer before. Most programs are past that, so this one shall be.
+    np.ones(4_000_000)
+    loops = []
+    for work in works:
+        work()  # what is slow at first only shall not pass for long work
+        seconds = _timed(work, 1)
+        loops.append(max(1, int(_TICK / seconds)))
+    samples: list[list[float]] = [[] for _ in works]
+    start = time.monotonic()
+    for turn in range(REPEATS):
+        if turn and time.monotonic() - start > _PATIENCE:
+            break
+        for work, count, sample in zip(works, loops, samples, strict=True):
+            if count > 1:  # short work finds the caches as the one before left them
+                work()
+            sample.append(_timed(work, count))
+    return samples
+
+
+def medians(works: Sequence[Callable[[], object]]) -> list[float]:
+    """Median seconds of each piece of work."""
+    return [median(sample) for sample in interleaved(works)]
+
+
+def _timed(work: Callable[[], object], loops: int) -> float:
+    """Processor seconds of one loop."""
+    return max(timeit(work, timer=time.process_time, number=loops) / loops, 1e-9)
+
+
+def judged(rows: Iterable[Row]) -> list[Row]:
+    """Name for each row of a group the fastest way that beats it, if there is one."""
+    rows = list(rows)
+    judged_rows = []
+    for row in rows:
+        better = [other for other in rows if _beats(other, row)]
+        verdict = FRONTIER
+        if better:
+            winner = min(better, key=lambda other: other.seconds)
+            verdict = BEATEN + winner.way
+        judged_rows.append(replace(row, verdict=verdict))
+    return judged_rows
+
+
+def _beats(one: Row, other: Row) -> bool:
+    """Whether one way is faster or more accurate than another, and in the other respect at least equal."""
+    faster = one.seconds * MARGIN < other.seconds
+    slower = other.seconds * MARGIN < one.seconds
+    closer = one.error * MARGIN + ULP < other.error
+    farther = other.error * MARGIN + ULP < one.error
+    return (faster and not farther) or (closer and not slower)
+
+
+def recommended(rows: Sequence[Row], accuracy: float) -> list[Row]:
+    """Mark the fastest way of a group whose error is at most the required accuracy."""
+    meeting = [row for row in rows if row.error <= accuracy]
+    if not meeting:
+        return list(rows)
+    fastest = min(meeting, key=lambda row: row.seconds)
+    return [replace(row, verdict=RECOMMENDED) if row is fastest else row for row in rows]

@@ -1,0 +1,127 @@
+"""The settings of an ensemble: their names, their types, and a sentence for each mistake in them."""
+
+import os
+from collections.abc import Mapping, Sequence
+from difflib import get_close_matches
+from typing import IO, Any, TypedDict
+
+import numpy as np
+
+from slipcircle.core import Scene, checked
+from slipcircle.workbench.files.numbers import Uncertain, uncertain_numbers
+from slipcircle.workbench.studies.design import METHODS
+from slipcircle.workbench.studies.sampling import MOST_LATIN
+from slipcircle.workbench.studies.searched import search_mistakes
+from slipcircle.workbench.studies.suitedesign import OfRecords
+
+_MOST = 10**12
+_MOST_BASE = 2**22
+OF_ARRAYS = "a scene of arrays is solved as it is: use solve"
+_OUTSIDE = 1e-4  # of a distribution, that may lie out of a number's bounds; such samples are counted apart
+
+
+class OfSamples(TypedDict, total=False):
+    """Settings of `ensemble` with records or without, which its docstring explains."""
+
+    method: str
+    sensitivity: int | None
+    keep: bool | None
+    size: int | None
+    confidence: float
+    accuracy: float | None
+    folder: str | os.PathLike[str] | None
+    progress: IO[str] | None
+    correlation: Mapping[tuple[str, str], float] | None
+    search_each: bool
+
+
+class OfSuite(OfSamples, OfRecords, total=False):
+    """Settings of `ensemble` with records."""
+
+
+def _name_mistakes(given: Mapping[str, Any], with_records: bool) -> list[str]:
+    """A sentence for each argument that `ensemble` does not have, or not without records."""
+    known = [*OfSuite.__annotations__] if with_records else [*OfSamples.__annotations__]
+    mistakes = []
+    for name in (name for name in given if name not in known):
+        meant = "".join(f"; did you mean {near}?" for near in get_close_matches(name, known, 1))
+        rule = "is for records; give records as well" if name in OfRecords.__annotations__ else f"is unknown{meant}"
+        mistakes.append(f"{name} = {given[name]!r}: {rule}")
+    return mistakes
+
+
+def setting_mistakes(
+    scene: Scene,
+    n: Any,
+    confidence: Any,
+    settings: Sequence[Any],
+    correlation: Any,
+    records: Any,
+    of_records: Mapping[str, Any],
+) -> list[str]:
+    """A sentence for each mistake."""
+    method, points, _, size, search_each = settings
+    with_records = records is not None
+    of_settings = _number_mistakes(n, method, size, confidence) + _sensitivity_mistakes(points, correlation)
+    found = _scene_mistakes(scene, search_each, with_records) + of_settings
+    if with_records and (search_each or points):
+        found.append("search_each and sensitivity do not go with records; leave them out")
+    return _name_mistakes(of_records, with_records) or found or _truncated(uncertain_numbers(scene))
+
+
+def _scene_mistakes(scene: Scene, search_each: bool, with_records: bool) -> list[str]:
+    mistakes = [OF_ARRAYS] if checked(scene, "ensemble").shape else []
+    if not scene.uncertain and not with_records:
+        mistakes.append("no number is uncertain; give Scene(uncertain=...), --uncertain, or a distribution in its file")
+    return mistakes + (search_mistakes(scene) if search_each else [])
+
+
+def _number_mistakes(n: Any, method: Any, size: Any, confidence: Any) -> list[str]:
+    """A sentence for each setting out of bounds."""
+    mistakes = []
+    is_count = whole(n) and 1 <= n <= _MOST
+    if not is_count:
+        mistakes.append(f"n = {n!r}: must be a whole number of samples, from 1 to {_MOST:.0e}")
+    if method not in METHODS:
+        mistakes.append(f"method = {method!r}: must be one of {', '.join(METHODS)}")
+    if method == "latin-hypercube" and is_count and n > MOST_LATIN:
+        mistakes.append(f"n = {n}: a Latin hypercube is held in memory, so {MOST_LATIN} at most; take method='sobol'")
+    if not (isinstance(confidence, float) and 0.0 < confidence < 1.0):
+        mistakes.append(f"confidence = {confidence!r}: must be between 0 and 1")
+    is_power = whole(size) and size >= 4 and not size & (size - 1)
+    if size is not None and not is_power:
+        mistakes.append(f"size = {size!r}: must be a power of two, 4 at least")
+    return mistakes
+
+
+def _sensitivity_mistakes(points: Any, correlation: Any) -> list[str]:
+    mistakes = []
+    if points is not None and not (whole(points) and 0 <= points <= _MOST_BASE and points != 1):
+        mistakes.append(f"sensitivity = {points!r}: must be 0, or 2 to {_MOST_BASE} base points")
+    if correlation is not None and not (isinstance(correlation, Mapping) and all(map(_is_pair, correlation))):
+        mistakes.append(f"correlation = {correlation!r}: must be a mapping from pairs of keys to numbers")
+    if correlation and points:
+        mistakes.append("sensitivity indices need independent inputs; omit correlation or sensitivity")
+    return mistakes
+
+
+def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
+    """A sentence for each distribution of which much lies where there is no scene: it is truncated only by name."""
+    found = []
+    for uncertain in drawn.values():
+        number, distribution = uncertain.number, uncertain.distribution
+        outside = float(distribution.cdf(number.low) + 1.0 - distribution.cdf(number.high))
+        if outside > _OUTSIDE:
+            found.append(
+                f"{number.key}: {100 * outside:.2g} % of its distribution lies outside of {number.low:g} to "
+                f"{number.high:g}, where scenes are invalid; use truncated_normal with low and high"
+            )
+    return found
+
+
+def _is_pair(keys: Any) -> bool:
+    return isinstance(keys, tuple) and len(keys) == 2
+
+
+def whole(value: Any) -> bool:
+    return isinstance(value, int | np.integer) and not isinstance(value, bool)

@@ -1,0 +1,52 @@
+"""Lanes and the integrators behind `solve`, in C and in NumPy: where the tests meet what is private to the core."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
+from typing import Any
+from unittest.mock import patch
+
+import numpy as np
+import pytest
+
+from generated import layout as ix
+from slipcircle import Motion
+from slipcircle.base.kinds import Floats
+from slipcircle.core.problem.problem import Problem, build_problem
+from slipcircle.core.program.build import build_program
+from slipcircle.core.program.program import Program, Samples
+from slipcircle.core.walk import compiled
+from slipcircle.core.walk import integrate as in_numpy
+from slipcircle.layers.layered import RotationTables
+
+__all__ = ["Problem", "Program", "RotationTables", "Samples", "build_problem", "build_program", "compiled"]
+
+BINARY: Any = compiled.module()  # None where there is none
+BACKENDS = ("C", "NumPy") if BINARY else ("NumPy",)
+needs_binary = pytest.mark.skipif(BINARY is None, reason="no compiled integrator here")
+RESULTS = slice(0, ix.OMEGA + 1)  # cells that say how a lane ended
+
+
+@contextmanager
+def backend(name: str) -> Iterator[None]:
+    """Solve with one of `BACKENDS`."""
+    with compiled.numpy_only() if name == "NumPy" else nullcontext():
+        yield
+
+
+def integrate(problem: Problem, which: Any = slice(None), name: str = BACKENDS[0], **options: Any) -> Floats:
+    """How some of the lanes end: `RESULTS` of their cells."""
+    cells = np.array(problem.cells[:, which], order="C")
+    module = in_numpy if name == "NumPy" else compiled
+    module.integrate(problem.program, problem.tables, cells, **options)
+    return cells[RESULTS]
+
+
+def work(motion: Motion) -> tuple[int, int]:
+    """Steps of a single scene in C, which is called for one at a time, and the operations on series in them."""
+    problem = motion._lanes.problem
+    one_step = patch.object(compiled, "ROUNDS", 1)
+    counting = patch.object(BINARY, "integrate", wraps=BINARY.integrate)
+    with one_step, counting as calls:
+        integrate(problem)
+    steps = calls.call_count
+    return steps, steps * len(problem.program.series)

@@ -1,0 +1,132 @@
+"""Masses that creep: status by the equation, run-out at the equilibrium, and the time to nearly all of it."""
+
+import json
+import math
+from pathlib import Path
+
+import mpmath
+import numpy as np
+import pytest
+from mpmath import mpf
+
+from slipcircle import Arc, Scene, solve
+from slipcircle.__main__ import main
+from slipcircle.core import Status, numpy_only
+
+ARC = Arc(6.34, 1.5 * math.pi - 0.888 - 1.201, 1.5 * math.pi - 0.888 + 1.201, 2e4)
+MU = 0.591
+SPEED_UNIT = math.sqrt(6.34 * 9.81)
+FALL, PRESS = (mpf(float(amplitude)) for amplitude in ARC.amplitudes_per_inertia)
+EQUILIBRIUM = mpf(float(ARC.dip)) - mpmath.atan(MU * PRESS / FALL)
+STIFFNESS = mpmath.hypot(FALL, MU * PRESS)  # of FALL sin(psi) - MU PRESS cos(psi), where it vanishes
+
+
+def brake(damping: float) -> dict[str, float]:
+    """The viscous layer with this damping d: d Theta* = 2 alpha eta/(rho h sqrt(g R))."""
+    inertia = float(ARC.dimensionless.moment_of_inertia)
+    viscosity = damping * inertia * (2e4 / 9.81) * 0.1 * SPEED_UNIT / (2 * 1.201)
+    return {"viscosity": viscosity, "thickness": 0.1}
+
+
+def scene(damping: float, friction: object = MU, **further: object) -> Scene:
+    return Scene(ARC, friction, {"rotation": {}, "viscosity": brake(damping)}, **further)  # type: ignore[arg-type]
+
+
+CRITICAL = float(2 * mpmath.sqrt(STIFFNESS))
+
+
+@pytest.mark.parametrize("damping", [0.9 * CRITICAL, 1.001 * CRITICAL, 1.5 * CRITICAL, 20.0, 1e4, 1e9])
+@pytest.mark.parametrize("accuracy", [1e-3, 1e-9, 1e-12])
+def test_a_mass_creeps_if_it_is_overdamped_at_its_equilibrium(damping: float, accuracy: float) -> None:
+    """From rest under constant friction: for every accuracy the same, alone and in an ensemble."""
+    motion = solve(scene(damping), accuracy)
+    lanes = solve(scene(damping, np.array([MU, MU])), accuracy)
+    assert {motion.status, *lanes.status} == {Status.CREEPS if damping > CRITICAL else Status.RESTS}
+    if damping > CRITICAL:
+        assert motion.duration == math.inf
+        assert not motion.arrested
+        assert motion.run_out == pytest.approx(6.34 * float(EQUILIBRIUM), rel=1e-14)
+        assert lanes.run_out == pytest.approx(motion.run_out, rel=1e-14)
+        assert accuracy < 1e-9 or damping > 1e4 or motion.error_estimate < 1e-9
+
+
+@pytest.mark.parametrize("damping", [1.2 * CRITICAL, 4.0, 300.0])
+def test_the_time_to_99_percent_is_that_of_taylor_series(damping: float) -> None:
+    """The equation of motion at 30 digits, from rest to the place where a hundredth is left."""
+    with mpmath.workdps(30):
+        dip = mpf(float(ARC.dip))
+        target = EQUILIBRIUM * mpf(99) / 100
+
+        def rates(_: object, state: list[mpf]) -> list[mpf]:
+            rotation, omega = state
+            psi = dip - rotation
+            net = FALL * mpmath.sin(psi) - mpf(MU) * PRESS * mpmath.cos(psi)
+            return [omega, net - mpf(damping) * omega]
+
+        motion = solve(scene(damping))
+        time_unit = mpmath.sqrt(mpf(6.34) / mpf(9.81))
+        near = motion.settling_time / time_unit
+        if damping > 100:  # the slow manifold omega = net/damping (1 + O(1/damping^2)) has no other time scale
+            step = mpmath.quad(lambda x: damping / (FALL * mpmath.sin(dip - x) - MU * PRESS * mpmath.cos(dip - x)),
+                               mpmath.linspace(0, target, 9))  # fmt: skip
+            assert float(step * time_unit) == pytest.approx(motion.settling_time, rel=1e-3)
+            return
+        rotation, omega = mpmath.odefun(rates, 0, [mpf(0), mpf(0)], tol=mpf(10) ** -14)(near)
+        assert float((near + (target - rotation) / omega) * time_unit) == pytest.approx(motion.settling_time, rel=1e-11)
+
+
+def test_softening_masses_creep_or_pass_their_equilibrium() -> None:
+    """Beyond the end of a linear law; a mass that arrives fast enough passes its equilibrium and rests behind it."""
+    law = {"law": "linear", "peak": 0.93, "residual": MU, "length": 0.0711}
+    creeps = solve(scene(1.5 * CRITICAL, law))
+    assert creeps.status is Status.CREEPS
+    assert creeps.run_out == pytest.approx(6.34 * float(EQUILIBRIUM), rel=1e-14)
+    passes = solve(scene(1.5 * CRITICAL, law, initial_velocity=20.0))
+    assert passes.status is Status.RESTS
+    assert passes.run_out > 1.1 * creeps.run_out
+    back = solve(scene(1.5 * CRITICAL, law, initial_velocity=-2.0))
+    assert back.status is Status.CREEPS
+    assert back.turnings == 1
+
+
+def test_a_creep_is_read_at_any_time() -> None:
+    motion = solve(scene(8.0))
+    states = motion.at([0.0, motion.settling_time, 1e6])
+    assert states.displacement == pytest.approx([0.0, 0.99 * motion.run_out, motion.run_out], rel=1e-11)
+    assert abs(motion.energy.residual) < 1e-12 * motion.energy.work
+    assert motion.end.velocity == 0.0
+    assert "creeps to a run-out of" in repr(motion)
+
+
+def test_numpy_finds_the_same_creep() -> None:
+    compiled = solve(scene(8.0))
+    with numpy_only():
+        alone = solve(scene(8.0))
+    assert alone.status is Status.CREEPS
+    assert alone.settling_time == pytest.approx(compiled.settling_time, rel=1e-11)
+
+
+FILE = """
+[arc]
+radius_m = 6.34
+theta_1_deg = {theta_1}
+theta_2_deg = {theta_2}
+unit_weight_kN_m3 = 20
+[friction]
+coefficient = 0.591
+[rotation]
+[viscosity]
+viscosity_Pa_s = 1e10
+thickness_m = 0.1
+"""
+
+
+def test_a_creep_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    ends = {f"theta_{k}": np.rad2deg(angle) for k, angle in ((1, ARC.theta_1), (2, ARC.theta_2))}
+    (tmp_path / "creep.toml").write_text(FILE.format(**ends), "utf-8")
+    assert main(["run", str(tmp_path / "creep.toml"), "--plot", str(tmp_path / "creep.png")]) == 0
+    text = capsys.readouterr().out
+    assert "no, it creeps to its equilibrium" in text
+    assert "infinite, 99 % of the run-out in" in text
+    assert main(["run", str(tmp_path / "creep.toml"), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)[0]["duration"] is None

@@ -1,0 +1,125 @@
+"""A lane is its scene: circles, grounds, levels, soils, loads and cracks as arrays, beside each scene by itself."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from slipcircle import Scene, Section, solve
+from slipcircle.derivatives.parameters import with_parameter_arrays, with_parameters
+from slipcircle.layers import LayeredSection, Soil
+from slipcircle.tables.interpolation import between_kinks
+from slipcircle.workbench.stability.stability import factors_of_safety
+from tests.campaigns import lanes as campaign
+from tests.support.grounds import GROUND, LEVEL
+from tests.support.layered import BELOW_GROUND, CRACKED, TURNING, of_each_soil, profile, tangent
+
+RAISED = np.array(GROUND) + np.array([0.0, 0.2, -0.1])[:, None, None] * [[0, 0], [0, 0], [0, 1], [0, 1], [0, 1]]
+SECTIONS: dict[str, dict[str, Any]] = {
+    "radius": {"radius": np.array([28.3, 28.5, 28.4])},
+    "circles": {"centre": [[30.5, 53.6], [30.4, 53.5], [30.6, 53.4]], "radius": np.array([28.4, 28.35, 28.3])},
+    "grounds": {"ground": RAISED},
+    "a grid of circles": {"centre": [[[30.5, 53.6]], [[30.4, 53.7]]], "radius": np.array([28.3, 28.5, 28.4])},
+    "levels": {"level": np.array(LEVEL) - np.array([0.5, 1.0, 2.0])[:, None, None] * [0, 1], "centre": [33.0, 56.0],
+               "radius": 28.0},
+    "circles under a level": {"centre": [[33.0, 56.0], [33.05, 55.97], [32.94, 56.02]], "level": LEVEL,
+                              "radius": np.array([28.0, 28.03, 27.96])},
+    "soils": {"unit_weight": np.array([19e3, 20e3])},
+}  # fmt: skip
+SOILS = {"soils.soil 2.friction.peak": tangent([9.0, 8.0]), "soils.soil 1.unit_weight": [19e3, 18e3]}
+LAYERED: dict[str, tuple[LayeredSection, dict[str, Any]]] = {
+    "the base": (profile("softening", "base"), SOILS),
+    "the mass": (profile("softening", "mass"), SOILS),
+    "laws of soils": (of_each_soil(level=BELOW_GROUND), {"soils.a.friction.length": [0.3, 0.302]}),
+    "circles and boundaries": (profile("constant friction"), {"radius": [48.0, 47.5], "layers.3.top": [2.0, 2.4]}),
+    "cracks, loads and cohesion": (
+        CRACKED,
+        {"crack": [4.0, 3.5], "surcharge.1.pressure": [3e4, 5e4], "layers.3.top": [3.0, 5.0]},
+    ),
+}
+NUMBERS = ("run_out", "duration", "factor_of_safety", "toe_x", "toe_y", "travel_angle", "exit_x", "area")
+
+
+COHESIVE: Any = {"rotation": {}, "centripetal": {}, "cohesion": {"cohesion": 3e3}}
+
+
+def lanes_of(name: str) -> tuple[Scene, dict[tuple[int, ...], Scene]]:
+    """A scene of arrays, and the scene of each lane."""
+    if name in SECTIONS:
+        slope: dict[str, Any] = {"ground": GROUND, "centre": [30.5, 53.6], "radius": 28.4, "unit_weight": 20e3}
+        lanes = Scene(Section(**slope | SECTIONS[name]), 0.25, COHESIVE)
+        return lanes, {at: solve(lanes)[at].plan.scene for at in np.ndindex(lanes.shape)}
+    section, values = LAYERED[name]
+    scene = Scene(section, effects=TURNING)
+    lanes, invalid = with_parameter_arrays(scene, {number: np.array(value) for number, value in values.items()})
+    assert not invalid.any()
+    rows = [{number: float(value[k]) for number, value in values.items()} for k in (0, 1)]
+    return lanes, {(k,): with_parameters(scene, row) for k, row in enumerate(rows)}
+
+
+@pytest.mark.parametrize("name", [*SECTIONS, *LAYERED])
+def test_lanes_are_their_scenes(name: str) -> None:
+    lanes, scenes = lanes_of(name)
+    many = solve(lanes, accuracy=1e-15)
+    assert {*np.ndindex(many.shape)} == {*scenes}
+    table, factors = many.to_dict(), factors_of_safety(lanes)
+    for at, alone in scenes.items():
+        one = solve(alone, accuracy=1e-15).to_dict()
+        assert one["run_out"] > 0.1
+        for number in NUMBERS:
+            assert np.broadcast_to(table[number], many.shape)[at] == pytest.approx(one[number], rel=2e-12), (number, at)
+        for method, factor in factors_of_safety(alone).items():
+            assert np.broadcast_to(factors[method], many.shape)[at] == pytest.approx(factor, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", campaign.SCENES)
+def test_lanes_of_scenes_that_ship_are_scenes(name: str) -> None:
+    """60 values of every number: ``python -m tests.campaigns.lanes``."""
+    differences = dict(campaign.of_scene(name, 2, np.random.default_rng(3)))
+    assert len(differences) > 4
+    assert max(differences.values()) < campaign.BOUND, differences
+
+
+def test_lanes_of_profiles_whose_boundaries_meet_are_scenes() -> None:
+    """Where boundaries coincide, touch the circle or each other; 200 by the campaign."""
+    differences = dict(campaign.of_profiles(40, np.random.default_rng(5)))
+    assert max(differences.values()) < campaign.BOUND, differences
+
+
+@pytest.mark.parametrize("facing", [1, -1])
+@pytest.mark.parametrize("at_toe", [0.0, -1e-13, 1e-13])
+def test_of_boundaries_that_coincide_at_the_exit_the_lowest_soil_goes_on(facing: int, at_toe: float) -> None:
+    """All boundaries leave the ground at the toe, and the circle, flatter there than all of them, too."""
+    ground = np.array([[-30.0, 10.0], [0.0, 10.0], [20.0, 0.0], [60.0, 0.0]])
+    lines = [ground, [[-30.0, 4.0], [0.0, 4.0], [20.0, 0.0], [60.0, 0.0]], [[-30.0, 2.0], [20.0, 0.0], [60.0, 0.0]]]
+    tops = [np.asarray(line)[::facing] * [facing, 1] for line in lines]
+    soils = [Soil(19e3, 0.0, friction, name=name) for name, friction in {"a": 0.1, "b": 0.12, "c": 0.4}.items()]
+    layers = list(zip(soils, [None, *tops[1:]], strict=True))
+    centre = np.array([8.0 * facing, 15.0])
+    radius = float(np.hypot(12.0, 15.0))
+    section = LayeredSection(tops[0], centre, radius, layers=layers)
+    scene = Scene(section, effects=TURNING)
+    values = np.array([radius * (1.0 + at_toe), radius * 0.99, radius * 1.01])
+    lanes, _ = with_parameter_arrays(scene, {"radius": values})
+    for arc in (lanes.arc, with_parameters(scene, {"radius": float(values[0])}).arc):
+        assert isinstance(arc, LayeredSection)
+        assert arc.soils[arc.arc_strength.stretches.last[0]].name == "c"
+    named = LayeredSection(tops[0], centre, float(values[0]), layers=layers, foreland=soils[2])
+    assert solve(lanes).run_out[0] == pytest.approx(solve(Scene(named, effects=TURNING)).run_out, rel=1e-9)
+
+
+def test_tables_begin_where_the_motion_does() -> None:
+    """Kinks within rounding of the start, of one circle or of several that differ there, are no place to begin at."""
+    kinks = np.array([[4e-16, 0.0], [5e-14, 0.0], [1.3e-13, 4e-16], [2e-13, 0.2], [0.3, 0.3]])
+
+    def function(rotation: Any) -> Any:
+        return np.exp(rotation)[None]
+
+    breaks, coefficients = between_kinks(function, kinks, np.zeros(2), np.ones(2), 1e-14)
+    np.testing.assert_array_equal(breaks[0], 0.0)
+    for lane in (0, 1):
+        widths = np.diff(breaks[:, lane])
+        powers = widths[:, None] ** np.arange(coefficients.shape[1])
+        ends = (coefficients[:-1, :, 0, lane] * powers).sum(axis=1)
+        np.testing.assert_allclose(ends, np.exp(breaks[1:, lane]), rtol=3e-13)
+        assert np.abs(coefficients[:, 1, 0, lane]).max() < 3.0
