@@ -60,18 +60,21 @@ def moment(statement: str, alpha: arb) -> arb:
 
 def first_swing(slide: Slide) -> Swing:
     """The coefficients of its motion; an arc that faces the other way is turned about."""
-    alpha = ((slide.theta_2 - slide.theta_1) / 2).min(arb.pi() / 2)
+    opening = slide.theta_2 - slide.theta_1
+    middle = (slide.theta_1 + slide.theta_2) / 2
+    alpha = (opening / 2).min(arb.pi() / 2)
     half_inertia = moment("r^3", alpha) / 2
-    # lambda c* = 2 alpha f c/(gamma f R)
+    softens = slide.peak_friction is not None
+    peak = slide.peak_friction if slide.peak_friction is not None else slide.friction
     return Swing(
-        dip=abs((3 * arb.pi() - slide.theta_1 - slide.theta_2) / 2),
+        dip=abs(arb.pi() * 3 / 2 - middle),
         weight=moment("r^2 cos u", alpha) / half_inertia,
         press=moment("r^1 cos u", alpha) / half_inertia,
         polar=moment("r^2", alpha) / half_inertia if slide.centripetal else arb(0),
-        cohesion=2 * alpha * slide.cohesion / (slide.radius * half_inertia),
+        cohesion=2 * alpha * slide.cohesion / (slide.radius * half_inertia),  # lambda c* = 2 alpha f c/(gamma f R)
         residual=slide.friction,
-        drop=slide.peak_friction - slide.friction if slide.peak_friction is not None else arb(0),
-        decay=slide.radius / slide.length if slide.peak_friction is not None else arb(0),
+        drop=peak - slide.friction if softens else arb(0),
+        decay=slide.radius / slide.length if softens else arb(0),
     )
 
 
@@ -112,10 +115,14 @@ def about(x: arb) -> str:
 
 def _status(slide: Slide, proof: Theorem, tolerance: arb) -> str:
     """The status of the motion; claims and numbers go into the proof, as far as it gets."""
-    swing, start = first_swing(slide), arb(0)
+    swing = first_swing(slide)
+    start = arb(0)
     if not swing.dip < arb.pi() / 2:
         raise Undecided("the mass does not certainly press on the arc: its chord has to dip by less than 90 degrees")
-    limit_friction = (swing.weight * swing.dip.sin() - swing.cohesion) / (swing.press * swing.dip.cos())
+    sin, cos = swing.dip.sin_cos()
+    driving = swing.weight * sin - swing.cohesion
+    normal = swing.press * cos
+    limit_friction = driving / normal
     margin = swing.friction(start) - limit_friction
     proof.numbers |= {"limit_friction": limit_friction, "margin": margin}
     net = swing.net(start)
@@ -159,17 +166,22 @@ def _swings(slide: Slide, swing: Swing, proof: Theorem, tolerance: arb) -> str:
     rotation = sum(((-1) ** k * stand.rest for k, stand in enumerate(stands)), arb(0))
     if all(first.peak > stand.peak for stand in others):
         proof.numbers["peak_displacement_m"] = first.peak_at * slide.radius
+    speed = (slide.radius * slide.gravity).sqrt()
+    clock = (slide.radius / slide.gravity).sqrt()
+    peak = reduce(arb.max, (stand.peak for stand in stands))
+    time = sum((stand.time for stand in stands), arb(0))
     proof.numbers |= {
         "rotation_rad": rotation,
         "run_out_m": rotation * slide.radius,
-        "peak_velocity_m_s": (reduce(arb.max, (stand.peak for stand in stands)) * slide.radius * slide.gravity).sqrt(),
-        "duration_s": sum((x.time for x in stands), arb(0)) * (slide.radius / slide.gravity).sqrt(),
+        "peak_velocity_m_s": peak.sqrt() * speed,
+        "duration_s": time * clock,
     }
     return "rests"
 
 
 def _claim_swing(stand: Standstill, proof: Theorem) -> None:
-    turn, rest = about(stand.turn), about(stand.rest)
+    turn = about(stand.turn)
+    rest = about(stand.rest)
     proof.proved += [
         f"the net moment at rest changes its sign once, after {turn} rad: before, omega^2 cannot return to 0",
         f"beyond it omega^2 falls until the mass stands after {rest} rad, and not sooner",

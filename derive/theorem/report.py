@@ -2,7 +2,6 @@
 
 import json
 import re
-import textwrap
 from collections.abc import Mapping
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
@@ -33,15 +32,6 @@ BOUNDS: dict[str, tuple[Fraction | int, int]] = {
     "unit_weight_kN_m3": POSITIVE,
     "gravity_m_s2": POSITIVE,
 }
-LABELS = {
-    "limit_friction": "limit friction",
-    "margin": "friction less its limit",
-    "rotation_rad": "rotation at rest, rad",
-    "run_out_m": "run-out, m",
-    "peak_velocity_m_s": "peak velocity, m/s",
-    "peak_displacement_m": "which it has at, m",
-    "duration_s": "duration, s",
-}
 
 
 class Interval(NamedTuple):
@@ -52,7 +42,9 @@ class Interval(NamedTuple):
 
     def ball(self) -> arb:
         """At the precision in force."""
-        return number((self.low + self.high) / 2) + arb(0, 1) * number((self.high - self.low) / 2)
+        middle = (self.low + self.high) / 2
+        radius = (self.high - self.low) / 2
+        return number(middle) + number(radius) * arb(0, 1)
 
 
 def interval(text: str) -> Interval:
@@ -61,7 +53,9 @@ def interval(text: str) -> Interval:
     middle, half = [Decimal(part) for part in match.groups()] if match else [Decimal(text), Decimal(0)]
     if not all(x.is_finite() and abs(x.adjusted()) <= 100 for x in (middle, half)):
         raise ArithmeticError
-    return Interval(Fraction(middle) - Fraction(half), Fraction(middle) + Fraction(half))
+    centre = Fraction(middle)
+    radius = Fraction(half)
+    return Interval(centre - radius, centre + radius)
 
 
 def read(texts: Mapping[str, str]) -> dict[str, Interval]:
@@ -78,8 +72,9 @@ def read(texts: Mapping[str, str]) -> dict[str, Interval]:
             faults.append(f"{name} {text}: allowed are {least} to {most}")
     if faults:
         raise ValueError("\n".join(faults))
-    opening = given["theta_2_deg"].low - given["theta_1_deg"].high, given["theta_2_deg"].high - given["theta_1_deg"].low
-    if not 0 < opening[0] <= opening[1] <= 180:
+    first = given["theta_1_deg"]
+    second = given["theta_2_deg"]
+    if not first.high < second.low <= second.high <= first.low + 180:
         raise ValueError(
             "theta_2_deg: has to be above theta_1_deg, by 180 at most: beyond a half disc it is in tension"
         )
@@ -122,24 +117,19 @@ def report(options: Mapping[str, Any], digits: int, form: str) -> tuple[str, boo
         switches = {key: chosen[key] for key in ("rotation", "centripetal") if key in chosen}
         quantities = read(VAIONT | OTHERS | {key: text for key, text in chosen.items() if key not in switches})
         proofs[name] = theorem(partial(slide, quantities, **switches), digits)
+    found = [_plain(name, proof, digits) for name, proof in proofs.items()]
     decided = all(proof.status != "undecided" for proof in proofs.values())
     if form == "json":
-        found = [_plain(name, proof, digits) for name, proof in proofs.items()]
         return json.dumps(found[0] if options else found, indent=2), decided
-    return "\n\n".join(_text(name, proof, digits) for name, proof in proofs.items()), decided
+    return "\n\n".join(_text(**plain) for plain in found), decided
 
 
 def _plain(name: str, proof: Theorem, digits: int) -> dict[str, Any]:
     numbers = {key: pair(x, digits) for key, x in proof.numbers.items()}
-    reason = {"reason": proof.reason} if proof.reason else {}
-    return {"name": name, "status": proof.status, **reason, **numbers, "proved": proof.proved}
+    return {"name": name, "status": proof.status, "reason": proof.reason, **numbers, "proved": proof.proved}
 
 
-def _text(name: str, proof: Theorem, digits: int) -> str:
-    lines = [f"{name}: {proof.status}"]
-    for key, x in proof.numbers.items():
-        low, high = pair(x, digits)
-        lines.append(f"  {LABELS[key]:<24} {low:>{digits + 6}} to {high}")
-    claims = [*proof.proved, *([proof.reason] if proof.reason else [])]
-    lines += [textwrap.fill(claim, 100, initial_indent="  - ", subsequent_indent="    ") for claim in claims]
-    return "\n".join(lines)
+def _text(name: str, status: str, reason: str, proved: list[str], **numbers: list[str]) -> str:
+    lines = [f"{name}: {status}", *filter(None, [reason])]
+    lines += [f"  {key:<20} {low} to {high}" for key, (low, high) in numbers.items()]
+    return "\n".join([*lines, *(f"  - {claim}" for claim in proved)])

@@ -52,7 +52,9 @@ class Swing(NamedTuple):
         """Of E, from its value at the centre."""
         x = arb_series([centre, 1])
         brake = (self.friction(x) * self.polar).integral()
-        return (-brake).exp() * ((brake.exp() * self.net(x)).integral() + energy)
+        growing = brake.exp()
+        driven = (growing * self.net(x)).integral()
+        return (driven + energy) / growing
 
     def net_and_slope(self, x: arb) -> list[arb]:
         """r and its derivative."""
@@ -65,8 +67,11 @@ class Swing(NamedTuple):
         width = deviation.abs_upper()
         brake = self.friction(box) * self.polar
         # Of D = E - E(start) the equation D' = (r - q E(start)) - q D has this bound, by Gronwall's lemma.
-        growth = (self.net(box) - brake * energy).abs_upper() * (brake.abs_upper() * width).exp()
-        fat = coefficients(self.taylor(box, energy + deviation * arb(0, 1) * growth))
+        forcing = self.net(box) - brake * energy
+        exponent = brake.abs_upper() * width
+        growth = forcing.abs_upper() * exponent.exp()
+        inside = energy + deviation * growth * arb(0, 1)
+        fat = coefficients(self.taylor(box, inside))
         thin = coefficients(self.taylor(start, energy))
         return Model(arb_poly(thin[:TERMS]), fat[TERMS], TERMS)
 
@@ -106,8 +111,9 @@ def integrate(swing: Swing, tolerance: arb) -> Energy:
     farthest = (swing.dip + arb.pi() / 2).upper()
     while not energy < 0:
         model = swing.model(start, energy, step)
-        sizes = [abs(arb(a)).mid() * step**k for k, a in enumerate(model.main.coeffs())]
-        if not model.last.abs_upper() * step**TERMS < max(sizes) * tolerance:
+        sizes = [a.abs_upper() * step**k for k, a in enumerate(model.main.coeffs())]
+        remainder = model.last.abs_upper() * step**TERMS
+        if not remainder < max(sizes) * tolerance:
             step /= 2
             if step < arb(2) ** -SPLITS:
                 raise Undecided("the series of omega*^2 do not converge")
@@ -136,7 +142,9 @@ def edge(function: Function, sign: int, inside: arb, outside: arb, tolerance: ar
 
 def prove_sign(function: Function, sign: int, low: arb, high: arb, splits: int = SPLITS) -> None:
     """Prove the sign of a function on [low, high]: it has it at both ends, and, in parts, is monotone or has it."""
-    if not (sign * function(low)[0] > 0 and sign * function(high)[0] > 0) or not splits:
+    at_low, *_ = function(low)
+    at_high, *_ = function(high)
+    if not (sign * at_low > 0 and sign * at_high > 0) or not splits:
         raise Undecided("a sign between two points is not certain")
     value, slope, *_ = function(ball(low, high))
     if not (sign * value > 0 or slope > 0 or slope < 0):
@@ -196,29 +204,25 @@ def duration(energy: Energy, rest: arb, tolerance: arb) -> arb:
 
 
 def _share(energy: Energy, low: arb, high: arb, falls: bool) -> tuple[arb, arb]:
-    """The time between two rotations by a series, and the bound of its remainder."""
-    swing, at_end = energy.swing, falls or bool(low == 0)
+    """The time between two rotations by a series about one of them, and the bound of its remainder."""
+    root = int(falls or low == 0)
+    last = TERMS - root
+    centre = high if falls else low
+    at_centre = arb(0) if root else energy(centre)
+    thin = _rates(energy.swing.taylor(centre, at_centre), root, falls)
     box = ball(low, high.upper())
-    centre = (high if falls else low) if at_end else ((low + high) / 2).mid()
-    reach = high - low if at_end else high - centre
-    thin = swing.taylor(centre, arb(0) if at_end else energy(centre))
-    fat = swing.taylor(box, energy(box))
-    rates = _rates(thin, at_end, falls), _rates(fat, at_end, falls)
-    last = TERMS - at_end
-    if at_end:
-        powers = [reach.sqrt() * reach**k / (k + arb(0.5)) for k in range(last + 1)]
-    else:
-        powers = [2 * reach ** (k + 1) / (k + 1) for k in range(last + 1)]
-    odd = 1 if at_end else 2  # odd powers about a centre cancel, but not in the remainder
-    time = sum((rates[0][k] * powers[k] for k in range(0, last, odd)), arb(0))
-    return time, rates[1][last].abs_upper() * powers[last]
+    fat = _rates(energy.swing.taylor(box, energy(box)), root, falls)
+    exponents = [k + 1 - arb(root) / 2 for k in range(last + 1)]
+    *powers, power = [(high - low) ** n / n for n in exponents]
+    time = sum(map(arb.__mul__, thin, powers), arb(0))
+    return time, fat[last].abs_upper() * power
 
 
-def _rates(series: arb_series, at_end: bool, falls: bool) -> list[arb]:
+def _rates(series: arb_series, root: int, falls: bool) -> list[arb]:
     """Coefficients of 1/sqrt(E), or of 1/sqrt(F) with E = t F.
 
     That F has derivatives within those of E' over the same box: F(t) = int_0^1 E'(s t) ds.
     """
-    terms = [arb(series[k]) * (-1) ** (k * falls) for k in range(TERMS + 1)]
-    rates = arb_series(terms[at_end:]).rsqrt()
-    return [arb(rates[k]) for k in range(TERMS + 1 - at_end)]
+    sign = -1 if falls else 1
+    terms = [series[k] * sign**k for k in range(root, TERMS + 1)]
+    return list(arb_series(terms).rsqrt())
