@@ -159,6 +159,11 @@ def _swings(slide: Slide, swing: Swing, proof: Theorem, tolerance: arb) -> str:
         swing = swing.reversed(stand.rest)
     if not swing.net(arb(0)) < 0:
         raise Undecided("whether the mass stays where it stands is not certain")
+    _claim_rest(slide, stands, proof)
+    return "rests"
+
+
+def _claim_rest(slide: Slide, stands: list[Standstill], proof: Theorem) -> None:
     if len(stands) > 1:
         proof.proved.append(f"it swings back {len(stands) - 1} times; the same holds of each swing")
     proof.proved.append("where it stands, the resistance exceeds what pulls it back: it stays")
@@ -176,7 +181,6 @@ def _swings(slide: Slide, swing: Swing, proof: Theorem, tolerance: arb) -> str:
         "peak_velocity_m_s": peak.sqrt() * speed,
         "duration_s": time * clock,
     }
-    return "rests"
 
 
 def _claim_swing(stand: Standstill, proof: Theorem) -> None:
