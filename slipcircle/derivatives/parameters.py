@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import effects as declared
-from slipcircle.base.checks import InputError
+from slipcircle.base.checks import InputError, plain
 from slipcircle.base.kinds import Flags, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
@@ -241,13 +241,17 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
 def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
     """Some lanes of a scene: ``select`` takes an array of the scene's shape. They were checked with it."""
     assert isinstance(scene.effects, dict)
+    shaking = scene.effects.get("shaking", {})
     chosen = {}
     for name, value in scene.numbers.items():
-        table, _, number = name.partition(".")
-        stands_for_other = number in _OTHER_FACTOR and number not in scene.effects.get(table, {number})
-        if np.ndim(value) and not stands_for_other:
-            of_lanes = select(np.broadcast_to(value, scene.shape))
-            chosen[name] = of_lanes if np.ndim(of_lanes) else float(of_lanes)
+        if not np.ndim(value):
+            continue
+        every_lane = np.broadcast_to(value, scene.shape)
+        of_lanes = select(every_lane)
+        chosen[name] = plain(of_lanes)
+    for name in _OTHER_FACTOR:
+        if name not in shaking:  # it stands for the other
+            chosen.pop(f"shaking.{name}", None)
     changed = _fields_with(scene, chosen)
     arc = replace_unchecked(scene.arc, changed["arc"])
     return replace_unchecked(scene, changed | {"arc": arc})

@@ -263,7 +263,8 @@ def _read(now: Now, times: Floats, integrate_lanes: Integrate) -> tuple[Floats, 
     """Rotation and omega of some lanes at times of their own, (times, lanes)."""
     all_times = np.zeros((len(times), now.cells.shape[1]))
     all_times[:, now.lanes] = times
-    states = np.zeros((2 + len(now.problem.program.states), *all_times.shape))
+    outputs = 2 + len(now.problem.program.states)
+    states = np.zeros((outputs, *all_times.shape))
     integrate_lanes(now.cells, Samples(all_times, states))
     rotation, omega, *_ = states[:, :, now.lanes]
     return rotation, omega

@@ -54,7 +54,9 @@ def integrate(
     """Integrate some lanes one after the other from their present states, as `slipcircle.core.walk.integrate` does."""
     for number in which:
         lane_number = np.array([number])
-        lane = _Implicit(problem.program, problem.tables(lane_number), cells[:, lane_number], lane_number, samples, log)
+        tables = problem.tables(lane_number)
+        begun = cells[:, lane_number]
+        lane = _Implicit(problem.program, tables, begun, lane_number, samples, log)
         lane.status = ix.MOVING
         lane.steps = 0.0
         with np.errstate(all="ignore"):
@@ -190,9 +192,12 @@ class _Implicit(Integrator):
         for i in range(states):
             moved[i, :, i] += step[:, i]
         every_time = np.tile(times, states)
-        registers = self._registers_at(every_time, moved.reshape(-1, states).T)
-        moved_rates = registers[self.rates].T.reshape(states, count, states)
-        return np.asarray((moved_rates - rates) / step.T[:, :, None])
+        every_point = moved.reshape(-1, states)
+        registers = self._registers_at(every_time, every_point.T)
+        moved_rates = registers[self.rates].T
+        change = moved_rates.reshape(states, count, states) - rates
+        by_state = step.T[:, :, None]
+        return np.asarray(change / by_state)
 
     def _greatest_speed(self, start: Floats) -> Floats:
         """The greatest speed so far in the place of omega, otherwise 0.

@@ -121,37 +121,29 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     numbers = Numbers(scene.arc, scene.shape)
     for effect in plan.recipe.effects:
         numbers.add_effect(effect, scene.called[effect])
-    accuracy = solved_accuracy(plan.accuracy, lanes)
-    pushed = np.any(np.not_equal(scene.initial_velocity, 0.0))
-    upslope = bool(pushed) or "shaking" in plan.recipe.effects
-    of_mass, farther = scene.arc.tables(scene.called, scene.law, upslope, accuracy / 100 if lanes > 1 else FINEST)
-    numbers.add_rotations(of_mass)
+    farther = numbers.add_rotations(plan, lanes)
     for name, parameters in scene.laws:
         numbers.add_law(name, parameters)
     numbers.add_start(scene.initial_velocity, scene.until)
-    start = numbers.start
     if invalid is not False:
-        start["STATUS"] = plain(np.where(invalid, float(ix.FAILED), 0.0))
-    if scene.shape:
-        start = {name: _flat(value, scene.shape) for name, value in start.items()}
-    start["ORDER"] = order(accuracy)
+        numbers.start["STATUS"] = plain(np.where(invalid, float(ix.FAILED), 0.0))
+    start = _flat(numbers.start, scene.shape)
+    start["ORDER"] = order(solved_accuracy(plan.accuracy, lanes))
     start["ONE_WAY"] = _one_way(scene.called.get("shaking", {}))
     start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan, start), 0.0)
     start |= plan.program.constants
-
-    def lay_out() -> Mapping[str, Data]:
-        assert farther is not None
-        return {name: numbers.of_lanes(table) for name, table in farther().items()}
-
     function = dict(scene.laws).get("callable", {}).get("function")
-    return Problem(
-        plan.recipe, plan.program, start, numbers.tables, lanes, function, None if farther is None else lay_out
-    )
+    return Problem(plan.recipe, plan.program, start, numbers.tables, lanes, function, farther)
 
 
-def _flat(value: Any, shape: Shape) -> Any:
-    """An array with one axis of lanes; a number that all lanes share stays one."""
-    return np.broadcast_to(value, shape).reshape(-1) if np.ndim(value) else value
+def _flat(numbers: Mapping[str, Any], shape: Shape) -> dict[str, Any]:
+    """Arrays with one axis of lanes; a number that all lanes share stays one."""
+    if not shape:
+        return dict(numbers)
+    flat = {}
+    for name, value in numbers.items():
+        flat[name] = np.broadcast_to(value, shape).reshape(-1) if np.ndim(value) else value
+    return flat
 
 
 def solved_accuracy(accuracy: float, lanes: int) -> float:
@@ -191,7 +183,7 @@ class Numbers:
         self.start[f"{name}.SCALE"] = scale
         self.start[f"{name}.SCALED_BY"] = factor
 
-    def of_lanes(self, table: Data) -> Data:
+    def _of_lanes(self, table: Data) -> Data:
         """A table of the mass's own lanes for those of the scene."""
         own = self.mass.lanes_shape
         if own in ((), self.shape):
@@ -223,10 +215,23 @@ class Numbers:
                 scaled = p.dimensionless(factor, scales)
                 self.add_table(symbol, room("tables").of_time(value), self.mass.time_scale, scaled)
 
-    def add_rotations(self, tables: Mapping[str, Data]) -> None:
-        """Add the functions of the rotation that belong to the mass."""
+    def add_rotations(self, plan: Plan, lanes: int) -> Farther | None:
+        """Add the functions of the rotation that belong to the mass; what lays them out farther, if needed."""
+        scene = plan.scene
+        pushed = np.any(np.not_equal(scene.initial_velocity, 0.0))
+        upslope = bool(pushed) or "shaking" in plan.recipe.effects
+        tolerance = plan.accuracy / 100 if lanes > 1 else FINEST
+        tables, farther = self.mass.tables(scene.called, scene.law, upslope, tolerance)
         for name, table in tables.items():
-            self.add_table(name, self.of_lanes(table), factor=self.start[f"{name}.SCALED_BY"])
+            self.add_table(name, self._of_lanes(table), factor=self.start[f"{name}.SCALED_BY"])
+        if farther is None:
+            return None
+        lay_out = farther
+
+        def of_lanes() -> Mapping[str, Data]:
+            return {name: self._of_lanes(table) for name, table in lay_out().items()}
+
+        return of_lanes
 
     def add_law(self, name: str, parameters: Parameters) -> None:
         """Add a friction law: a table, or dimensionless numbers by its name."""
