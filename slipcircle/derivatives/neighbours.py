@@ -139,7 +139,7 @@ def _neighbours(scene: Scene[float], outcomes: Collection[str], numbers: Sequenc
     of_others = values[:, 1:]
     here = np.repeat(of_scene, len(numbers), axis=1)
     beside = of_others.reshape(-1, *offsets.shape)
-    error = max(ACCURACY, motion.error_estimate[0])
+    error = max(ACCURACY, motion[0].error_estimate)  # of an ensemble it costs as much as its solution
     off = np.full(len(numbers), CAUTION * error)
     return _Values(here, beside, off)
 
