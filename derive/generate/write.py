@@ -18,7 +18,7 @@ from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
 from derive.flow import emit as flow
-from derive.flow import layout, series
+from derive.flow import layout, restricted, restricted_c, series
 from derive.generate import effects, emit_c, functions, slopes
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -32,7 +32,8 @@ def files(proved: list[Record]) -> dict[str, str]:
     closed = closed_forms()
     c_kernels = emit_c.source(variants(), functions.comments(kernels, proved))
     c_flow = _template("_flow.c").replace("@PROCESSOR@", emit.PROCESSOR)
-    for mark, lines in (layout.c() | series.c()).items():
+    walk = {"WALK": restricted_c.functions(restricted.integrator())}
+    for mark, lines in (layout.c() | series.c() | walk).items():
         c_flow = c_flow.replace(f"@{mark}@\n", lines)
     texts = {
         "_compiled.py": _template("_compiled.py"),
