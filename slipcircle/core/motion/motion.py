@@ -329,7 +329,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return sentences
 
     def sensitivity(self) -> Any:
-        """Exact derivatives of a single motion by every number of its scene: `slipcircle.derivatives.sensitivity`.
+        """Derivatives of a single motion by every number of its scene, with stated errors.
+
+        They are those of neighbouring scenes, extrapolated: `slipcircle.derivatives.neighbours`.
 
         Raises
         ------
@@ -343,7 +345,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         at: dict[str, Any] = dict(self.outcomes)
         if not self.moves:
             at = dict.fromkeys(at, 0.0)
-        return room("sensitivity").sensitivity(self.plan.scene, self._lanes, at)
+        return room("sensitivity").sensitivity(self.plan.scene, at)
 
     # --- lanes, and one line of text ---------------------------------------------------------------------------------
 
