@@ -10,10 +10,33 @@ from collections.abc import Iterator, Sequence
 from derive.flow.restricted import Function, Text
 from derive.flow.writer import Value, Writer
 
-TYPES = {"V": "Floats", "M": "Mask", "S": "Floats", "F": "Floats", "I": "Index", "B": "Mask", "A": "Floats", "N": "int",
-         "T": "Table", "NONE": "None", "PAIR": "tuple[Floats, Floats]", "LANES": "Lanes", "LANE": "Lanes"}  # fmt: skip
-CALLS = {"where": "np.where", "abs": "np.abs", "minimum": "np.minimum", "maximum": "np.maximum", "any_lane": "np.any"}
-CALLS |= {x: f"np.{x}" for x in ("sin", "cos", "log", "hypot", "isnan")}
+TYPES = {
+    "V": "Floats",
+    "M": "Mask",
+    "S": "Floats",
+    "F": "Floats",
+    "I": "Index",
+    "B": "Mask",
+    "A": "Floats",
+    "N": "int",
+    "T": "Table",
+    "NONE": "None",
+    "PAIR": "tuple[Floats, Floats]",
+    "LANES": "Lanes",
+    "LANE": "Lanes",
+}
+CALLS = {
+    "where": "np.where",
+    "abs": "np.abs",
+    "minimum": "np.minimum",
+    "maximum": "np.maximum",
+    "any_lane": "np.any",
+    "sin": "np.sin",
+    "cos": "np.cos",
+    "log": "np.log",
+    "hypot": "np.hypot",
+    "isnan": "np.isnan",
+}
 OF_ONE_LANE = {"minimum": "np.fmin", "maximum": "np.fmax"}
 OF_LANE = {"F", "I", "B", "A"}
 
@@ -144,23 +167,34 @@ class NumPy(Writer):
             return
         self.ifs += 1
         mark = self.ifs
-        after = {x.id for x in ast.walk(self.function.node) if isinstance(x, ast.Name) and x.lineno >= s.lineno}
-        names = ["i", *(x for x, kind in self.kinds.items() if kind in OF_LANE and x in after)]
-        kept = ", ".join(f"{x}_{mark}" for x in names)
+        names = self._known_after(s)
+        before = [f"{x}_{mark}" for x in names]
         known = ", ".join(names)
+        kept = ", ".join(before)
         body = s.body[:-1] if leaves else s.body
         yield f"holds_{mark} = {test.text}"
         yield f"{kept} = {known}"
-        yield f"{known} = among(holds_{mark}, {kept})" if len(names) > 1 else f"(i,) = among(holds_{mark}, {kept})"
+        yield f"{known}, = among(holds_{mark}, {kept})"
         if body:
             yield from self.block("if i.size", body)
         if leaves:
-            others = f"among(np.logical_not(holds_{mark}), {kept})"
-            yield f"{known} = {others}" if len(names) > 1 else f"(i,) = {others}"
+            yield f"{known}, = among(np.logical_not(holds_{mark}), {kept})"
             yield "if not i.size:"
             yield "    return"
         else:
             yield f"{known} = {kept}"
+
+    def _known_after(self, s: ast.stmt) -> list[str]:
+        """The index, and what is known of its lanes and used from a statement on."""
+        used = set()
+        for x in ast.walk(self.function.node):
+            if isinstance(x, ast.Name) and x.lineno >= s.lineno:
+                used.add(x.id)
+        names = ["i"]
+        for name, kind in self.kinds.items():
+            if kind in OF_LANE and name in used:
+                names.append(name)
+        return names
 
     def give(self, value: Value | tuple[Value, Value] | None) -> Iterator[str]:
         match value:
