@@ -59,15 +59,16 @@ def integrate(
         begun = with_tangents.cells[:, lane_number]
         lane = _Implicit(program, with_tangents.tables, begun, lane_number, samples, log)
         lane.integrated = len(problem.program.states)
-        lane.cells[ix.STATUS] = ix.MOVING
-        lane.cells[ix.STEPS] = 0.0
+        state = lane.cells
+        state[ix.STATUS] = ix.MOVING
+        state[ix.STEPS] = 0.0
         with np.errstate(all="ignore"):
             walk.advance_origin(lane, _ONE)
-            lane.cells[ix.PENDING] = ix.BEGIN_PHASE
+            state[ix.PENDING] = ix.BEGIN_PHASE
             walk.begin_phases(lane)
-            while lane.cells[ix.STATUS, 0] <= ix.RESTING:
+            while lane.status <= ix.RESTING:
                 lane.advance()
-        cells[result_cells, number] = lane.cells[own_cells, 0]
+        cells[result_cells, number] = state[own_cells, 0]
 
 
 _ONE = np.arange(1)  # the index of the one lane
@@ -94,9 +95,13 @@ class _Implicit(walk.Lanes):
     steps_left = MOST_STEPS
     integrated = 0  # states, their tangents among them where these are asked for
 
+    @property
+    def status(self) -> float:
+        return float(self.cells[ix.STATUS, 0])
+
     def advance(self) -> None:
         """One step, as `generated.walk.advance` does."""
-        if self.cells[ix.STATUS, 0] == ix.MOVING:
+        if self.status == ix.MOVING:
             self.make_step()
         else:
             walk.wait(self, _HERE)
@@ -120,13 +125,17 @@ class _Implicit(walk.Lanes):
         self.cells[ix.EVENT] = event
         self.cells[ix.PASSED] = ix.NOTHING
         walk.keep_faster(self, _HERE, omega, time, x, rate)
-        walk.settle(self, _ONE, rate, np.array([uneventful]), np.array([False]))
+        at_limit = np.array([uneventful])
+        endless = np.array([False])
+        walk.settle(self, _ONE, rate, at_limit, endless)
 
     def _prepare(self) -> None:
         """Prepare the quantities that all implicit steps up to the next event share."""
         program = self.program
         (self.tangent,) = program.tangents
-        limit = np.minimum(walk.next_break(self), self.cells[ix.END_TIME])
+        next_break = walk.next_break(self)
+        end_time = self.cells[ix.END_TIME]
+        limit = np.minimum(next_break, end_time)
         self.limit = float(limit[0])
         integrated = program.states[: self.integrated]
         self.state_cells = [cell for cell, _, _ in integrated]
@@ -140,7 +149,8 @@ class _Implicit(walk.Lanes):
         endless = np.full(1, np.inf)
         top = walk.expand(self, endless, _HERE, 0)
         walk.choose_step(self, _HERE, endless, top)
-        return min(float(self.cells[ix.STEP, 0]), 1e3)
+        step = float(self.cells[ix.STEP, 0])
+        return min(step, 1e3)
 
     def _events(self) -> list[Event]:
         """The events of a step, in the order in which they are searched."""
@@ -151,16 +161,23 @@ class _Implicit(walk.Lanes):
             events.append(Event(ix.EVENT_CHORD_UPRIGHT, roles.upright))
         for table in self.tables:
             kind = ix.EVENT_BREAKPOINT + 2 * table.number
-            upper = min(cells[table.cells + ix.UPPER], walk.FAR)
+            first = table.cells
+            upper = min(cells[first + ix.UPPER], walk.FAR)
+            lower = cells[first + ix.LOWER]
             if table.kind == ix.OF_SPEED:
-                lower = cells[table.cells + ix.LOWER]
-                events.append(Event(kind, roles.omega, -1.0, upper))
-                events.append(Event(kind + 1, roles.omega, 1.0, lower if lower > 0.0 else -walk.FAR))
+                passes_upper = Event(kind, roles.omega, -1.0, upper)
+                events.append(passes_upper)
+                if lower > 0.0:
+                    passes_lower = Event(kind + 1, roles.omega, 1.0, lower)
+                    events.append(passes_lower)
             elif table.kind != ix.OF_TIME:
-                events.append(Event(kind, roles.x, -1.0, upper))
+                passes_edge = Event(kind, roles.x, -1.0, upper)
+                events.append(passes_edge)
         if roles.normal >= 0:
             is_lifted = cells[ix.LIFTED] > 0.0
-            events.append(Event(ix.EVENT_LIFT_OFF, roles.normal, -1.0 if is_lifted else 1.0))
+            sign = -1.0 if is_lifted else 1.0
+            contact_changes = Event(ix.EVENT_LIFT_OFF, roles.normal, sign)
+            events.append(contact_changes)
         return events
 
     def _follow(self, now: Present) -> tuple[Present, int]:
@@ -223,7 +240,8 @@ class _Implicit(walk.Lanes):
             if table.kind == ix.OF_TIME:
                 terms = np.zeros((there.terms, times.size))
                 walk.taylor_about_now(there, every, table, 0, terms)
-                cells[table.cells + ix.INC] = terms[0] - cells[table.cells + ix.VALUE]  # since the phase began
+                value_before = cells[table.cells + ix.VALUE]  # where the phase began
+                cells[table.cells + ix.INC] = terms[0] - value_before
         return cells
 
     def _registers_in(self, cells: Floats) -> Floats:
@@ -366,5 +384,7 @@ class _Implicit(walk.Lanes):
         if since.size:
             states = step.states(since)
             x, omega, *further = states
-            net = self._registers_at(begin + since, states)[self.roles.net]
-            walk.fill(self, 0, which, [x, omega, net, *further])
+            registers = self._registers_at(begin + since, states)
+            net = registers[self.roles.net]
+            rows = [x, omega, net, *further]
+            walk.fill(self, 0, which, rows)
