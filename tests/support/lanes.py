@@ -8,13 +8,13 @@ from unittest.mock import patch
 import pytest
 
 from generated import layout as ix
+from generated import walk as in_numpy
 from slipcircle import Motion, Scene, plan
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.program.build import build_program
 from slipcircle.core.program.program import Program, Samples
 from slipcircle.core.walk import compiled
-from slipcircle.core.walk import integrate as in_numpy
 from slipcircle.layers.layered import RotationTables
 
 __all__ = ["Problem", "Program", "RotationTables", "Samples", "build_program", "compiled"]

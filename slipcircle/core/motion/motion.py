@@ -187,11 +187,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return self._state(time + 0.0, angle, speed, gain, stress)
 
     def _final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
-        if not self.shape and self.plan.scene.arc.friction is not None:  # the stress depends on the slip until then
-            return self._stresses(np.asarray(time)).total
         at, rotation, omega = map(np.ravel, (time / self._time_scale, rotation, omega))
         states = States(at, rotation, omega, None, np.arange(self._problem.lanes))
-        pressing = self._shaped(self._forces.outputs(states)["pressing"])
+        pressing = self._shaped(self._mean_forces.outputs(states)["pressing"])
         return pressing * self._stress_unit + 0.0
 
     @property
@@ -309,7 +307,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         at: dict[str, Any] = dict(self.outcomes)
         if not self.moves:
             at = dict.fromkeys(at, 0.0)
-        return room("sensitivity").sensitivity(self.plan.scene, at)
+        return room("sensitivity").sensitivity(self.plan.scene, at, self.error_estimate)
 
     # --- lanes, and one line of text ---------------------------------------------------------------------------------
 

@@ -5,6 +5,7 @@ Dimensionless numbers become SI units here: times by sqrt(R/g), lengths along th
 """
 
 import math
+from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
@@ -16,7 +17,7 @@ from slipcircle.base.checks import INFINITY, choose, mistakes, plain, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.core.motion.forces import Forces
 from slipcircle.core.motion.states import STATUS_OF_END, Energy, State, Status
-from slipcircle.core.problem.plan import Plan
+from slipcircle.core.problem.plan import Plan, recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.program.program import Log
 from slipcircle.core.walk.lanes import States, read
@@ -25,11 +26,10 @@ ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
 
 
 class Stresses(NamedTuple):
-    """Mean normal stress with the water and without, Pa, and the law's friction, each of the shape of states."""
+    """Mean normal stress with the water and without, Pa, each of the shape of states."""
 
     total: Any
     effective: Any
-    friction: Any
 
 
 class Trajectory:
@@ -64,6 +64,15 @@ class Trajectory:
     @cached_property
     def _forces(self) -> Forces:
         return Forces(self._problem)
+
+    @cached_property
+    def _mean_forces(self) -> Forces:
+        """Forces of which the stresses are means over the arc."""
+        scene = self.plan.scene.of_means()
+        if scene is self.plan.scene:
+            return self._forces
+        plan = replace(self.plan, scene=scene, recipe=recipe_of(scene))
+        return Forces(problem_of(plan, self.invalid))
 
     def _shaped(self, values: Any) -> Any:
         """One number of each lane in the scene's shape; of a single scene a Python number."""
@@ -223,10 +232,11 @@ class Trajectory:
         return self._over_time(time, values.reshape(time.size, self._problem.lanes))
 
     def _stresses(self, time: Floats) -> Stresses:
-        outputs = self._forces.outputs(self._states(time))
-        pressing, normal, mu = (self._by_state(time, values) for values in outputs.values())
+        outputs = self._mean_forces.outputs(self._states(time))
         unit = _before(self._stress_unit, time.ndim)
-        return Stresses(pressing * unit, normal * unit, mu)
+        total = self._by_state(time, outputs["pressing"])
+        effective = self._by_state(time, outputs["normal"])
+        return Stresses(total * unit, effective * unit)
 
     @property
     def _stress_unit(self) -> Any:
@@ -246,8 +256,10 @@ class Trajectory:
 
     def friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient that the law gives, 0 where contact is lost; times as for `at`."""
-        stresses = self._stresses(self._checked(times))
-        return np.where(stresses.effective > 0.0, stresses.friction, 0.0)[()]
+        time = self._checked(times)
+        outputs = self._forces.outputs(self._states(time))
+        mobilised = np.where(outputs["normal"] > 0.0, outputs["mu"], 0.0)
+        return self._by_state(time, mobilised)
 
     def holding_friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient at which the mass, brought to rest where it is, would just stay; times as for `at`.
