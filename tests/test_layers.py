@@ -1,6 +1,7 @@
 """Layered sections: motions against their definition along the arc and other solvers; factors of published slopes."""
 
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 from slipcircle import Scene, Section, load, solve
 from slipcircle.derivatives.parameters import with_parameter_arrays, with_parameters
 from slipcircle.layers import LayeredSection, Soil, stretches
+from slipcircle.layers.strength import Needs
 from slipcircle.tables import Series
 from slipcircle.workbench.common.quantities import foreland_words
 from slipcircle.workbench.files.loaded import stability_of
@@ -240,6 +242,20 @@ def test_numbers_of_soils_of_an_odd_size_are_questioned() -> None:
     warnings = " ".join(solve(Scene(sloping(soils, (None, 2.0)))).warnings)
     assert "soils.light.unit_weight = 19 N/m^3: is that in kN/m^3?" in warnings
     assert "soils.rough.friction = 30: is that an angle?" in warnings
+
+
+def test_soils_that_soften_alike_have_one_law() -> None:
+    """Where each residual is the same share of its peak, what the balance takes beyond that law is rounding alone."""
+    rng = np.random.default_rng(4)
+    for lost, off in product(10 ** rng.uniform(-3, -0.1, 60), (0.0, 1e-11)):
+        soils = []
+        for name, peak in zip("abcd", rng.uniform(0.05, 0.8, 4), strict=True):
+            residual = peak * (1.0 - lost * (1.0 + off * (name == "a")))
+            soils.append(
+                Soil(18e3, 1e3, {"law": "linear", "peak": peak, "residual": residual, "length": 1.0}, name=name)
+            )
+        terms = sloping(soils).arc_strength.terms(Needs(rotates=True))
+        assert ("remaining_normal" in terms) == (off > 0.0)
 
 
 # --- layered slopes --------------------------------------------------------------------------------------------------

@@ -54,18 +54,19 @@ class Derivatives(NamedTuple):
 
 
 class _Values(NamedTuple):
-    """Outcomes of the motion, (outcomes, numbers), and of its neighbours, (outcomes, numbers, sides, rungs), or NaN.
-
-    ``off`` is what all of them are off alike, relative, by number.
-    """
+    """Outcomes of the motion, (outcomes, numbers), and of its neighbours, (outcomes, numbers, sides, rungs), or NaN."""
 
     here: Floats
     beside: Floats
-    off: Floats
 
 
-def neighbour_derivatives(scene: Scene[float], outcomes: Collection[str], free: Mapping[str, Free]) -> Derivatives:
-    """Derivatives of outcomes of a single scene by numbers that may vary alone."""
+def neighbour_derivatives(
+    scene: Scene[float], outcomes: Collection[str], free: Mapping[str, Free], error: float = 0.0
+) -> Derivatives:
+    """Derivatives of outcomes of a single scene by numbers that may vary alone.
+
+    ``error`` is the relative error that the outcomes of the motion and of its neighbours have alike.
+    """
     every = list(free.values())
     scales = np.array([number.scale for number in every])
     remaining = np.arange(len(every))
@@ -79,7 +80,7 @@ def neighbour_derivatives(scene: Scene[float], outcomes: Collection[str], free: 
         steps = longest * shares
         numbers = [every[k] for k in remaining]
         values = _solved(scene, outcomes, numbers, steps)
-        new, is_open = _judged(values, steps, scale)
+        new, is_open = _judged(values, steps, scale, CAUTION * max(ACCURACY, error))
         if found is None:
             found = new
         else:
@@ -102,8 +103,8 @@ def _solved(scene: Scene[float], outcomes: Collection[str], numbers: Sequence[Fr
     for part in _parts(scene, numbers):
         values = _neighbours(scene, outcomes, numbers[part], steps[part])
         parts.append(values)
-    here, beside, off = zip(*parts, strict=True)
-    return _Values(here=np.concatenate(here, axis=1), beside=np.concatenate(beside, axis=1), off=np.concatenate(off))
+    here, beside = zip(*parts, strict=True)
+    return _Values(here=np.concatenate(here, axis=1), beside=np.concatenate(beside, axis=1))
 
 
 def _parts(scene: Scene[float], numbers: Sequence[Free]) -> Iterator[slice]:
@@ -139,17 +140,15 @@ def _neighbours(scene: Scene[float], outcomes: Collection[str], numbers: Sequenc
     of_others = values[:, 1:]
     here = np.repeat(of_scene, len(numbers), axis=1)
     beside = of_others.reshape(-1, *offsets.shape)
-    error = max(ACCURACY, motion.error_estimate[0])
-    off = np.full(len(numbers), CAUTION * error)
-    return _Values(here, beside, off)
+    return _Values(here, beside)
 
 
 # --- what differences say --------------------------------------------------------------------------------------------
 
 
-def _judged(values: _Values, steps: Floats, scales: Floats) -> tuple[Derivatives, Flags]:
-    """Derivatives by one ladder, and which of them need another."""
-    _, beside, off = values
+def _judged(values: _Values, steps: Floats, scales: Floats, off: float) -> tuple[Derivatives, Flags]:
+    """Derivatives by one ladder, and which of them need another; outcomes are ``off`` alike, relative."""
+    beside = values.beside
     largest = _largest(values)
     rounding = ROUNDING * largest
     every_rounding = rounding[:, None, None, None]
@@ -158,7 +157,7 @@ def _judged(values: _Values, steps: Floats, scales: Floats) -> tuple[Derivatives
     jumps = _jumps(values, noise, largest)
     slopes, slope_errors = _slopes(beside, noise, steps)
     steepness = np.abs(slopes)
-    slope_errors = slope_errors + off[:, None] * steepness
+    slope_errors = slope_errors + off * steepness
     is_sure = slope_errors < KNOWN * steepness
     is_sure &= jumps == 0.0
     sure = np.where(is_sure, steepness, 0.0)

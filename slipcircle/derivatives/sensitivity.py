@@ -14,8 +14,10 @@ OUTPUTS: Mapping[str, str] = {"peak_velocity": "m/s", "run_out": "m", "duration"
 SIDES = ("below", "above")
 
 
-def sensitivity(scene: Scene[float], outputs: Mapping[str, float]) -> Sensitivity:
+def sensitivity(scene: Scene[float], outputs: Mapping[str, float], error: float) -> Sensitivity:
     """Derivatives of a single motion's outputs by every number of its scene, and what is to be said of them.
+
+    ``error`` is the estimated relative error of the motion.
 
     Notes
     -----
@@ -25,7 +27,7 @@ def sensitivity(scene: Scene[float], outputs: Mapping[str, float]) -> Sensitivit
     free = parameters(scene)
     warnings = list[str]()
     if any(outputs.values()):
-        found = neighbour_derivatives(scene, OUTPUTS, free)
+        found = neighbour_derivatives(scene, OUTPUTS, free, error)
         kept = list(_mattering(found, free))
         found = found.at(kept)
         names = [*free]

@@ -169,7 +169,7 @@ class ArcStrength(StretchIntegrals):
         share = np.where(softens, lost / divisor, share)
         beyond_share = self._residual - self.mean_residual * share
         remaining = np.where(softens, beyond_share, 0.0)
-        rounding = 1e-15 * np.abs(self._residual)
+        rounding = 2e-15 * np.abs(self._residual * mean / divisor)  # peak less residual cancels
         is_rounding = np.abs(remaining) <= rounding
         dropped = np.where(is_rounding, remaining.real, 0.0)  # only the value: derivatives stay
         return share, remaining - dropped

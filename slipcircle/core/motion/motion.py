@@ -343,7 +343,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         at: dict[str, Any] = dict(self.outcomes)
         if not self.moves:
             at = dict.fromkeys(at, 0.0)
-        return room("sensitivity").sensitivity(self.plan.scene, at)
+        return room("sensitivity").sensitivity(self.plan.scene, at, self.error_estimate)
 
     # --- lanes, and one line of text ---------------------------------------------------------------------------------
 

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import layout as ix
+from generated import walk
 from slipcircle.base.checks import choose, plain
 from slipcircle.base.kinds import Floats, Parameters
 from slipcircle.core.doors import room
@@ -17,7 +18,6 @@ from slipcircle.core.program.program import Log, Samples
 from slipcircle.core.scene.coordinates import by_lanes
 from slipcircle.core.scene.mass import Mass
 from slipcircle.core.walk.compiled import engine
-from slipcircle.core.walk.lane_state import LaneState
 
 # Lanes in a block, so that their numbers stay in the cache; rows a power of two apart would share its lines.
 BLOCK = 16000
@@ -295,12 +295,13 @@ class Lanes:
         problem = self._with_outputs
         cells, _ = self._begin(at_rest, side, problem)
         forces = Forces.of(problem.program, cells)
-        lanes = LaneState(problem.program, problem.tables, cells)
+        lanes = walk.Lanes(problem.program, problem.tables, cells)
+        every = np.arange(cells.shape[1])
         excess = forces.driving - forces.resisting
         with np.errstate(all="ignore"):
             friction = excess / forces.normal
         contact = forces.normal > 0.0
-        known = contact & lanes.may_start()
+        known = contact & walk.may_start(lanes, every)
         holding = np.maximum(friction, 0.0)
         return np.where(known, holding, np.nan)
 
