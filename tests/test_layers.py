@@ -293,7 +293,7 @@ def test_a_drowned_slope_is_the_buoyant_one_in_all_methods() -> None:
 def test_a_state_has_one_normal_stress_whoever_asks() -> None:
     """The plain mean along the arc, whatever has slipped: at the end, the peak, the farthest point, of each lane."""
     one = load("layered-slope")
-    values = float(one.numbers["soils.clay.cohesion"]) * np.array([1.0, 0.9])
+    values = np.multiply(one.numbers["soils.clay.cohesion"], [1.0, 0.9])
     motion, many = solve(one), solve(with_parameter_arrays(one, {"soils.clay.cohesion": values})[0])
     arc = AlongTheArc(motion.plan.scene.arc, motion.plan.scene.arc)
     for role in ("end", "peak", "reach"):
