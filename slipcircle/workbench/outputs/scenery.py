@@ -1,0 +1,179 @@
+"""What surrounds the mass of a section, as lines with their names: soils, ground, water, firm layer and surcharges.
+
+Pictures and the live page draw the same lines, each in its own way.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.base.kinds import Floats
+from slipcircle.base.text import shown
+from slipcircle.core import Arc
+from slipcircle.workbench.outputs.shapes import Mass, View
+
+_ACROSS = 400  # points of a boundary
+_PLACES = 40  # for the name of a soil
+_EDGE = 0.06  # of the ground in view, at either end, without names
+_THICK = 0.6  # of the greatest thickness of a soil, from which its name may stand there
+_VISIBLE = 0.003  # of the height of a view: a thinner soil has no name
+_LOAD = 0.05  # of the size of a view, height of the greatest surcharge
+_APART = 0.025  # of the size of a view, between arrows
+_HEAD = 0.3  # of the length of an arrow
+_NO_PLACES = np.empty((0, 2))
+
+
+class Line(NamedTuple):
+    """A line from left to right; of a soil its top, below which it lies down to the next line or to the firm layer."""
+
+    role: str  # in `plotstyle.SCENERY`, and as a class of `live.css`
+    points: Floats  # NaN between the parts of a line
+    name: str = ""
+    places: Floats = _NO_PLACES  # for the name, the best first
+    soil: int | None = None  # its number in a layered section, for its colours
+
+
+def lines(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats] = ()) -> Iterator[Line]:
+    """The lines of a section in a view, whose soils have no names on the mass; of an arc its chord alone.
+
+    Parameters
+    ----------
+    mass : Mass
+    soil : Arc, Section or Slope
+    view : View
+    outlines : sequence of ndarray
+        The mass wherever it is shown.
+    """
+    if not isinstance(soil, Arc):
+        yield from _soils(mass, soil, view, outlines)
+    yield Line("ground", mass.ground)
+    if isinstance(soil, Arc):
+        return
+    left, right = mass.ground[[0, -1], 0].tolist()
+
+    def along(name: str, points: Floats) -> Line:
+        """A line between the ends of the ground."""
+        x = points[:, 0]
+        inside = points[(left < x) & (x < right)]
+        ends = [[at, np.interp(at, *points.T)] for at in (left, right)]
+        line = np.concatenate([ends[:1], inside, ends[1:]])
+        at = np.linspace(max(view.left, left), min(view.right, right), 12)[1:-1]
+        role = name.partition(" ")[0]
+        return Line(role, line, name, np.stack([at, np.interp(at, *line.T)], axis=-1))
+
+    if soil.base is not None:
+        yield along("firm layer", np.array([[left, soil.base], [right, soil.base]]))
+    if soil.level is not None:
+        yield along("water level", np.asarray(soil.level, dtype=np.float64))
+    yield from _surcharges(mass.ground, getattr(soil, "surcharge", ()), view)
+
+
+# --- soils -----------------------------------------------------------------------------------------------------------
+
+
+def _soils(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats]) -> Iterator[Line]:
+    """The tops of soils, each with the name at the places where it is thick and free of the mass."""
+    layers = getattr(soil, "layers", ())
+    if not layers:
+        yield Line("soil", mass.ground)
+        return
+    x, tops = boundaries(mass.ground, layers)
+    bottom = np.full_like(x, view.bottom if soil.base is None else max(soil.base, view.bottom))
+    free = _below_mass(mass, x, outlines)
+    numbers = numbers_of(layers)
+    for (of_layer, _), top, lower in zip(layers, tops, [*tops[1:], bottom], strict=True):
+        places = _thick_places(x, np.minimum(top, free), np.maximum(lower, bottom), view)
+        name = of_layer.name if len(places) else ""
+        yield Line("soil", np.stack([x, top], axis=-1), name, places, numbers[key_of(of_layer)])
+
+
+def _below_mass(mass: Mass, x: Floats, outlines: Sequence[Floats]) -> Floats:
+    """Heights below which the mass is nowhere: the circle, from one end of all outlines to the other."""
+    if not outlines:
+        return np.full_like(x, np.inf)
+    reached = np.concatenate(outlines)[:, 0]
+    across = x - mass.centre[0]
+    half_chord = np.sqrt(np.maximum(mass.radius**2 - across**2, 0.0))
+    is_reached = (np.min(reached) <= x) & (x <= np.max(reached))
+    return np.where(is_reached, mass.centre[1] - half_chord, np.inf)
+
+
+def _thick_places(x: Floats, top: Floats, bottom: Floats, view: View) -> Floats:
+    """Places in the middle of a soil where it is thick, from the middle outwards."""
+    left = max(view.left, x[0])
+    right = min(view.right, x[-1])
+    edge = _EDGE * (right - left)
+    inside = (left + edge <= x) & (x <= right - edge)
+    thickness = np.where(inside, top - bottom, 0.0)
+    thickest = float(np.max(thickness))
+    if thickest < _VISIBLE * (view.top - view.bottom):
+        return _NO_PLACES
+    middle = np.column_stack([x, (top + bottom) / 2])
+    places = middle[thickness > _THICK * thickest]
+    off_middle = np.abs(places[:, 0] - np.mean(places[:, 0]))
+    places = places[np.argsort(off_middle, kind="stable")]
+    return np.asarray(places[:: max(1, len(places) // _PLACES)])
+
+
+def boundaries(ground: Floats, layers: Sequence[tuple[Any, Any]]) -> tuple[Floats, list[Floats]]:
+    """Tops of the layers over x, each cut off by those above."""
+    surface = np.asarray(ground, dtype=np.float64)
+    left = surface[0, 0]
+    right = surface[-1, 0]
+    lines = [surface]
+    for _, top in layers[1:]:
+        line = np.asarray(top, dtype=np.float64)
+        if line.ndim < 2:  # a height
+            line = np.array([[left, top], [right, top]])
+        lines.append(line)
+    vertices = np.concatenate([line[:, 0] for line in lines])
+    inside = np.clip(vertices, left, right)
+    equidistant = np.linspace(left, right, _ACROSS)
+    x = np.union1d(equidistant, inside)
+    tops = [np.interp(x, *lines[0].T)]
+    for line in lines[1:]:
+        height = np.interp(x, *line.T)
+        tops.append(np.minimum(tops[-1], height))
+    return x, tops
+
+
+def key_of(soil: Any) -> str:
+    """Identifier of a soil: the name if it has one."""
+    return soil.name or str(id(soil))
+
+
+def numbers_of(layers: Sequence[tuple[Any, Any]]) -> dict[str, int]:
+    """Numbers of the soils of layers, from the ground down, by `key_of`."""
+    keys = dict.fromkeys(key_of(soil) for soil, _ in layers)
+    return {key: number for number, key in enumerate(keys)}
+
+
+# --- surcharges ------------------------------------------------------------------------------------------------------
+
+
+def _surcharges(ground: Floats, loads: Sequence[tuple[float, float, Any, Any]], view: View) -> Iterator[Line]:
+    """Pressures on the ground as arrows below a line, in proportion to each other, with their values."""
+    greatest = max([float(np.max(load[2:])) for load in loads], default=0.0)
+    first, last = ground[[0, -1], 0].tolist()
+    for left, right, at_left, at_right in loads:
+        start, end = max(left, first), min(right, last)
+        if not start < end or greatest <= 0.0:
+            continue
+        count = max(2, round((end - start) / (_APART * view.size)) + 1)
+        x = np.linspace(start, end, count)
+        y = np.interp(x, *ground.T)
+        pressure = np.interp(x, [left, right], [at_left, at_right])
+        height = _LOAD * view.size / greatest * pressure
+        tails = np.stack([x, y + height], axis=-1)
+        arrows = [_arrow(*arrow) for arrow in zip(x, y, height, strict=True)]
+        values = dict.fromkeys(shown(1e-3 * value, 4) for value in (at_left, at_right))
+        yield Line("surcharge", np.concatenate([tails, *arrows]), f"{' to '.join(values)} kPa", tails)
+
+
+def _arrow(x: float, y: float, height: float) -> Floats:
+    """An arrow down to a point, after a gap."""
+    head = _HEAD * height
+    half = head / 2
+    tip = [x, y]
+    return np.array([[np.nan, np.nan], [x, y + height], tip, [x - half, y + head], tip, [x + half, y + head]])
