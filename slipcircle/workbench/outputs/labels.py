@@ -157,7 +157,7 @@ class _Covered:
         self._corner = frame.min - _AROUND
         cells = np.ceil((frame.max + _AROUND - self._corner) / _CELL).astype(int)
         ends = np.stack([self._corner, self._corner + cells * _CELL], axis=1)
-        counts, _, _ = np.histogram2d(*points.T, bins=cells.tolist(), range=ends)
+        counts, _, _ = np.histogram2d(points[:, 0], points[:, 1], bins=cells.tolist(), range=ends.tolist())
         self._sums = np.pad(counts.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
 
     def __call__(self, low: Floats, high: Floats) -> Floats:
