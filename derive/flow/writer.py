@@ -117,7 +117,8 @@ class Writer:
             case ast.BoolOp(op=op, values=parts):
                 values = [self.value(x) for x in parts]
                 kind = joined(values, "MBN")
-                if kind == "M" and any(v.kind != "M" for v in values):
+                has_others = any(v.kind != "M" for v in values)
+                if kind == "M" and has_others:
                     self.refuse(e, "a mask is joined with masks only")
                 return Value(self.logic("and" if isinstance(op, ast.And) else "or", values, kind), kind)
         self.refuse(e, "this expression is not in the grammar of the integrator")
@@ -259,8 +260,10 @@ class Writer:
             shared = self.value(first)
             rest = others[0] if len(others) == 1 else ast.BoolOp(ast.And(), others)
             if shared.kind == "N" and self.value(rest).kind != "N":  # the first is the same for all lanes
-                inner = ast.copy_location(ast.If(rest, s.body, []), s)
-                yield from self.shared_if(shared.text, [ast.fix_missing_locations(inner)])
+                inner = ast.If(rest, s.body, [])
+                ast.copy_location(inner, s)
+                ast.fix_missing_locations(inner)
+                yield from self.shared_if(shared.text, [inner])
                 return
         test = self.value(s.test)
         if test.kind not in ("N", "M", "B"):
