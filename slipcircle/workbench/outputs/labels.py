@@ -155,21 +155,29 @@ class _Covered:
 
     def __init__(self, points: Floats, frame: Any) -> None:
         self._corner = frame.min - _AROUND
-        cells = np.ceil((frame.max + _AROUND - self._corner) / _CELL).astype(int)
+        size = frame.max + _AROUND - self._corner
+        cells = np.ceil(size / _CELL).astype(int)
         ends = np.stack([self._corner, self._corner + cells * _CELL], axis=1)
         counts, _, _ = np.histogram2d(points[:, 0], points[:, 1], bins=cells.tolist(), range=ends.tolist())
-        self._sums = np.pad(counts.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
+        sums = counts.cumsum(axis=0).cumsum(axis=1)
+        self._sums = np.pad(sums, ((1, 0), (1, 0)))
 
     def __call__(self, low: Floats, high: Floats) -> Floats:
         """Number of points in each box, (...,), from its corners, (..., 2)."""
         last = np.array(self._sums.shape) - 1
-        left, bottom = np.moveaxis(self._cells(low, last), -1, 0)
-        right, top = np.moveaxis(self._cells(high, last), -1, 0)
+        first_cells = self._cells(low, last)
+        last_cells = self._cells(high, last)
+        left, bottom = np.moveaxis(first_cells, -1, 0)
+        right, top = np.moveaxis(last_cells, -1, 0)
         sums = self._sums
-        return np.asarray(sums[right, top] - sums[left, top] - sums[right, bottom] + sums[left, bottom])
+        below_top = sums[right, top] - sums[left, top]
+        below_bottom = sums[right, bottom] - sums[left, bottom]
+        return np.asarray(below_top - below_bottom)
 
     def _cells(self, corners: Floats, last: Any) -> Any:
-        return np.clip(np.rint((corners - self._corner) / _CELL).astype(int), 0, last)
+        cells = (corners - self._corner) / _CELL
+        nearest = np.rint(cells).astype(int)
+        return np.clip(nearest, 0, last)
 
 
 def _beside(ax: Any) -> list[Any]:

@@ -58,9 +58,13 @@ class Frame(NamedTuple):
         """A line through points of the world, with gaps at NaN, as the data of a path."""
         points = np.round(self.points(np.asarray(world, dtype=np.float64)), 2)
         gaps = np.flatnonzero(np.isnan(points[:, 0]))
-        parts = np.split(np.delete(points, gaps, axis=0), gaps - np.arange(len(gaps)))
         end = "Z" if closed else ""
-        return "".join("M" + "L".join(f"{x:.7g} {y:.7g}" for x, y in part.tolist()) + end for part in parts)
+        data = ""
+        for part in np.split(points, gaps):
+            is_point = np.isfinite(part[:, 0])
+            places = part[is_point].tolist()
+            data += "M" + "L".join(f"{x:.7g} {y:.7g}" for x, y in places) + end
+        return data
 
 
 def frame_around(motions: Sequence[Motion]) -> Frame:

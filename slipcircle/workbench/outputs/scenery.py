@@ -50,23 +50,34 @@ def lines(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats] = ()) ->
     yield Line("ground", mass.ground)
     if isinstance(soil, Arc):
         return
-    left, right = mass.ground[[0, -1], 0].tolist()
-
-    def along(name: str, points: Floats) -> Line:
-        """A line between the ends of the ground."""
-        x = points[:, 0]
-        inside = points[(left < x) & (x < right)]
-        ends = [[at, np.interp(at, *points.T)] for at in (left, right)]
-        line = np.concatenate([ends[:1], inside, ends[1:]])
-        at = np.linspace(max(view.left, left), min(view.right, right), 12)[1:-1]
-        role = name.partition(" ")[0]
-        return Line(role, line, name, np.stack([at, np.interp(at, *line.T)], axis=-1))
-
     if soil.base is not None:
-        yield along("firm layer", np.array([[left, soil.base], [right, soil.base]]))
+        left, right = mass.ground[[0, -1], 0]
+        base = np.array([[left, soil.base], [right, soil.base]])
+        yield _along_ground("firm", "firm layer", base, mass.ground, view)
     if soil.level is not None:
-        yield along("water level", np.asarray(soil.level, dtype=np.float64))
-    yield from _surcharges(mass.ground, getattr(soil, "surcharge", ()), view)
+        level = np.asarray(soil.level, dtype=np.float64)
+        yield _along_ground("water", "water level", level, mass.ground, view)
+    loads = getattr(soil, "surcharge", ())
+    yield from _surcharges(mass.ground, loads, view)
+
+
+def _along_ground(role: str, name: str, points: Floats, ground: Floats, view: View) -> Line:
+    """A line between the ends of the ground."""
+    x, y = points.T
+    left = ground[0, 0]
+    right = ground[-1, 0]
+    is_between = (left < x) & (x < right)
+    vertices = x[is_between]
+    line_x = np.concatenate([[left], vertices, [right]])
+    line_y = np.interp(line_x, x, y)
+    line = np.stack([line_x, line_y], axis=-1)
+    first = max(view.left, left)
+    last = min(view.right, right)
+    in_view = np.linspace(first, last, 12)
+    places_x = in_view[1:-1]
+    places_y = np.interp(places_x, x, y)
+    places = np.stack([places_x, places_y], axis=-1)
+    return Line(role, line, name, places)
 
 
 # --- soils -----------------------------------------------------------------------------------------------------------
@@ -79,13 +90,21 @@ def _soils(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats]) -> Ite
         yield Line("soil", mass.ground)
         return
     x, tops = boundaries(mass.ground, layers)
-    bottom = np.full_like(x, view.bottom if soil.base is None else max(soil.base, view.bottom))
+    lowest = view.bottom
+    if soil.base is not None:
+        lowest = max(soil.base, lowest)
+    bottom = np.full_like(x, lowest)
     free = _below_mass(mass, x, outlines)
     numbers = numbers_of(layers)
-    for (of_layer, _), top, lower in zip(layers, tops, [*tops[1:], bottom], strict=True):
-        places = _thick_places(x, np.minimum(top, free), np.maximum(lower, bottom), view)
+    lower_edges = [*tops[1:], bottom]
+    for (of_layer, _), top, lower in zip(layers, tops, lower_edges, strict=True):
+        free_top = np.minimum(top, free)
+        free_bottom = np.maximum(lower, bottom)
+        places = _thick_places(x, free_top, free_bottom, view)
         name = of_layer.name if len(places) else ""
-        yield Line("soil", np.stack([x, top], axis=-1), name, places, numbers[key_of(of_layer)])
+        line = np.stack([x, top], axis=-1)
+        number = numbers[key_of(of_layer)]
+        yield Line("soil", line, name, places, number)
 
 
 def _below_mass(mass: Mass, x: Floats, outlines: Sequence[Floats]) -> Floats:
@@ -93,10 +112,15 @@ def _below_mass(mass: Mass, x: Floats, outlines: Sequence[Floats]) -> Floats:
     if not outlines:
         return np.full_like(x, np.inf)
     reached = np.concatenate(outlines)[:, 0]
-    across = x - mass.centre[0]
-    half_chord = np.sqrt(np.maximum(mass.radius**2 - across**2, 0.0))
-    is_reached = (np.min(reached) <= x) & (x <= np.max(reached))
-    return np.where(is_reached, mass.centre[1] - half_chord, np.inf)
+    first = np.min(reached)
+    last = np.max(reached)
+    is_reached = (first <= x) & (x <= last)
+    centre_x, centre_y = mass.centre
+    across = x - centre_x
+    square = mass.radius**2 - across**2
+    half_chord = np.sqrt(np.maximum(square, 0.0))
+    circle = centre_y - half_chord
+    return np.where(is_reached, circle, np.inf)
 
 
 def _thick_places(x: Floats, top: Floats, bottom: Floats, view: View) -> Floats:
@@ -109,11 +133,15 @@ def _thick_places(x: Floats, top: Floats, bottom: Floats, view: View) -> Floats:
     thickest = float(np.max(thickness))
     if thickest < _VISIBLE * (view.top - view.bottom):
         return _NO_PLACES
-    middle = np.column_stack([x, (top + bottom) / 2])
-    places = middle[thickness > _THICK * thickest]
-    off_middle = np.abs(places[:, 0] - np.mean(places[:, 0]))
-    places = places[np.argsort(off_middle, kind="stable")]
-    return np.asarray(places[:: max(1, len(places) // _PLACES)])
+    middle_y = (top + bottom) / 2
+    middle = np.column_stack([x, middle_y])
+    is_thick = thickness > _THICK * thickest
+    places = middle[is_thick]
+    places_x = places[:, 0]
+    off_middle = np.abs(places_x - np.mean(places_x))
+    order = np.argsort(off_middle, kind="stable")
+    apart = max(1, len(places) // _PLACES)
+    return np.asarray(places[order[::apart]])
 
 
 def boundaries(ground: Floats, layers: Sequence[tuple[Any, Any]]) -> tuple[Floats, list[Floats]]:
@@ -155,25 +183,41 @@ def numbers_of(layers: Sequence[tuple[Any, Any]]) -> dict[str, int]:
 def _surcharges(ground: Floats, loads: Sequence[tuple[float, float, Any, Any]], view: View) -> Iterator[Line]:
     """Pressures on the ground as arrows below a line, in proportion to each other, with their values."""
     greatest = max([float(np.max(load[2:])) for load in loads], default=0.0)
-    first, last = ground[[0, -1], 0].tolist()
+    if greatest <= 0.0:
+        return
+    scale = _LOAD * view.size / greatest
+    apart = _APART * view.size
+    first = ground[0, 0]
+    last = ground[-1, 0]
     for left, right, at_left, at_right in loads:
-        start, end = max(left, first), min(right, last)
-        if not start < end or greatest <= 0.0:
+        start = max(left, first)
+        end = min(right, last)
+        if start >= end:
             continue
-        count = max(2, round((end - start) / (_APART * view.size)) + 1)
-        x = np.linspace(start, end, count)
+        spaces = max(1, round((end - start) / apart))
+        x = np.linspace(start, end, spaces + 1)
         y = np.interp(x, *ground.T)
         pressure = np.interp(x, [left, right], [at_left, at_right])
-        height = _LOAD * view.size / greatest * pressure
-        tails = np.stack([x, y + height], axis=-1)
+        height = scale * pressure
+        top = y + height
+        tails = np.stack([x, top], axis=-1)
         arrows = [_arrow(*arrow) for arrow in zip(x, y, height, strict=True)]
-        values = dict.fromkeys(shown(1e-3 * value, 4) for value in (at_left, at_right))
-        yield Line("surcharge", np.concatenate([tails, *arrows]), f"{' to '.join(values)} kPa", tails)
+        line = np.concatenate([tails, *arrows])
+        first_value = shown(1e-3 * at_left, 4)
+        last_value = shown(1e-3 * at_right, 4)
+        name = f"{first_value} kPa"
+        if last_value != first_value:
+            name = f"{first_value} to {last_value} kPa"
+        yield Line("surcharge", line, name, tails)
 
 
 def _arrow(x: float, y: float, height: float) -> Floats:
     """An arrow down to a point, after a gap."""
     head = _HEAD * height
     half = head / 2
+    gap = [np.nan, np.nan]
+    tail = [x, y + height]
     tip = [x, y]
-    return np.array([[np.nan, np.nan], [x, y + height], tip, [x - half, y + head], tip, [x + half, y + head]])
+    left = [x - half, y + head]
+    right = [x + half, y + head]
+    return np.array([gap, tail, tip, left, tip, right])
