@@ -109,12 +109,13 @@ class Profile(NamedTuple):
 
 def _chebyshev(place: Floats, terms: int) -> Floats:
     """Values of the first Chebyshev polynomials at places in [-1, 1], (places, terms)."""
-    values = np.empty((place.size, terms))
-    values[:, 0] = 1.0
-    values[:, 1] = place
+    values = np.empty((terms, place.size))
+    values[0] = 1.0
+    values[1] = place
+    twice = 2.0 * place
     for k in range(2, terms):
-        values[:, k] = 2.0 * place * values[:, k - 1] - values[:, k - 2]
-    return values
+        values[k] = twice * values[k - 1] - values[k - 2]
+    return np.ascontiguousarray(values.T)
 
 
 class _Piece(NamedTuple):
