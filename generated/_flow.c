@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "eb69aa1e6406940211e0d13741c32df2f4d4517443becf1a2c701bb0feb514c1"
+#define DIGEST "a5e561c63f4744e5348e569b3f3be3eead3995451bef339bc66efaab6dc7319a"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1478,7 +1478,7 @@ static void carry_net_moment(Batch *b, unsigned lane, double net)
 }
 
 /* Begin the phase that the lane waits for, whose numbers are known: net moment and normal force now among them. */
-static void begin_phase(Batch *b, unsigned lane, double net, double force)
+static void resolve_pending(Batch *b, unsigned lane, double net, double force)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1547,7 +1547,7 @@ static void begin_phases(Batch *b)
         V force = normal_force(b);
         V net = (b->r + job->role->net)[0];
         EACH(lane, bits(waits)) {
-            begin_phase(b, lane, net[lane], force[lane]);
+            resolve_pending(b, lane, net[lane], force[lane]);
         }
         waits = c[PENDING] != (double)READY;
     }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b63c6f56d7552e4c2829c180e73c2d6c4f4d5df1e60ebcf6caa82bfad5f62729
+# sha256 of the text below: dcea3badac664fe38efd352b5c6a9cdf735df074aea3d85276f3f39658f74ce3
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "eb69aa1e6406940211e0d13741c32df2f4d4517443becf1a2c701bb0feb514c1"  # of the compiled integrator's source
+DIGEST = "a5e561c63f4744e5348e569b3f3be3eead3995451bef339bc66efaab6dc7319a"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

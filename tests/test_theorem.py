@@ -1,6 +1,7 @@
 """Theorems on motions: against quadrature of the definitions, Taylor series of other code, and the package itself."""
 
 import json
+import math
 from functools import cache
 from typing import Any
 
@@ -13,9 +14,9 @@ from derive.__main__ import main
 from derive.check.truth import number, working
 from derive.theorem.motion import Slide, first_swing, theorem
 from derive.theorem.report import pair
-from derive.theorem.swing import standstill
-from tests.campaigns.theorems import compared
-from tests.support import taylor
+from derive.theorem.swing import duration, integrate, standstill
+from tests.campaigns.theorems import Case, compared, errors
+from tests.support import taylor, vaiont
 
 VAIONT = ["--radius-m", "1492.6", "--theta-1-deg", "215.2", "--theta-2-deg", "276.9", "--friction-deg", "10"]
 KEYS = ("rotation_rad", "run_out_m", "peak_velocity_m_s", "duration_s")
@@ -118,6 +119,17 @@ def test_taylor_series_in_time_of_other_code(friction: dict[str, Any], cohesion:
             assert abs(mpf(found[key]) - low) < 1e-20 * high + (high - low), name
 
 
+def test_the_remainder_of_time_is_counted() -> None:
+    """Of a fine E; coarse in time alone."""
+    with working(300):
+        start = first_swing(made(*SCENES[0]))
+        energy = integrate(start, arb(10) ** -40)
+        fine = standstill(start, arb(10) ** -40)
+        for exponent in (1, 2, 4, 8):
+            coarse = duration(energy, fine.rest, arb(10) ** -exponent)
+            assert coarse.contains(fine.time)
+
+
 @pytest.mark.parametrize("exponent", [2, 4, 8])
 def test_remainders_are_counted(exponent: int) -> None:
     """With coarse steps the enclosures are wide, and hold what fine steps give."""
@@ -200,6 +212,12 @@ def test_bad_input_is_named(options: list[str], words: str, capsys: Any) -> None
     said = capsys.readouterr()
     assert words in said.err
     assert not said.out
+
+
+def test_vaiont_is_next_to_its_enclosure() -> None:
+    case = Case(vaiont.RADIUS, *vaiont.ENDS, math.tan(math.radians(10)), True)
+    motion = case.motion()
+    assert max(errors(motion, theorem(case.slide))) < min(1e-15, motion.error_estimate)
 
 
 @pytest.mark.parametrize("index", [0, 1, 2, 3, 12])
