@@ -16,7 +16,7 @@ from generated import layout as ix
 from generated import walk
 from slipcircle.tables.series import Pulse
 from tests.support import lanes, one_lane
-from tests.support.lanes import Problem, build_problem
+from tests.support.lanes import Problem, posed
 
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
 MU = np.tan(np.radians([8.0, 14.0, 20.0]))
@@ -38,7 +38,8 @@ RESULTS = (ix.TIME, ix.ROTATION, ix.SLIP, ix.PEAK_TIME, ix.PEAK_OMEGA, ix.REACH_
 def problem(name: str) -> Problem:
     called, friction, velocity, end = SCENES[name]
     velocities = np.full(MU.size, velocity)
-    return build_problem(slipcircle.load("vaiont").arc, called, friction, velocities, end, 1e-11, MU.size)
+    until = None if math.isinf(end) else end
+    return posed(slipcircle.Scene(slipcircle.load("vaiont").arc, friction, called, velocities, until), 1e-11)
 
 
 def alike(one: Any, other: Any, within: float) -> bool:
@@ -105,7 +106,7 @@ def ends_as_written(monkeypatch: pytest.MonkeyPatch, module: str, old: str, new:
     monkeypatch.setattr(walk, "ROUNDS", 200)
     for name, finals in expected.items():
         bound = problem(name)
-        s = walk.Lanes(bound.program, bound.tables, bound.cells)
+        s = walk.Lanes(bound.program, bound.tables(), bound.cells())
         with np.errstate(all="ignore"):
             walk.load(s)
             for _ in range(200):

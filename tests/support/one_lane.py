@@ -73,13 +73,14 @@ class Lane(Entries):
     """A lane, as the text takes it."""
 
     def __init__(self, problem: Problem, column: int, number: Any = float) -> None:
-        program, highest = problem.program, int(problem.cells[ix.ORDER].max())
-        cells = [number(float(x)) for x in problem.cells[:, column]] + [number(0.0)] * -ix.PENDING
+        begun = problem.cells()
+        program, highest = problem.program, int(begun[ix.ORDER].max())
+        cells = [number(float(x)) for x in begun[:, column]] + [number(0.0)] * -ix.PENDING
         registers = [[number(0.0)] * (highest + 2) for _ in program.registers]
         roles = {name.removeprefix("cell_"): place for name, place in program.roles.items()}
         places = PLACES | {x.removeprefix("cell_"): program.roles[x] for x in ix.ROLES if x[:5] == "cell_"}
         tables: list[Any] = []
-        for k, (slot, data) in enumerate(zip(program.tables, problem.tables, strict=True)):
+        for k, (slot, data) in enumerate(zip(program.tables, problem.tables(), strict=True)):
             own = {name: slot.cells + part for name, part in PARTS.items()}
             tables.append(Entries(
                 cells, own, number=k, before=tables[-1] if k else None, kind=ix.KINDS.index(slot.kind),
