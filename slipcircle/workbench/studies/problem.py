@@ -59,7 +59,7 @@ class SearchProblem:
         parts = []
         count = values.shape[1]
         with counted(count, "scenes solved") as progress:
-            for block in np.array_split(values, math.ceil(count / _BLOCK), axis=1):
+            for block in np.array_split(values, max(1, math.ceil(count / _BLOCK)), axis=1):
                 parts.append(self._outcomes(block))
                 progress(block.shape[1])
         outcomes, kinds = zip(*parts, strict=True)
