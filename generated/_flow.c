@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "eb69aa1e6406940211e0d13741c32df2f4d4517443becf1a2c701bb0feb514c1"
+#define DIGEST "39102ccca750017db9f8ca470531d3b3aa04315470784d3b7220d6cbc6bc71eb"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -164,6 +164,13 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     }
     job.all = cells.buf, job.count = cells.len / 8 / job.cells;
     job.begin = begin, job.end = end < job.count ? end : job.count, job.budget = budget;
+    int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0;
+    for (int t = 0; t < job.tables; t++) fits = fits && (!job.data[t].across || job.data[t].across == job.count);
+    if (!times.len && outputs.len) fits = fits && outputs.len == 8 * job.registers * job.count;
+    if (!fits) {
+        PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables or registers are not those of as many lanes");
+        goto done;
+    }
     if (times.len) {
         job.times = times.buf, job.outputs = outputs.buf;
         job.samples = outputs.len / 8 / job.count / (2 + job.states);
@@ -1478,7 +1485,7 @@ static void carry_net_moment(Batch *b, unsigned lane, double net)
 }
 
 /* Begin the phase that the lane waits for, whose numbers are known: net moment and normal force now among them. */
-static void begin_phase(Batch *b, unsigned lane, double net, double force)
+static void resolve_pending(Batch *b, unsigned lane, double net, double force)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1547,7 +1554,7 @@ static void begin_phases(Batch *b)
         V force = normal_force(b);
         V net = (b->r + job->role->net)[0];
         EACH(lane, bits(waits)) {
-            begin_phase(b, lane, net[lane], force[lane]);
+            resolve_pending(b, lane, net[lane], force[lane]);
         }
         waits = c[PENDING] != (double)READY;
     }

@@ -36,9 +36,10 @@ def test_a_layered_mass_accelerates_as_its_weight_and_strength_along_the_arc_say
         assert motion.energy_error_estimate < 1e-14
         for time in motion.duration * np.linspace(0.01, 0.99, 30 * motion.moves):
             state = motion.at(time)
-            acceleration, friction = arc.motion(state)
-            assert state.acceleration == pytest.approx(acceleration, rel=0, abs=1e-13)
-            assert state.normal_stress * motion.friction == pytest.approx(friction, rel=1e-13)
+            stress, pressure = arc.means(state)
+            assert state.acceleration == pytest.approx(arc.acceleration(state), rel=0, abs=1e-13)
+            assert state.normal_stress == pytest.approx(stress, rel=1e-13)
+            assert motion.pore_pressure_at(time) == pytest.approx(pressure, rel=1e-12, abs=1e-12 * stress)
 
 
 def shaken(k_h: float, k_v: float) -> dict[str, Any]:
@@ -290,15 +291,19 @@ def test_a_drowned_slope_is_the_buoyant_one_in_all_methods() -> None:
 
 
 def test_a_state_has_one_normal_stress_whoever_asks() -> None:
-    """Of soils that soften the stress depends on the slip until then: at the end, the peak and the farthest point."""
-    motion = solve(load("layered-slope"))
-    arc, start = AlongTheArc(motion.plan.scene.arc, motion.plan.scene.arc), motion.at(0.0)
-    weight, _ = arc.weights(arc.columns().b)
-    columns = arc.columns()
-    pressing = float((weight[0] * np.cos(columns.b) * columns.length).sum()) / np.ptp(arc.ends)
-    assert start.normal_stress == pytest.approx(pressing, rel=1e-12)
-    for state in (motion.end, motion.peak, motion.reach):
+    """The plain mean along the arc, whatever has slipped: at the end, the peak, the farthest point, of each lane."""
+    one = load("layered-slope")
+    values = np.multiply(one.numbers["soils.clay.cohesion"], [1.0, 0.9])
+    motion, many = solve(one), solve(with_parameter_arrays(one, {"soils.clay.cohesion": values})[0])
+    arc = AlongTheArc(motion.plan.scene.arc, motion.plan.scene.arc)
+    for role in ("end", "peak", "reach"):
+        state = getattr(motion, role)
+        stress, _ = arc.means(state)
+        assert state.normal_stress == pytest.approx(stress, rel=1e-12)
         assert state.normal_stress == pytest.approx(motion.at(state.time).normal_stress, rel=1e-13)
+        assert getattr(many, role).normal_stress[0] == pytest.approx(stress, rel=1e-8)
+    stresses = motion.at(0.0).normal_stress, motion.plan.scene.arc.static_normal_stress
+    assert stresses == pytest.approx([arc.means(motion.at(0.0))[0]] * 2, rel=1e-12)
 
 
 def test_plans_and_tables_say_what_layered_scenes_do() -> None:

@@ -7,8 +7,19 @@ from collections.abc import Iterator, Sequence
 from derive.flow.restricted import Function, Text
 from derive.flow.writer import Value, Writer
 
-TYPES = {"V": "V", "M": "M", "S": "V *", "F": "double", "I": "int64_t", "B": "int", "A": "double *", "N": "int",
-         "T": "int", "NONE": "void", "PAIR": "Pair"}  # fmt: skip
+TYPES = {
+    "V": "V",
+    "M": "M",
+    "S": "V *",
+    "F": "double",
+    "I": "int64_t",
+    "B": "int",
+    "A": "double *",
+    "N": "int",
+    "T": "int",
+    "NONE": "void",
+    "PAIR": "Pair",
+}
 VECTOR = {"where": "pick", "abs": "magnitude", "minimum": "minimum", "maximum": "maximum"}
 SCALAR = {"abs": "fabs", "minimum": "fmin", "maximum": "fmax"}
 REDUCED = {"greatest": "greatest", "least": "least", "all_lanes": "all_lanes", "any_lane": "bits"}

@@ -217,6 +217,11 @@ class ArcStrength(StretchIntegrals):
             terms["remaining_lift"] = self._lift(remaining, needs)
         return terms
 
+    def mean_lift(self, needs: Needs) -> dict[str, Any]:
+        """The mean of the pore pressure over the arc as a term of the balance, where soils do not count."""
+        every_soil = np.ones_like(self._peak)
+        return {"lift": self._lift(every_soil, needs)}
+
     # --- a friction law of its own for each soil -----------------------------------------------------------------
 
     @cached_property

@@ -164,7 +164,7 @@ def carry_net_moment(lane: Lane, net: float) -> None:
     lane.pending = Pending.READY
 
 
-def begin_phase(lane: Lane, net: float, force: float) -> None:
+def resolve_pending(lane: Lane, net: float, force: float) -> None:
     """Begin the phase that the lane waits for, whose numbers are known: net moment and normal force now among them."""
     if lane.pending == Pending.ENTER_PHASE:
         carry_net_moment(lane, net)
@@ -215,7 +215,7 @@ def begin_phases(s: Lanes) -> None:
         force = normal_force(s)
         net = s.series.net[0]
         if waits:
-            begin_phase(s, net, force)
+            resolve_pending(s, net, force)
         waits = s.pending != Pending.READY
 
 

@@ -225,8 +225,6 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     def _final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         lanes = self._lanes
-        if not self.shape and "layered_strength" in self.plan.effects:  # the stress depends on the slip until then
-            return self._stress_at(np.asarray(time))
         stress = lanes.stress(time / lanes.time_scale, rotation, omega)
         return self._shaped(stress + 0.0)
 
