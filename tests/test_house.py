@@ -137,7 +137,7 @@ LAYERS = {
     ),
     "generated": (
         *("definitions", "effects", "flow", "laws", "layout", "series", "walk", "tiers", "_evaluate", "_compiled"),
-        *("growth", "kernels", "motion", "printed", "slopes", "stable", "__init__"),
+        *("kernels", "motion", "printed", "slopes", "stable", "__init__"),
     ),
     "slipcircle": ("kernels", "base", "core", *ROOMS, "workbench", "__init__", "__main__"),
 }

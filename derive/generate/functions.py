@@ -10,7 +10,7 @@ from derive.algebra.appendices import APPENDICES, parse
 from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
 from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import RoundingError
-from derive.algebra.rules import arc_growth, prove_equal, stable
+from derive.algebra.rules import prove_equal, stable
 from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
@@ -269,12 +269,6 @@ def _printed_motion() -> list[tuple[str, Expr, str]]:
         ("angular_velocity", velocity, "(3.20), misprint mended, from rest"),
         ("rotation", rotation, "(4.3), from rest"),
     ]
-
-
-def growth(closed: Mapping[str, Expr]) -> list[tuple[Program, str]]:
-    """How the moments of the arc grow with alpha."""
-    words = "relative slopes of C_theta, C_r, I_p*, lambda, all over Theta*, and of Theta* times alpha"
-    return [(program("arc_growth", ("alpha",), *arc_growth(closed), let=_CLIP), words)]
 
 
 def laws() -> list[tuple[Program, str]]:
