@@ -1,6 +1,7 @@
 """How well a motion is known: seven more runs, with longer series, other steps and inputs moved by rounding."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -34,6 +35,9 @@ ROUNDED = 6.0
 LEAST_SIZE = 1e-300  # by which what is 0 is divided
 LEAST = 8 * EPS / 2  # that an estimate is
 UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
+# Functions of the rotation are laid out to a share of the accuracy: beside the motion closer, down to their rounding.
+CLOSER = 1e-3
+CLOSEST = 1e-13
 # Shares of the duration at which states are compared, of each run the same.
 _MIDDLES = (np.arange(8) + 0.5) / 8
 SHARES = np.tile(_MIDDLES[:, None], RUNS)
@@ -107,15 +111,26 @@ def _of_ensemble(lanes: Lanes, final: Final) -> tuple[Floats, Any]:
     spread = np.zeros(lanes.count)
     unlike = np.zeros(lanes.count, dtype=bool)
     rounding = lanes.arc.rounding
+    closer = _closer(lanes)
     for run in range(1, RUNS):
         alone = slice(run, run + 1)
-        problem = perturbed_runs(lanes.problem, alone, rounding)
+        problem = perturbed_runs(closer, alone, rounding)
         cells = integrate_all(problem)
         changes = _changes(cells, summary)
         greatest = np.fmax.reduce(changes)
         spread = np.fmax(spread, greatest)
         unlike |= _ends_otherwise(cells, final)
     return spread, unlike
+
+
+def _closer(lanes: Lanes) -> Problem:
+    """The problem of lanes with the functions of their rotation closer to what these stand for."""
+    problem = lanes.problem
+    if not any(table.kind == "rotation" for table in problem.program.tables):
+        return problem
+    accuracy = max(CLOSER * lanes.accuracy, CLOSEST)
+    closer = replace(lanes, accuracy=accuracy).problem
+    return closer._replace(cells=problem.cells)
 
 
 def _of_single(lanes: Lanes, final: Final) -> tuple[float, bool]:

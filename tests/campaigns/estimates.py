@@ -122,8 +122,9 @@ def drawn(kind: str, rng: Rng) -> Scene:
 
 def with_neighbour(scene: Scene, rng: Rng) -> tuple[Scene, Any]:
     """It and one in which a number differs by a percent or so, and which of them is invalid."""
-    values = {name: parameter_value(scene, name) for name in parameters(scene) if not name.endswith("gradient")}
-    name = str(rng.choice([name for name, value in values.items() if value]))
+    every = {name: parameter_value(scene, name) for name in parameters(scene) if not name.endswith("gradient")}
+    values = {name: value for name, value in every.items() if value}
+    name = str(rng.choice(list(values)))
     return with_parameter_arrays(scene, {name: values[name] * (1.0 + rng.normal(0.0, 0.01) * np.arange(2.0))})
 
 
