@@ -1,4 +1,4 @@
-"""Command line: `python -m derive [--check]`, `python -m derive verify | hard | prove`."""
+"""Command line: `python -m derive [--check]`, `python -m derive verify | hard | prove | theorem`."""
 
 import argparse
 import sys
@@ -84,6 +84,22 @@ COMMANDS = {
     ),
     "hard": Command("the hard cases: error of the printed form beside ours", _JSON),
     "prove": Command("prove the error bounds of the kernels again, from their certificates alone", {}),
+    "theorem": Command(
+        "enclose and prove the motion of an arc with friction; without a quantity, of the slide of Vaiont",
+        {"json": "an object of the slide given, or a list of those of Vaiont"},
+    ),
+}
+# Quantities of `theorem`: decimals, which are exact, and may have an uncertainty: 10+-0.1.
+QUANTITIES = {
+    "radius-m": "of the arc",
+    "theta-1-deg": "polar angle of its first end about the centre, counterclockwise; 270 is straight below",
+    "theta-2-deg": "of its second end",
+    "friction-deg": "angle of friction; the residual one if there is a peak",
+    "peak-friction-deg": "angle of friction at the start, which falls exponentially with slip",
+    "length-m": "slip in which it falls by a factor of e",
+    "cohesion-kPa": "needs the unit weight",
+    "unit-weight-kN-m3": "of the mass",
+    "gravity-m-s2": "by default 9.81",
 }
 
 
@@ -104,13 +120,39 @@ def _parser() -> argparse.ArgumentParser:
             choice.add_argument(f"--{form}", dest="form", action="store_const", const=form, default="text", help=shown)
         if name == "verify":
             command.add_argument("--verbose", action="store_true", help="causes and rules below the table too")
+        elif name == "theorem":
+            _add_quantities(command)
     return parser
+
+
+def _add_quantities(command: argparse.ArgumentParser) -> None:
+    for quantity, help in QUANTITIES.items():
+        command.add_argument(f"--{quantity}", metavar="X", default=argparse.SUPPRESS, help=help)
+    for effect, help in {"rotation": "the mass slides as it stands", "centripetal": "speed does not press"}.items():
+        suppressed = argparse.SUPPRESS
+        command.add_argument(f"--no-{effect}", dest=effect, action="store_false", default=suppressed, help=help)
+    command.add_argument("--digits", type=int, choices=range(5, 101), default=20, metavar="N", help="5 to 100 (20)")
+
+
+def _prove_motion(options: argparse.Namespace) -> int:
+    """Print the theorem on a slide; 1 if the input is refused or nothing can be decided."""
+    from derive.theorem.report import report
+
+    given = vars(options)
+    chosen = {name: given[name] for name in given if name.replace("_", "-") in (*QUANTITIES, "rotation", "centripetal")}
+    try:
+        text, decided = report(chosen, options.digits, options.form)
+    except ValueError as faults:
+        say(str(faults))
+        return 1
+    print(text)
+    return 0 if decided else 1
 
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call or a missing package."""
     options = _parser().parse_args(argv)
-    needed = ("flint",) if options.command == "prove" else ("sympy", "mpmath", "flint")
+    needed = ("flint",) if options.command in ("prove", "theorem") else ("sympy", "mpmath", "flint")
     if missing := [name for name in needed if find_spec(name) is None]:
         say(f"python -m derive needs {' and '.join(missing)}: pip install 'slipcircle[derive]'")
         return 2
@@ -118,6 +160,8 @@ def main(argv: list[str] | None = None) -> int:
         from derive.check.certify import prove_all
 
         return 0 if prove_all() else 1
+    if options.command == "theorem":
+        return _prove_motion(options)
     if options.command == "verify":
         from derive.judge.report import show
 

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "ab61257e17e963ed12fa8a08c480684253e83f9a4a8b91d8781802c509250738"
+#define DIGEST "39102ccca750017db9f8ca470531d3b3aa04315470784d3b7220d6cbc6bc71eb"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -9,9 +9,9 @@
  * neither on its neighbours nor on its place. The whole state of a lane is in its cells: integration may be interrupted
  * after any step and resumed.
  *
- * `slipcircle/core/walk/integrate.py` is the same integrator in NumPy, with the same names. This file is compiled once
- * for every kind of processor (with LEVEL, its name), and once more for the module, which runs the best of those that
- * the machine has. */
+ * How a lane is integrated is written once, in `derive/flow/walk`, for this file and for `walk.py`, the same in NumPy.
+ * This file is compiled once for every kind of processor (with LEVEL, its name), and once more for the module, which
+ * runs the best of those that the machine has. */
 #define PY_SSIZE_T_CLEAN
 #if !defined(__GNUC__)
 #error "the integrator needs the vectors of GCC or Clang"
@@ -22,9 +22,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { HIGHEST = 40, STRIDE = HIGHEST + 2, MOST_TABLES = 16, MOST_STATES = 16 };
+enum { HIGHEST = 40, STRIDE = HIGHEST + 2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 16 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
+typedef struct { int32_t cell, series, rate; } State;
 typedef struct {
     const double *breaks, *coefficients, *jumps; /* (pieces[, lanes]), (pieces, terms[, lanes]), (pieces) */
     int64_t pieces, across, apart; /* lanes of the coefficients and of the breaks, or 0 where lanes share them */
@@ -39,7 +40,8 @@ typedef struct {
     /* Of the program: cells, of which those from `made` on come from the prologue or are alike in all lanes; registers,
      * states, tables, those of time and the others; whether its rate depends on the speed alone. */
     int cells, made, registers, states, tables, timed, sloped, autonomous;
-    const int32_t *scalar, *scalar_end, *series, *series_end, *later_end, *state; /* after `series` what no rate needs */
+    const int32_t *scalar, *scalar_end, *series, *series_end, *later_end; /* after `series` what no rate needs */
+    const State *state;
     const Table *table;
     const Roles *role;
     Data data[MOST_TABLES];
@@ -50,7 +52,7 @@ typedef struct {
     int64_t samples, times_across;
     double *notes; /* events of the first lane: kind, time, rotation, direction */
     int64_t noted, notes_room;
-    void *memory; /* zeros, for the lanes of a batch: a vector for each cell, and STRIDE for each register */
+    void *memory; /* zeros, for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
     int order; /* the highest of all lanes */
 } Job;
 
@@ -118,9 +120,10 @@ static int read_program(Job *job, const Py_buffer *program)
     job->scalar = p + HEAD + sizeof(Roles) / 4;
     job->role = (const Roles *)(p + HEAD);
     job->scalar_end = job->series = job->scalar + p[5];
-    job->series_end = job->series + p[6], job->later_end = job->state = job->series_end + p[7];
+    job->series_end = job->series + p[6], job->later_end = job->series_end + p[7];
+    job->state = (const State *)job->later_end;
     job->autonomous = p[8];
-    job->table = (const Table *)(job->state + 3 * job->states);
+    job->table = (const Table *)(job->state + job->states);
     for (int t = 0; t < job->tables; t++) job->timed += job->table[t].kind == 2, job->sloped += job->table[t].kind != 2;
     return (const int32_t *)(job->table + job->tables) == end && job->tables <= MOST_TABLES && job->states <= MOST_STATES ? 0 : -1;
 }
@@ -161,6 +164,13 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     }
     job.all = cells.buf, job.count = cells.len / 8 / job.cells;
     job.begin = begin, job.end = end < job.count ? end : job.count, job.budget = budget;
+    int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0;
+    for (int t = 0; t < job.tables; t++) fits = fits && (!job.data[t].across || job.data[t].across == job.count);
+    if (!times.len && outputs.len) fits = fits && outputs.len == 8 * job.registers * job.count;
+    if (!fits) {
+        PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables or registers are not those of as many lanes");
+        goto done;
+    }
     if (times.len) {
         job.times = times.buf, job.outputs = outputs.buf;
         job.samples = outputs.len / 8 / job.count / (2 + job.states);
@@ -168,7 +178,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     } else if (outputs.len) job.outputs = outputs.buf;
     job.notes = notes.buf, job.notes_room = notes.len / 32;
     job.order = order;
-    void *memory = PyMem_RawCalloc((size_t)(job.cells + job.registers * STRIDE) + 1, WIDEST);
+    void *memory = PyMem_RawCalloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
         goto done;
@@ -233,30 +243,30 @@ typedef double V __attribute__((vector_size(WIDE / 8)));
 typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, X, OMEGA };
+enum { PENDING = -15, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_X, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, Q1 };
+enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
 enum { NOTHING, LIFT, FASTER, SLOWER };
+enum { READY, START_MOVING, RESOLVE, START_AGAIN, ENTER_PHASE, DISCONTINUITY, BEGIN_PHASE };
 enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_BREAKPOINT };
 enum { NOTE_BEGINS = 1, NOTE_STANDS, NOTE_LIFTS, NOTE_LANDS };
-enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define STIFF_CHANGE 0.001
 #define CARRIED 0.001
 #define SETTLED 1.4210854715202004e-14
 enum { LIN, RAMP, MUL, SQR, POWERS, TIM, TURN, EXP, REC, LOG, POW };
 enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S_LOG, S_LOG1P, S_SQRT, S_ABS, S_MIN, S_MAX, S_LESS, S_SELECT };
-enum { READY, START_MOVING, RESOLVE, START_AGAIN, ENTER_PHASE, DISCONTINUITY, BEGIN_PHASE }; /* what a lane waits for before its next step */
-
+_Static_assert(PENDING >= -MOST_WORKING, "cells in front of the others");
 /* The lanes that are integrated now, beside their cells. */
 typedef struct {
     Job *job;
     V *c, *r; /* cells, and registers: coefficient n of the register that begins at i is r[i + n] */
     int64_t column[LANES];
     unsigned held; /* a bit for each lane */
-    int pending[LANES], faced[LANES], sudden[LANES];
-    double rate[LANES], drive[LANES], drive_scale[LANES];
     double inverse[HIGHEST + 2];
 } Batch;
+typedef struct { V one, other; } Pair;
 
 /* --- vectors and functions of them --- */
 
@@ -288,6 +298,20 @@ INLINE M lanes(unsigned b)
     for (int k = 0; k < LANES; k++) each[k] = 1 << k;
     return (each & (int64_t)b) != 0;
 }
+/* The greatest and the least of integers in all lanes, and whether a mask is true in all. */
+INLINE int greatest(V x)
+{
+    double most = x[0];
+    for (int k = 1; k < LANES; k++) most = x[k] > most ? x[k] : most;
+    return (int)most;
+}
+INLINE int least(V x)
+{
+    double low = x[0];
+    for (int k = 1; k < LANES; k++) low = x[k] < low ? x[k] : low;
+    return (int)low;
+}
+INLINE int all_lanes(M m) { return bits(m) == (unsigned)ALL; }
 #define EACH(k, b) for (unsigned left_ = (b), k; left_ && (k = (unsigned)__builtin_ctz(left_), 1); left_ &= left_ - 1)
 
 /* The nearest integer of |x| < 2^51, by the addition that has no bits beyond it; the sum's pattern ends in its bits. */
@@ -577,256 +601,7 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
         }
     }
 }
-/* --- polynomials in the time of a step: coefficients p[0] to p[n] --- */
-
-INLINE V value(const V *p, int n, V t)
-{
-    V sum = p[n];
-    for (int k = n - 1; k >= 0; k--) sum = sum * t + p[k];
-    return sum;
-}
-
-/* Without the constant term, so that a small change keeps its digits. */
-INLINE V increment(const V *p, int n, V t) { return n > 0 ? t * value(p + 1, n - 1, t) : broadcast(0.0); }
-
-INLINE V value_and_slope(const V *p, int n, V t, V *slope)
-{
-    V sum = p[n], s = broadcast(0.0);
-    for (int k = n - 1; k >= 0; k--) {
-        s = s * t + sum;
-        sum = sum * t + p[k];
-    }
-    *slope = s;
-    return sum;
-}
-
-/* Newton's method between bounds, of opposite signs: it starts where the chord crosses, and halves where a step leaves
- * the bounds. A step below 2^-30 of its place is the last: the next would be below rounding. */
-static V bracketed_root(const V *p, int n, V low, V at_low, V high, V at_high, unsigned which)
-{
-    const M falls = at_low > 0.0;
-    V at = low + (high - low) * (at_low / (at_low - at_high));
-    at = pick((at >= low) & (at <= high), at, 0.5 * (low + high));
-    for (int count = 0; which && count < 200; count++) {
-        V slope;
-        const V f = value_and_slope(p, n, at, &slope);
-        const M beyond = (f > 0.0) ^ falls;
-        low = pick(beyond, low, at), high = pick(beyond, at, high);
-        V next = at - f / slope;
-        next = pick((next >= low) & (next <= high), next, 0.5 * (low + high));
-        next = pick(f == 0.0, at, next);
-        const M go = lanes(which);
-        which &= bits(magnitude(next - at) > 0x1p-30 * magnitude(next));
-        at = pick(go, next, at);
-    }
-    return at;
-}
-
-/* The first zero in (0, h] of polynomials that are positive at first; infinity where there is none, and where `which` lacks a lane. Within a step the terms fall like exp(-2 k): a polynomial that neither has changed its sign at h nor falls
- * at first and rises at last has none. Where it falls and rises, its least value decides. */
-static V first_root(const V *p, int n, V h, unsigned which)
-{
-    V slope, high = h;
-    V last = value_and_slope(p, n, h, &slope);
-    unsigned crosses = which & bits((last < 0.0) | ((last == 0.0) & (p[0] > 0.0))); /* a polynomial that is zero has no root */
-    const unsigned dips = which & ~crosses & bits((p[1] < 0.0) & (slope > 0.0));
-    if (dips) {
-        V s[HIGHEST + 2];
-        for (int k = 1; k <= n; k++) s[k - 1] = p[k] * (double)k;
-        const V lowest = bracketed_root(s, n - 1, broadcast(0.0), s[0], h, slope, dips), least = value(p, n, lowest);
-        V terms = magnitude(p[n]);
-        for (int k = n - 1; k >= 0; k--) terms = terms * h + magnitude(p[k]);
-        const unsigned below = dips & bits(least < -4 * EPS * terms); /* a polynomial that only touches zero does not cross it */
-        high = pick(lanes(below), lowest, high), last = pick(lanes(below), least, last);
-        crosses |= below;
-    }
-    if (!crosses) return broadcast(INFINITY);
-    return pick(lanes(crosses), bracketed_root(p, n, broadcast(0.0), p[0], high, last, crosses), broadcast(INFINITY));
-}
-
-/* --- tables --- */
-
-/* Coefficients of a lane's piece, in powers of what is beyond its break, about a place within it: Taylor's shift. */
-static void shifted(const Data *d, int64_t piece, int64_t column, double by, double *terms)
-{
-    const int64_t across = d->across ? d->across : 1;
-    const double *from = d->coefficients + piece * d->terms * across + (d->across ? column : 0);
-    for (int j = 0; j < d->terms; j++) terms[j] = from[j * across];
-    if (by == 0.0) return;
-    for (int first = 0; first < d->terms - 1; first++)
-        for (int j = d->terms - 2; j >= first; j--) terms[j] += by * terms[j + 1];
-}
-
-/* Taylor coefficients of a function of time about now, in t*, up to an order; returns their number. */
-static int taylor_about_now(const Batch *b, const Table *t, const Data *d, unsigned k, int order, double *terms)
-{
-    const V *c = b->c + t->cell;
-    const double scale = c[SCALE][k], factor = c[SCALED_BY][k];
-    const int64_t piece = (int64_t)c[PIECE][k];
-    const double local = b->c[TIME][k] * scale - d->breaks[piece];
-    if (d->sine) { /* amplitude, rate, phase */
-        double p[HIGHEST + 1];
-        shifted(d, piece, b->column[k], 0.0, p);
-        const double angle = p[1] * local + p[2], wave[] = {sin(angle), cos(angle), -sin(angle), -cos(angle)};
-        double high = p[0] * factor;
-        for (int j = 0; j <= order; j++) {
-            terms[j] = high * wave[j % 4];
-            high *= p[1] * scale / (j + 1);
-        }
-        return order + 1;
-    }
-    shifted(d, piece, b->column[k], d->terms > 2 || order < 1 ? local : 0.0, terms);
-    if (d->terms == 2 && order >= 1) terms[0] += local * terms[1];
-    double power = factor;
-    for (int j = 0; j < d->terms; j++, power *= scale) terms[j] *= power;
-    return d->terms;
-}
-
-/* The end of a lane's piece of a function of time, and the increment there. */
-static void find_end_of_piece(const Batch *b, const Table *t, const Data *d, unsigned k)
-{
-    V *c = b->c + t->cell;
-    const int64_t piece = (int64_t)c[PIECE][k];
-    double terms[HIGHEST + 1];
-    c[UPPER][k] = piece < d->pieces - 1 ? d->breaks[piece + 1] / c[SCALE][k] : INFINITY;
-    c[LOWER][k] = c[INC][k];
-    if (piece == d->pieces - 1) return;
-    const double past = c[UPPER][k] - b->c[TIME][k];
-    if (d->sine) { /* A (sin(angle + r) - sin(angle)) = 2 A sin(r/2) cos(angle + r/2) */
-        shifted(d, piece, b->column[k], 0.0, terms);
-        const double half = 0.5 * terms[1] * past * c[SCALE][k];
-        const double angle = terms[1] * (b->c[TIME][k] * c[SCALE][k] - d->breaks[piece]) + terms[2];
-        const double rise = 2.0 * c[SCALED_BY][k] * terms[0] * sin(half) * cos(angle + half);
-        c[LOWER][k] += rise, c[WAY][k] += fabs(rise);
-        return;
-    }
-    double sum = 0.0;
-    for (int j = taylor_about_now(b, t, d, k, 1, terms) - 1; j > 0; j--) sum = (sum + terms[j]) * past;
-    c[LOWER][k] += sum, c[WAY][k] += fabs(sum);
-}
-
-/* Where a lane's piece begins. */
-static double piece_begin(const Data *d, int64_t piece, int64_t column)
-{
-    return d->breaks[d->apart ? piece * d->apart + column : piece];
-}
-
-/* Where a phase begins: each table's piece, its value, and the coefficients of what is beyond. */
-static void begin_pieces(Batch *b, unsigned k)
-{
-    const Job *const job = b->job;
-    for (int i = 0; i < job->tables; i++) {
-        const Table *const t = job->table + i;
-        const Data *const d = job->data + i;
-        V *const all = b->c, *const c = all + t->cell;
-        const double scale = c[SCALE][k], factor = c[SCALED_BY][k];
-        const int64_t last = d->pieces - 1;
-        double terms[HIGHEST + 1], local = 0.0, power = 1.0;
-        if (t->kind == OF_TIME) {
-            const double now = all[TIME][k] * scale * (1.0 + 2 * EPS);
-            int64_t piece = (int64_t)c[PIECE][k];
-            while (piece < last && d->breaks[piece + 1] <= now) piece++, b->drive_scale[k] = INFINITY; /* it may leap there */
-            c[PIECE][k] = (double)piece, c[INC][k] = c[WAY][k] = 0.0;
-            taylor_about_now(b, t, d, k, 1, terms);
-            c[VALUE][k] = terms[0];
-            find_end_of_piece(b, t, d, k);
-            continue;
-        }
-        const double turn = all[ROTATION][k];
-        const int up = all[DIRECTION][k] > 0.0;
-        int64_t piece = (int64_t)c[PIECE][k];
-        if (t->kind == OF_ROTATION) { /* a break belongs to the piece ahead */
-            for (piece = 0; piece < last; piece++) {
-                const double next = piece_begin(d, piece + 1, b->column[k]);
-                if (!(next < turn || (up && next == turn))) break;
-            }
-            c[PIECE][k] = (double)piece;
-        }
-        const double edge = piece_begin(d, piece, b->column[k]);
-        const double above = piece < last ? piece_begin(d, piece + 1, b->column[k]) : INFINITY;
-        if (t->kind == OF_ROTATION) {
-            local = turn - edge, power = all[DIRECTION][k];
-            c[UPPER][k] = up ? above - turn : piece > 0 ? local : INFINITY;
-        } else if (t->kind == OF_SLIP) {
-            local = fmax(all[SLIP][k] * scale - edge, 0.0), power = scale;
-            c[UPPER][k] = (above - edge - local) / scale;
-        } else { /* piece 0 is constant, below the first speed */
-            const double speed = all[OMEGA][k] * scale;
-            local = piece > 0 && speed > 0.0 ? log(speed / edge) : 0.0;
-            c[UPPER][k] = above / scale, c[LOWER][k] = piece > 0 ? edge / scale : 0.0;
-        }
-        shifted(d, piece, b->column[k], local, terms);
-        c[VALUE][k] = factor * terms[0];
-        double scaled = factor;
-        for (int j = 1; j <= t->degree; j++) {
-            scaled *= power;
-            c[Q1 + j - 1][k] = j < d->terms ? scaled * terms[j] : 0.0;
-        }
-    }
-}
-
-/* The pieces in which a lane's slip and speed lie, wherever they came from. */
-static void find_pieces(const Batch *b, unsigned k)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    for (int i = 0; job->sloped && i < job->tables; i++) {
-        const Table *const t = job->table + i;
-        const Data *const d = job->data + i;
-        if (t->kind == OF_TIME || t->kind == OF_ROTATION) continue;
-        const double at = c[t->kind == OF_SLIP ? SLIP : OMEGA][k] * c[t->cell + SCALE][k];
-        int64_t piece = 0;
-        while (piece < d->pieces - 1 && d->breaks[piece + 1] <= at) piece++;
-        c[t->cell + PIECE][k] = (double)piece;
-    }
-}
-
-/* Enter the next piece of each function of time that breaks now; whether a value leaps. */
-static int pass_breaks(const Batch *b, unsigned k)
-{
-    const Job *const job = b->job;
-    int leaps = 0;
-    for (int i = 0; i < job->tables; i++) {
-        const Table *const t = job->table + i;
-        const Data *const d = job->data + i;
-        V *const c = b->c + t->cell;
-        if (t->kind != OF_TIME || !(c[UPPER][k] <= b->c[TIME][k])) continue;
-        const int64_t piece = (int64_t)c[PIECE][k] + 1;
-        const double jump = d->jumps[piece] * c[SCALED_BY][k];
-        c[PIECE][k] = (double)piece, c[INC][k] = c[LOWER][k] + jump, c[WAY][k] += fabs(jump);
-        leaps |= jump != 0.0;
-        /* Increments add their roundings up, along a record: beyond some way the difference of two values is better. */
-        double terms[HIGHEST + 1];
-        shifted(d, piece, b->column[k], 0.0, terms);
-        const double there = c[SCALED_BY][k] * terms[0] * (d->sine ? sin(terms[2]) : 1.0);
-        const double rounding = fabs(there) + fabs(c[VALUE][k]);
-        if (c[WAY][k] > rounding) c[INC][k] = there - c[VALUE][k], c[WAY][k] = rounding;
-        find_end_of_piece(b, t, d, k);
-    }
-    return leaps;
-}
-
-/* Whether something will still change while a lane rests. */
-static int still_changes(const Batch *b, unsigned k)
-{
-    const Job *const job = b->job;
-    int any = 0;
-    for (int i = 0; i < job->tables; i++)
-        any |= job->table[i].kind == OF_TIME && b->c[job->table[i].cell + UPPER][k] < INFINITY;
-    return any;
-}
-
-/* The next time at which something breaks. */
-INLINE V next_break(const Batch *b)
-{
-    const Job *const job = b->job;
-    V time = broadcast(INFINITY);
-    for (int i = 0; i < job->tables; i++)
-        if (job->table[i].kind == OF_TIME) time = minimum(b->c[job->table[i].cell + UPPER], time);
-    return time;
-}
-
-/* --- series --- */
+/* --- what the text asks of a program, of tables and of records --- */
 
 /* Coefficient n of every register that the rates need. */
 INLINE void operate(const Batch *b, int n)
@@ -846,77 +621,8 @@ INLINE void operate_later(const Batch *b, int n)
 
 #define REGISTER(i) (b->r + (i))
 
-/* Order 0 of the registers that do not come from operations. */
-INLINE void begin_series(const Batch *b)
-{
-    const Job *const job = b->job;
-    for (int i = 0; i < job->states; i++) REGISTER(job->state[3 * i + 1])[0] = b->c[job->state[3 * i]];
-    for (int i = 0; i < job->tables; i++)
-        if (job->table[i].kind == OF_TIME) REGISTER(job->table[i].reg)[0] = b->c[job->table[i].cell + INC];
-}
-
-/* Series of all registers; of the states up to a lane's order, of the others one less. Where a function of time cuts
- * the step short, a lane's series may end before: where two terms following each other do not count at the cut. Returns
- * the highest order, and each lane's; what is beyond is 0. At rest the net moment decides. */
-INLINE int expand(const Batch *b, V room, unsigned which, int at_rest, V *order)
-{
-    const Job *const job = b->job;
-    const M here = lanes(which);
-    V last = pick(here, b->c[ORDER], broadcast(1.0)), power = broadcast(1.0), small = broadcast(0.0);
-    int top = 1, even = 1;
-    for (int k = 0; k < LANES; k++) top = last[k] > top ? (int)last[k] : top;
-    even = bits(last == (double)top) == (unsigned)ALL;
-    begin_series(b);
-    for (int i = 0; job->timed && i < job->tables; i++) {
-        if (job->table[i].kind != OF_TIME) continue;
-        V *const r = REGISTER(job->table[i].reg);
-        EACH(k, which) {
-            double terms[HIGHEST + 1];
-            const int count = taylor_about_now(b, job->table + i, job->data + i, k, top, terms);
-            for (int j = 1; j < count && j <= top; j++) r[j][k] = terms[j];
-        }
-    }
-    const int watched[2] = {at_rest ? job->role->net : job->role->x, at_rest ? job->role->net : job->role->omega};
-    V most[2] = {broadcast(0.0), broadcast(0.0)};
-    const int early = job->timed;
-    if (early) for (int i = 0; i < 2; i++) most[i] = at_rest ? broadcast(0.0) : magnitude(REGISTER(watched[i])[0]);
-    for (int n = 0; n < top; n++) {
-        operate(b, n);
-        const double per = b->inverse[n + 1];
-        const M within = last > (double)n;
-        for (int i = 0; i < job->states; i++) {
-            const V d = at_rest ? broadcast(0.0) : REGISTER(job->state[3 * i + 2])[n] * per;
-            REGISTER(job->state[3 * i + 1])[n + 1] = even ? d : pick(within, d, broadcast(0.0));
-        }
-        if (!early) continue;
-        V share = broadcast(0.0);
-        if (!at_rest) power *= room;
-        for (int i = 0; i < 2; i++) {
-            const V term = magnitude(REGISTER(watched[i])[at_rest ? n : n + 1]) * power;
-            share = pick((term <= 0x1p-56 * most[i]) & (most[i] > 0.0) & (most[i] < INFINITY), share, broadcast(1.0));
-            most[i] = maximum(term, most[i]);
-        }
-        if (at_rest) power *= room;
-        small = pick(share == 0.0, small + 1.0, broadcast(0.0));
-        const M ends = (small >= 2.0) & within & here;
-        if (n < 2 || !bits(ends)) continue;
-        last = pick(ends, minimum(last, broadcast(n + 1.0)), last), even = 0;
-        if (!bits(last > n + 1.0)) top = n + 1;
-    }
-    operate_later(b, top);
-    if (!even)
-        for (int n = 0; n < top; n++) {
-            const M within = last > (double)n;
-            const int32_t of[] = {job->role->net, job->role->normal, job->role->upright};
-            for (int i = 0; i < 3; i++)
-                if (of[i] >= 0) REGISTER(of[i])[n] = pick(within, REGISTER(of[i])[n], broadcast(0.0));
-        }
-    *order = last;
-    return top;
-}
-
 /* log2 of sizes and its inverse, straight between powers of two: up to 0.09 too small, which the (n - k)th root of the
- * radius below makes a hundredth. Fixed point with 40 bits behind the point, as float64. */
+ * radius makes a hundredth. Fixed point with 40 bits behind the point, as float64. */
 #define FIXED 0x1p40
 INLINE V log2_of(V x) { return (V)((M)((M)magnitude(x) >> 12) | (M)broadcast(0x1p52)) - 0x1p52; }
 INLINE V power_of_two(V y)
@@ -925,25 +631,37 @@ INLINE V power_of_two(V y)
     return (V)((M)(y + (0x1p52 + 1023 * FIXED)) << 12);
 }
 
-/* Radius of convergence: the least that the last four coefficients suggest, each against the largest of the first five. */
-INLINE V radius_of_convergence(const Batch *b, const V *p, int top, V order)
+/* The coefficients of a lane's piece, in powers of what is beyond its break. */
+INLINE void coefficients_of(const Batch *b, unsigned lane, int t, int64_t piece, double *terms)
 {
-    V first[5], least = broadcast(1000 * FIXED);
-    M comparable = {0}; /* where all of the first are zero there is no comparison */
-    for (int k = 0; k < 5 && k <= top; k++) first[k] = log2_of(p[k]), comparable |= p[k] != 0.0;
-    double low = order[0];
-    for (int k = 1; k < LANES; k++) low = order[k] < low ? order[k] : low;
-    for (int n = low > 8.0 ? (int)low - 3 : 5; n <= top; n++) {
-        const V here = log2_of(p[n]);
-        V most = broadcast(-1000 * FIXED);
-        for (int k = 0; k < 5; k++) most = maximum((first[k] - here) * b->inverse[n - k], most);
-        const M counts = comparable & (order >= (double)n) & (order <= n + 3.0) & (p[n] != 0.0);
-        least = pick(counts & (most < least), most, least);
-    }
-    return power_of_two(least);
+    const Data *const d = b->job->data + t;
+    const int64_t across = d->across ? d->across : 1;
+    const double *from = d->coefficients + piece * d->terms * across + (d->across ? b->column[lane] : 0);
+    for (int j = 0; j < d->terms; j++) terms[j] = from[j * across];
 }
 
-/* --- phases --- */
+/* Where a piece begins, and by how much a function of time jumps there. */
+INLINE double break_of(const Batch *b, unsigned lane, int t, int64_t piece)
+{
+    const Data *const d = b->job->data + t;
+    return d->breaks[d->apart ? piece * d->apart + b->column[lane] : piece];
+}
+INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
+{
+    (void)lane;
+    return b->job->data[t].jumps[piece];
+}
+
+/* The last piece from the first one that begins below a place, or at it if a break belongs to the piece above. */
+INLINE int64_t piece_at(const Batch *b, unsigned lane, int t, int64_t first, double place, int included)
+{
+    int64_t piece = first;
+    for (; piece < b->job->data[t].pieces - 1; piece++) {
+        const double next = break_of(b, lane, t, piece + 1);
+        if (!(next < place || (included && next == place))) break;
+    }
+    return piece;
+}
 
 /* Record an event of the first lane. */
 static void note(const Batch *b, unsigned k, int kind)
@@ -952,36 +670,6 @@ static void note(const Batch *b, unsigned k, int kind)
     if (b->column[k] != 0 || job->noted == job->notes_room) return;
     double *const row = job->notes + 4 * job->noted++;
     row[0] = kind, row[1] = b->c[TIME][k], row[2] = b->c[ROTATION][k], row[3] = b->c[DIRECTION][k];
-}
-
-/* A candidate for the greatest speed. */
-static void update_peak(const Batch *b, unsigned k, double rate)
-{
-    V *const c = b->c;
-    if (!(c[OMEGA][k] > fabs(c[PEAK_OMEGA][k]))) return;
-    c[PEAK_TIME][k] = c[TIME][k], c[PEAK_ROTATION][k] = c[ROTATION][k] + c[DIRECTION][k] * c[X][k];
-    c[PEAK_OMEGA][k] = c[DIRECTION][k] * c[OMEGA][k], c[PEAK_RATE][k] = c[DIRECTION][k] * rate;
-}
-
-static void update_reach(const Batch *b, unsigned k)
-{
-    V *const c = b->c;
-    const double rotation = c[ROTATION][k] + c[DIRECTION][k] * c[X][k];
-    if (fabs(rotation) > fabs(c[REACH_ROTATION][k])) c[REACH_ROTATION][k] = rotation, c[REACH_TIME][k] = c[TIME][k];
-}
-
-static void note_lift_off(Batch *b, unsigned k)
-{
-    V *const c = b->c;
-    note(b, k, NOTE_LIFTS);
-    if (isnan(c[LIFT_TIME][k])) c[LIFT_TIME][k] = c[TIME][k];
-}
-
-/* Count rotation and slip from where the lane is now, where another phase begins. */
-static void advance_origin(const Batch *b, unsigned k)
-{
-    V *const c = b->c;
-    c[ROTATION][k] += c[DIRECTION][k] * c[X][k], c[SLIP][k] += c[X][k], c[X][k] = 0.0;
 }
 
 /* States at sample times from `begin` up to, and without, `end`; the lane moves along series in r, or rests. */
@@ -1004,10 +692,10 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
         if (!(time < end || (closed && time == end))) break;
         double states[4 + MOST_STATES];
         for (int j = -1; j < job->states; j++) { /* the rate of the second state, and the states */
-            const int32_t of = j < 0 ? net : job->state[3 * j + 1];
+            const int32_t of = j < 0 ? net : job->state[j].series;
             double sum = 0.0;
             for (int n = moving ? top - (j < 0) : -1; n >= 0; n--) sum = sum * past + REGISTER(of)[n][k];
-            states[j < 0 ? 2 : j < 2 ? j : j + 2] = moving || j < 2 ? sum : c[job->state[3 * j]][k];
+            states[j < 0 ? 2 : j < 2 ? j : j + 2] = moving || j < 2 ? sum : c[job->state[j].cell][k];
         }
         states[3] = c[SLIP][k] + states[0], states[0] = c[ROTATION][k] + c[DIRECTION][k] * states[0];
         states[1] *= c[DIRECTION][k], states[2] *= c[DIRECTION][k];
@@ -1015,422 +703,1350 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
     }
 }
 
-/* The lane stays where it is, until its end. */
-static void stay(const Batch *b, unsigned k, int status)
+/* --- the text of derive/flow/walk --- */
+
+#define LAST_STEP 0x1.0000000000000p-30
+#define MOST_ITERATIONS 200
+#define NEGLIGIBLE 0x1.0000000000000p-56
+#define LARGEST 0x1.f400000000000p+49
+#define CLOSEST 0x1.56e1fc2f8f359p-997
+#define FAR 0x1.7e43c8800759cp+996
+#define TOUCHES 0x1.0000000000000p+1
+#define TOGETHER 0x1.12e0be826d695p-30
+
+/* The value at a time, by Horner's scheme. */
+INLINE V value(V *p, int n, V t)
 {
-    V *const c = b->c;
-    c[STATUS][k] = status;
-    c[END_ROTATION][k] = c[ROTATION][k], c[END_OMEGA][k] = c[END_RATE][k] = c[DIRECTION][k] = 0.0;
-    if (c[REST_SINCE][k] > c[END_TIME][k]) c[REST_SINCE][k] = c[END_TIME][k]; /* later by rounding at most */
-    read_samples(b, k, c[TIME][k], INFINITY, 0, 0);
+    V total = p[n];
+    for (int k = n - 1; k >= 0; k--) {
+        total = (total * t) + p[k];
+    }
+    return total;
 }
 
-/* Motion begins. */
-static void start_moving(Batch *b, unsigned k, double rate)
+/* The value less the constant term, without cancellation. */
+INLINE V increment(V *p, int n, V t)
+{
+    return (n > 0) ? t * value(p + 1, n - 1, t) : broadcast(0.0);
+}
+
+/* The value and the derivative at a time. */
+INLINE Pair value_and_slope(V *p, int n, V t)
+{
+    V total = p[n];
+    V slope = broadcast(0.0);
+    for (int k = n - 1; k >= 0; k--) {
+        slope = (slope * t) + total;
+        total = (total * t) + p[k];
+    }
+    return (Pair){total, slope};
+}
+
+/* The coefficients of the derivative. */
+INLINE void differentiate(V *rates, V *p, int n)
+{
+    for (int k = 1; k <= n; k++) {
+        rates[k - 1] = p[k] * (double)k;
+    }
+}
+
+/* A place if it lies between two bounds, otherwise their middle. */
+INLINE V inside_or_middle(V at, V low, V high)
+{
+    return pick((at >= low) & (at <= high), at, 0.5 * (low + high));
+}
+
+/* A root between bounds at which values have opposite signs. By Newton's method, which starts where the chord
+ * crosses zero and halves where a step leaves the bounds. */
+static V bracketed_root(V *p, int n, V low, V at_low, V high, V at_high, M which)
+{
+    M falls = at_low > 0.0;
+    V at = inside_or_middle(low + ((high - low) * (at_low / (at_low - at_high))), low, high);
+    int count = 0;
+    while (bits(which) && (count < MOST_ITERATIONS)) {
+        const Pair residual_slope = value_and_slope(p, n, at);
+        V residual = residual_slope.one, slope = residual_slope.other;
+        M beyond = (residual > 0.0) != falls;
+        low = pick(beyond, low, at);
+        high = pick(beyond, at, high);
+        V following = inside_or_middle(at - (residual / slope), low, high);
+        following = pick(residual == 0.0, at, following);
+        V change = magnitude(following - at);
+        at = pick(which, following, at);
+        which = which & (change > (LAST_STEP * magnitude(following)));
+        count = count + 1;
+    }
+    return at;
+}
+
+/* The first zero in (0, h] of polynomials that are positive at first; infinity where there is none. Within a step
+ * the terms fall like exp(-2 k): a polynomial that neither has changed its sign at h nor falls at first and rises
+ * at last has no root there. Where it falls and rises, its least value decides. One that only touches zero does
+ * not cross it, and one that is zero has no root. */
+static V first_root(V *p, int n, V h, M which)
+{
+    V high = h;
+    const Pair last_slope = value_and_slope(p, n, h);
+    V last = last_slope.one, slope = last_slope.other;
+    M crosses = which & ((last < 0.0) | ((last == 0.0) & (p[0] > 0.0)));
+    M dips = which & ~crosses & (p[1] < 0.0) & (slope > 0.0);
+    if (bits(dips)) {
+        V rates[HIGHEST + 2];
+        differentiate(rates, p, n);
+        V lowest = bracketed_root(rates, n - 1, broadcast(0.0), rates[0], h, slope, dips);
+        V least = value(p, n, lowest);
+        V terms = magnitude(p[n]);
+        for (int k = n - 1; k >= 0; k--) {
+            terms = (terms * h) + magnitude(p[k]);
+        }
+        M below = dips & (least < (((-4.0) * EPS) * terms));
+        high = pick(below, lowest, high);
+        last = pick(below, least, last);
+        crosses = crosses | below;
+    }
+    V root = broadcast(INFINITY);
+    if (bits(crosses)) {
+        root = pick(crosses, bracketed_root(p, n, broadcast(0.0), p[0], high, last, crosses), root);
+    }
+    return root;
+}
+
+/* Whether sign p + constant may have a zero in (0, t]: from its value and slope there. */
+INLINE M may_cross(V *p, int n, V t, V sign, V constant, M divided)
+{
+    const Pair last_slope = value_and_slope(p, n, t);
+    V last = last_slope.one, slope = last_slope.other;
+    M falls_and_rises = ((sign * p[1]) < 0.0) & ((sign * slope) > 0.0);
+    return (((sign * last) + constant) <= 0.0) | falls_and_rises | divided;
+}
+
+/* The coefficients of sign p + constant, divided by the time where its root is now. */
+INLINE void margin_of(V *e, V *p, int n, V sign, V constant, M divided)
+{
+    for (int k = 0; k <= n; k++) {
+        e[k] = sign * p[k];
+    }
+    e[0] = e[0] + constant;
+    if (bits(divided)) {
+        for (int k = 0; k <= n - 1; k++) {
+            e[k] = pick(divided, e[k + 1], e[k]);
+        }
+        e[n] = pick(divided, broadcast(0.0), e[n]);
+    }
+}
+
+/* The zero in (0, t] through which polynomials fall, possibly beyond a maximum; infinity where there is none.
+ * ``last`` and ``slope`` are the value and the derivative at t. */
+static V falling_root(V *p, int n, V t, V last, V slope, M here)
+{
+    M touches = p[0] == 0.0;
+    M positive = (p[0] > 0.0) | (touches & (p[1] > 0.0));
+    M falls = here & positive & ((last < 0.0) | ((p[1] < 0.0) & (slope > 0.0)));
+    V e[HIGHEST + 2];
+    V root = broadcast(INFINITY);
+    if (bits(falls)) {
+        margin_of(e, p, n, broadcast(1.0), broadcast(0.0), touches);
+        root = first_root(e, n, t, falls);
+    }
+    M hump = here & (p[0] < 0.0) & (p[1] > 0.0) & (last < 0.0) & (slope < 0.0);
+    if (bits(hump)) {
+        differentiate(e, p, n);
+        V top = bracketed_root(e, n - 1, broadcast(0.0), e[0], t, slope, hump);
+        V most = value(p, n, top);
+        hump = hump & (most > 0.0);
+        if (bits(hump)) {
+            root = pick(hump, bracketed_root(p, n, top, most, t, last, hump), root);
+        }
+    }
+    return root;
+}
+
+/* The same polynomial about another point: Taylor's shift by Horner's scheme. */
+INLINE void shift(double *terms, int count, double by)
+{
+    for (int first = 0; first <= count - 2; first++) {
+        for (int j = count - 2; j >= first; j--) {
+            terms[j] = terms[j] + (by * terms[j + 1]);
+        }
+    }
+}
+
+/* Taylor coefficients of a function of time about now, in t*: of a sine so many, of others those of its piece. */
+static void taylor_about_now(Batch *b, unsigned lane, int t, int order, double *terms)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
+    double scale = c[job->table[t].cell + SCALE][lane];
+    double begin = break_of(b, lane, t, piece);
+    double local = (c[TIME][lane] * scale) - begin;
+    coefficients_of(b, lane, t, piece, terms);
+    if (job->data[t].sine) {
+        double rate = terms[1];
+        double angle = (rate * local) + terms[2];
+        double size = terms[0] * c[job->table[t].cell + SCALED_BY][lane];
+        double now = sin(angle);
+        double slope = cos(angle);
+        for (int j = 0; j <= order; j++) {
+            terms[j] = size * now;
+            size = size * ((rate * scale) / (double)(j + 1));
+            double before = now;
+            now = slope;
+            slope = -before;
+        }
+        return;
+    }
+    shift(terms, job->data[t].terms, local);
+    double power = c[job->table[t].cell + SCALED_BY][lane];
+    for (int j = 0; j <= job->data[t].terms - 1; j++) {
+        terms[j] = terms[j] * power;
+        power = power * scale;
+    }
+}
+
+/* The series of a function of time, as its increment since the phase began. */
+static void expand_in_time(Batch *b, unsigned lane, int t, int top)
+{
+    const Job *const job = b->job;
+    double terms[HIGHEST + 2];
+    taylor_about_now(b, lane, t, top, terms);
+    int last = job->data[t].sine ? top : ((job->data[t].terms - 1) < top ? (job->data[t].terms - 1) : top);
+    for (int j = 1; j <= last; j++) {
+        (b->r + job->table[t].reg)[j][lane] = terms[j];
+    }
+}
+
+/* What a function of time rises by in some time from now, within its piece. */
+static double rise_to(Batch *b, unsigned lane, int t, double past)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    double terms[HIGHEST + 2];
+    if (job->data[t].sine) {
+        int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
+        coefficients_of(b, lane, t, piece, terms);
+        double half = ((0.5 * terms[1]) * past) * c[job->table[t].cell + SCALE][lane];
+        double begin = break_of(b, lane, t, piece);
+        double angle = (terms[1] * ((c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - begin)) + terms[2];
+        return (((2.0 * c[job->table[t].cell + SCALED_BY][lane]) * terms[0]) * sin(half)) * cos(angle + half);
+    }
+    taylor_about_now(b, lane, t, 1, terms);
+    double total = 0.0;
+    for (int j = job->data[t].terms - 1; j >= 1; j--) {
+        total = (total + terms[j]) * past;
+    }
+    return total;
+}
+
+/* Where a piece ends, in the table's own argument; infinity after the last one. */
+static double end_of_piece(Batch *b, unsigned lane, int t, int64_t piece)
+{
+    const Job *const job = b->job;
+    int last = (int)job->data[t].pieces - 1;
+    return (piece < last) ? break_of(b, lane, t, (piece + 1) < last ? (piece + 1) : last) : INFINITY;
+}
+
+/* The end of the piece of a function of time and the increment there: one rounding whatever the steps. */
+static void find_end_of_piece(Batch *b, unsigned lane, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
+    c[job->table[t].cell + UPPER][lane] = end_of_piece(b, lane, t, piece) / c[job->table[t].cell + SCALE][lane];
+    c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + INC][lane];
+    if (piece < ((int)job->data[t].pieces - 1)) {
+        double rise = rise_to(b, lane, t, c[job->table[t].cell + UPPER][lane] - c[TIME][lane]);
+        c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + LOWER][lane] + rise;
+        c[job->table[t].cell + WAY][lane] = c[job->table[t].cell + WAY][lane] + fabs(rise);
+    }
+}
+
+/* Begin a phase: increments of a function of time count from now. It may jump where a piece begins. */
+static void begin_in_time(Batch *b, unsigned lane, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int64_t piece = piece_at(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane], (c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 + (2.0 * EPS)), 1);
+    if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
+        c[SCALE_BEFORE][lane] = INFINITY;
+    }
+    c[job->table[t].cell + PIECE][lane] = (double)piece;
+    c[job->table[t].cell + INC][lane] = 0.0;
+    c[job->table[t].cell + WAY][lane] = 0.0;
+    double terms[HIGHEST + 2];
+    taylor_about_now(b, lane, t, 1, terms);
+    c[job->table[t].cell + VALUE][lane] = terms[0];
+    find_end_of_piece(b, lane, t);
+}
+
+/* The value where the phase begins, so far beyond the break, and the coefficients of what is beyond. */
+static void develop(Batch *b, unsigned lane, int t, double local, double unit)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    double terms[HIGHEST + 2];
+    coefficients_of(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane], terms);
+    shift(terms, job->data[t].terms, local);
+    double factor = c[job->table[t].cell + SCALED_BY][lane];
+    c[job->table[t].cell + VALUE][lane] = factor * terms[0];
+    for (int j = 1; j <= job->table[t].degree; j++) {
+        factor = factor * unit;
+        c[job->table[t].cell + Q1 + j - 1][lane] = (j < job->data[t].terms) ? (factor * terms[j]) : 0.0;
+    }
+}
+
+/* The piece ahead, in the direction of travel, of a function of the rotation, which goes either way. */
+static void begin_in_rotation(Batch *b, unsigned lane, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    double rotation = c[ROTATION][lane];
+    int up_to = c[DIRECTION][lane] > 0.0;
+    int64_t piece = piece_at(b, lane, t, 0, rotation, up_to);
+    c[job->table[t].cell + PIECE][lane] = (double)piece;
+    double local = rotation - break_of(b, lane, t, piece);
+    double ahead = end_of_piece(b, lane, t, piece) - rotation;
+    double behind = (piece > 0) ? local : INFINITY;
+    c[job->table[t].cell + UPPER][lane] = up_to ? ahead : behind;
+    develop(b, lane, t, local, c[DIRECTION][lane]);
+}
+
+/* The piece of a function of the slip. */
+static void begin_in_slip(Batch *b, unsigned lane, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
+    double edge = break_of(b, lane, t, piece);
+    double local = fmax((c[SLIP][lane] * c[job->table[t].cell + SCALE][lane]) - edge, 0.0);
+    c[job->table[t].cell + UPPER][lane] = ((end_of_piece(b, lane, t, piece) - edge) - local) / c[job->table[t].cell + SCALE][lane];
+    develop(b, lane, t, local, c[job->table[t].cell + SCALE][lane]);
+}
+
+/* Polynomials of the logarithm of the speed; piece 0, below the first speed, is constant. */
+static void begin_in_speed(Batch *b, unsigned lane, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
+    double edge = break_of(b, lane, t, piece);
+    double speed = c[OMEGA][lane] * c[job->table[t].cell + SCALE][lane];
+    int varies = piece > 0;
+    int moves = varies && (speed > 0.0);
+    double ratio = moves ? (speed / (moves ? edge : 1.0)) : 1.0;
+    c[job->table[t].cell + UPPER][lane] = end_of_piece(b, lane, t, piece) / c[job->table[t].cell + SCALE][lane];
+    c[job->table[t].cell + LOWER][lane] = varies ? (edge / c[job->table[t].cell + SCALE][lane]) : 0.0;
+    develop(b, lane, t, log(ratio), 1.0);
+}
+
+/* Begin a phase: the ends of each table's piece, its value, and the coefficients of what is beyond. */
+static void begin_pieces(Batch *b, unsigned lane)
+{
+    const Job *const job = b->job;
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_TIME) {
+            begin_in_time(b, lane, t);
+        }
+        if (job->table[t].kind == OF_ROTATION) {
+            begin_in_rotation(b, lane, t);
+        }
+        if (job->table[t].kind == OF_SLIP) {
+            begin_in_slip(b, lane, t);
+        }
+        if (job->table[t].kind == OF_SPEED) {
+            begin_in_speed(b, lane, t);
+        }
+    }
+}
+
+/* The pieces in which slip and speed lie, wherever they came from. */
+static void find_pieces(Batch *b, unsigned lane)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_SLIP) {
+            c[job->table[t].cell + PIECE][lane] = (double)piece_at(b, lane, t, 0, c[SLIP][lane] * c[job->table[t].cell + SCALE][lane], 1);
+        }
+        if (job->table[t].kind == OF_SPEED) {
+            c[job->table[t].cell + PIECE][lane] = (double)piece_at(b, lane, t, 0, c[OMEGA][lane] * c[job->table[t].cell + SCALE][lane], 1);
+        }
+    }
+}
+
+/* Enter the next piece of a function of time; where its value jumps the lane has to look at its contact.
+ * Increments add their roundings up along a record: beyond some way the difference of two values is better known. */
+static void pass_break(Batch *b, unsigned lane, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane] + 1;
+    double jump = jump_of(b, lane, t, piece) * c[job->table[t].cell + SCALED_BY][lane];
+    c[job->table[t].cell + PIECE][lane] = (double)piece;
+    c[job->table[t].cell + INC][lane] = c[job->table[t].cell + LOWER][lane] + jump;
+    c[job->table[t].cell + WAY][lane] = c[job->table[t].cell + WAY][lane] + fabs(jump);
+    if (jump != 0.0) {
+        c[PENDING][lane] = DISCONTINUITY;
+    }
+    double terms[HIGHEST + 2];
+    coefficients_of(b, lane, t, piece, terms);
+    double there = (c[job->table[t].cell + SCALED_BY][lane] * terms[0]) * (job->data[t].sine ? sin(terms[2]) : 1.0);
+    double rounding = fabs(there) + fabs(c[job->table[t].cell + VALUE][lane]);
+    if (c[job->table[t].cell + WAY][lane] > rounding) {
+        c[job->table[t].cell + INC][lane] = there - c[job->table[t].cell + VALUE][lane];
+        c[job->table[t].cell + WAY][lane] = rounding;
+    }
+    find_end_of_piece(b, lane, t);
+}
+
+/* Enter the next piece of each function of time that breaks now. */
+static void pass_breaks(Batch *b, unsigned lane)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_TIME) {
+            if (c[job->table[t].cell + UPPER][lane] <= c[TIME][lane]) {
+                pass_break(b, lane, t);
+            }
+        }
+    }
+}
+
+/* Whether a force will still change while the lane rests. */
+static int still_changes(Batch *b, unsigned lane)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int changes = 0;
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_TIME) {
+            changes = changes || (c[job->table[t].cell + UPPER][lane] < INFINITY);
+        }
+    }
+    return changes;
+}
+
+/* The next time at which a function of time breaks. */
+INLINE V next_break(Batch *b)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V time = broadcast(INFINITY);
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_TIME) {
+            time = minimum(c[job->table[t].cell + UPPER], time);
+        }
+    }
+    return time;
+}
+
+/* Order 0 of the registers that do not come from operations. */
+INLINE void begin_series(Batch *b)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    for (const State *q = job->state; q < job->state + job->states; q++) {
+        (b->r + q->series)[0] = c[q->cell];
+    }
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_TIME) {
+            (b->r + job->table[t].reg)[0] = c[job->table[t].cell + INC];
+        }
+    }
+}
+
+/* Order 0 of all registers. */
+INLINE void evaluate(Batch *b)
+{
+    begin_series(b);
+    operate(b, 0);
+    operate_later(b, 1);
+}
+
+/* On the slip surface, once order 0 is there; contact is lost below zero. */
+INLINE V normal_force(Batch *b)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V force = c[job->role->normal0];
+    if (job->role->normal >= 0) {
+        force = (b->r + job->role->normal)[0];
+    }
+    return force;
+}
+
+/* Whether a term does not count beside the largest one. */
+INLINE M negligible(V term, V largest)
+{
+    return (term <= (NEGLIGIBLE * largest)) & (largest > 0.0) & (largest < INFINITY);
+}
+
+/* End the series that events read beyond each lane's order. */
+INLINE void cut(Batch *b, V order, int top)
+{
+    const Job *const job = b->job;
+    for (int n = 0; n <= top - 1; n++) {
+        M within = order > (double)n;
+        (b->r + job->role->net)[n] = pick(within, (b->r + job->role->net)[n], broadcast(0.0));
+        if (job->role->normal >= 0) {
+            (b->r + job->role->normal)[n] = pick(within, (b->r + job->role->normal)[n], broadcast(0.0));
+        }
+        if (job->role->upright >= 0) {
+            (b->r + job->role->upright)[n] = pick(within, (b->r + job->role->upright)[n], broadcast(0.0));
+        }
+    }
+}
+
+/* Order 0 of the registers that do not come from operations, and the series of functions of time. */
+INLINE void begin_expansion(Batch *b, M which, int top)
+{
+    const Job *const job = b->job;
+    begin_series(b);
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_TIME) {
+            EACH(lane, bits(which)) {
+                expand_in_time(b, lane, t, top);
+            }
+        }
+    }
+}
+
+/* Coefficient n + 1 of the states, from coefficient n of their rates; zero beyond a lane's order, and at rest. */
+INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest)
+{
+    const Job *const job = b->job;
+    for (const State *q = job->state; q < job->state + job->states; q++) {
+        V coefficient = broadcast(0.0);
+        if (!at_rest) {
+            coefficient = (b->r + q->rate)[n] * b->inverse[n + 1];
+        }
+        (b->r + q->series)[n + 1] = alike ? coefficient : pick(order > (double)n, coefficient, broadcast(0.0));
+    }
+}
+
+/* Whether coefficient n times a power of the step counts beside the largest term so far. */
+INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *x = at_rest ? (b->r + job->role->net) : (b->r + job->role->x);
+    V *omega = at_rest ? (b->r + job->role->net) : (b->r + job->role->omega);
+    V term_x = magnitude(x[n]) * power;
+    V term_omega = magnitude(omega[n]) * power;
+    M counts = ~(negligible(term_x, c[LARGEST_X]) & negligible(term_omega, c[LARGEST_OMEGA]));
+    c[LARGEST_X] = maximum(term_x, c[LARGEST_X]);
+    c[LARGEST_OMEGA] = maximum(term_omega, c[LARGEST_OMEGA]);
+    return counts;
+}
+
+/* Fill the series of all registers; those of states have one order more than their rates. Where a function of time
+ * cuts the step short after ``room``, a series ends early, as soon as two terms in a row do not count there. At
+ * rest states stay as they are, and the net moment decides. Returns the highest order; each lane's is
+ * `series_order`, and the net moment, the normal force and the dip are zero beyond it. */
+INLINE int expand(Batch *b, V room, M which, int at_rest)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V order = pick(which, c[ORDER], broadcast(1.0));
+    int top = greatest(order);
+    int alike = all_lanes(order == (double)top);
+    begin_expansion(b, which, top);
+    c[LARGEST_X] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->x)[0]);
+    c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
+    V power = at_rest ? broadcast(1.0) : room;
+    V in_a_row = broadcast(0.0);
+    int n = 0;
+    while (n < top) {
+        operate(b, n);
+        integrate_rates(b, n, order, alike, at_rest);
+        if (job->timed) {
+            M counts = next_term_counts(b, at_rest ? n : (n + 1), power, at_rest);
+            power = power * room;
+            in_a_row = pick(counts, broadcast(0.0), in_a_row + 1.0);
+            M ends = (in_a_row >= 2.0) & (order > (double)n) & which;
+            if ((n >= 2) && bits(ends)) {
+                order = pick(ends, minimum(order, broadcast((double)(n + 1))), order);
+                alike = 0;
+                if (!bits(order > (double)(n + 1))) {
+                    top = n + 1;
+                }
+            }
+        }
+        n = n + 1;
+    }
+    operate_later(b, top);
+    if (!alike) {
+        cut(b, order, top);
+    }
+    c[SERIES_ORDER] = order;
+    return top;
+}
+
+/* The least that the last four coefficients of each lane suggest, each against the largest of the first five.
+ * |c_k/c_n|^(1/(n - k)), k < 5, n the last four orders; 2^1000 where these are zero. */
+INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
+{
+    V first[HIGHEST + 2];
+    M comparable = p[0] != 0.0;
+    for (int k = 0; k <= 4; k++) {
+        first[k] = log2_of(p[k]);
+        comparable = comparable | (p[k] != 0.0);
+    }
+    V lowest = broadcast(LARGEST);
+    for (int n = (least(order) - 3) > 5 ? (least(order) - 3) : 5; n <= top; n++) {
+        V last = log2_of(p[n]);
+        V most = broadcast(-LARGEST);
+        for (int k = 0; k <= 4; k++) {
+            most = maximum((first[k] - last) * b->inverse[n - k], most);
+        }
+        M among_last = (order >= (double)n) & (order <= (double)(n + 3));
+        M counts = comparable & among_last & (p[n] != 0.0);
+        lowest = pick(counts & (most < lowest), most, lowest);
+    }
+    return power_of_two(lowest);
+}
+
+/* Record the speed with which a phase begins if it is the greatest. */
+static void update_peak(Batch *b, unsigned lane, double rate)
 {
     V *const c = b->c;
-    c[STATUS][k] = MOVING, c[PASSED][k] = NOTHING, c[PHASES][k] += 1.0;
-    c[TURNS][k] += c[LAST_WAY][k] * c[DIRECTION][k] < 0.0, c[LAST_WAY][k] = c[DIRECTION][k];
-    note(b, k, NOTE_BEGINS);
-    if (c[LIFTED][k] > 0.0) note_lift_off(b, k);
-    update_peak(b, k, rate);
-    b->pending[k] = READY;
+    if (c[OMEGA][lane] > fabs(c[PEAK_OMEGA][lane])) {
+        c[PEAK_TIME][lane] = c[TIME][lane];
+        c[PEAK_ROTATION][lane] = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
+        c[PEAK_OMEGA][lane] = c[DIRECTION][lane] * c[OMEGA][lane];
+        c[PEAK_RATE][lane] = c[DIRECTION][lane] * rate;
+    }
+}
+
+/* Record the present rotation if it is the greatest from the start. */
+static void update_reach(Batch *b, unsigned lane)
+{
+    V *const c = b->c;
+    double rotation = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
+    if (fabs(rotation) > fabs(c[REACH_ROTATION][lane])) {
+        c[REACH_ROTATION][lane] = rotation;
+        c[REACH_TIME][lane] = c[TIME][lane];
+    }
+}
+
+/* Contact with the slip surface is lost. */
+static void note_lift_off(Batch *b, unsigned lane)
+{
+    V *const c = b->c;
+    note(b, lane, NOTE_LIFTS);
+    if (isnan(c[LIFT_TIME][lane])) {
+        c[LIFT_TIME][lane] = c[TIME][lane];
+    }
+}
+
+/* Count rotation and slip from where the lane is now, where another phase begins. */
+static void advance_origin(Batch *b, unsigned lane)
+{
+    V *const c = b->c;
+    c[ROTATION][lane] = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
+    c[SLIP][lane] = c[SLIP][lane] + c[X][lane];
+    c[X][lane] = 0.0;
 }
 
 /* Face a direction at a standstill. */
-static void face(Batch *b, unsigned k, double side)
+static void face(Batch *b, unsigned lane, double side)
 {
     V *const c = b->c;
-    c[X][k] = c[OMEGA][k] = 0.0, c[DIRECTION][k] = side, c[LIFTED][k] = 0.0;
+    c[X][lane] = 0.0;
+    c[OMEGA][lane] = 0.0;
+    c[DIRECTION][lane] = side;
+    c[LIFTED][lane] = 0.0;
 }
 
-/* Whether a mass at rest may start the way it faces: shaking starts a one-way mass only the way that gravity pulls. */
-static int may_start(const Batch *b, unsigned k)
-{
-    const V *const c = b->c;
-    if (c[ONE_WAY][k] == 0.0) return 1;
-    const double pull = c[b->job->role->driving_moment][k];
-    return pull > 0.0 || (pull == 0.0 && c[DIRECTION][k] > 0.0);
-}
-
-/* Nothing moves it now: it waits for another time, or stays. */
-static void stick(Batch *b, unsigned k)
+/* A lane begins, with a velocity or at rest. */
+static void start(Batch *b, unsigned lane)
 {
     V *const c = b->c;
-    b->pending[k] = READY;
-    if (!still_changes(b, k)) {
-        stay(b, k, ARRESTED);
-        return;
+    c[DIRECTION][lane] = (c[OMEGA][lane] < 0.0) ? (-1.0) : 1.0;
+    c[OMEGA][lane] = fabs(c[OMEGA][lane]);
+    c[X][lane] = 0.0;
+    c[LIFTED][lane] = 0.0;
+    c[FACED][lane] = 0.0;
+    c[PENDING][lane] = (c[OMEGA][lane] > 0.0) ? START_MOVING : RESOLVE;
+    find_pieces(b, lane);
+}
+
+/* Slip begins in the present direction. */
+static void start_moving(Batch *b, unsigned lane, double rate)
+{
+    V *const c = b->c;
+    c[STATUS][lane] = MOVING;
+    c[PASSED][lane] = NOTHING;
+    c[PHASES][lane] = c[PHASES][lane] + 1.0;
+    c[TURNS][lane] = c[TURNS][lane] + (((c[LAST_WAY][lane] * c[DIRECTION][lane]) < 0.0) ? 1.0 : 0.0);
+    c[LAST_WAY][lane] = c[DIRECTION][lane];
+    note(b, lane, NOTE_BEGINS);
+    if (c[LIFTED][lane] > 0.0) {
+        note_lift_off(b, lane);
     }
-    c[STATUS][k] = RESTING;
-    if (c[LIFTED][k] > 0.0) note_lift_off(b, k);
-    if (!may_start(b, k)) c[DIRECTION][k] = -c[DIRECTION][k], b->pending[k] = BEGIN_PHASE;
+    update_peak(b, lane, rate);
+    c[PENDING][lane] = READY;
+}
+
+/* The lane stays where it is, until its end. */
+static void stay(Batch *b, unsigned lane, double status)
+{
+    V *const c = b->c;
+    c[STATUS][lane] = status;
+    c[END_ROTATION][lane] = c[ROTATION][lane];
+    c[END_OMEGA][lane] = 0.0;
+    c[END_RATE][lane] = 0.0;
+    c[DIRECTION][lane] = 0.0;
+    c[REST_SINCE][lane] = (c[REST_SINCE][lane] > c[END_TIME][lane]) ? c[END_TIME][lane] : c[REST_SINCE][lane];
+    c[PENDING][lane] = READY;
+    read_samples(b, lane, c[TIME][lane], INFINITY, 0, 0);
+}
+
+/* Whether a mass at rest may start the way it faces: shaking starts a one-way mass only down-slope. */
+static int may_start(Batch *b, unsigned lane)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    double pull = c[job->role->driving_moment][lane];
+    int down_slope = (pull > 0.0) || ((pull == 0.0) && (c[DIRECTION][lane] > 0.0));
+    return (c[ONE_WAY][lane] == 0.0) || down_slope;
 }
 
 /* Whether a mass swings on for ever: at its lowest next to nothing presses on it, and that will not change. */
-static int never_rests(const Batch *b, unsigned k)
+static int never_rests(Batch *b, unsigned lane)
 {
-    const V *const c = b->c;
-    const Roles *const role = b->job->role;
-    const double p0 = c[role->normal_load][k], most = hypot(p0, c[role->normal_load_slope][k]);
-    return c[FIRST_ONLY][k] == 1.0 || (!still_changes(b, k) && c[role->normal0][k] + (most - p0) <= CARRIED * most);
+    const Job *const job = b->job;
+    V *const c = b->c;
+    double load = c[job->role->normal_load][lane];
+    double most = hypot(load, c[job->role->normal_load_slope][lane]);
+    int carried = (c[job->role->normal0][lane] + (most - load)) <= (CARRIED * most);
+    return (c[FIRST_ONLY][lane] == 1.0) || (carried && !still_changes(b, lane));
 }
 
-/* Normal force on the slip surface now, once order 0 of the series is computed. */
-INLINE double contact(const Batch *b, unsigned k)
+/* Nothing moves it now: it waits for another time, or stays. */
+static void stick(Batch *b, unsigned lane)
 {
-    const Roles *const role = b->job->role;
-    return role->normal < 0 ? b->c[role->normal0][k] : REGISTER(role->normal)[0][k];
+    V *const c = b->c;
+    c[PENDING][lane] = READY;
+    if (!still_changes(b, lane)) {
+        stay(b, lane, ARRESTED);
+        return;
+    }
+    c[STATUS][lane] = RESTING;
+    if (c[LIFTED][lane] > 0.0) {
+        note_lift_off(b, lane);
+    }
+    if (!may_start(b, lane)) {
+        c[DIRECTION][lane] = -c[DIRECTION][lane];
+        c[PENDING][lane] = BEGIN_PHASE;
+    }
+}
+
+/* At rest: slip in the present direction, otherwise in the other one if it may, otherwise stick. */
+static void resolve_stick_or_slip(Batch *b, unsigned lane)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if ((c[FIRST_ONLY][lane] > 0.0) && (c[PHASES][lane] > 0.0) && never_rests(b, lane)) {
+        stay(b, lane, STOPPED);
+        return;
+    }
+    int may = may_start(b, lane);
+    double terms = fabs(c[job->role->driving][lane]) + c[job->role->resisting][lane];
+    double unsure = EPS * (terms + (c[job->role->mu][lane] * fabs(c[job->role->normal0][lane])));
+    if (may) {
+        c[CLOSE][lane] = fmin(c[CLOSE][lane], fabs(c[job->role->drive][lane]) / fmax(unsure, CLOSEST));
+    }
+    if (may && (c[job->role->drive][lane] > 0.0)) {
+        start_moving(b, lane, c[job->role->drive][lane]);
+        return;
+    }
+    c[FACED][lane] = c[FACED][lane] + 1.0;
+    if ((c[FACED][lane] > 1.0) || (may && (c[ONE_WAY][lane] > 0.0))) {
+        stick(b, lane);
+        return;
+    }
+    face(b, lane, -c[DIRECTION][lane]);
+}
+
+/* A phase begins in motion: its drive is computed anew or carried over, whichever is more accurate. */
+static void carry_net_moment(Batch *b, unsigned lane, double net)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    double terms = (fabs(c[RATE_BEFORE][lane]) + fabs(net - c[job->role->drive][lane])) + fabs(c[DRIVE_BEFORE][lane]);
+    double carried = c[SCALE_BEFORE][lane] + (EPS * terms);
+    if (carried < c[job->role->drive_scale][lane]) {
+        c[job->role->drive][lane] = c[job->role->drive][lane] + (c[RATE_BEFORE][lane] - net);
+        c[job->role->drive_scale][lane] = carried;
+    }
+    c[PENDING][lane] = READY;
+}
+
+/* Begin the phase that the lane waits for, whose numbers are known: net moment and normal force now among them. */
+static void resolve_pending(Batch *b, unsigned lane, double net, double force)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (c[PENDING][lane] == ENTER_PHASE) {
+        carry_net_moment(b, lane, net);
+        return;
+    }
+    if (c[PENDING][lane] == BEGIN_PHASE) {
+        c[PENDING][lane] = READY;
+        return;
+    }
+    int lifts = (c[PENDING][lane] == START_MOVING) ? (force < 0.0) : (c[job->role->normal0][lane] <= 0.0);
+    if (lifts && (c[LIFTED][lane] == 0.0)) {
+        c[LIFTED][lane] = 1.0;
+        return;
+    }
+    if (c[PENDING][lane] == START_MOVING) {
+        start_moving(b, lane, net);
+        return;
+    }
+    if (c[PENDING][lane] == START_AGAIN) {
+        c[job->role->drive][lane] = (c[SUDDEN][lane] > 0.0) ? c[job->role->drive][lane] : 0.0;
+        start_moving(b, lane, c[job->role->drive][lane]);
+        return;
+    }
+    resolve_stick_or_slip(b, lane);
+}
+
+/* Forces have jumped: contact is decided again; if it changes, another phase begins. */
+static void on_discontinuity(Batch *b, unsigned lane, double force)
+{
+    V *const c = b->c;
+    double lifted = (force < 0.0) ? 1.0 : 0.0;
+    if (lifted > c[LIFTED][lane]) {
+        note_lift_off(b, lane);
+    }
+    c[PENDING][lane] = (c[LIFTED][lane] == lifted) ? READY : BEGIN_PHASE;
+    c[LIFTED][lane] = lifted;
+    if (c[PENDING][lane] == BEGIN_PHASE) {
+        advance_origin(b, lane);
+    }
 }
 
 /* Begin the phases that lanes wait for and decide what follows, until every lane is ready for a step. */
 static void begin_phases(Batch *b)
 {
-    Job *const job = b->job;
+    const Job *const job = b->job;
     V *const c = b->c;
-    const Roles *const role = job->role;
-    for (;;) {
-        unsigned which = 0, series = 0;
-        for (unsigned k = 0; k < LANES; k++) {
-            if (b->pending[k] == DISCONTINUITY) { /* forces have leapt: decide contact again */
-                begin_series(b), operate(b, 0), operate_later(b, 1);
-                const int lifted = contact(b, k) < 0.0;
-                if (lifted && c[LIFTED][k] == 0.0) note_lift_off(b, k);
-                b->pending[k] = (c[LIFTED][k] > 0.0) == lifted ? READY : BEGIN_PHASE;
-                c[LIFTED][k] = lifted;
-                if (b->pending[k] == BEGIN_PHASE) advance_origin(b, k);
-            }
-            if (b->pending[k] == READY) continue;
-            which |= 1u << k;
-            if (b->pending[k] == START_MOVING || b->pending[k] == ENTER_PHASE) series = 1;
+    M sudden = c[PENDING] == (double)DISCONTINUITY;
+    if (bits(sudden)) {
+        evaluate(b);
+        V force = normal_force(b);
+        EACH(lane, bits(sudden)) {
+            on_discontinuity(b, lane, force[lane]);
         }
-        if (!which) return;
-        if (job->tables) EACH(k, which) begin_pieces(b, k);
-        IN(prologue)(job->scalar, job->scalar_end, c, lanes(which));
-        if (series) begin_series(b), operate(b, 0), operate_later(b, 1);
-        EACH(k, which) {
-            const double net = REGISTER(role->net)[0][k];
-            if (b->pending[k] == START_MOVING || b->pending[k] == RESOLVE || b->pending[k] == START_AGAIN) {
-                const int of_velocity = b->pending[k] == START_MOVING;
-                const int free = of_velocity ? contact(b, k) < 0.0 : c[role->normal0][k] <= 0.0;
-                if (free && c[LIFTED][k] == 0.0) {
-                    c[LIFTED][k] = 1.0;
-                    continue;
-                }
-                if (of_velocity) {
-                    start_moving(b, k, net);
-                    continue;
-                }
-            }
-            double *const drive = (double *)&c[role->drive] + k, *const scale = (double *)&c[role->drive_scale] + k;
-            if (b->pending[k] == START_AGAIN) {
-                if (!b->sudden[k]) *drive = 0.0;
-                start_moving(b, k, *drive);
-            } else if (b->pending[k] == ENTER_PHASE) { /* the drive is fresh or carried over, whichever is known better */
-                const double carried = b->drive_scale[k] + EPS * (fabs(b->rate[k]) + fabs(net - *drive) + fabs(b->drive[k]));
-                if (carried < *scale) *drive += b->rate[k] - net, *scale = carried;
-                b->pending[k] = READY;
-            } else if (b->pending[k] == RESOLVE) {
-                if (c[FIRST_ONLY][k] > 0.0 && c[PHASES][k] > 0.0 && never_rests(b, k)) {
-                    stay(b, k, STOPPED), b->pending[k] = READY;
-                    continue;
-                }
-                const int may = may_start(b, k);
-                const double terms = fabs(c[role->driving][k]) + c[role->resisting][k];
-                const double unsure = EPS * (terms + c[role->mu][k] * fabs(c[role->normal0][k]));
-                if (may) c[CLOSE][k] = fmin(c[CLOSE][k], fabs(*drive) / fmax(unsure, 1e-300));
-                if (may && *drive > 0.0) start_moving(b, k, *drive);
-                else if (++b->faced[k] > 1 || (may && c[ONE_WAY][k] > 0.0)) stick(b, k);
-                else face(b, k, -c[DIRECTION][k]);
-            } else b->pending[k] = READY;
+    }
+    M waits = c[PENDING] != (double)READY;
+    while (bits(waits)) {
+        EACH(lane, bits(waits)) {
+            begin_pieces(b, lane);
         }
+        IN(prologue)(job->scalar, job->scalar_end, c, waits);
+        if (bits((c[PENDING] == (double)START_MOVING) | (c[PENDING] == (double)ENTER_PHASE))) {
+            evaluate(b);
+        }
+        V force = normal_force(b);
+        V net = (b->r + job->role->net)[0];
+        EACH(lane, bits(waits)) {
+            resolve_pending(b, lane, net[lane], force[lane]);
+        }
+        waits = c[PENDING] != (double)READY;
     }
 }
 
-/* --- motion --- */
-
-/* A lane enters another piece of a table, is lifted or lands: another phase begins. */
-static void enter_phase(Batch *b, unsigned k, double rate)
-{
-    const V *const c = b->c;
-    b->rate[k] = rate, b->drive[k] = c[b->job->role->drive][k], b->drive_scale[k] = c[b->job->role->drive_scale][k];
-    advance_origin(b, k);
-    b->pending[k] = ENTER_PHASE;
-}
-
-/* A lane comes to its standstill. It does not go on the way it came, whatever its rounding. */
-static void on_standstill(Batch *b, unsigned k)
+/* A phase begins in the present state, wherever that came from; its prologue follows. */
+static void begin_here(Batch *b, unsigned lane)
 {
     V *const c = b->c;
-    advance_origin(b, k);
-    update_reach(b, k);
-    c[REST_SINCE][k] = c[TIME][k];
-    note(b, k, NOTE_STANDS);
-    b->faced[k] = 1;
-    face(b, k, -c[DIRECTION][k]);
-    b->pending[k] = RESOLVE;
+    c[X][lane] = 0.0;
+    find_pieces(b, lane);
+    begin_pieces(b, lane);
+}
+
+/* Another phase begins in motion: the lane enters another piece of a table, is lifted or lands. */
+static void enter_phase(Batch *b, unsigned lane, double rate)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    c[RATE_BEFORE][lane] = rate;
+    c[DRIVE_BEFORE][lane] = c[job->role->drive][lane];
+    c[SCALE_BEFORE][lane] = c[job->role->drive_scale][lane];
+    advance_origin(b, lane);
+    c[PENDING][lane] = ENTER_PHASE;
+}
+
+/* The lane comes to its standstill. It does not go on the way it came, whatever its rounding. */
+static void on_standstill(Batch *b, unsigned lane)
+{
+    V *const c = b->c;
+    advance_origin(b, lane);
+    update_reach(b, lane);
+    c[REST_SINCE][lane] = c[TIME][lane];
+    note(b, lane, NOTE_STANDS);
+    c[FACED][lane] = 1.0;
+    face(b, lane, -c[DIRECTION][lane]);
+    c[PENDING][lane] = RESOLVE;
+}
+
+/* Contact with the slip surface is lost or regained. */
+static void on_contact_change(Batch *b, unsigned lane, double rate)
+{
+    V *const c = b->c;
+    c[LIFTED][lane] = 1.0 - c[LIFTED][lane];
+    if (c[LIFTED][lane] > 0.0) {
+        note_lift_off(b, lane);
+    }
+    if (c[LIFTED][lane] == 0.0) {
+        note(b, lane, NOTE_LANDS);
+    }
+    enter_phase(b, lane, rate);
+    c[PASSED][lane] = LIFT;
+}
+
+/* An edge of a table of slip, speed or rotation is passed: the lane is set exactly there, in the next piece. */
+static void on_breakpoint(Batch *b, unsigned lane, int t, double rate, int upwards)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    enter_phase(b, lane, rate);
+    if (job->table[t].kind == OF_ROTATION) {
+        c[ROTATION][lane] = break_of(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane] + ((c[DIRECTION][lane] > 0.0) ? 1 : 0));
+        return;
+    }
+    if (job->table[t].kind == OF_SPEED) {
+        c[OMEGA][lane] = upwards ? c[job->table[t].cell + UPPER][lane] : c[job->table[t].cell + LOWER][lane];
+        c[PASSED][lane] = upwards ? FASTER : SLOWER;
+    }
+    c[job->table[t].cell + PIECE][lane] = c[job->table[t].cell + PIECE][lane] + (upwards ? 1.0 : (-1.0));
+    if (job->table[t].kind == OF_SLIP) {
+        c[SLIP][lane] = break_of(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane]) / c[job->table[t].cell + SCALE][lane];
+    }
+    if (job->data[t].open) {
+        if (upwards && (c[job->table[t].cell + PIECE][lane] == (double)((int)job->data[t].pieces - 1))) {
+            c[STATUS][lane] = NEED;
+            c[PENDING][lane] = READY;
+        }
+    }
 }
 
 /* The end time, or an upright chord, while the lane moves. */
-static void end_motion(Batch *b, unsigned k, double rate, int status)
+static void end_motion(Batch *b, unsigned lane, double rate, double status)
 {
     V *const c = b->c;
-    c[STATUS][k] = status;
-    c[END_ROTATION][k] = c[ROTATION][k] + c[DIRECTION][k] * c[X][k];
-    c[END_OMEGA][k] = c[DIRECTION][k] * c[OMEGA][k], c[END_RATE][k] = c[DIRECTION][k] * rate;
-    update_reach(b, k);
+    c[STATUS][lane] = status;
+    c[END_ROTATION][lane] = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
+    c[END_OMEGA][lane] = c[DIRECTION][lane] * c[OMEGA][lane];
+    c[END_RATE][lane] = c[DIRECTION][lane] * rate;
+    update_reach(b, lane);
 }
 
-/* An edge of a table of slip, speed or rotation is passed. */
-static void on_breakpoint(Batch *b, unsigned k, int event, double rate)
+/* The end time, or a break of a function of time. */
+static void on_limit(Batch *b, unsigned lane, double rate)
 {
-    Job *const job = b->job;
-    const Table *const t = job->table + (event - EVENT_BREAKPOINT) / 2;
-    const Data *const d = job->data + (event - EVENT_BREAKPOINT) / 2;
-    V *const all = b->c, *const c = all + t->cell;
-    const int up = (event - EVENT_BREAKPOINT) % 2 == 0;
-    enter_phase(b, k, rate);
-    if (t->kind == OF_SPEED) all[OMEGA][k] = c[up ? UPPER : LOWER][k], all[PASSED][k] = up ? FASTER : SLOWER;
-    if (t->kind == OF_ROTATION) {
-        all[ROTATION][k] = piece_begin(d, (int64_t)c[PIECE][k] + (all[DIRECTION][k] > 0.0), b->column[k]);
+    V *const c = b->c;
+    if (c[TIME][lane] >= c[END_TIME][lane]) {
+        end_motion(b, lane, rate, ENDED);
         return;
     }
-    c[PIECE][k] += up ? 1.0 : -1.0;
-    if (t->kind == OF_SLIP) all[SLIP][k] = d->breaks[(int64_t)c[PIECE][k]] / c[SCALE][k];
-    if (d->open && up && c[PIECE][k] == (double)(d->pieces - 1)) all[STATUS][k] = NEED, b->pending[k] = READY;
+    pass_breaks(b, lane);
 }
 
-/* Coefficients of an event's function: with a sign and another constant term, and one order less where its root is now. */
-INLINE void event_function(V *e, const V *p, int n, V sign, V constant, M divided)
+/* What follows the step: an event, a break of a function of time, the end time, or another step. */
+static void settle(Batch *b, unsigned lane, double rate, int at_limit, int endless)
 {
-    for (int k = 0; k <= n; k++) e[k] = sign * p[k];
-    e[0] += constant;
-    if (!bits(divided)) return;
-    for (int k = 0; k < n; k++) e[k] = pick(divided, e[k + 1], e[k]);
-    e[n] = pick(divided, broadcast(0.0), e[n]);
-}
-
-/* Whether a function may have a zero in (0, tau]: from its value and slope there. */
-INLINE unsigned may_cross(const V *p, int n, V tau, V sign, V constant, M divided)
-{
-    V slope, last = value_and_slope(p, n, tau, &slope);
-    last = sign * last + constant;
-    return bits((last <= 0.0) | ((sign * p[1] < 0.0) & (sign * slope > 0.0)) | divided);
-}
-
-/* One step of lanes that move, up to their next event. */
-static void step(Batch *b, unsigned which)
-{
-    Job *const job = b->job;
+    const Job *const job = b->job;
     V *const c = b->c;
-    const Roles *const role = job->role;
-    const M here = lanes(which), no = lanes(0);
-    const V limit = minimum(next_break(b), c[END_TIME]), room = limit - c[TIME], one = broadcast(1.0), zero = broadcast(0.0);
-    V order, e[HIGHEST + 2], slope;
-    const int top = expand(b, room, which, 0, &order);
-    const V *const x = REGISTER(role->x), *const omega = REGISTER(role->omega), *const net = REGISTER(role->net);
-    V tau = radius_of_convergence(b, x, top, order);
-    for (int i = 1; i < job->states; i++) tau = minimum(radius_of_convergence(b, REGISTER(job->state[3 * i + 1]), top, order), tau);
-    tau = pick(order < c[ORDER], room, minimum(c[FACTOR] * tau, room));
-    const M whole = tau >= room;
-    int event[LANES];
-    for (int k = 0; k < LANES; k++) event[k] = EVENT_NONE;
-#define CONSIDER(time, code) \
-    do { \
-        const V at_ = (time); \
-        EACH(k, bits(at_ <= tau)) event[k] = (code); \
-        tau = minimum(at_, tau); \
-    } while (0)
+    if (endless) {
+        c[STATUS][lane] = TOO_LONG;
+    }
+    if (at_limit) {
+        on_limit(b, lane, rate);
+    }
+    if (c[EVENT][lane] == EVENT_NONE) {
+        return;
+    }
+    if (c[EVENT][lane] == EVENT_STANDSTILL) {
+        on_standstill(b, lane);
+        return;
+    }
+    if (c[EVENT][lane] == EVENT_LIFT_OFF) {
+        on_contact_change(b, lane, rate);
+        return;
+    }
+    if (c[EVENT][lane] == EVENT_CHORD_UPRIGHT) {
+        end_motion(b, lane, rate, UPRIGHT);
+        return;
+    }
+    for (int t = 0; t < job->tables; t++) {
+        int edge = EVENT_BREAKPOINT + (2 * t);
+        if ((c[EVENT][lane] == edge) || (c[EVENT][lane] == (edge + 1))) {
+            on_breakpoint(b, lane, t, rate, c[EVENT][lane] == edge);
+        }
+    }
+}
 
-    /* Standstill. From rest its first root is now: divided by the time as often as it is zero. */
-    V last = value_and_slope(omega, top, tau, &slope);
-    const M from_rest = omega[0] == 0.0, back = from_rest & ((net[0] < 0.0) | ((net[0] == 0.0) & (net[1] <= 0.0)));
-    unsigned ask = which & bits((last <= 0.0) | ((net[0] < 0.0) & (slope > 0.0)) | back);
-    if (ask) {
-        event_function(e, omega, top, one, zero, from_rest);
-        for (int i = 0; i < 2; i++) event_function(e, e, top, one, zero, from_rest & (e[0] == 0.0));
-        const V at = first_root(e, top, tau, ask);
-        const M nothing = from_rest & (e[0] == 0.0) & (last == 0.0); /* its drive vanishes to rounding */
-        CONSIDER(pick(lanes(ask) & ((e[0] < 0.0) | nothing), zero, at), EVENT_STANDSTILL);
-    }
-    if (role->upright >= 0) {
-        const V *const upright = REGISTER(role->upright);
-        if ((ask = which & may_cross(upright, top - 1, tau, one, zero, no)))
-            CONSIDER(first_root(upright, top - 1, tau, ask), EVENT_CHORD_UPRIGHT);
-    }
-    for (int i = 0; job->sloped && i < job->tables; i++) {
-        const Table *const t = job->table + i;
-        if (t->kind == OF_TIME) continue;
-        const V *const p = t->kind == OF_SPEED ? omega : x;
-        const V upper = minimum(c[t->cell + UPPER], broadcast(1e300)), lower = c[t->cell + LOWER];
-        if (i && t->kind == OF_ROTATION && t[-1].kind == OF_ROTATION && !(which & bits(upper != c[t[-1].cell + UPPER])))
-            continue; /* its pieces end with those of the table before */
-        const M slower = t->kind == OF_SPEED ? c[PASSED] == (double)SLOWER : no;
-        if ((ask = which & may_cross(p, top, tau, -one, upper, slower))) {
-            event_function(e, p, top, -one, upper, slower);
-            CONSIDER(first_root(e, top, tau, ask), EVENT_BREAKPOINT + 2 * i);
-        }
-        if (t->kind != OF_SPEED) continue;
-        const M faster = c[PASSED] == (double)FASTER;
-        if ((ask = which & bits(lower > 0.0) & may_cross(p, top, tau, one, -lower, faster))) {
-            event_function(e, p, top, one, -lower, faster);
-            CONSIDER(first_root(e, top, tau, ask), EVENT_BREAKPOINT + 2 * i + 1);
-        }
-    }
-    /* Water over a mass may change faster than its motion, for which the step was chosen: the normal force is a
-       function of the position until the first other event only, and may pass zero twice beyond it. */
-    if (role->normal >= 0) {
-        const V *const normal = REGISTER(role->normal), sign = pick(c[LIFTED] > 0.0, -one, one);
-        const M passed = c[PASSED] == (double)LIFT;
-        if ((ask = which & may_cross(normal, top - 1, tau, sign, zero, passed))) {
-            event_function(e, normal, top - 1, sign, zero, passed);
-            CONSIDER(first_root(e, top - 1, tau, ask), EVENT_LIFT_OFF);
-        }
-    }
+/* An event at some time, infinite without one: each is searched in what the ones before leave of the step. */
+INLINE void consider(Batch *b, M here, V at, int event)
+{
+    V *const c = b->c;
+    c[EVENT] = pick(here, pick(at <= c[STEP], broadcast((double)event), c[EVENT]), c[EVENT]);
+    c[STEP] = pick(here, minimum(at, c[STEP]), c[STEP]);
+}
 
-    /* A motion that nothing will end: where the rate depends on the speed alone, it never falls below zero again. */
-    unsigned endless = 0;
+/* When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding. */
+static void find_standstill(Batch *b, M here, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *omega = b->r + job->role->omega;
+    V *net = b->r + job->role->net;
+    const Pair last_slope = value_and_slope(omega, top, c[STEP]);
+    V last = last_slope.one, slope = last_slope.other;
+    M from_rest = omega[0] == 0.0;
+    M decelerates = net[0] < 0.0;
+    M falls_from_rest = from_rest & (decelerates | ((net[0] == 0.0) & (net[1] <= 0.0)));
+    M asked = here & ((last <= 0.0) | (decelerates & (slope > 0.0)) | falls_from_rest);
+    if (bits(asked)) {
+        V e[HIGHEST + 2];
+        margin_of(e, omega, top, broadcast(1.0), broadcast(0.0), from_rest);
+        margin_of(e, e, top, broadcast(1.0), broadcast(0.0), from_rest & (e[0] == 0.0));
+        margin_of(e, e, top, broadcast(1.0), broadcast(0.0), from_rest & (e[0] == 0.0));
+        V at = first_root(e, top, c[STEP], asked);
+        M vanishes = from_rest & (e[0] == 0.0) & (last == 0.0);
+        consider(b, here, pick(asked & ((e[0] < 0.0) | vanishes), broadcast(0.0), at), EVENT_STANDSTILL);
+    }
+}
+
+/* When sign p + constant falls through zero, except where the phase began with this event. */
+static void find_crossing(Batch *b, M here, V *p, int n, V sign, V constant, M passed, int event)
+{
+    V *const c = b->c;
+    M asked = here & may_cross(p, n, c[STEP], sign, constant, passed);
+    if (bits(asked)) {
+        V e[HIGHEST + 2];
+        margin_of(e, p, n, sign, constant, passed);
+        consider(b, here, first_root(e, n, c[STEP], asked), event);
+    }
+}
+
+/* When an edge of a table's piece is passed. */
+static void find_edges(Batch *b, M here, int t, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V upper = minimum(c[job->table[t].cell + UPPER], broadcast(FAR));
+    int event = EVENT_BREAKPOINT + (2 * t);
+    if (job->table[t].kind == OF_SPEED) {
+        V *omega = b->r + job->role->omega;
+        find_crossing(b, here, omega, top, broadcast(-1.0), upper, c[PASSED] == (double)SLOWER, event);
+        M varies = here & (c[job->table[t].cell + LOWER] > 0.0);
+        find_crossing(b, varies, omega, top, broadcast(1.0), -c[job->table[t].cell + LOWER], c[PASSED] == (double)FASTER, event + 1);
+        return;
+    }
+    find_crossing(b, here, b->r + job->role->x, top, broadcast(-1.0), upper, (M){0}, event);
+}
+
+/* The first event of the step; of equal times the event that is searched last. Water over a mass may change faster
+ * than its motion, for which the step was chosen: the normal force is a function of the position until the first
+ * other event only, and may pass zero twice beyond it. */
+static void find_events(Batch *b, M here, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    c[EVENT] = pick(here, broadcast((double)EVENT_NONE), c[EVENT]);
+    find_standstill(b, here, top);
+    if (job->role->upright >= 0) {
+        find_crossing(b, here, b->r + job->role->upright, top - 1, broadcast(1.0), broadcast(0.0), (M){0}, EVENT_CHORD_UPRIGHT);
+    }
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind != OF_TIME) {
+            int known = (t > 0) && (job->table[t].kind == OF_ROTATION) && (job->table[t - 1].kind == OF_ROTATION);
+            if (known) {
+                known = !bits(here & (minimum(c[job->table[t].cell + UPPER], broadcast(FAR)) != c[job->table[t - 1].cell + UPPER]));
+            }
+            if (!known) {
+                find_edges(b, here, t, top);
+            }
+        }
+    }
+    if (job->role->normal >= 0) {
+        V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
+        find_crossing(b, here, b->r + job->role->normal, top - 1, sign, broadcast(0.0), c[PASSED] == (double)LIFT, EVENT_LIFT_OFF);
+    }
+}
+
+/* Record a candidate for the greatest speed where it exceeds the record. */
+INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
+{
+    V *const c = b->c;
+    M faster = here & (speed > magnitude(c[PEAK_OMEGA]));
+    if (bits(faster)) {
+        c[PEAK_OMEGA] = pick(here, pick(faster, c[DIRECTION] * speed, c[PEAK_OMEGA]), c[PEAK_OMEGA]);
+        c[PEAK_TIME] = pick(here, pick(faster, time, c[PEAK_TIME]), c[PEAK_TIME]);
+        c[PEAK_ROTATION] = pick(here, pick(faster, c[ROTATION] + (c[DIRECTION] * x), c[PEAK_ROTATION]), c[PEAK_ROTATION]);
+        c[PEAK_RATE] = pick(here, pick(faster, c[DIRECTION] * rate, c[PEAK_RATE]), c[PEAK_RATE]);
+    }
+}
+
+/* A fraction of the least radius of convergence of the states, or all of the room where series end early. */
+INLINE void choose_step(Batch *b, M here, V room, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V radius = broadcast(INFINITY);
+    for (const State *q = job->state; q < job->state + job->states; q++) {
+        radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
+    }
+    c[STEP] = pick(here, pick(c[SERIES_ORDER] < c[ORDER], room, minimum(c[FACTOR] * radius, room)), c[STEP]);
+}
+
+/* Advance the states and the functions of time by the step. */
+INLINE void advance_states(Batch *b, M here, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    for (const State *q = job->state; q < job->state + job->states; q++) {
+        c[q->cell] = pick(here, c[q->cell] + increment(b->r + q->series, top, c[STEP]), c[q->cell]);
+    }
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_TIME) {
+            c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + increment(b->r + job->table[t].reg, top, c[STEP]), c[job->table[t].cell + INC]);
+        }
+    }
+}
+
+/* Whether a motion goes on for ever. Where its rate depends on the speed alone, and hardly changes it, the rate
+ * never falls below zero again. */
+INLINE M is_endless(Batch *b, M here, V room)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    M endless = (M){0};
     if (job->autonomous) {
-        endless = which & bits((net[0] * tau >= -SETTLED * omega[0]) & (room == INFINITY) & (c[LIFTED] == 0.0));
-        EACH(k, endless) if (event[k] != EVENT_NONE) endless &= ~(1u << k);
-        tau = pick(lanes(endless), zero, tau);
+        M settled = ((b->r + job->role->net)[0] * c[STEP]) >= ((double)(-SETTLED) * (b->r + job->role->omega)[0]);
+        M uneventful = c[EVENT] == (double)EVENT_NONE;
+        endless = here & uneventful & settled & (room == INFINITY) & (c[LIFTED] == 0.0);
     }
-
-    /* Peak: the net moment falls through zero. It may do so beyond a trough, too. */
-    const V rate = value_and_slope(net, top - 1, tau, &slope);
-    const M touches = net[0] == 0.0, drives = (net[0] > 0.0) | (touches & (net[1] > 0.0));
-    V peak = broadcast(INFINITY);
-    if ((ask = which & bits(drives & ((rate < 0.0) | ((net[1] < 0.0) & (slope > 0.0)))))) {
-        event_function(e, net, top - 1, one, zero, touches);
-        peak = first_root(e, top - 1, tau, ask);
-    }
-    if ((ask = which & bits((net[0] < 0.0) & (net[1] > 0.0) & (rate < 0.0) & (slope < 0.0)))) {
-        for (int k = 1; k < top; k++) e[k - 1] = net[k] * (double)k;
-        const V most = bracketed_root(e, top - 2, zero, e[0], tau, slope, ask), then = value(net, top - 1, most);
-        ask &= bits(then > 0.0);
-        if (ask) peak = pick(lanes(ask), bracketed_root(net, top - 1, most, then, tau, rate, ask), peak);
-    }
-#define CANDIDATE(mask, speed, time, gone, slope_) \
-    do { \
-        const V speed_ = (speed); \
-        const M better_ = (mask) & (speed_ > magnitude(c[PEAK_OMEGA])); \
-        if (!bits(better_)) break; \
-        c[PEAK_OMEGA] = pick(better_, c[DIRECTION] * speed_, c[PEAK_OMEGA]); \
-        c[PEAK_TIME] = pick(better_, (time), c[PEAK_TIME]); \
-        c[PEAK_ROTATION] = pick(better_, c[ROTATION] + c[DIRECTION] * (gone), c[PEAK_ROTATION]); \
-        c[PEAK_RATE] = pick(better_, c[DIRECTION] * (slope_), c[PEAK_RATE]); \
-    } while (0)
-    const M peaks = peak < INFINITY;
-    if (bits(peaks)) CANDIDATE(peaks, value(omega, top, peak), c[TIME] + peak, value(x, top, peak), value(net, top - 1, peak));
-
-    const M to_limit = whole & ~lanes(endless);
-    const V until = pick(to_limit, limit, c[TIME] + tau);
-    unsigned at_limit = bits(to_limit) & which;
-    V until_[1] = {until}; /* in memory, for lanes */
-    EACH(k, which) if (event[k] != EVENT_NONE) at_limit &= ~(1u << k), until_[0][k] = c[TIME][k] + tau[k];
-    if (job->samples) EACH(k, which) read_samples(b, k, c[TIME][k], until_[0][k], 1, top);
-    for (int i = 0; i < job->states; i++) {
-        V *const cell = c + job->state[3 * i];
-        *cell = pick(here, *cell + increment(REGISTER(job->state[3 * i + 1]), top, tau), *cell);
-    }
-    for (int i = 0; job->timed && i < job->tables; i++) {
-        V *const inc = c + job->table[i].cell + INC;
-        if (job->table[i].kind == OF_TIME) *inc = pick(here, *inc + increment(REGISTER(job->table[i].reg), top, tau), *inc);
-    }
-    c[TIME] = pick(here, until_[0], c[TIME]);
-    unsigned eventful = 0;
-    EACH(k, which) eventful |= (unsigned)(event[k] != EVENT_NONE) << k;
-    const M stiff = (magnitude(net[0]) * tau < STIFF_CHANGE * omega[0]) & ~lanes(eventful);
-    c[STEPS] += pick(here & ~lanes(at_limit), pick(stiff, broadcast(STIFF_STEP), one), zero);
-    c[PASSED] = pick(here, zero, c[PASSED]);
-    CANDIDATE(here, c[OMEGA], c[TIME], c[X], rate);
-    EACH(k, which) {
-        if (event[k] == EVENT_NONE) {
-            if (endless >> k & 1) c[STATUS][k] = TOO_LONG;
-            if (!(at_limit >> k & 1)) continue;
-            if (c[TIME][k] >= c[END_TIME][k]) end_motion(b, k, rate[k], ENDED);
-            else if (pass_breaks(b, k)) b->pending[k] = DISCONTINUITY;
-        } else if (event[k] == EVENT_STANDSTILL) on_standstill(b, k);
-        else if (event[k] == EVENT_LIFT_OFF) {
-            c[LIFTED][k] = 1.0 - c[LIFTED][k];
-            if (c[LIFTED][k] > 0.0) note_lift_off(b, k);
-            else note(b, k, NOTE_LANDS);
-            enter_phase(b, k, rate[k]);
-            c[PASSED][k] = LIFT;
-        } else if (event[k] == EVENT_CHORD_UPRIGHT) end_motion(b, k, rate[k], UPRIGHT);
-        else on_breakpoint(b, k, event[k], rate[k]);
-    }
+    return endless;
 }
 
-/* --- rest --- */
-
-/* One step of lanes at rest under forces that change: to the next break, or to where the mass starts. The net
- * moment at rest is a series of time alone; at its root motion begins, with no drive at all. */
-static void wait(Batch *b, unsigned which)
+/* Record the greatest speed within the step, where the net moment falls through zero. */
+static void keep_peak(Batch *b, M here, int top, V rate, V slope)
 {
-    Job *const job = b->job;
+    const Job *const job = b->job;
     V *const c = b->c;
-    const Roles *const role = job->role;
-    const V zero = broadcast(0.0), one = broadcast(1.0), limit = next_break(b);
-    const V room = pick(limit < INFINITY, limit - c[TIME], one);
-    V length = room, start_time = broadcast(INFINITY), direction = zero, e[HIGHEST + 2], order;
-    V lift_time = start_time;
-    M sudden = lanes(0);
-    for (int pass = 0; pass < 2; pass++) {
-        const unsigned now = pass ? which & bits(c[ONE_WAY] == 0.0) : which;
-        if (!now) break;
-        if (pass) {
-            EACH(k, now) c[DIRECTION][k] = -c[DIRECTION][k], b->pending[k] = BEGIN_PHASE;
-            begin_phases(b);
-        }
-        const int top = expand(b, room, now, 1, &order);
-        const V *const net = REGISTER(role->net);
-        const M here = lanes(now), touches = magnitude(net[0]) <= 2.0 * c[role->drive_scale], leaps = ~touches & (net[0] > 0.0);
-        const V reach = pick(order < c[ORDER], room, minimum(c[FACTOR] * radius_of_convergence(b, net, top - 1, order - 1.0), room));
-        length = pick(here, minimum(reach, length), length);
-        event_function(e, net, top - 1, -one, zero, touches);
-        unsigned ask = now & bits(~leaps) & may_cross(net, top - 1, length, -one, zero, touches);
-        V at = ask ? first_root(e, top - 1, length, ask) : broadcast(INFINITY);
-        at = pick(leaps | (touches & (e[0] < 0.0)), zero, at);
-        const M sooner = here & (at < start_time);
-        start_time = pick(sooner, at, start_time), direction = pick(sooner, c[DIRECTION], direction), sudden = (sooner & leaps) | (~sooner & sudden);
-        if (role->normal < 0) continue;
-        const V *const normal = REGISTER(role->normal), sign = pick(c[LIFTED] > 0.0, -one, one);
-        const M passed = c[PASSED] == (double)LIFT;
-        ask = now & may_cross(normal, top - 1, length, sign, zero, passed);
-        if (!ask) continue;
-        event_function(e, normal, top - 1, sign, zero, passed);
-        at = first_root(e, top - 1, length, ask);
-        lift_time = pick(here, minimum(at, lift_time), lift_time), length = pick(here, minimum(at, length), length);
-    }
-    for (int i = 0; i < job->tables; i++) { /* the same for both directions, as of the one begun last */
-        V *const inc = c + job->table[i].cell + INC;
-        if (job->table[i].kind == OF_TIME)
-            *inc = pick(lanes(which), *inc + increment(REGISTER(job->table[i].reg), job->order, length), *inc);
-    }
-    EACH(k, which) {
-        /* Where both pass zero contact is lost and the mass does not start. */
-        const int lifts = lift_time[k] <= length[k] && lift_time[k] <= start_time[k] * (1.0 + 1e-9);
-        const int starts = !lifts && start_time[k] <= length[k];
-        const int at_break = !starts && !lifts && length[k] >= room[k];
-        const double until = starts ? c[TIME][k] + start_time[k] : at_break ? limit[k] : c[TIME][k] + length[k];
-        const int over = !starts && !(until < INFINITY);
-        if (job->samples) read_samples(b, k, c[TIME][k], fmin(until, c[END_TIME][k]), 0, 0);
-        c[STEPS][k] += !at_break, c[PASSED][k] = NOTHING;
-        if (over || until >= c[END_TIME][k]) { /* what happens after its end time decides nothing */
-            if (!over) c[TIME][k] = c[END_TIME][k];
-            stay(b, k, over ? ARRESTED : PAUSED);
-            continue;
-        }
-        c[TIME][k] = until;
-        if (starts) face(b, k, direction[k]), b->pending[k] = START_AGAIN, b->sudden[k] = sudden[k] != 0;
-        else if (lifts) {
-            c[LIFTED][k] = 1.0 - c[LIFTED][k], c[PASSED][k] = LIFT, b->pending[k] = BEGIN_PHASE;
-            if (c[LIFTED][k] > 0.0) note_lift_off(b, k);
-        } else if (at_break && pass_breaks(b, k)) b->pending[k] = DISCONTINUITY;
+    V *net = b->r + job->role->net;
+    V at = falling_root(net, top - 1, c[STEP], rate, slope, here);
+    M peaks = at < INFINITY;
+    if (bits(peaks)) {
+        V speed = value(b->r + job->role->omega, top, at);
+        keep_faster(b, peaks, speed, c[TIME] + at, value(b->r + job->role->x, top, at), value(net, top - 1, at));
     }
 }
 
+/* One step of lanes that move. */
+static void make_step(Batch *b, M here)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V limit = minimum(next_break(b), c[END_TIME]);
+    V room = limit - c[TIME];
+    int top = expand(b, room, here, 0);
+    choose_step(b, here, room, top);
+    M reaches_limit = c[STEP] >= room;
+    find_events(b, here, top);
+    M uneventful = c[EVENT] == (double)EVENT_NONE;
+    M endless = is_endless(b, here, room);
+    c[STEP] = pick(here, pick(endless, broadcast(0.0), c[STEP]), c[STEP]);
+    V step = c[STEP];
+    V *net = b->r + job->role->net;
+    const Pair rate_slope = value_and_slope(net, top - 1, step);
+    V rate = rate_slope.one, slope = rate_slope.other;
+    keep_peak(b, here, top, rate, slope);
+    M at_limit = here & reaches_limit & uneventful & ~endless;
+    V until = pick(at_limit, limit, c[TIME] + step);
+    if (job->samples > 0) {
+        EACH(lane, bits(here)) {
+            read_samples(b, lane, c[TIME][lane], until[lane], 1, top);
+        }
+    }
+    M steady = ((magnitude(net[0]) * step) < ((double)STIFF_CHANGE * (b->r + job->role->omega)[0])) & uneventful;
+    advance_states(b, here, top);
+    c[TIME] = pick(here, until, c[TIME]);
+    c[STEPS] = pick(here, c[STEPS] + pick(at_limit, broadcast(0.0), pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
+    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    keep_faster(b, here, c[OMEGA], c[TIME], c[X], rate);
+    EACH(lane, bits(here)) {
+        settle(b, lane, rate[lane], at_limit[lane], endless[lane]);
+    }
+}
+
+/* When contact is lost or regained, within the time ahead that is known. */
+static void look_for_lift_off(Batch *b, M here, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *normal = b->r + job->role->normal;
+    V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
+    M passed = c[PASSED] == (double)LIFT;
+    M asked = here & may_cross(normal, top - 1, c[STRETCH], sign, broadcast(0.0), passed);
+    if (bits(asked)) {
+        V e[HIGHEST + 2];
+        margin_of(e, normal, top - 1, sign, broadcast(0.0), passed);
+        V at = first_root(e, top - 1, c[STRETCH], asked);
+        c[LIFT_AHEAD] = pick(here, minimum(at, c[LIFT_AHEAD]), c[LIFT_AHEAD]);
+        c[STRETCH] = pick(here, minimum(at, c[STRETCH]), c[STRETCH]);
+    }
+}
+
+/* What lies ahead of a mass at rest, in the direction it faces, where it comes before what is known already. The
+ * net moment at rest is a series of time alone. At its root slip begins, with no drive at all; immediately, if it
+ * is zero and rises, or has jumped above it. */
+static void look_ahead(Batch *b, M here, V room)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int top = expand(b, room, here, 1);
+    V *net = b->r + job->role->net;
+    M touches = magnitude(net[0]) <= (TOUCHES * c[job->role->drive_scale]);
+    M jumps = (net[0] > 0.0) & ~touches;
+    V radius = radius_of_convergence(b, net, top - 1, c[SERIES_ORDER] - 1.0);
+    V reach = pick(c[SERIES_ORDER] < c[ORDER], room, minimum(c[FACTOR] * radius, room));
+    c[STRETCH] = pick(here, minimum(reach, c[STRETCH]), c[STRETCH]);
+    V e[HIGHEST + 2];
+    margin_of(e, net, top - 1, broadcast(-1.0), broadcast(0.0), touches);
+    V at = broadcast(INFINITY);
+    M asked = here & ~jumps & may_cross(net, top - 1, c[STRETCH], broadcast(-1.0), broadcast(0.0), touches);
+    if (bits(asked)) {
+        at = first_root(e, top - 1, c[STRETCH], asked);
+    }
+    at = pick(jumps | (touches & (e[0] < 0.0)), broadcast(0.0), at);
+    M sooner = at < c[START_AHEAD];
+    c[START_AHEAD] = pick(here, pick(sooner, at, c[START_AHEAD]), c[START_AHEAD]);
+    c[START_DIRECTION] = pick(here, pick(sooner, c[DIRECTION], c[START_DIRECTION]), c[START_DIRECTION]);
+    c[SUDDEN] = pick(here, pick(sooner, pick(jumps, broadcast(1.0), broadcast(0.0)), c[SUDDEN]), c[SUDDEN]);
+    if (job->role->normal >= 0) {
+        look_for_lift_off(b, here, top);
+    }
+}
+
+/* Face the other way at rest. */
+static void turn_back(Batch *b, unsigned lane)
+{
+    V *const c = b->c;
+    c[DIRECTION][lane] = -c[DIRECTION][lane];
+    c[PENDING][lane] = BEGIN_PHASE;
+}
+
+/* To the first of what lies ahead: start of slip, change of contact, break, end, or nothing yet. */
+static void leave_rest(Batch *b, unsigned lane, double limit, double room)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    double stretch = c[STRETCH][lane];
+    int lifts = (c[LIFT_AHEAD][lane] <= stretch) && (c[LIFT_AHEAD][lane] <= (c[START_AHEAD][lane] * (1.0 + TOGETHER)));
+    int starts = (c[START_AHEAD][lane] <= stretch) && !lifts;
+    int breaks = (stretch >= room) && !starts && !lifts;
+    double until = breaks ? limit : (c[TIME][lane] + (starts ? c[START_AHEAD][lane] : stretch));
+    int for_ever = !starts && !(until < INFINITY);
+    if (job->samples > 0) {
+        read_samples(b, lane, c[TIME][lane], fmin(until, c[END_TIME][lane]), 0, 0);
+    }
+    c[STEPS][lane] = c[STEPS][lane] + (breaks ? 0.0 : 1.0);
+    c[PASSED][lane] = NOTHING;
+    if (for_ever || (until >= c[END_TIME][lane])) {
+        c[TIME][lane] = for_ever ? c[TIME][lane] : c[END_TIME][lane];
+        stay(b, lane, for_ever ? ARRESTED : PAUSED);
+        return;
+    }
+    c[TIME][lane] = until;
+    if (starts) {
+        face(b, lane, c[START_DIRECTION][lane]);
+        c[PENDING][lane] = START_AGAIN;
+        return;
+    }
+    if (lifts) {
+        c[LIFTED][lane] = 1.0 - c[LIFTED][lane];
+        c[PASSED][lane] = LIFT;
+        c[PENDING][lane] = BEGIN_PHASE;
+        if (c[LIFTED][lane] > 0.0) {
+            note_lift_off(b, lane);
+        }
+        return;
+    }
+    if (breaks) {
+        pass_breaks(b, lane);
+    }
+}
+
+/* One step of lanes at rest under forces that change: to the next break, or to where the mass starts. */
+static void wait(Batch *b, M here)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V limit = next_break(b);
+    V room = pick(limit < INFINITY, limit - c[TIME], broadcast(1.0));
+    c[STRETCH] = pick(here, room, c[STRETCH]);
+    c[START_AHEAD] = pick(here, broadcast(INFINITY), c[START_AHEAD]);
+    c[START_DIRECTION] = pick(here, broadcast(0.0), c[START_DIRECTION]);
+    c[SUDDEN] = pick(here, broadcast(0.0), c[SUDDEN]);
+    c[LIFT_AHEAD] = pick(here, broadcast(INFINITY), c[LIFT_AHEAD]);
+    look_ahead(b, here, room);
+    M both = here & (c[ONE_WAY] == 0.0);
+    if (bits(both)) {
+        EACH(lane, bits(both)) {
+            turn_back(b, lane);
+        }
+        begin_phases(b);
+        look_ahead(b, both, room);
+    }
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_TIME) {
+            c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + increment(b->r + job->table[t].reg, job->order, c[STRETCH]), c[job->table[t].cell + INC]);
+        }
+    }
+    EACH(lane, bits(here)) {
+        leave_rest(b, lane, limit[lane], room[lane]);
+    }
+}
+
+/* Stop lanes that take too many steps or reversals, or overflow. */
+INLINE void stop_endless(Batch *b, M here)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    M going = c[STATUS] <= (double)RESTING;
+    V most = pick(c[OMEGA] > 0.0, broadcast((double)MOST_STEPS), broadcast((double)(2 * MOST_STEPS)));
+    M too_long = c[STEPS] > most;
+    if (!job->timed) {
+        too_long = too_long | (c[TURNS] > (double)MOST_TURNS);
+    }
+    V total = ((c[TIME] + c[X]) + c[OMEGA]) + c[ROTATION];
+    c[STATUS] = pick(here, pick(going & too_long, broadcast((double)TOO_LONG), c[STATUS]), c[STATUS]);
+    c[STATUS] = pick(here, pick(going & ((total - total) != 0.0), broadcast((double)FAILED), c[STATUS]), c[STATUS]);
+}
+
+/* One step of every lane: of a moving one along its series, of a resting one to the next break. */
+static void advance(Batch *b, M here)
+{
+    V *const c = b->c;
+    M moving = here & (c[STATUS] == (double)MOVING);
+    M resting = here & (c[STATUS] == (double)RESTING);
+    if (bits(moving)) {
+        make_step(b, moving);
+    }
+    if (bits(resting)) {
+        wait(b, resting);
+    }
+    begin_phases(b);
+    stop_endless(b, here);
+}
 /* --- the queue --- */
 
 /* A lane at its start has no numbers of a phase yet. */
@@ -1441,13 +2057,8 @@ static void load_lane(Batch *b, unsigned k, int64_t column)
     const double *from = job->all + column;
     const int count = from[STATUS * job->count] == START ? job->made : job->cells;
     for (int i = 0; i < count; i++, from += job->count) c[i][k] = *from;
-    b->column[k] = column, b->held |= 1u << k, b->faced[k] = 0;
-    if (c[STATUS][k] == START) {
-        c[DIRECTION][k] = c[OMEGA][k] < 0.0 ? -1.0 : 1.0;
-        c[OMEGA][k] = fabs(c[OMEGA][k]), c[X][k] = 0.0, c[LIFTED][k] = 0.0;
-        b->pending[k] = c[OMEGA][k] > 0.0 ? START_MOVING : RESOLVE;
-        find_pieces(b, k);
-    }
+    b->column[k] = column, b->held |= 1u << k;
+    if (c[STATUS][k] == START) start(b, k);
 }
 
 /* Of a lane that has ended only the first cells are read. */
@@ -1477,10 +2088,10 @@ static void read_registers(Batch *b)
         for (int64_t k = 0; k < count; k++) {
             for (int i = 0; i < job->cells; i++) b->c[i][k] = job->all[i * job->count + first + k];
             b->column[k] = first + k;
-            if (job->budget) b->c[X][k] = 0.0, find_pieces(b, k), begin_pieces(b, k);
+            if (job->budget) begin_here(b, k);
         }
         if (job->budget) IN(prologue)(job->scalar, job->scalar_end, b->c, lanes(ALL));
-        begin_series(b), operate(b, 0), operate_later(b, 1);
+        evaluate(b);
         for (int64_t k = 0; k < count; k++) {
             for (int i = 0; job->budget && i < job->cells; i++) job->all[i * job->count + first + k] = b->c[i][k];
             for (int i = 0; i < job->registers; i++) job->outputs[i * job->count + first + k] = REGISTER(i * STRIDE)[0][k];
@@ -1494,7 +2105,8 @@ enum { LEAST_FREE = LANES / 2 };
 int64_t NAMED(flow_integrate, LEVEL)(Job *job);
 int64_t NAMED(flow_integrate, LEVEL)(Job *job)
 {
-    Batch batch = {.job = job, .c = job->memory, .r = (V *)job->memory + job->cells}, *const b = &batch;
+    V *const memory = (V *)job->memory + MOST_WORKING;
+    Batch batch = {.job = job, .c = memory, .r = memory + job->cells}, *const b = &batch;
     V *const c = b->c;
     int64_t next = job->begin;
     for (int n = 1; n < HIGHEST + 2; n++) b->inverse[n] = 1.0 / n;
@@ -1511,18 +2123,8 @@ int64_t NAMED(flow_integrate, LEVEL)(Job *job)
                 load_lane(b, k, next++);
             }
         begin_phases(b);
-        unsigned moving = b->held & bits(c[STATUS] == (double)MOVING);
-        const unsigned resting = b->held & bits(c[STATUS] == (double)RESTING);
         if (round >= job->budget || !b->held || (job->notes_room && job->notes_room - job->noted < LANES)) break;
-        if (moving) step(b, moving);
-        if (resting) wait(b, resting);
-        if (moving | resting) begin_phases(b);
-        const V sum = c[TIME] + c[X] + c[OMEGA] + c[ROTATION];
-        const M going = c[STATUS] <= (double)RESTING;
-        const M turns = job->timed ? lanes(0) : c[TURNS] > (double)MOST_TURNS;
-        const M many = c[STEPS] > pick(c[OMEGA] > 0.0, broadcast(MOST_STEPS), broadcast(2.0 * MOST_STEPS)); /* at rest it can wait */
-        c[STATUS] = pick(going & (many | turns), broadcast(TOO_LONG), c[STATUS]);
-        c[STATUS] = pick(going & ~(sum - sum == 0.0), broadcast(FAILED), c[STATUS]);
+        advance(b, lanes(b->held));
         EACH(k, b->held & ~bits(c[STATUS] <= (double)RESTING)) store_lane(b, k);
     }
     int64_t left = 0;

@@ -1,8 +1,8 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1369da261ef47012dfc34d06f70e3e3b37c92a76657a433e97647603f1f4af8c
+# sha256 of the text below: ab2a21e57f53e6ca8ff2d3e669432d8481040419105efb28f8de7918e2d96fcc
 """Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
 
-# Cells of a lane, first in every program and in this order.
+# Cells of a lane, first in every program.
 TIME = 0  # t* at the start of the next step
 ROTATION = 1  # rotation where the phase began, signed
 SLIP = 2  # slip over the radius where the phase began
@@ -35,6 +35,23 @@ LAST_WAY = 28  # direction of the last phase
 X = 29  # rotation since the phase began, in the direction of travel
 OMEGA = 30  # its rate, omega*
 
+# Cells of a lane while it is integrated, in front of these.
+PENDING = -15  # what it waits for before its next step
+FACED = -14  # directions in which it was looked at since it stands
+SUDDEN = -13  # 1 where slip begins as forces have jumped, else 0
+RATE_BEFORE = -12  # d omega*/dt* where the phase before ended
+DRIVE_BEFORE = -11  # the drive of that phase
+SCALE_BEFORE = -10  # the size of the terms of that drive
+SERIES_ORDER = -9  # of the series of this step
+LARGEST_X = -8  # largest term of the series of x so far, at rest of the net moment
+LARGEST_OMEGA = -7  # the same of omega
+STEP = -6  # length of this step, up to its first event
+EVENT = -5  # that event
+STRETCH = -4  # at rest, the time ahead that is known
+START_AHEAD = -3  # time until slip begins
+START_DIRECTION = -2  # of that slip
+LIFT_AHEAD = -1  # time until contact is lost or regained
+
 # Cells of a table.
 PIECE = 0  # number of its piece
 VALUE = 1  # where the phase began
@@ -45,6 +62,12 @@ SCALE = 5  # its argument over that of the program
 SCALED_BY = 6  # what its values are multiplied by
 WAY = 7  # of a function of time, the rounding of its increment, over an eps: what it went up and down
 Q1 = 8  # first of its coefficients beyond the value
+
+# Arguments of tables.
+OF_SLIP = 0  # a function of slip
+OF_SPEED = 1  # a function of speed
+OF_TIME = 2  # a function of time
+OF_ROTATION = 3  # a function of rotation
 
 # What a lane is doing.
 START = 0  # not begun
@@ -64,6 +87,15 @@ NOTHING = 0  # its events have no root at the start
 LIFT = 1  # lifted or landed
 FASTER = 2  # into the next piece of a function of speed
 SLOWER = 3  # into the one before
+
+# What it waits for before its next step.
+READY = 0  # nothing
+START_MOVING = 1  # to begin with a velocity
+RESOLVE = 2  # whether it sticks or slips
+START_AGAIN = 3  # to slip from rest under forces that change
+ENTER_PHASE = 4  # to go on in another phase
+DISCONTINUITY = 5  # whether it has contact, as forces have jumped
+BEGIN_PHASE = 6  # the numbers of its phase
 
 # Events that end a step.
 EVENT_NONE = -1  # the step has its full length

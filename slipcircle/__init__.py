@@ -24,6 +24,7 @@ from slipcircle.base.forms import use_forms
 
 if TYPE_CHECKING:
     from slipcircle.core import Arc, Dimensionless, Energy, Motion, Plan, Scene, State, Status, plan, solve
+    from slipcircle.derivatives import parameters
     from slipcircle.ground import Section
     from slipcircle.layers import LayeredSection, Soil
     from slipcircle.tables import Pulse, Series
@@ -68,6 +69,7 @@ _PLACES = {
     "ensemble": "workbench.studies.ensemble",
     "grid": "workbench.studies.ensemble",
     "load": "workbench.files.scenefile",
+    "parameters": "derivatives",
     "plan": "core",
     "read_suite": "workbench.records.suite",
     "solve": "core",
@@ -100,6 +102,7 @@ __all__ = [
     "ensemble",
     "grid",
     "load",
+    "parameters",
     "plan",
     "read_suite",
     "solve",

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
-from slipcircle import Arc, Scene, load, solve
+from slipcircle import Arc, Scene, load, parameters, solve
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support import accuracy, golden, oracle, references, taylor
 from tests.support.differences import check_derivatives
@@ -49,7 +49,9 @@ def test_a_function_has_the_derivatives_of_the_law_that_it_is() -> None:
     named = solve(replace(scene, friction=law)).sensitivity()
     for output in free.outputs:
         for name in free.parameters:
-            assert free.derivative(output, name) == pytest.approx(named.derivative(output, name), rel=1e-10, abs=1e-12)
+            error = free.error(output, name) + named.error(output, name)
+            near = 1e-10 * abs(named.derivative(output, name)) + 1e-12  # of the table of the function
+            assert abs(free.derivative(output, name) - named.derivative(output, name)) <= error + near
 
 
 BESIDE = [name for name in list(golden.rows())[1::9] if "level ground" not in name]  # where down-slope turns over
@@ -84,37 +86,48 @@ def test_derivatives_where_a_pulse_ends() -> None:
     """Newmark's block under a rectangular pulse is fastest there, whatever the size of the circle."""
     motion = solve(load("newmark-pulse"))
     found, v = motion.sensitivity(), float(motion.peak.velocity)
-    assert found.derivative("peak_velocity", "radius") == pytest.approx(0.0, abs=1e-12 * v)
-    assert found.derivative("peak_velocity", "gravity") == pytest.approx(v / 9.81, rel=1e-10)
+    for number, expected in (("radius", 0.0), ("gravity", v / 9.81)):
+        error = found.error("peak_velocity", number)
+        assert abs(found.derivative("peak_velocity", number) - expected) <= error <= 1e-9 * v / found.at[number]
 
 
 def test_derivatives_by_the_end_time_are_the_rates_there() -> None:
     cut = solve(replace(load("vaiont"), end_time=12.0))
-    found = {output: cut.sensitivity().derivative(output, "end_time") for output in ("duration", "reach", "run_out")}
-    assert found == pytest.approx({"duration": 1.0, "reach": cut.end.velocity, "run_out": cut.end.velocity}, rel=1e-12)
+    found = cut.sensitivity()
+    for output, expected in {"duration": 1.0, "reach": cut.end.velocity, "run_out": cut.end.velocity}.items():
+        error = found.error(output, "end_time")
+        assert abs(found.derivative(output, "end_time") - expected) <= error <= 1e-9 * max(expected, 1.0)
 
 
-def check_motion(scene: golden.Data, which: Sequence[str] | slice, digits: int, least: float = 1e-12) -> None:
-    """Derivatives by some numbers, relative to themselves, or to a tenth of the output per relative change.
+def check_motion(
+    scene: golden.Data, which: Sequence[str] | slice, digits: int, cap: float = 1e-7, unknown: Sequence[str] = ()
+) -> None:
+    """Derivatives by some numbers, within the stated errors; these are small beside the outcome by the number's scale.
+
+    By exactly the numbers that are said to be `unknown` there are none.
 
     Beside differences of a step so short that one side is enough: half of the digits are the step's.
     """
     motion = solve(golden.built("", scene))
-    found, bound = motion.sensitivity(), least + 128 * motion.error_estimate
-    assert np.all(np.isfinite(found.values))
+    found, free = motion.sensitivity(), parameters(motion.plan.scene)
+    unresolved = {n for k, n in enumerate(found.parameters) if not np.all(np.isfinite(found.values[:3, k]))}
+    assert unresolved == set(unknown), unresolved
     with ctx.workprec(130 + 3 * digits):
-        free = not motion.arrested and scene["end_time"] is None
-        here = outputs(scene, free, digits)
+        released = not motion.arrested and scene["end_time"] is None
+        here = outputs(scene, released, digits)
         for name in list(found.parameters)[which] if isinstance(which, slice) else which:
+            if name in unknown:
+                continue
             value = found.at[name]
             step = Fraction(value or 1.0) * Fraction(1, 10 ** (digits // 2 + 1))
-            there = outputs(shifted(scene, name, step), free, digits)
+            there = outputs(shifted(scene, name, step), released, digits)
             slopes = [(other - one) / oracle.exact(step) for one, other in zip(here, there, strict=True)]
             for output, slope in zip(EXACT, slopes, strict=True):
-                exact = float(slope)
-                size = max(abs(exact), 0.1 * abs(found.at[output] / value) if value else 0.0)
-                error = abs(found.derivative(output, name) - exact)
-                assert error <= bound * size, (output, name, found.derivative(output, name), exact, error / size, bound)
+                exact, error = float(slope), found.error(output, name)
+                off = abs(found.derivative(output, name) - exact)
+                largest = max(abs(exact), abs(found.at[output]) / free[name].scale)
+                seen = output, name, found.kind(output, name), found.derivative(output, name), exact, off, error
+                assert off <= error <= cap * largest, seen
 
 
 ROWS = [r["scene"] for r in json.loads(references.FILE.read_text("utf-8")) if r["group"] in ("frozen", "constant")]
@@ -147,16 +160,17 @@ def hard(opening: float = 1.0, share: float = 0.5, dip: float = 0.4, **effects: 
 
 
 ALL = slice(None)
-HARD: dict[str, tuple[dict[str, Any], Sequence[str] | slice, int]] = {
+ENDS = ("friction", "theta_1", "theta_2")  # by which an 1e-9 from the limit no derivative is seen
+HARD: dict[str, tuple[Any, ...]] = {
     "thin": (hard(1e-6), ALL, 32),
-    "half disc": (hard(math.pi - 1e-9), ALL, 32),
+    "half disc": (hard(math.pi - 1e-9), ALL, 32, 1e-5),
     "limit-3": (hard(share=1.0 - 1e-3), ALL, 42),
-    "limit-9": (hard(share=1.0 - 1e-9), ALL, 42),
-    "no friction": (hard(share=0.0), ALL, 32),
+    "limit-9": (hard(share=1.0 - 1e-9), ALL, 42, 1e-4, ENDS),
+    "no friction": (hard(share=0.0), ALL, 32, 1e-7, ["friction"]),
     "many swings": (hard(share=0.06), ("friction", "theta_1"), 32),
     "weak brake": (hard(drag={"xi": 1e9}), ALL, 32),
     "strong brake": (hard(drag={"xi": 0.1}), ("friction", "drag.xi"), 32),
-    "strong brake at the limit": (hard(share=1.0 - 1e-6, drag={"xi": 10.0}), ALL, 42),
+    "strong brake at the limit": (hard(share=1.0 - 1e-6, drag={"xi": 10.0}), ALL, 42, 1e-5),
     "water": (hard(share=0.9, cohesion={"cohesion": 100.0}, pore_pressure={"ratio": 0.05, "pressure": 50.0}), ALL, 32),
 }
 

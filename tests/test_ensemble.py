@@ -215,6 +215,19 @@ def test_a_method_without_a_factor_widens_the_probability_of_failure(tmp_path: P
     probability = study.failure["bishop"]
     assert math.isnan(probability.value)
     assert (probability.low, probability.high) == pytest.approx((low, high), rel=1e-12)
+    assert study.factor_quantile("bishop", 0.5).value == pytest.approx(np.nanmedian(factors), rel=0.02)
+
+
+def test_shares_of_a_grid_are_of_the_combinations_that_have_a_factor(records: Any, tmp_path: Path) -> None:
+    path = tmp_path / "watered.toml"
+    path.write_text(WATERED, "utf-8")
+    (found,) = records("sweep", path, "--grid friction.angle_deg=5:60:9 --grid pore_pressure.ratio=0:0.95:9")
+    factors = [row["factor of safety, bishop"] for row in found["rows"]]
+    known = [factor for factor in factors if factor is not None]
+    assert 0 < len(known) < len(factors) - 3
+    shares = found["factor_of_safety"]["bishop"]
+    assert shares["below_1"] == sum(factor < 1.0 for factor in known) / len(known)
+    assert shares["quantile_0.5"] == sorted(known)[math.ceil(len(known) / 2) - 1]
 
 
 @pytest.mark.parametrize(("method", "keep"), [("monte-carlo", True), ("sobol", False)], ids=["kept", "streamed"])

@@ -116,6 +116,12 @@ def test_what_does_not_fit_is_refused() -> None:
     for bad in (code[:-4], code + code[:4]):
         with pytest.raises(ValueError, match="do not fit"):
             BINARY.integrate(bad, (), cells, 14, 0, LANES, 1, nothing, nothing, nothing, 0)
+    for short in (cells[:-1], cells[:0]):
+        with pytest.raises(ValueError, match="not those of as many lanes"):
+            BINARY.integrate(code, (), short.copy(), 14, 0, LANES, 1, nothing, nothing, nothing, 0)
+    registers = np.zeros((len(bound.program.registers) - 1, LANES))
+    with pytest.raises(ValueError, match="not those of as many lanes"):
+        BINARY.integrate(code, (), cells, 14, 0, LANES, 0, nothing, registers, nothing, 0)
     with pytest.raises(ValueError, match="do not fit"):
         BINARY.integrate(code, (), cells, 99, 0, LANES, 1, nothing, nothing, nothing, 0)
 

@@ -292,6 +292,20 @@ def test_slopes_that_are_refused(more: dict[str, object], words: str) -> None:
         Slope(**(given | more))  # type: ignore[arg-type]
 
 
+@pytest.mark.parametrize("way", [1.0, -1.0])
+@pytest.mark.parametrize("up", [-0.01, 0.01])
+def test_the_water_level_of_a_pond_goes_into_the_ground_at_the_shore(way: float, up: float) -> None:
+    """The shore is where the ground rises above the pond: ACADS' slope is 27.5 m high at x = 35."""
+    lines: Any = ACADS.ground, [(0, 27.5), (35, 27.5 + up), (40, 29), (90, 30)]
+    ground, level = ([(way * x, y) for x, y in line][:: int(way)] for line in lines)
+    given: Any = {"ground": ground, "cohesion": 3e3, "friction": 0.35, "unit_weight": 2e4, "pond": 27.5}
+    if up < 0.0:
+        Slope(**given, level=level)
+    else:
+        with pytest.raises(ValueError, match=f"stands 0.01 m above the ground at x = {way * 35:g}"):
+            Slope(**given, level=level)
+
+
 LAYERED = [
     (Soil(18e3, 2e3, 0.7, name="sand"), None),
     (Soil(17e3, 35e3, 0.0, cohesion_gradient=1e3, datum=2.0, name="clay"), 2.0),

@@ -1,5 +1,8 @@
 """Numbers shared by the integrators in C and in NumPy, declared once: the cells of a lane, and their codes."""
 
+from collections.abc import Mapping
+from typing import NamedTuple
+
 # Cells that every program has, first and in this order, with what they hold.
 CELLS = {
     "TIME": "t* at the start of the next step",
@@ -72,6 +75,33 @@ EVENTS = {
     "CHORD_UPRIGHT": "the chord stands upright",
     "BREAKPOINT": "the upper edge of the first table's piece; then its lower edge, and those of the next tables",
 }
+# Cells of a lane only while it is integrated, in front of the others: they begin at -len(WORKING).
+WORKING = {
+    "PENDING": "what it waits for before its next step",
+    "FACED": "directions in which it was looked at since it stands",
+    "SUDDEN": "1 where slip begins as forces have jumped, else 0",
+    "RATE_BEFORE": "d omega*/dt* where the phase before ended",
+    "DRIVE_BEFORE": "the drive of that phase",
+    "SCALE_BEFORE": "the size of the terms of that drive",
+    "SERIES_ORDER": "of the series of this step",
+    "LARGEST_X": "largest term of the series of x so far, at rest of the net moment",
+    "LARGEST_OMEGA": "the same of omega",
+    "STEP": "length of this step, up to its first event",
+    "EVENT": "that event",
+    "STRETCH": "at rest, the time ahead that is known",
+    "START_AHEAD": "time until slip begins",
+    "START_DIRECTION": "of that slip",
+    "LIFT_AHEAD": "time until contact is lost or regained",
+}
+PENDING = {
+    "READY": "nothing",
+    "START_MOVING": "to begin with a velocity",
+    "RESOLVE": "whether it sticks or slips",
+    "START_AGAIN": "to slip from rest under forces that change",
+    "ENTER_PHASE": "to go on in another phase",
+    "DISCONTINUITY": "whether it has contact, as forces have jumped",
+    "BEGIN_PHASE": "the numbers of its phase",
+}
 NOTES = {"BEGINS": "a phase", "STANDS": "still", "LIFTS": "off", "LANDS": "again"}
 KINDS = ("slip", "speed", "time", "rotation")  # arguments of tables
 # Registers and cells of a program that the integrator reads.
@@ -99,21 +129,34 @@ LIMITS = {"MOST_STEPS": 200_000, "STIFF_STEP": 20, "MOST_TURNS": 2000}
 # changes by less than the last share in a step has settled.
 SHARES = {"STIFF_CHANGE": 1e-3, "CARRIED": 1e-3, "SETTLED": 2.0**-46}
 
-# Enumerations: in words, the prefix of its names in C, the first number, names and meanings.
+
+class Numbered(NamedTuple):
+    """An enumeration: its name in the text of the integrator, in words, the prefix of its members, the first number."""
+
+    name: str
+    words: str
+    prefix: str
+    first: int
+    members: Mapping[str, str]
+
+
 NUMBERED = (
-    ("Cells of a lane, first in every program and in this order", "", 0, {x.upper(): y for x, y in CELLS.items()}),
-    ("Cells of a table", "", 0, TABLE),
-    ("What a lane is doing", "", 0, STATUS),
-    ("What its phase began by passing", "", 0, PASSED),
-    ("Events that end a step", "EVENT_", -1, EVENTS),
-    ("What is noted of the first lane", "NOTE_", 1, NOTES),
+    Numbered("Cell", "Cells of a lane, first in every program", "", 0, {x.upper(): CELLS[x] for x in CELLS}),
+    Numbered("Working", "Cells of a lane while it is integrated, in front of these", "", -len(WORKING), WORKING),
+    Numbered("Part", "Cells of a table", "", 0, TABLE),
+    Numbered("Kind", "Arguments of tables", "OF_", 0, {x.upper(): f"a function of {x}" for x in KINDS}),
+    Numbered("Status", "What a lane is doing", "", 0, STATUS),
+    Numbered("Passed", "What its phase began by passing", "", 0, PASSED),
+    Numbered("Pending", "What it waits for before its next step", "", 0, PENDING),
+    Numbered("Event", "Events that end a step", "EVENT_", -1, EVENTS),
+    Numbered("Note", "What is noted of the first lane", "NOTE_", 1, NOTES),
 )
 
 
 def python() -> str:
     """The module `generated.layout`."""
     parts = ['"""Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""\n\n']
-    for words, prefix, start, names in NUMBERED:
+    for _, words, prefix, start, names in NUMBERED:
         rows = "".join(f"{prefix}{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
         parts.append(f"# {words}.\n{rows}\n")
     given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | LIMITS | SHARES
@@ -124,9 +167,9 @@ def c() -> dict[str, str]:
     """The same for the compiled integrator, and the members of the struct of a program's roles, as marked there."""
     rows = [
         [f"{prefix}{x}{f' = {start}' * (start != 0 and not k)}" for k, x in enumerate(names)]
-        for _, prefix, start, names in NUMBERED
+        for _, _, prefix, start, names in NUMBERED
     ]
-    rows += [[f"OF_{x.upper()}" for x in KINDS], [f"{x} = {y}" for x, y in LIMITS.items()]]
+    rows += [[f"{x} = {y}" for x, y in LIMITS.items()]]
     enums = (f"enum {{ {', '.join(row)} }};\n" for row in rows)
     return {
         "CELLS": "".join((*enums, *(f"#define {x} {y}\n" for x, y in SHARES.items()))),

@@ -18,7 +18,7 @@ from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
 from derive.flow import emit as flow
-from derive.flow import layout, series
+from derive.flow import layout, restricted, restricted_c, restricted_numpy, series
 from derive.generate import effects, emit_c, functions, slopes
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -32,7 +32,9 @@ def files(proved: list[Record]) -> dict[str, str]:
     closed = closed_forms()
     c_kernels = emit_c.source(variants(), functions.comments(kernels, proved))
     c_flow = _template("_flow.c").replace("@PROCESSOR@", emit.PROCESSOR)
-    for mark, lines in (layout.c() | series.c()).items():
+    integrator = restricted.integrator()
+    walk = {"WALK": restricted_c.functions(integrator)}
+    for mark, lines in (layout.c() | series.c() | walk).items():
         c_flow = c_flow.replace(f"@{mark}@\n", lines)
     texts = {
         "_compiled.py": _template("_compiled.py"),
@@ -46,6 +48,7 @@ def files(proved: list[Record]) -> dict[str, str]:
         "_kernels.c": c_kernels,
         "series.py": series.numpy_text(digest_of(c_flow)),
         "slopes.py": slopes.module(),
+        "walk.py": _template("_walk.py.in").replace("# @WALK@\n", restricted_numpy.functions(integrator)),
         "tiers.py": tiers_module(proved, digest_of(c_kernels)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",

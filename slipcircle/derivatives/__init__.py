@@ -1,12 +1,16 @@
 """Derivatives of a motion by the numbers of its scene."""
 
 from slipcircle.derivatives.derivatives import Sensitivity
+from slipcircle.derivatives.neighbours import neighbour_derivatives
 from slipcircle.derivatives.parameters import (
     DIP,
     SOIL_BOUNDS,
+    Free,
     Parameter,
+    free_parameters,
     parameter_value,
     parameters,
+    possible_parameters,
     with_parameter_arrays,
     with_parameters,
 )
@@ -14,10 +18,14 @@ from slipcircle.derivatives.parameters import (
 __all__ = [
     "DIP",
     "SOIL_BOUNDS",
+    "Free",
     "Parameter",
     "Sensitivity",
+    "free_parameters",
+    "neighbour_derivatives",
     "parameter_value",
     "parameters",
+    "possible_parameters",
     "with_parameter_arrays",
     "with_parameters",
 ]

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -21,8 +22,17 @@ class Sensitivity:
         Unit of each column: friction, theta_1, ``ground.3.y``, ..., of effects ``effect.parameter``.
     at : dict of float
         Value of each output and each parameter.
+    kinds : ndarray of str
+        "smooth"; "kink", where slopes differ; "jump", where the output is another at once on one side; "one side",
+        beyond which there is no scene; "unresolved".
     values : ndarray
-        d(output)/d(parameter), SI units and radians.
+        d(output)/d(parameter), SI units and radians: of a kink the mean of both slopes, of a jump that of the side that
+        goes on from the motion; NaN where it is not known.
+    errors : ndarray
+        What each of the values is off at most.
+    slopes, slope_errors, jumps : ndarray
+        Below and above the parameter's value, (outputs, parameters, 2): derivatives of each side, what they are off at
+        most (infinite where nothing is known), and by how much the output jumps.
     scene : Scene
         Whose parameters they are.
     warnings : tuple of str
@@ -34,7 +44,12 @@ class Sensitivity:
     outputs: Mapping[str, str]
     parameters: Mapping[str, str]
     at: Mapping[str, float]
+    kinds: Any
     values: Floats
+    errors: Floats
+    slopes: Floats
+    slope_errors: Floats
+    jumps: Floats
     scene: Scene = field(repr=False, compare=False)
     warnings: tuple[str, ...] = ()
 
@@ -56,9 +71,20 @@ class Sensitivity:
 
     def derivative(self, output: str, parameter: str) -> float:
         """One of the values."""
-        row = list(self.outputs).index(output)
-        column = list(self.parameters).index(parameter)
-        return float(self.values[row, column])
+        return float(self.values[self._place(output, parameter)])
+
+    def error(self, output: str, parameter: str) -> float:
+        """What a derivative is off at most."""
+        return float(self.errors[self._place(output, parameter)])
+
+    def kind(self, output: str, parameter: str) -> str:
+        """Whether an output is smooth there, or what else it is."""
+        return str(self.kinds[self._place(output, parameter)])
+
+    def _place(self, output: str, parameter: str) -> tuple[int, int]:
+        outputs = list(self.outputs)
+        parameters = list(self.parameters)
+        return outputs.index(output), parameters.index(parameter)
 
     def __str__(self) -> str:
         head = ["by", "value"]
@@ -88,5 +114,7 @@ class Sensitivity:
         for output, elasticity in zip(self.outputs, elasticities, strict=True):
             if output in self.distinct:
                 value = self.derivative(output, parameter)
-                cells.append(f"{value:.6g} ({elasticity:+.3g})")
+                kind = self.kind(output, parameter)
+                note = "" if kind == "smooth" else f" {kind}"
+                cells.append(f"{value:.6g} ({elasticity:+.3g}){note}")
         return cells

@@ -1,4 +1,4 @@
-"""The numbers of a scene that may vary, by their SI names, and scenes with other values of them.
+"""The numbers of a scene that may vary, by their SI names, with scales, and scenes with other values of them.
 
 Names are those of `Scene.numbers` (``radius``, ``ground.3.y``, ``friction.peak``, ``cohesion.cohesion``), and ``dip``,
 of the chord of an arc, with which both its ends turn. A grid, a sample of uncertain numbers, a fit and a derivative
@@ -22,6 +22,8 @@ from slipcircle.core.scene.effects import without_soil
 from slipcircle.core.scene.friction import law_parts, law_paths, number_name
 from slipcircle.core.scene.scene import Scene
 from slipcircle.ground.ground import BOUNDS, FAR
+from slipcircle.layers.layers import LayeredSection
+from slipcircle.layers.soils import share_one_law
 
 ARC_UNITS = {
     "radius": "m",
@@ -50,6 +52,7 @@ SOIL_BOUNDS: dict[str, tuple[str, float, float]] = {  # units, and open bounds
     "velocity": ("m/s", *declared.LIMITS["m/s"]),
     "crack": ("m", 0.0, FAR),
 }
+USUAL_WEIGHT = 2e4  # of soils, N/m^3
 SMALLEST = 5e-324  # a lower bound of minus this allows zero, as all bounds are open
 
 _OTHER_FACTOR = {"peak": "scale", "scale": "peak"}  # two names of one factor of shaking
@@ -70,6 +73,14 @@ class Parameter:
         return is_finite & (values > self.lower) & (values < self.upper)
 
 
+@dataclass(frozen=True)
+class Free(Parameter):
+    """A number of a single scene that may vary alone: its value, and a power of 2 by which its changes are measured."""
+
+    value: float
+    scale: float
+
+
 DIP = Parameter("dip", "rad", -SMALLEST, math.pi / 2)
 _, _GREATEST_SPEED = declared.LIMITS["m/s"]
 _MOTION = (
@@ -78,12 +89,99 @@ _MOTION = (
 )
 
 
-def parameters(scene: Scene) -> dict[str, Parameter]:
+def possible_parameters(scene: Scene) -> dict[str, Parameter]:
     """Every number that a scene with this arc and friction law may have, whether it has a value of it or not."""
     every = [*_MOTION, *_parameters_of_arc(scene.arc), *_parameters_of_friction(scene.friction)]
     for name, effect in declared.EFFECTS.items():
         every += _scalars(name, effect.parameters)
     return {parameter.name: parameter for parameter in every}
+
+
+def parameters(scene: Scene[float]) -> dict[str, Free]:
+    """The numbers of a single scene that may vary alone, and on which its motion may depend.
+
+    Returns
+    -------
+    dict
+        By name; each has ``name``, ``unit`` (SI), ``lower`` and ``upper`` (open bounds), ``value`` and ``scale``. The
+        scale is the power of 2 nearest to the size of the number, of a place a sixteenth of the radius, of an angle the
+        opening of the arc, and of a number that is 0 what is usual for its unit.
+
+    Notes
+    -----
+    Left out are the ends of an arc whose coefficients are given instead of computed, the width, an initial velocity or
+    a shaking that is 0, a pore pressure ratio of a soil that is 0, and an increase of cohesion without a datum. A
+    length that all soils share is named once, and so is what scales a record: its peak.
+    """
+    if scene.shape:
+        raise ValueError("parameters: takes a single scene; give one case of the ensemble")
+    left_out = _left_out(scene)
+    numbers = scene.numbers
+    names = dict.fromkeys(("friction", *numbers) if "friction" in numbers else numbers)
+    has_effect = [name for name in names if np.all(numbers[name]) or not _rests_at_zero(name)]
+    chosen = [name for name in has_effect if name not in left_out]
+    return free_parameters(scene, chosen)
+
+
+def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free]:
+    """Some of the numbers that a single scene has, by name, with their values and scales."""
+    possible = possible_parameters(scene)
+    free = dict[str, Free]()
+    for name in names:
+        known = possible[name]
+        number = scene.arc.dip if name == DIP.name else scene.numbers[name]
+        value = float(np.asarray(number))
+        scale = _scale(scene.arc, known, value)
+        free[name] = Free(name, known.unit, known.lower, known.upper, value, scale)
+    return free
+
+
+def _rests_at_zero(name: str) -> bool:
+    """Whether a number that is 0 stands for something that is not there."""
+    return name == "initial_velocity" or name.endswith(".pore_ratio") or name.startswith("shaking.")
+
+
+def _left_out(scene: Scene) -> set[str]:
+    """Numbers of an arc or of soils on which a motion cannot depend, and those that others stand for."""
+    arc = scene.arc
+    left_out = {"width"}
+    if "shaking.peak" in scene.numbers:
+        left_out.add("shaking.scale")
+    if getattr(arc, "given", None) is not None:
+        left_out |= {"theta_1", "theta_2"}
+    if not isinstance(arc, LayeredSection):
+        return left_out
+    lengths = [name for name in arc.other_numbers() if name.endswith(".friction.length")]
+    if share_one_law(arc.soils):
+        left_out.update(lengths[1:])
+    for soil, datum in zip(arc.soils, arc.datums, strict=True):
+        if datum is None:
+            left_out.add(f"soils.{soil.name}.cohesion_gradient")
+    return left_out
+
+
+def _scale(arc: Any, parameter: Parameter, value: float) -> float:
+    """A power of 2, so that steps are exact."""
+    radius = float(arc.radius)
+    gravity = float(arc.gravity)
+    usual = {
+        "m": radius,
+        "m/s": math.sqrt(gravity * radius),
+        "s": math.sqrt(radius / gravity),
+        "Pa": USUAL_WEIGHT * radius,
+        "Pa/m": USUAL_WEIGHT,
+        "N/m^3": USUAL_WEIGHT,
+        "m/s^2": gravity,
+    }
+    _, _, quantity = parameter.name.rpartition(".")
+    if quantity in ("x", "y", "top"):
+        size = radius / 16
+    elif parameter.unit == "rad":
+        size = abs(arc.theta_2 - arc.theta_1)
+    else:
+        size = abs(value) or usual.get(parameter.unit, 1.0)
+    exponent = round(math.log2(size))
+    return float(2.0**exponent)
 
 
 def _parameters_of_arc(arc: Any) -> Iterator[Parameter]:
@@ -146,7 +244,7 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]
     A value out of bounds or an impossible section makes its lane invalid, not the call an error. In such lanes the
     scene has the values of the first valid one.
     """
-    known = parameters(scene)
+    known = possible_parameters(scene)
     allowed_by_name = [known[name].allows(value) for name, value in values.items()]
     allowed = np.broadcast_arrays(*allowed_by_name)
     invalid = ~np.logical_and.reduce(allowed)

@@ -337,6 +337,12 @@ class LayeredSection(LayeredNumbers, CrackedSection):
                 terms[effect] = {name: added[name] for name in without}
         return {**effects, **terms}
 
+    def effects_of_means(self, effects: Effects) -> Effects:
+        """The same effects, but of its soils only the mean of their pore pressures."""
+        needs = Needs("rotation" in effects)
+        shared = {name: effects[name] for name in effects if not name.startswith("soil_friction")}
+        return {**shared, "layered_strength": self.arc_strength.mean_lift(needs)}
+
     def tables(self, effects: Effects, friction: Any, upslope: bool, tolerance: float) -> tuple[Tables, Farther | None]:
         """The functions of the rotation that belong to its soils, as far as the mass is likely to move."""
         functions = {}

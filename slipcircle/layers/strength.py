@@ -169,7 +169,7 @@ class ArcStrength(StretchIntegrals):
         share = np.where(softens, lost / divisor, share)
         beyond_share = self._residual - self.mean_residual * share
         remaining = np.where(softens, beyond_share, 0.0)
-        rounding = 1e-15 * np.abs(self._residual)
+        rounding = 2e-15 * np.abs(self._residual * mean / divisor)  # peak less residual cancels
         is_rounding = np.abs(remaining) <= rounding
         dropped = np.where(is_rounding, remaining.real, 0.0)  # only the value: derivatives stay
         return share, remaining - dropped
@@ -216,6 +216,11 @@ class ArcStrength(StretchIntegrals):
             terms |= self._gripping(names, remaining, needs)
             terms["remaining_lift"] = self._lift(remaining, needs)
         return terms
+
+    def mean_lift(self, needs: Needs) -> dict[str, Any]:
+        """The mean of the pore pressure over the arc as a term of the balance, where soils do not count."""
+        every_soil = np.ones_like(self._peak)
+        return {"lift": self._lift(every_soil, needs)}
 
     # --- a friction law of its own for each soil -----------------------------------------------------------------
 

@@ -4,24 +4,23 @@ The states at the points of a step (`slipcircle.stiff.radau`) solve residual = 0
 exact Jacobian I - h a_ij df/dy(Y_j), which the program carries as tangents. Fast transients decay within one step of
 any length, and the end is accurate to order 2 s - 1. The step is as long as its polynomial, judged by its last Legendre
 coefficients, is the motion to rounding; events and samples are read off it. Phases and events are those of
-`slipcircle.core.walk.integrate`.
+`generated.walk`.
 """
 
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
+from generated import walk
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.problem import Problem, common_cells
 from slipcircle.core.program.program import Log, Samples
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.core.walk.compiled import engine
-from slipcircle.core.walk.events import Event
-from slipcircle.core.walk.integrate import Integrator
-from slipcircle.core.walk.lane_state import LaneState
 from slipcircle.stiff.radau import (
     AT,
     LEAST_SIZE,
@@ -50,68 +49,136 @@ FIRST, GROWS, SHRINKS, DIVERGES = 4.0, 4.0, 0.1, 0.25  # factors of explicit ste
 def integrate(
     problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: NDArray[np.intp]
 ) -> None:
-    """Integrate some lanes one after the other from their present states, as `slipcircle.core.walk.integrate` does."""
+    """Integrate some lanes one after the other from their present states, as `generated.walk.integrate` does."""
     present = problem._replace(cells=cells)
     with_tangents = present.with_outputs(problem.outputs, directions=1)
     program = with_tangents.program
     result_cells, own_cells = common_cells(problem.program, program)
     for number in which:
         lane_number = np.array([number])
-        tables = [table.lanes(lane_number) for table in with_tangents.tables]
         begun = with_tangents.cells[:, lane_number]
-        lane = _Implicit(program, tables, begun, lane_number, samples, log)
+        lane = _Implicit(program, with_tangents.tables, begun, lane_number, samples, log)
         lane.integrated = len(problem.program.states)
-        lane.status = ix.MOVING
-        lane.steps = 0.0
+        state = lane.cells
+        state[ix.STATUS] = ix.MOVING
+        state[ix.STEPS] = 0.0
         with np.errstate(all="ignore"):
-            lane.restart_phase()
-            while lane.status[0] <= ix.RESTING:
-                lane.round()
-        cells[result_cells, number] = lane.cells[own_cells, 0]
+            walk.advance_origin(lane, _ONE)
+            state[ix.PENDING] = ix.BEGIN_PHASE
+            walk.begin_phases(lane)
+            while lane.status <= ix.RESTING:
+                lane.advance()
+        cells[result_cells, number] = state[own_cells, 0]
 
 
-class _Implicit(Integrator):
+_ONE = np.arange(1)  # the index of the one lane
+_HERE = np.ones(1, dtype=bool)
+
+
+class Event(NamedTuple):
+    """A register reaches a bound, from above, or with a negative sign from below."""
+
+    kind: int
+    register: int
+    sign: float = 1.0
+    bound: float = 0.0
+
+    def margin(self, registers: Floats) -> Floats:
+        """How far a lane is from the event; positive before it."""
+        beyond_bound = registers[self.register] - self.bound
+        return np.asarray(self.sign * beyond_bound)
+
+
+class _Implicit(walk.Lanes):
     """One lane; its step extends to the next event or break and consists of any number of implicit steps."""
 
     steps_left = MOST_STEPS
     integrated = 0  # states, their tangents among them where these are asked for
 
-    def step(self) -> None:
+    @property
+    def status(self) -> float:
+        return float(self.cells[ix.STATUS, 0])
+
+    def advance(self) -> None:
+        """One step, as `generated.walk.advance` does."""
+        if self.status == ix.MOVING:
+            self.make_step()
+        else:
+            walk.wait(self, _HERE)
+        walk.begin_phases(self)
+        walk.stop_endless(self, _HERE)
+
+    def make_step(self) -> None:
         """Implicit steps up to the next event or break."""
         self._prepare()
-        self.begin = float(self.time[0])
+        self.begin = float(self.cells[ix.TIME, 0])
         start = self._at(self.begin, self.cells[self.state_cells])
         now, event = self._follow(start)
         time = np.array([now.time])
-        self.cells[:] = self._cells_at(time, now.states)
+        self.stored[:] = self._cells_at(time, now.states)
         uneventful = event == ix.EVENT_NONE
         if uneventful and now.time < self.limit:
-            self.status = ix.TOO_LONG
+            self.cells[ix.STATUS] = ix.TOO_LONG
             return
-        rate = now.registers[self.roles["net"]]
-        kind = np.array([event])
-        self.settle(kind, rate, kind == ix.EVENT_NONE)
+        rate = now.registers[self.roles.net]
+        x, omega, *_ = now.states
+        self.cells[ix.EVENT] = event
+        self.cells[ix.PASSED] = ix.NOTHING
+        walk.keep_faster(self, _HERE, omega, time, x, rate)
+        at_limit = np.array([uneventful])
+        endless = np.array([False])
+        walk.settle(self, _ONE, rate, at_limit, endless)
 
     def _prepare(self) -> None:
         """Prepare the quantities that all implicit steps up to the next event share."""
         program = self.program
         (self.tangent,) = program.tangents
-        limit = np.minimum(self.next_break(), self.end_time)
+        next_break = walk.next_break(self)
+        end_time = self.cells[ix.END_TIME]
+        limit = np.minimum(next_break, end_time)
         self.limit = float(limit[0])
         integrated = program.states[: self.integrated]
         self.state_cells = [cell for cell, _, _ in integrated]
         self.rates = [rate for _, _, rate in integrated]
         self.without_tangents = len(program.states) // 2  # states, the first of them
         self.explicit = self._explicit_step()
-        standstill = Event(ix.EVENT_STANDSTILL, self.roles["omega"])
-        self.events = [standstill, *self.possible_events()]
+        self.events = self._events()
 
     def _explicit_step(self) -> float:
         """The step that explicit integration would take."""
         endless = np.full(1, np.inf)
-        series, order = self.expand(endless)
-        step = self._step_size(series, order, endless)
-        return min(float(step[0]), 1e3)
+        top = walk.expand(self, endless, _HERE, 0)
+        walk.choose_step(self, _HERE, endless, top)
+        step = float(self.cells[ix.STEP, 0])
+        return min(step, 1e3)
+
+    def _events(self) -> list[Event]:
+        """The events of a step, in the order in which they are searched."""
+        roles = self.roles
+        cells = self.cells[:, 0]
+        events = [Event(ix.EVENT_STANDSTILL, roles.omega)]
+        if roles.upright >= 0:
+            events.append(Event(ix.EVENT_CHORD_UPRIGHT, roles.upright))
+        for table in self.tables:
+            kind = ix.EVENT_BREAKPOINT + 2 * table.number
+            first = table.cells
+            upper = min(cells[first + ix.UPPER], walk.FAR)
+            lower = cells[first + ix.LOWER]
+            if table.kind == ix.OF_SPEED:
+                passes_upper = Event(kind, roles.omega, -1.0, upper)
+                events.append(passes_upper)
+                if lower > 0.0:
+                    passes_lower = Event(kind + 1, roles.omega, 1.0, lower)
+                    events.append(passes_lower)
+            elif table.kind != ix.OF_TIME:
+                passes_edge = Event(kind, roles.x, -1.0, upper)
+                events.append(passes_edge)
+        if roles.normal >= 0:
+            is_lifted = cells[ix.LIFTED] > 0.0
+            sign = -1.0 if is_lifted else 1.0
+            contact_changes = Event(ix.EVENT_LIFT_OFF, roles.normal, sign)
+            events.append(contact_changes)
+        return events
 
     def _follow(self, now: Present) -> tuple[Present, int]:
         """Steps up to the next event or the greatest number of steps: the state there, and the event."""
@@ -151,25 +218,30 @@ class _Implicit(Integrator):
         if np.isfinite(self.limit) or duration == 0.0:
             return False
         omega = abs(now.states[1, 0])
-        peak = abs(self.peak_omega[0])
+        peak = abs(self.cells[ix.PEAK_OMEGA, 0])
         return bool(omega < CREEP * peak or duration > ENDLESS)
 
     # --- one step ----------------------------------------------------------------------------------------------------
 
     def _tables(self, count: int) -> list[Data]:
-        first = np.zeros(count, dtype=np.intp)
-        return [table.lanes(first) for table in self.tables]
+        columns = np.repeat(self.columns, count)
+        return [table.data.lanes(columns) for table in self.tables]
 
     def _cells_at(self, times: Floats, states: Floats) -> Floats:
         """Cells of this lane at some times in some states, (states, times)."""
-        cells = np.repeat(self.cells, times.size, axis=1)
+        cells = np.repeat(self.stored, times.size, axis=1)
         cells[ix.TIME] = times
         cells[self.state_cells] = states
-        tables = self._tables(times.size)
-        there = LaneState(self.program, tables, cells)
-        for piece in there.timed:
-            value = piece.taylor(0)[0]
-            piece.increment = value - piece.value  # since the phase began
+        if not self.timed:
+            return cells
+        there = walk.Lanes(self.program, self._tables(times.size), cells)
+        every = np.arange(times.size)
+        for table in there.tables:
+            if table.kind == ix.OF_TIME:
+                terms = np.zeros((there.terms, times.size))
+                walk.taylor_about_now(there, every, table, 0, terms)
+                value_before = cells[table.cells + ix.VALUE]  # where the phase began
+                cells[table.cells + ix.INC] = terms[0] - value_before
         return cells
 
     def _registers_in(self, cells: Floats) -> Floats:
@@ -231,7 +303,7 @@ class _Implicit(Integrator):
         Near an equilibrium drive and resistance cancel: what is left of the speed has the rounding of the greatest.
         """
         greatest = np.zeros(start.size)
-        peak = abs(self.peak_omega[0])
+        peak = abs(self.cells[ix.PEAK_OMEGA, 0])
         omega = abs(start[0, 1])
         greatest[1] = max(peak, omega)
         return greatest
@@ -296,21 +368,23 @@ class _Implicit(Integrator):
 
     def _keep_peak(self, step: Step, now: Present, end: float) -> None:
         """Greatest speed within the step, where the net moment passes zero."""
-        peak = Event(ix.EVENT_NONE, self.roles["net"])
+        peak = Event(ix.EVENT_NONE, self.roles.net)
         time = self._first_time(peak, step, now)
         if time <= end:
             there = self._within(step, now, time)
             x, omega, *_ = there.states
             zero = np.zeros(1)
-            self.keep_faster(zero + time, x, omega, zero)
+            walk.keep_faster(self, _HERE, omega, zero + time, x, zero)
 
     def _write(self, step: Step, begin: float, end: float) -> None:
         """Evaluate the states at the sample times between two times."""
-        first = np.array([begin])
-        last = np.array([end])
-        for sample in self.samples_between(first, last):
-            states = step.states(sample.since)
+        if self.samples is None:
+            return
+        since, which = walk.sampled(self, 0, begin, end)
+        if since.size:
+            states = step.states(since)
             x, omega, *further = states
-            registers = self._registers_at(first + sample.since, states)
-            net = registers[self.roles["net"]]
-            self.fill(sample, x, omega, net, *further)
+            registers = self._registers_at(begin + since, states)
+            net = registers[self.roles.net]
+            rows = [x, omega, net, *further]
+            walk.fill(self, 0, which, rows)

@@ -11,14 +11,14 @@ import numpy as np
 
 from generated import effects as declared
 from slipcircle.core.scene.scene import Scene
-from slipcircle.derivatives.parameters import parameters
+from slipcircle.derivatives.parameters import possible_parameters
 
 _STRONG, _STRONGEST = 1e6, 5.0  # Pa, g
 
 
 def questions(scene: Scene) -> Iterator[str]:
     """A sentence for each number of a scene that was probably meant in another unit."""
-    known = parameters(scene)
+    known = possible_parameters(scene)
     for name, values in scene.numbers.items():
         unit = known[name].unit if name in known else ""
         words = name.split(".")

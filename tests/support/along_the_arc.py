@@ -136,18 +136,28 @@ class AlongTheArc:
         pressure = np.where(ratio > 0.0, ratio * soil[6], self.slope.water_unit_weight * self.radius * head)
         return Columns(b, half * WEIGHTS[:, None], soil, load, friction, cohesion, pressure)
 
-    def motion(self, state: Any) -> tuple[float, float]:
-        """Acceleration of a turning layered mass, and the mean friction that its weight would mobilise, Pa."""
+    def normal(self, state: Any, columns: Columns) -> Any:
+        """Total normal stress on the arc, Pa."""
+        turn, speed = float(state.rotation), state.angular_velocity**2 * self.radius / self.slope.gravity
+        radial, tangential, polar, *_ = (columns.soil + columns.load) * np.cos(columns.b)
+        return radial * np.cos(turn) - tangential * np.sin(turn) + speed * polar
+
+    def means(self, state: Any) -> tuple[float, float]:
+        """Of total normal stress and of pore pressure along the arc, Pa."""
+        columns = self.columns(float(state.rotation), self.slope.strength)
+        sums = [(value * columns.length).sum() for value in (self.normal(state, columns), columns.pressure)]
+        return sums[0] / np.ptp(self.ends), sums[1] / np.ptp(self.ends)
+
+    def acceleration(self, state: Any) -> float:
+        """Of a turning layered mass, m/s^2."""
         section, turn = self.slope, float(state.rotation)
         columns = self.columns(turn, section.strength)
-        radial, tangential, polar, x, y, inertia, _ = (columns.soil + columns.load) * np.cos(columns.b)
-        turned = radial * np.cos(turn) - tangential * np.sin(turn)
-        friction = columns.friction * (turned + state.angular_velocity**2 * self.radius / section.gravity * polar)
-        water, drive = columns.friction * columns.pressure, y * np.sin(turn) - x * np.cos(turn)
-        integrands = (friction, water, columns.cohesion, drive, inertia)
-        of_weight, of_water, cohesion, driving, mass = (float((value * columns.length).sum()) for value in integrands)
-        moment = driving - np.sign(state.velocity) * (max(of_weight - of_water, 0.0) + cohesion)
-        return section.gravity * moment / mass, of_weight / np.ptp(self.ends)
+        _, _, _, x, y, inertia, _ = (columns.soil + columns.load) * np.cos(columns.b)
+        friction = columns.friction * (self.normal(state, columns) - columns.pressure)
+        integrands = (friction, columns.cohesion, y * np.sin(turn) - x * np.cos(turn), inertia)
+        gripping, cohesion, driving, mass = (float((value * columns.length).sum()) for value in integrands)
+        moment = driving - np.sign(state.velocity) * (max(gripping, 0.0) + cohesion)
+        return section.gravity * moment / mass
 
     def factors(self, k_h: float, bishop: float) -> dict[str, float]:
         """By three methods, Bishop's from his own, and the share of the arc under negative normal stress."""

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from generated import layout as ix
+from generated import walk as in_numpy
 from slipcircle import Motion
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.problem import Problem, build_problem
 from slipcircle.core.program.build import build_program
 from slipcircle.core.program.program import Program, Samples
 from slipcircle.core.walk import compiled
-from slipcircle.core.walk import integrate as in_numpy
 from slipcircle.layers.layered import RotationTables
 
 __all__ = ["Problem", "Program", "RotationTables", "Samples", "build_problem", "build_program", "compiled"]

@@ -225,8 +225,6 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     def _final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         lanes = self._lanes
-        if not self.shape and "layered_strength" in self.plan.effects:  # the stress depends on the slip until then
-            return self._stress_at(np.asarray(time))
         stress = lanes.stress(time / lanes.time_scale, rotation, omega)
         return self._shaped(stress + 0.0)
 
@@ -329,7 +327,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return sentences
 
     def sensitivity(self) -> Any:
-        """Exact derivatives of a single motion by every number of its scene: `slipcircle.derivatives.sensitivity`.
+        """Derivatives of a single motion by every number of its scene, with stated errors.
+
+        They are those of neighbouring scenes, extrapolated: `slipcircle.derivatives.neighbours`.
 
         Raises
         ------
@@ -343,7 +343,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         at: dict[str, Any] = dict(self.outcomes)
         if not self.moves:
             at = dict.fromkeys(at, 0.0)
-        return room("sensitivity").sensitivity(self.plan.scene, self._lanes, at)
+        return room("sensitivity").sensitivity(self.plan.scene, at, self.error_estimate)
 
     # --- lanes, and one line of text ---------------------------------------------------------------------------------
 

@@ -72,15 +72,13 @@ class State:
     Attributes
     ----------
     time, rotation, angular_velocity, velocity, displacement, acceleration, normal_stress
-        s, rad, rad/s, m/s and m along the arc, m/s^2 along the arc, Pa (mean over the arc, including water pressure;
-        computed on first use).
+        s, rad, rad/s, m/s and m along the arc, m/s^2 along the arc, Pa (computed on first use).
 
     Notes
     -----
-    With layers ``normal_stress`` is the stress on which the mean friction coefficient of the arc acts: the mean of the
-    normal stress over the arc, each stretch weighted by the friction that its soil loses with slip, or has where no
-    soil softens, over the mean of that at the start. At the start this is the mean of the normal stress; afterwards it
-    differs, as other stretches carry the mass. `slipcircle.core.mean_normal_stress` gives the stress along the arc.
+    ``normal_stress`` is the mean over the arc of the total normal stress, water pressure included, by (2.20) from the
+    weight in its position, the rotation and shaking. Of layered ground too: which soils lie below does not change it.
+    `slipcircle.layers.mean_normal_stress` gives the means over parts of such an arc.
     """
 
     time: Any

@@ -7,7 +7,7 @@ Dimensionless numbers become SI units here: times by sqrt(R/g), lengths along th
 import math
 from collections.abc import Mapping
 from functools import cached_property, partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -26,14 +26,6 @@ TURNED = int(Status.TURNED)
 CREEPS = int(Status.CREEPS)
 INVALID = int(Status.INVALID)
 ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
-
-
-class Stresses(NamedTuple):
-    """Mean normal stress with the water and without, Pa, and the law's friction, each (times, lanes)."""
-
-    total: Floats
-    effective: Floats
-    friction: Floats
 
 
 class Trajectory:
@@ -198,39 +190,40 @@ class Trajectory:
         shape = self.shape + time.shape
         return values.T.reshape(shape)[()]
 
-    def _stresses(self, time: Floats) -> Stresses:
-        unit = self._lanes.stress_unit
+    def _stresses(self, time: Floats) -> tuple[Floats, Floats]:
+        """Mean normal stress with the water and without, Pa, each (times, lanes)."""
+        lanes = self._lanes
         flat_times = np.ravel(time)
-        outputs = self._lanes.outputs(flat_times, self._rows(time))
-        total = outputs["pressing"].T * unit
-        effective = outputs["normal"].T * unit
-        return Stresses(total, effective, outputs["mu"].T)
+        outputs = lanes.outputs(flat_times, self._rows(time), lanes.of_means)
+        total = outputs["pressing"].T * lanes.stress_unit
+        effective = outputs["normal"].T * lanes.stress_unit
+        return total, effective
 
     def _stress_at(self, time: Floats) -> Any:
-        stresses = self._stresses(time)
-        return self._over_time(time, stresses.total)
+        total, _ = self._stresses(time)
+        return self._over_time(time, total)
 
     def pore_pressure_at(self, times: ArrayLike) -> Any:
         """The mean pore pressure on the slip surface, with what heat has added, Pa; times as for `at`."""
         time = self._checked(times)
-        stresses = self._stresses(time)
-        pressure = stresses.total - stresses.effective
-        return self._over_time(time, pressure)
+        total, effective = self._stresses(time)
+        return self._over_time(time, total - effective)
 
     def effective_stress_at(self, times: ArrayLike) -> Any:
         """The mean normal stress on the slip surface less the pore pressure, 0 where that is more, Pa; as for `at`."""
         time = self._checked(times)
-        stresses = self._stresses(time)
-        pressing = np.maximum(stresses.effective, 0.0)
+        _, effective = self._stresses(time)
+        pressing = np.maximum(effective, 0.0)
         return self._over_time(time, pressing)
 
     def friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient that the law gives, 0 where contact is lost; times as for `at`."""
         time = self._checked(times)
-        stresses = self._stresses(time)
-        contact = stresses.effective > 0.0
-        mobilised = np.where(contact, stresses.friction, 0.0)
-        return self._over_time(time, mobilised)
+        flat_times = np.ravel(time)
+        outputs = self._lanes.outputs(flat_times, self._rows(time))
+        contact = outputs["normal"] > 0.0
+        mobilised = np.where(contact, outputs["mu"], 0.0)
+        return self._over_time(time, mobilised.T)
 
     def holding_friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient at which the mass, brought to rest where it is, would just stay; times as for `at`.

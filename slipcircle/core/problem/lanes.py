@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import layout as ix
+from generated import walk
 from slipcircle.base.checks import choose, plain
 from slipcircle.base.kinds import Floats, Parameters
 from slipcircle.core.doors import room
@@ -17,7 +18,6 @@ from slipcircle.core.program.program import Log, Samples
 from slipcircle.core.scene.coordinates import by_lanes
 from slipcircle.core.scene.mass import Mass
 from slipcircle.core.walk.compiled import engine
-from slipcircle.core.walk.lane_state import LaneState
 
 # Lanes in a block, so that their numbers stay in the cache; rows a power of two apart would share its lines.
 BLOCK = 16000
@@ -174,12 +174,10 @@ class Lanes:
     @cached_property
     def problem(self) -> Problem:
         """The problem that is solved and evaluated."""
-        return self._build()
+        return self._build(self.called, self.friction)
 
-    def _build(self) -> Problem:
-        problem = build_problem(
-            self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count
-        )
+    def _build(self, called: Mapping[str, Parameters], friction: Any) -> Problem:
+        problem = build_problem(self.arc, called, friction, self.velocity, self.end_time, self.accuracy, self.count)
         if self.invalid is not False:
             invalid = np.broadcast_to(self.invalid, self.count)
             problem.cells[ix.STATUS, invalid] = ix.FAILED
@@ -218,13 +216,13 @@ class Lanes:
         """The final cells of all lanes."""
         if self.count == 1:
             return integrate_all(self.problem, log=log)
-        problem = self._build()  # copies of many lanes would cost as much as the integration
+        problem = self._build(self.called, self.friction)  # copies of many lanes would cost as much as the integration
         cells = None if problem.functions else problem.cells
         final = integrate_all(problem, log=log, cells=cells)
         reach = final[ix.REACH_ROTATION]
         if not problem.extend_rotations(reach):
             return final
-        same_lanes = self._build()
+        same_lanes = self._build(self.called, self.friction)
         farther = same_lanes._replace(tables=problem.tables)
         return integrate_all(farther, log=log)
 
@@ -266,24 +264,18 @@ class Lanes:
     def stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         """The mean normal stress, Pa, of each lane in one state; dimensionless numbers."""
         if self.count > BLOCK:
-            parts = list[Floats]()
             columns = np.stack([time, rotation, omega])
-            for which, part in self.parts():
-                stress = part.stress(*columns[:, which])
-                parts.append(stress)
-            return np.concatenate(parts)
+            return np.concatenate([part.stress(*columns[:, which]) for which, part in self.parts()])
         states = _States(time, rotation, omega)
-        pressing = self._outputs_in(states)["pressing"]
+        pressing = self._outputs_in(states, self.of_means)["pressing"]
         return pressing * self.stress_unit
 
-    def outputs(self, times: Floats, rows: Floats) -> dict[str, Floats]:
+    def outputs(self, times: Floats, rows: Floats, problem: Problem | None = None) -> dict[str, Floats]:
         """Total and effective normal force and friction at times in s, of states as `read` returns them."""
         states = self._states(times, rows)
-        outputs = dict[str, Floats]()
-        for name, values in self._outputs_in(states).items():
-            by_time = values.reshape(rows.shape[1:])
-            outputs[name] = by_time.T
-        return outputs
+        shape = rows.shape[1:]
+        outputs = self._outputs_in(states, problem or self._with_outputs)
+        return {name: values.reshape(shape).T for name, values in outputs.items()}
 
     def holding_friction(self, times: Floats, rows: Floats) -> Floats:
         """Friction coefficient required for equilibrium of the mass in its position at times in s, (lanes, times).
@@ -301,20 +293,31 @@ class Lanes:
     def _holding(self, at_rest: _States, side: float) -> Floats:
         """Friction required in one direction; NaN without contact, or where a mass cannot start."""
         problem = self._with_outputs
-        cells, _ = self._begin(at_rest, side)
+        cells, _ = self._begin(at_rest, side, problem)
         forces = Forces.of(problem.program, cells)
-        lanes = LaneState(problem.program, problem.tables, cells)
+        lanes = walk.Lanes(problem.program, problem.tables, cells)
+        every = np.arange(cells.shape[1])
         excess = forces.driving - forces.resisting
         with np.errstate(all="ignore"):
             friction = excess / forces.normal
         contact = forces.normal > 0.0
-        known = contact & lanes.may_start()
+        known = contact & walk.may_start(lanes, every)
         holding = np.maximum(friction, 0.0)
         return np.where(known, holding, np.nan)
 
     @cached_property
     def _with_outputs(self) -> Problem:
         return self.problem.with_outputs(OUTPUTS)
+
+    @cached_property
+    def of_means(self) -> Problem:
+        """A problem with the same states, in which stresses are means over the arc, not weighted by friction."""
+        called = self.arc.effects_of_means(self.called)
+        if called is self.called:
+            return self._with_outputs
+        frictionless = {"law": "constant", "coefficient": 0.0}
+        problem = self._build(called, frictionless)
+        return problem.with_outputs(OUTPUTS)
 
     def _states(self, times: Floats, rows: Floats) -> _States:
         """States at times in s, as `read` gives them, as separate lanes."""
@@ -326,16 +329,15 @@ class Lanes:
         rotation, omega, _, *further = flat_rows
         return _States(time.ravel(), rotation, omega, further, lane)
 
-    def _outputs_in(self, states: _States) -> dict[str, Floats]:
+    def _outputs_in(self, states: _States, problem: Problem) -> dict[str, Floats]:
         """Registers of `OUTPUTS` in some states."""
         direction = choose(states.omega < 0.0, -1.0, 1.0)
-        _, registers = self._begin(states, direction)
-        roles = self._with_outputs.program.roles
+        _, registers = self._begin(states, direction, problem)
+        roles = problem.program.roles
         return {name: registers[roles[name]] for name in OUTPUTS}
 
-    def _begin(self, states: _States, side: Any) -> tuple[Floats, Floats]:
+    def _begin(self, states: _States, side: Any, problem: Problem) -> tuple[Floats, Floats]:
         """Cells and registers of phases that begin in some states, in a direction of travel."""
-        problem = self._with_outputs
         cells = problem.cells[:, states.lane].copy()
         cells[ix.TIME] = states.time
         cells[ix.ROTATION] = states.rotation

@@ -111,6 +111,10 @@ class Mass:
         """Effects with what it adds to them: the water level of a section, the strengths of its soils."""
         return effects
 
+    def effects_of_means(self, effects: Effects) -> Effects:
+        """The same effects, but of its soils what gives means over the arc: the same where all of it is one soil."""
+        return effects
+
     def tables(self, effects: Effects, friction: Any, upslope: bool, tolerance: float) -> tuple[Tables, Farther | None]:
         """Its functions of the rotation by their symbols, and what lays them out farther, where that may be needed.
 

@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 
 from generated import layout as ix
+from generated import walk as in_numpy
 from generated.series import DIGEST, SCALAR, SERIES
 from slipcircle.base.kinds import Floats
 from slipcircle.core.program.link import RESULTS
 from slipcircle.core.program.program import Log, Program, Samples
 from slipcircle.core.scene.piecewise import Data
-from slipcircle.core.walk import integrate as in_numpy
 
 STRIDE = 42  # coefficients from one register to the next: the highest order that C takes, and two
 ROUNDS = 50_000  # steps of some lanes between looks at the keyboard: a tenth of a second at most
@@ -157,7 +157,7 @@ def integrate(
     log: Log | None = None,
     level: str | None = None,
 ) -> None:
-    """Integrate every lane until it rests, ends or fails, as `integrate.integrate` does; other threads run meanwhile.
+    """Integrate every lane until it rests, ends or fails, as `generated.walk.integrate` does; threads run meanwhile.
 
     Parameters
     ----------
@@ -184,12 +184,12 @@ def integrate(
 
 
 def begin_phase(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
-    """As `slipcircle.core.walk.integrate.begin_phase`: phases that begin where lanes are, and registers there."""
+    """As `generated.walk.begin_phase`: phases that begin where lanes are, and registers there."""
     return registers(program, tables, cells, 1)
 
 
 def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: int = 0) -> Floats:
-    """As `slipcircle.core.walk.integrate.registers`: where lanes are within their phases."""
+    """As `generated.walk.registers`: where lanes are within their phases."""
     binary = module()
     count = cells.shape[1]
     values = np.zeros((len(program.registers), count))

@@ -1,4 +1,4 @@
-"""`slipcircle sensitivity`: exact derivatives of a motion, printed, drawn or as JSON."""
+"""`slipcircle sensitivity`: derivatives of a motion, printed, drawn or as JSON."""
 
 import argparse
 
@@ -9,7 +9,7 @@ from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import pictures, tables
 from slipcircle.workbench.outputs.tables import Answer
 
-HELP = "exact derivatives of the motion by each number of a scene"
+HELP = "derivatives of the motion by each number of a scene"
 
 
 def options(parser: argparse.ArgumentParser) -> None:

@@ -16,7 +16,7 @@ import numpy as np
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.core import Scene, arc_numbers, law_names
-from slipcircle.derivatives import parameters
+from slipcircle.derivatives import possible_parameters
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.files.keys import VARYING, Table, tables_of
@@ -79,7 +79,7 @@ def by_key(scene: Any) -> dict[str, Number]:
             k = k.replace("arc.", "circle." if n.name == "radius" else "ground.")
         if not k.startswith("arc."):
             found[k] = replace(n, key=k)
-    coordinates = [p for p in parameters(scene).values() if p.name.partition(".")[0] in _POINTS]
+    coordinates = [p for p in possible_parameters(scene).values() if p.name.partition(".")[0] in _POINTS]
     for p in coordinates:
         field, _, place = p.name.partition(".")
         key = f"{_POINTS[field]}.{place}"

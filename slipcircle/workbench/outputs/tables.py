@@ -35,7 +35,6 @@ from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 if TYPE_CHECKING:
     from slipcircle.derivatives import Sensitivity
 
-_RESIDUE = 1e-12  # of an outcome: what rounding leaves of a derivative that is 0
 WIDTH = 100  # of a table in files and pipes
 WIDEST = 120  # of a table in a terminal
 _LEAST = 22  # width of a column of long cells
@@ -274,11 +273,13 @@ def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
         for output in sensitivity.distinct:
             at = sensitivity.at[output]
             per_unit = float(sensitivity.derivative(output, parameter) * key.slope(value))
-            if abs(per_unit) * max(abs(value), 1.0) < _RESIDUE * abs(at):
+            if abs(sensitivity.derivative(output, parameter)) <= sensitivity.error(output, parameter):
                 per_unit = 0.0
             relative = per_unit * value / at if at else 0.0
-            in_brackets = f" ({relative:+.2g})" if relative else ""
-            cells.append(shown(per_unit) + in_brackets)
+            in_brackets = f" ({relative:+.2g})" if relative and per_unit == per_unit else ""
+            kind = sensitivity.kind(output, parameter)
+            note = "" if kind == "smooth" else f" {kind}"
+            cells.append(shown(per_unit) + in_brackets + note)
         rows.append([key.key, shown(value, 6), *cells])
     head = ["by", "value", *(words(n, unit) for n, unit in sensitivity.distinct.items())]
     return Part(head, rows, name, "change per unit of the key, and in brackets in per cent per per cent of it")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.files.numbers import Number, by_name, uncertain_numbers
+from slipcircle.workbench.files.numbers import Number, by_name, lengths, uncertain_numbers
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     WIDTH,
@@ -19,7 +19,6 @@ from slipcircle.workbench.outputs.plotstyle import (
     quantity_words,
     unit_of,
 )
-from slipcircle.workbench.studies.motions import scales
 
 if TYPE_CHECKING:
     from slipcircle.derivatives import Sensitivity
@@ -72,7 +71,8 @@ def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Number
         quantity = quantity_words(key)
         unit = unit_of(key)
         words = f"{quantity} {number(value)} ± {step:.3g} {unit}"
-        bars.append((change, words.rstrip()))
+        if np.isfinite(change):
+            bars.append((change, words.rstrip()))
     return sorted(bars, key=lambda bar: -abs(bar[0]))
 
 
@@ -109,11 +109,18 @@ def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[d
 
 
 def _relative_step(table: "Sensitivity", name: str, key: Number) -> float:
-    """The step of a number that is a share of its size, in the unit of its key."""
-    value = float(key.from_si(table.at[name]))
-    slope = key.slope(value)
-    (size,) = scales(table.scene, {name: value * slope}).tolist()
-    return float(_SHARE * size / slope)
+    """The step of a number that is a share of its size, in the unit of its key.
+
+    Of places on a section the size is its depth, of the ends of an arc half of its angle.
+    """
+    arc: Any = table.scene.arc
+    value = table.at[name]
+    size = abs(value) or 1.0
+    if name in lengths(arc):
+        size = float(arc.depth)
+    elif name.startswith("theta_"):
+        size = float(arc.half_angle)
+    return float(_SHARE * size / key.slope(float(key.from_si(value))))
 
 
 def panels(table: "Sensitivity", figure: Any) -> None:

@@ -13,10 +13,9 @@ import numpy as np
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Motion, Scene, checked, solve
-from slipcircle.derivatives import with_parameters
+from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.studies.fits import fits
-from slipcircle.workbench.studies.motions import derivatives
 from slipcircle.workbench.studies.problem import Bounds, Observed, SearchProblem, observations, search_problem
 from slipcircle.workbench.studies.roots import extreme, solve_exact
 from slipcircle.workbench.studies.sampling import sobol
@@ -286,7 +285,7 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
         si[field.name] = float(field.to_si(value))
     scene = with_parameters(problem.scene, si)
     motion = solve(scene)
-    _, slopes = derivatives(scene, si)
+    slopes = neighbour_derivatives(scene, OUTCOMES, free_parameters(scene, si)).values
     outcomes = np.array([float(motion.outcomes[n]) for n in problem.observed])
     residuals = outcomes - problem.targets
     scaled = residuals / problem.scales

@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slipcircle.derivatives import with_parameters
+from slipcircle.core import solve
+from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.studies.design import Design
-from slipcircle.workbench.studies.motions import derivatives
 from slipcircle.workbench.studies.statistics import Spread
 
 # Shares of the samples' standard deviation, and standard errors of theirs, up to which there is no warning. What is of
@@ -49,7 +49,9 @@ def propagated(design: Design) -> dict[str, Linear]:
         means[name] = float(number.to_si(mean))
         stds.append(number.slope(mean) * std)
     at_means = with_parameters(design.scene, means)
-    outcomes, slopes = derivatives(at_means, means, design.accuracy)
+    motion = solve(at_means, design.accuracy)
+    outcomes = np.array([motion.outcomes[name] for name in OUTCOMES])
+    slopes = neighbour_derivatives(at_means, OUTCOMES, free_parameters(at_means, means)).values
     is_known = np.all(np.isfinite(slopes), axis=0).tolist()
     unknown = [keys[name] for name, known in zip(means, is_known, strict=True) if not known]
     if unknown:

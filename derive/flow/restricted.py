@@ -1,0 +1,147 @@
+"""Restricted Python, of which the integrators are written: its grammar, and the kinds of its values.
+
+Functions have annotated parameters, and one statement after the other: assignments, ``for`` over `up` or `down`, over
+tables or states, ``while``, ``if`` without ``else``, calls, and ``return`` at the end of a function or of an ``if``.
+What is not in this grammar is refused, with its file and line.
+"""
+
+import ast
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from derive.flow import layout
+from derive.flow.walk import TEXT, one_lane
+
+FOLDER = Path(one_lane.__file__).parent
+
+# Kinds of values. Of vectors: V a number and M a truth value of each lane, S the coefficients of a series. Of one lane:
+# F a number, I an integer, B a truth value, A an array of numbers. Of all lanes: K a number, N an integer or a truth
+# value, T a table, Q a state.
+ANNOTATIONS = {x: x for x in "VMSATN"} | {"float": "F", "int": "I", "bool": "B", "Lanes": "LANES", "Lane": "LANE"}
+OF_ONE_LANE = {"V": "F", "M": "B"}
+SHARED = {"K", "N"}
+SIGNS = {
+    ast.Add: "+",
+    ast.Sub: "-",
+    ast.Mult: "*",
+    ast.Div: "/",
+    ast.Lt: "<",
+    ast.LtE: "<=",
+    ast.Gt: ">",
+    ast.GtE: ">=",
+    ast.Eq: "==",
+    ast.NotEq: "!=",
+}
+CODES: dict[str, tuple[str, Mapping[str, Any]]] = {row.name: (row.prefix, row.members) for row in layout.NUMBERED} | {
+    "Limit": ("", layout.LIMITS),
+    "Share": ("", layout.SHARES),
+}
+CELLS = {x.lower() for x in (*layout.CELLS, *layout.WORKING)}
+CELLS_BY_ROLE = {x.removeprefix("cell_") for x in layout.ROLES if x.startswith("cell_")}
+REGISTERS = {x for x in layout.ROLES if not x.startswith("cell_")}
+PARTS = {x.lower() for x in layout.TABLE} - {"q1"}
+OF_LANES = {"samples", "timed", "sloped", "autonomous", "highest"}  # what all lanes of a program share
+OF_TABLE = {"kind", "number", "degree", "terms", "pieces", "sine", "open"}
+COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"}
+# The kind of what a call of a primitive gives; nothing where it depends on the arguments.
+PRIMITIVES = {
+    **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "hypot", "number"), ""),
+    **dict.fromkeys(("any_lane", "all_lanes", "greatest", "least"), "N"),
+    **dict.fromkeys(("log2_of", "power_of_two"), "V"),
+    **dict.fromkeys(("break_of", "jump_of"), "F"),
+    **dict.fromkeys(("integer", "piece_at"), "I"),
+    **dict.fromkeys(("coefficients_of", "operate", "operate_later", "prologue", "note", "read_samples"), "NONE"),
+    "new_series": "S",
+    "tail": "S",
+    "numbers": "A",
+    "none_of": "M",
+    "isnan": "B",
+}
+WITH_STATE = {"break_of", "jump_of", "piece_at", "coefficients_of", "note", "read_samples"}  # of one lane
+
+
+class GrammarError(Exception):
+    """Text outside the restricted grammar: what, and where."""
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function of the text; ``of`` is LANES, LANE or, of numbers alone, nothing."""
+
+    name: str
+    path: str
+    node: ast.FunctionDef
+    parameters: Mapping[str, str]
+    returns: str
+
+    @property
+    def of(self) -> str:
+        first = next(iter(self.parameters.values()), "")
+        return first if first in ("LANES", "LANE") else ""
+
+    @property
+    def words(self) -> str:
+        return ast.get_docstring(self.node) or ""
+
+
+@dataclass
+class Text:
+    """The functions of the text by name, in order, and its constants."""
+
+    functions: dict[str, Function] = field(default_factory=dict)
+    constants: dict[str, float] = field(default_factory=lambda: {"EPS": one_lane.EPS, "INFINITY": one_lane.INFINITY})
+
+    def read(self, source: str, path: str) -> None:
+        """Add a module."""
+        for node in ast.parse(source).body:
+            match node:
+                case ast.FunctionDef(args=ast.arguments(args=arguments), returns=returns):
+                    parameters = {x.arg: annotation(x.annotation, path, node) for x in arguments}
+                    result = annotation(returns, path, node)
+                    self.functions[node.name] = Function(node.name, path, node, parameters, result)
+                case ast.Assign(targets=[ast.Name(id=name)], value=value):
+                    self.constants[name] = eval(ast.unparse(value), dict(self.constants))
+                case ast.Expr(value=ast.Constant()) | ast.ImportFrom():
+                    pass
+                case _:
+                    refuse(path, node, "a module has imports, constants and functions")
+
+    def names_of(self, function: Function) -> set[str]:
+        """The functions of the text that this one calls."""
+        return {x.id for x in ast.walk(function.node) if isinstance(x, ast.Name) and x.id in self.functions}
+
+    def iterates(self, name: str) -> bool:
+        """Whether a function, or one that it calls, goes on until its lanes are done."""
+        function = self.functions[name]
+        if any(isinstance(x, ast.While) and "any_lane" in ast.unparse(x.test) for x in ast.walk(function.node)):
+            return True
+        return any(self.iterates(x) for x in self.names_of(function) - {name})
+
+
+def refuse(path: str, node: ast.AST, why: str) -> None:
+    """Raise an error that names the file and the line."""
+    raise GrammarError(f"{path}, line {getattr(node, 'lineno', 0)}: {why}: {ast.unparse(node).splitlines()[0]}")
+
+
+def annotation(e: ast.expr | None, path: str, node: ast.AST) -> str:
+    """The kind that an annotation names; of two results, PAIR."""
+    match e:
+        case ast.Name(id=name) if name in ANNOTATIONS:
+            return ANNOTATIONS[name]
+        case ast.Constant(value=None):
+            return "NONE"
+        case ast.Subscript(value=ast.Name(id="tuple")):
+            return "PAIR"
+    refuse(path, node, "every parameter and result has one of the kinds " + ", ".join(ANNOTATIONS))
+    raise AssertionError
+
+
+def integrator() -> Text:
+    """The text of the integrator."""
+    text = Text()
+    for name in TEXT:
+        path = FOLDER / f"{name}.py"
+        text.read(path.read_text("utf-8"), f"derive/flow/walk/{path.name}")
+    return text

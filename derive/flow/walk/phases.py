@@ -1,0 +1,226 @@
+"""Phases of one lane: stick or slip at a standstill, and the numbers of the phase that begins.
+
+What a lane waits for before its next step is in the cell `pending`: the queue from which phases begin.
+"""
+
+from derive.flow.walk.one_lane import (
+    EPS,
+    INFINITY,
+    Lane,
+    Lanes,
+    Note,
+    Passed,
+    Pending,
+    Share,
+    Status,
+    any_lane,
+    hypot,
+    isnan,
+    maximum,
+    minimum,
+    note,
+    prologue,
+    read_samples,
+    where,
+)
+from derive.flow.walk.series import evaluate, normal_force
+from derive.flow.walk.tables import begin_pieces, find_pieces, still_changes
+
+CLOSEST = 1e-300  # size of the terms of a drive, in units of rounding, if all are zero
+
+
+def update_peak(lane: Lane, rate: float) -> None:
+    """Record the speed with which a phase begins if it is the greatest."""
+    if lane.omega > abs(lane.peak_omega):
+        lane.peak_time = lane.time
+        lane.peak_rotation = lane.rotation + lane.direction * lane.x
+        lane.peak_omega = lane.direction * lane.omega
+        lane.peak_rate = lane.direction * rate
+
+
+def update_reach(lane: Lane) -> None:
+    """Record the present rotation if it is the greatest from the start."""
+    rotation = lane.rotation + lane.direction * lane.x
+    if abs(rotation) > abs(lane.reach_rotation):
+        lane.reach_rotation = rotation
+        lane.reach_time = lane.time
+
+
+def note_lift_off(lane: Lane) -> None:
+    """Contact with the slip surface is lost."""
+    note(lane, Note.LIFTS)
+    if isnan(lane.lift_time):
+        lane.lift_time = lane.time
+
+
+def advance_origin(lane: Lane) -> None:
+    """Count rotation and slip from where the lane is now, where another phase begins."""
+    lane.rotation = lane.rotation + lane.direction * lane.x
+    lane.slip = lane.slip + lane.x
+    lane.x = 0.0
+
+
+def face(lane: Lane, side: float) -> None:
+    """Face a direction at a standstill."""
+    lane.x = 0.0
+    lane.omega = 0.0
+    lane.direction = side
+    lane.lifted = 0.0
+
+
+def start(lane: Lane) -> None:
+    """A lane begins, with a velocity or at rest."""
+    lane.direction = where(lane.omega < 0.0, -1.0, 1.0)
+    lane.omega = abs(lane.omega)
+    lane.x = 0.0
+    lane.lifted = 0.0
+    lane.faced = 0.0
+    lane.pending = where(lane.omega > 0.0, Pending.START_MOVING, Pending.RESOLVE)
+    find_pieces(lane)
+
+
+def start_moving(lane: Lane, rate: float) -> None:
+    """Slip begins in the present direction."""
+    lane.status = Status.MOVING
+    lane.passed = Passed.NOTHING
+    lane.phases = lane.phases + 1.0
+    lane.turns = lane.turns + where(lane.last_way * lane.direction < 0.0, 1.0, 0.0)
+    lane.last_way = lane.direction
+    note(lane, Note.BEGINS)
+    if lane.lifted > 0.0:
+        note_lift_off(lane)
+    update_peak(lane, rate)
+    lane.pending = Pending.READY
+
+
+def stay(lane: Lane, status: float) -> None:
+    """The lane stays where it is, until its end."""
+    lane.status = status
+    lane.end_rotation = lane.rotation
+    lane.end_omega = 0.0
+    lane.end_rate = 0.0
+    lane.direction = 0.0
+    lane.rest_since = where(lane.rest_since > lane.end_time, lane.end_time, lane.rest_since)  # by rounding at most
+    lane.pending = Pending.READY
+    read_samples(lane, lane.time, INFINITY, 0, 0)
+
+
+def may_start(lane: Lane) -> bool:
+    """Whether a mass at rest may start the way it faces: shaking starts a one-way mass only down-slope."""
+    pull = lane.driving_moment
+    down_slope = pull > 0.0 or (pull == 0.0 and lane.direction > 0.0)
+    return lane.one_way == 0.0 or down_slope
+
+
+def never_rests(lane: Lane) -> bool:
+    """Whether a mass swings on for ever: at its lowest next to nothing presses on it, and that will not change."""
+    load = lane.normal_load
+    most = hypot(load, lane.normal_load_slope)
+    carried = lane.normal0 + (most - load) <= Share.CARRIED * most
+    return lane.first_only == 1.0 or (carried and not still_changes(lane))
+
+
+def stick(lane: Lane) -> None:
+    """Nothing moves it now: it waits for another time, or stays."""
+    lane.pending = Pending.READY
+    if not still_changes(lane):
+        stay(lane, Status.ARRESTED)
+        return
+    lane.status = Status.RESTING
+    if lane.lifted > 0.0:
+        note_lift_off(lane)
+    if not may_start(lane):
+        lane.direction = -lane.direction
+        lane.pending = Pending.BEGIN_PHASE
+
+
+def resolve_stick_or_slip(lane: Lane) -> None:
+    """At rest: slip in the present direction, otherwise in the other one if it may, otherwise stick."""
+    if lane.first_only > 0.0 and lane.phases > 0.0 and never_rests(lane):
+        stay(lane, Status.STOPPED)
+        return
+    may = may_start(lane)
+    terms = abs(lane.driving) + lane.resisting
+    unsure = EPS * (terms + lane.mu * abs(lane.normal0))
+    if may:
+        lane.close = minimum(lane.close, abs(lane.drive) / maximum(unsure, CLOSEST))
+    if may and lane.drive > 0.0:
+        start_moving(lane, lane.drive)
+        return
+    lane.faced = lane.faced + 1.0
+    if lane.faced > 1.0 or (may and lane.one_way > 0.0):
+        stick(lane)
+        return
+    face(lane, -lane.direction)
+
+
+def carry_net_moment(lane: Lane, net: float) -> None:
+    """A phase begins in motion: its drive is computed anew or carried over, whichever is more accurate."""
+    terms = abs(lane.rate_before) + abs(net - lane.drive) + abs(lane.drive_before)
+    carried = lane.scale_before + EPS * terms
+    if carried < lane.drive_scale:
+        lane.drive = lane.drive + (lane.rate_before - net)
+        lane.drive_scale = carried
+    lane.pending = Pending.READY
+
+
+def resolve_pending(lane: Lane, net: float, force: float) -> None:
+    """Begin the phase that the lane waits for, whose numbers are known: net moment and normal force now among them."""
+    if lane.pending == Pending.ENTER_PHASE:
+        carry_net_moment(lane, net)
+        return
+    if lane.pending == Pending.BEGIN_PHASE:
+        lane.pending = Pending.READY
+        return
+    lifts = where(lane.pending == Pending.START_MOVING, force < 0.0, lane.normal0 <= 0.0)
+    if lifts and lane.lifted == 0.0:
+        lane.lifted = 1.0  # and with the numbers of a lifted mass again
+        return
+    if lane.pending == Pending.START_MOVING:
+        start_moving(lane, net)
+        return
+    if lane.pending == Pending.START_AGAIN:
+        lane.drive = where(lane.sudden > 0.0, lane.drive, 0.0)
+        start_moving(lane, lane.drive)
+        return
+    resolve_stick_or_slip(lane)
+
+
+def on_discontinuity(lane: Lane, force: float) -> None:
+    """Forces have jumped: contact is decided again; if it changes, another phase begins."""
+    lifted = where(force < 0.0, 1.0, 0.0)
+    if lifted > lane.lifted:
+        note_lift_off(lane)
+    lane.pending = where(lane.lifted == lifted, Pending.READY, Pending.BEGIN_PHASE)
+    lane.lifted = lifted
+    if lane.pending == Pending.BEGIN_PHASE:
+        advance_origin(lane)
+
+
+def begin_phases(s: Lanes) -> None:
+    """Begin the phases that lanes wait for and decide what follows, until every lane is ready for a step."""
+    sudden = s.pending == Pending.DISCONTINUITY
+    if any_lane(sudden):
+        evaluate(s)
+        force = normal_force(s)
+        if sudden:
+            on_discontinuity(s, force)
+    waits = s.pending != Pending.READY
+    while any_lane(waits):
+        if waits:
+            begin_pieces(s)
+        prologue(s, waits)
+        if any_lane(s.pending == Pending.START_MOVING or s.pending == Pending.ENTER_PHASE):
+            evaluate(s)
+        force = normal_force(s)
+        net = s.series.net[0]
+        if waits:
+            resolve_pending(s, net, force)
+        waits = s.pending != Pending.READY
+
+
+def begin_here(lane: Lane) -> None:
+    """A phase begins in the present state, wherever that came from; its prologue follows."""
+    lane.x = 0.0
+    find_pieces(lane)
+    begin_pieces(lane)

@@ -1,0 +1,160 @@
+"""Lanes at rest, until their motion begins; and one round of the integration."""
+
+from derive.flow.walk.one_lane import (
+    INFINITY,
+    Kind,
+    Lane,
+    Lanes,
+    Limit,
+    M,
+    N,
+    Passed,
+    Pending,
+    Status,
+    V,
+    any_lane,
+    minimum,
+    new_series,
+    number,
+    read_samples,
+    where,
+)
+from derive.flow.walk.phases import begin_phases, face, note_lift_off, stay
+from derive.flow.walk.roots import first_root, increment, margin_of, may_cross
+from derive.flow.walk.series import expand, radius_of_convergence
+from derive.flow.walk.step import make_step
+from derive.flow.walk.tables import next_break, pass_breaks
+
+TOUCHES = 2.0  # units of rounding of the drive, within which the net moment at rest is zero
+TOGETHER = 1e-9  # relative times of lift-off and start that are the same
+
+
+def look_for_lift_off(s: Lanes, here: M, top: N) -> None:
+    """When contact is lost or regained, within the time ahead that is known."""
+    normal = s.series.normal
+    sign = where(s.lifted > 0.0, -1.0, 1.0)
+    passed = s.passed == number(Passed.LIFT)
+    asked = here and may_cross(normal, top - 1, s.stretch, sign, 0.0, passed)
+    if any_lane(asked):
+        e = new_series()
+        margin_of(e, normal, top - 1, sign, 0.0, passed)
+        at = first_root(e, top - 1, s.stretch, asked)
+        s.lift_ahead = minimum(at, s.lift_ahead)
+        s.stretch = minimum(at, s.stretch)
+
+
+def look_ahead(s: Lanes, here: M, room: V) -> None:
+    """What lies ahead of a mass at rest, in the direction it faces, where it comes before what is known already.
+
+    The net moment at rest is a series of time alone. At its root slip begins, with no drive at all; immediately, if it
+    is zero and rises, or has jumped above it.
+    """
+    top: N = expand(s, room, here, 1)
+    net = s.series.net
+    touches = abs(net[0]) <= TOUCHES * s.drive_scale
+    jumps = net[0] > 0.0 and not touches
+    radius = radius_of_convergence(s, net, top - 1, s.series_order - 1.0)
+    reach = where(s.series_order < s.order, room, minimum(s.factor * radius, room))
+    s.stretch = minimum(reach, s.stretch)
+    e = new_series()
+    margin_of(e, net, top - 1, -1.0, 0.0, touches)
+    at: V = INFINITY
+    asked = here and not jumps and may_cross(net, top - 1, s.stretch, -1.0, 0.0, touches)
+    if any_lane(asked):
+        at = first_root(e, top - 1, s.stretch, asked)
+    at = where(jumps or (touches and e[0] < 0.0), 0.0, at)
+    sooner = at < s.start_ahead
+    s.start_ahead = where(sooner, at, s.start_ahead)
+    s.start_direction = where(sooner, s.direction, s.start_direction)
+    s.sudden = where(sooner, where(jumps, 1.0, 0.0), s.sudden)
+    if s.has.normal:
+        look_for_lift_off(s, here, top)
+
+
+def turn_back(lane: Lane) -> None:
+    """Face the other way at rest."""
+    lane.direction = -lane.direction
+    lane.pending = Pending.BEGIN_PHASE
+
+
+def leave_rest(lane: Lane, limit: float, room: float) -> None:
+    """To the first of what lies ahead: start of slip, change of contact, break, end, or nothing yet."""
+    stretch = lane.stretch
+    # Where both pass zero contact is lost and the mass does not start.
+    lifts = lane.lift_ahead <= stretch and lane.lift_ahead <= lane.start_ahead * (1.0 + TOGETHER)
+    starts = lane.start_ahead <= stretch and not lifts
+    breaks = stretch >= room and not starts and not lifts
+    until = where(breaks, limit, lane.time + where(starts, lane.start_ahead, stretch))
+    for_ever = not starts and not (until < INFINITY)
+    if lane.samples:
+        read_samples(lane, lane.time, minimum(until, lane.end_time), 0, 0)
+    lane.steps = lane.steps + where(breaks, 0.0, 1.0)
+    lane.passed = Passed.NOTHING
+    if for_ever or until >= lane.end_time:  # what happens after its end time decides nothing
+        lane.time = where(for_ever, lane.time, lane.end_time)
+        stay(lane, where(for_ever, Status.ARRESTED, Status.PAUSED))
+        return
+    lane.time = until
+    if starts:
+        face(lane, lane.start_direction)
+        lane.pending = Pending.START_AGAIN
+        return
+    if lifts:
+        lane.lifted = 1.0 - lane.lifted
+        lane.passed = Passed.LIFT
+        lane.pending = Pending.BEGIN_PHASE
+        if lane.lifted > 0.0:
+            note_lift_off(lane)
+        return
+    if breaks:
+        pass_breaks(lane)
+
+
+def wait(s: Lanes, here: M) -> None:
+    """One step of lanes at rest under forces that change: to the next break, or to where the mass starts."""
+    limit = next_break(s)
+    room = where(limit < INFINITY, limit - s.time, 1.0)
+    s.stretch = room
+    s.start_ahead = INFINITY
+    s.start_direction = 0.0
+    s.sudden = 0.0
+    s.lift_ahead = INFINITY
+    look_ahead(s, here, room)
+    both = here and s.one_way == 0.0
+    if any_lane(both):
+        if both:
+            turn_back(s)
+        begin_phases(s)
+        look_ahead(s, both, room)
+    for t in s.tables:
+        if t.kind == Kind.TIME:  # the same for both directions
+            t.inc = t.inc + increment(t.series, s.highest, s.stretch)
+    if here:
+        leave_rest(s, limit, room)
+
+
+# --- one round -------------------------------------------------------------------------------------------------------
+
+
+def stop_endless(s: Lanes, here: M) -> None:
+    """Stop lanes that take too many steps or reversals, or overflow."""
+    going = s.status <= number(Status.RESTING)
+    most = where(s.omega > 0.0, number(Limit.MOST_STEPS), number(2 * Limit.MOST_STEPS))  # at rest it can wait
+    too_long = s.steps > most
+    if not s.timed:
+        too_long = too_long or s.turns > number(Limit.MOST_TURNS)
+    total = s.time + s.x + s.omega + s.rotation
+    s.status = where(going and too_long, number(Status.TOO_LONG), s.status)
+    s.status = where(going and total - total != 0.0, number(Status.FAILED), s.status)
+
+
+def advance(s: Lanes, here: M) -> None:
+    """One step of every lane: of a moving one along its series, of a resting one to the next break."""
+    moving = here and s.status == number(Status.MOVING)
+    resting = here and s.status == number(Status.RESTING)
+    if any_lane(moving):
+        make_step(s, moving)
+    if any_lane(resting):
+        wait(s, resting)
+    begin_phases(s)
+    stop_endless(s, here)

@@ -1,0 +1,157 @@
+"""The series of a step: coefficients of every register, how many of them count, and how long a step they allow."""
+
+from derive.flow.walk.one_lane import (
+    INFINITY,
+    Kind,
+    Lanes,
+    M,
+    N,
+    S,
+    V,
+    all_lanes,
+    any_lane,
+    greatest,
+    least,
+    log2_of,
+    maximum,
+    minimum,
+    new_series,
+    number,
+    operate,
+    operate_later,
+    power_of_two,
+    up,
+    where,
+)
+from derive.flow.walk.tables import expand_in_time
+
+NEGLIGIBLE = 2.0**-56  # of the largest term of a series, which a term has to be below to end the series early
+LARGEST = 1000.0 * 2.0**40  # log2 of a radius, as `log2_of` has it
+
+
+def begin_series(s: Lanes) -> None:
+    """Order 0 of the registers that do not come from operations."""
+    for q in s.states:
+        q.series[0] = q.now
+    for t in s.tables:
+        if t.kind == Kind.TIME:
+            t.series[0] = t.inc
+
+
+def evaluate(s: Lanes) -> None:
+    """Order 0 of all registers."""
+    begin_series(s)
+    operate(s, 0)
+    operate_later(s, 1)
+
+
+def normal_force(s: Lanes) -> V:
+    """On the slip surface, once order 0 is there; contact is lost below zero."""
+    force = s.normal0
+    if s.has.normal:
+        force = s.series.normal[0]
+    return force
+
+
+def negligible(term: V, largest: V) -> M:
+    """Whether a term does not count beside the largest one."""
+    return term <= NEGLIGIBLE * largest and largest > 0.0 and largest < INFINITY
+
+
+def cut(s: Lanes, order: V, top: N) -> None:
+    """End the series that events read beyond each lane's order."""
+    for n in up(0, top - 1):
+        within = order > number(n)
+        s.series.net[n] = where(within, s.series.net[n], 0.0)
+        if s.has.normal:
+            s.series.normal[n] = where(within, s.series.normal[n], 0.0)
+        if s.has.upright:
+            s.series.upright[n] = where(within, s.series.upright[n], 0.0)
+
+
+def begin_expansion(s: Lanes, which: M, top: N) -> None:
+    """Order 0 of the registers that do not come from operations, and the series of functions of time."""
+    begin_series(s)
+    for t in s.tables:
+        if t.kind == Kind.TIME and which:
+            expand_in_time(s, t, top)
+
+
+def integrate_rates(s: Lanes, n: N, order: V, alike: N, at_rest: N) -> None:
+    """Coefficient n + 1 of the states, from coefficient n of their rates; zero beyond a lane's order, and at rest."""
+    for q in s.states:
+        coefficient: V = 0.0
+        if not at_rest:
+            coefficient = q.rate[n] * s.inverse[n + 1]
+        q.series[n + 1] = coefficient if alike else where(order > number(n), coefficient, 0.0)
+
+
+def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
+    """Whether coefficient n times a power of the step counts beside the largest term so far."""
+    x = s.series.net if at_rest else s.series.x
+    omega = s.series.net if at_rest else s.series.omega
+    term_x = abs(x[n]) * power
+    term_omega = abs(omega[n]) * power
+    counts = not (negligible(term_x, s.largest_x) and negligible(term_omega, s.largest_omega))
+    s.largest_x = maximum(term_x, s.largest_x)
+    s.largest_omega = maximum(term_omega, s.largest_omega)
+    return counts
+
+
+def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
+    """Fill the series of all registers; those of states have one order more than their rates.
+
+    Where a function of time cuts the step short after ``room``, a series ends early, as soon as two terms in a row do
+    not count there. At rest states stay as they are, and the net moment decides. Returns the highest order; each lane's
+    is `series_order`, and the net moment, the normal force and the dip are zero beyond it.
+    """
+    order = where(which, s.order, 1.0)
+    top: N = greatest(order)
+    alike: N = all_lanes(order == number(top))
+    begin_expansion(s, which, top)
+    s.largest_x = 0.0 if at_rest else abs(s.series.x[0])
+    s.largest_omega = 0.0 if at_rest else abs(s.series.omega[0])
+    power: V = 1.0 if at_rest else room
+    in_a_row: V = 0.0
+    n: N = 0
+    while n < top:
+        operate(s, n)
+        integrate_rates(s, n, order, alike, at_rest)
+        if s.timed:
+            counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
+            power = power * room
+            in_a_row = where(counts, 0.0, in_a_row + 1.0)
+            ends = in_a_row >= 2.0 and order > number(n) and which
+            if n >= 2 and any_lane(ends):
+                order = where(ends, minimum(order, number(n + 1)), order)
+                alike = False
+                if not any_lane(order > number(n + 1)):
+                    top = n + 1
+        n = n + 1
+    operate_later(s, top)
+    if not alike:
+        cut(s, order, top)
+    s.series_order = order
+    return top
+
+
+def radius_of_convergence(s: Lanes, p: S, top: N, order: V) -> V:
+    """The least that the last four coefficients of each lane suggest, each against the largest of the first five.
+
+    |c_k/c_n|^(1/(n - k)), k < 5, n the last four orders; 2^1000 where these are zero.
+    """
+    first = new_series()
+    comparable = p[0] != 0.0
+    for k in up(0, 4):
+        first[k] = log2_of(p[k])
+        comparable = comparable or p[k] != 0.0
+    lowest: V = LARGEST
+    for n in up(maximum(least(order) - 3, 5), top):
+        last = log2_of(p[n])
+        most: V = -LARGEST
+        for k in up(0, 4):
+            most = maximum((first[k] - last) * s.inverse[n - k], most)
+        among_last = order >= number(n) and order <= number(n + 3)
+        counts = comparable and among_last and p[n] != 0.0
+        lowest = where(counts and most < lowest, most, lowest)
+    return power_of_two(lowest)

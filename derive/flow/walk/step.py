@@ -1,0 +1,278 @@
+"""One step of lanes that move, up to their next event, and what follows there."""
+
+from derive.flow.walk.one_lane import (
+    INFINITY,
+    Event,
+    Kind,
+    Lane,
+    Lanes,
+    Limit,
+    M,
+    N,
+    Note,
+    Passed,
+    Pending,
+    S,
+    Share,
+    Status,
+    T,
+    V,
+    any_lane,
+    break_of,
+    integer,
+    minimum,
+    new_series,
+    none_of,
+    note,
+    number,
+    read_samples,
+    where,
+)
+from derive.flow.walk.phases import advance_origin, face, note_lift_off, update_reach
+from derive.flow.walk.roots import falling_root, first_root, increment, margin_of, may_cross, value, value_and_slope
+from derive.flow.walk.series import expand, radius_of_convergence
+from derive.flow.walk.tables import next_break, pass_breaks
+
+FAR = 1e300  # a bound that is never reached
+
+
+# --- what follows an event -------------------------------------------------------------------------------------------
+
+
+def enter_phase(lane: Lane, rate: float) -> None:
+    """Another phase begins in motion: the lane enters another piece of a table, is lifted or lands."""
+    lane.rate_before = rate
+    lane.drive_before = lane.drive
+    lane.scale_before = lane.drive_scale
+    advance_origin(lane)
+    lane.pending = Pending.ENTER_PHASE
+
+
+def on_standstill(lane: Lane) -> None:
+    """The lane comes to its standstill. It does not go on the way it came, whatever its rounding."""
+    advance_origin(lane)
+    update_reach(lane)
+    lane.rest_since = lane.time
+    note(lane, Note.STANDS)
+    lane.faced = 1.0
+    face(lane, -lane.direction)
+    lane.pending = Pending.RESOLVE
+
+
+def on_contact_change(lane: Lane, rate: float) -> None:
+    """Contact with the slip surface is lost or regained."""
+    lane.lifted = 1.0 - lane.lifted
+    if lane.lifted > 0.0:
+        note_lift_off(lane)
+    if lane.lifted == 0.0:
+        note(lane, Note.LANDS)
+    enter_phase(lane, rate)
+    lane.passed = Passed.LIFT
+
+
+def on_breakpoint(lane: Lane, t: T, rate: float, upwards: bool) -> None:
+    """An edge of a table of slip, speed or rotation is passed: the lane is set exactly there, in the next piece."""
+    enter_phase(lane, rate)
+    if t.kind == Kind.ROTATION:
+        lane.rotation = break_of(lane, t, integer(t.piece) + where(lane.direction > 0.0, 1, 0))
+        return
+    if t.kind == Kind.SPEED:
+        lane.omega = where(upwards, t.upper, t.lower)
+        lane.passed = where(upwards, Passed.FASTER, Passed.SLOWER)
+    t.piece = t.piece + where(upwards, 1.0, -1.0)
+    if t.kind == Kind.SLIP:
+        lane.slip = break_of(lane, t, integer(t.piece)) / t.scale
+    if t.open and upwards and t.piece == number(t.pieces - 1):
+        lane.status = Status.NEED
+        lane.pending = Pending.READY
+
+
+def end_motion(lane: Lane, rate: float, status: float) -> None:
+    """The end time, or an upright chord, while the lane moves."""
+    lane.status = status
+    lane.end_rotation = lane.rotation + lane.direction * lane.x
+    lane.end_omega = lane.direction * lane.omega
+    lane.end_rate = lane.direction * rate
+    update_reach(lane)
+
+
+def on_limit(lane: Lane, rate: float) -> None:
+    """The end time, or a break of a function of time."""
+    if lane.time >= lane.end_time:
+        end_motion(lane, rate, Status.ENDED)
+        return
+    pass_breaks(lane)
+
+
+def settle(lane: Lane, rate: float, at_limit: bool, endless: bool) -> None:
+    """What follows the step: an event, a break of a function of time, the end time, or another step."""
+    if endless:
+        lane.status = Status.TOO_LONG
+    if at_limit:
+        on_limit(lane, rate)
+    if lane.event == Event.NONE:
+        return
+    if lane.event == Event.STANDSTILL:
+        on_standstill(lane)
+        return
+    if lane.event == Event.LIFT_OFF:
+        on_contact_change(lane, rate)
+        return
+    if lane.event == Event.CHORD_UPRIGHT:
+        end_motion(lane, rate, Status.UPRIGHT)
+        return
+    for t in lane.tables:
+        edge: N = Event.BREAKPOINT + 2 * t.number
+        if lane.event == edge or lane.event == edge + 1:
+            on_breakpoint(lane, t, rate, lane.event == edge)
+
+
+# --- one step ---------------------------------------------------------------------------------------------------------
+
+
+def consider(s: Lanes, here: M, at: V, event: N) -> None:
+    """An event at some time, infinite without one: each is searched in what the ones before leave of the step."""
+    s.event = where(at <= s.step, number(event), s.event)
+    s.step = minimum(at, s.step)
+
+
+def find_standstill(s: Lanes, here: M, top: N) -> None:
+    """When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding."""
+    omega = s.series.omega
+    net = s.series.net
+    last, slope = value_and_slope(omega, top, s.step)
+    from_rest = omega[0] == 0.0
+    decelerates = net[0] < 0.0
+    falls_from_rest = from_rest and (decelerates or (net[0] == 0.0 and net[1] <= 0.0))
+    asked = here and (last <= 0.0 or (decelerates and slope > 0.0) or falls_from_rest)
+    if any_lane(asked):
+        e = new_series()
+        margin_of(e, omega, top, 1.0, 0.0, from_rest)  # from rest it is zero at first: remove that root
+        margin_of(e, e, top, 1.0, 0.0, from_rest and e[0] == 0.0)
+        margin_of(e, e, top, 1.0, 0.0, from_rest and e[0] == 0.0)
+        at = first_root(e, top, s.step, asked)
+        vanishes = from_rest and e[0] == 0.0 and last == 0.0  # its drive does, to rounding
+        consider(s, here, where(asked and (e[0] < 0.0 or vanishes), 0.0, at), Event.STANDSTILL)
+
+
+def find_crossing(s: Lanes, here: M, p: S, n: N, sign: V, constant: V, passed: M, event: N) -> None:
+    """When sign p + constant falls through zero, except where the phase began with this event."""
+    asked = here and may_cross(p, n, s.step, sign, constant, passed)
+    if any_lane(asked):
+        e = new_series()
+        margin_of(e, p, n, sign, constant, passed)
+        consider(s, here, first_root(e, n, s.step, asked), event)
+
+
+def find_edges(s: Lanes, here: M, t: T, top: N) -> None:
+    """When an edge of a table's piece is passed."""
+    upper = minimum(t.upper, FAR)
+    event: N = Event.BREAKPOINT + 2 * t.number
+    if t.kind == Kind.SPEED:
+        omega = s.series.omega
+        find_crossing(s, here, omega, top, -1.0, upper, s.passed == Passed.SLOWER, event)
+        varies = here and t.lower > 0.0
+        find_crossing(s, varies, omega, top, 1.0, -t.lower, s.passed == Passed.FASTER, event + 1)
+        return
+    find_crossing(s, here, s.series.x, top, -1.0, upper, none_of(s), event)
+
+
+def find_events(s: Lanes, here: M, top: N) -> None:
+    """The first event of the step; of equal times the event that is searched last.
+
+    Water over a mass may change faster than its motion, for which the step was chosen: the normal force is a function
+    of the position until the first other event only, and may pass zero twice beyond it.
+    """
+    s.event = number(Event.NONE)
+    find_standstill(s, here, top)
+    if s.has.upright:
+        find_crossing(s, here, s.series.upright, top - 1, 1.0, 0.0, none_of(s), Event.CHORD_UPRIGHT)
+    for t in s.tables:
+        if t.kind != Kind.TIME:
+            known: N = t.number > 0 and t.kind == Kind.ROTATION and t.before.kind == Kind.ROTATION
+            if known:  # where its pieces end with those of the table before
+                known = not any_lane(here and minimum(t.upper, FAR) != t.before.upper)
+            if not known:
+                find_edges(s, here, t, top)
+    if s.has.normal:
+        sign = where(s.lifted > 0.0, -1.0, 1.0)
+        find_crossing(s, here, s.series.normal, top - 1, sign, 0.0, s.passed == Passed.LIFT, Event.LIFT_OFF)
+
+
+def keep_faster(s: Lanes, here: M, speed: V, time: V, x: V, rate: V) -> None:
+    """Record a candidate for the greatest speed where it exceeds the record."""
+    faster = here and speed > abs(s.peak_omega)
+    if any_lane(faster):
+        s.peak_omega = where(faster, s.direction * speed, s.peak_omega)
+        s.peak_time = where(faster, time, s.peak_time)
+        s.peak_rotation = where(faster, s.rotation + s.direction * x, s.peak_rotation)
+        s.peak_rate = where(faster, s.direction * rate, s.peak_rate)
+
+
+def choose_step(s: Lanes, here: M, room: V, top: N) -> None:
+    """A fraction of the least radius of convergence of the states, or all of the room where series end early."""
+    radius: V = INFINITY
+    for q in s.states:
+        radius = minimum(radius_of_convergence(s, q.series, top, s.series_order), radius)
+    s.step = where(s.series_order < s.order, room, minimum(s.factor * radius, room))
+
+
+def advance_states(s: Lanes, here: M, top: N) -> None:
+    """Advance the states and the functions of time by the step."""
+    for q in s.states:
+        q.now = q.now + increment(q.series, top, s.step)
+    for t in s.tables:
+        if t.kind == Kind.TIME:
+            t.inc = t.inc + increment(t.series, top, s.step)
+
+
+def is_endless(s: Lanes, here: M, room: V) -> M:
+    """Whether a motion goes on for ever.
+
+    Where its rate depends on the speed alone, and hardly changes it, the rate never falls below zero again.
+    """
+    endless = none_of(s)
+    if s.autonomous:
+        settled = s.series.net[0] * s.step >= -Share.SETTLED * s.series.omega[0]
+        uneventful = s.event == number(Event.NONE)
+        endless = here and uneventful and settled and room == INFINITY and s.lifted == 0.0
+    return endless
+
+
+def keep_peak(s: Lanes, here: M, top: N, rate: V, slope: V) -> None:
+    """Record the greatest speed within the step, where the net moment falls through zero."""
+    net = s.series.net
+    at = falling_root(net, top - 1, s.step, rate, slope, here)
+    peaks = at < INFINITY
+    if any_lane(peaks):
+        speed = value(s.series.omega, top, at)
+        keep_faster(s, peaks, speed, s.time + at, value(s.series.x, top, at), value(net, top - 1, at))
+
+
+def make_step(s: Lanes, here: M) -> None:
+    """One step of lanes that move."""
+    limit = minimum(next_break(s), s.end_time)
+    room = limit - s.time
+    top: N = expand(s, room, here, 0)
+    choose_step(s, here, room, top)
+    reaches_limit = s.step >= room
+    find_events(s, here, top)
+    uneventful = s.event == number(Event.NONE)
+    endless = is_endless(s, here, room)
+    s.step = where(endless, 0.0, s.step)
+    step = s.step
+    net = s.series.net
+    rate, slope = value_and_slope(net, top - 1, step)
+    keep_peak(s, here, top, rate, slope)
+    at_limit = here and reaches_limit and uneventful and not endless
+    until = where(at_limit, limit, s.time + step)
+    if s.samples and here:
+        read_samples(s, s.time, until, 1, top)
+    steady = abs(net[0]) * step < Share.STIFF_CHANGE * s.series.omega[0] and uneventful
+    advance_states(s, here, top)
+    s.time = until
+    s.steps = s.steps + where(at_limit, 0.0, where(steady, number(Limit.STIFF_STEP), 1.0))
+    s.passed = number(Passed.NOTHING)
+    keep_faster(s, here, s.omega, s.time, s.x, rate)
+    if here:
+        settle(s, rate, at_limit, endless)

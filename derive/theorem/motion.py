@@ -1,0 +1,194 @@
+"""What is proved of a slide: that it moves, does not stop before it rests, keeps contact, and stays; with numbers.
+
+The moments come from their definitions (`derive.check.truth`), and the motion from the balance of moments about the
+centre of the arc, with psi the dip of the chord, for lengths in R and times in sqrt(R/g):
+
+    Theta* omega' = C_theta sin psi - mu [C_r cos psi + I_p omega^2] - lambda c*   ((2.20), (3.11)-(3.13)).
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import reduce
+from typing import NamedTuple
+
+from flint import arb
+
+from derive.check.truth import limit, value, working
+from derive.theorem.swing import Standstill, Swing, Undecided, standstill
+
+BITS = 3.33  # a digit
+SPARE = 6  # digits of each part of a motion, more than the sum is to have
+MOST_SWINGS = 200
+
+
+class Slide(NamedTuple):
+    """An arc and its friction, as balls, in SI units and radians."""
+
+    radius: arb
+    theta_1: arb
+    theta_2: arb
+    friction: arb
+    gravity: arb
+    peak_friction: arb | None = None  # from which it falls exponentially with slip
+    length: arb = arb(1)  # of this fall
+    cohesion: arb = arb(0)  # over the unit weight: m
+    rotation: bool = True
+    centripetal: bool = True
+
+
+@dataclass
+class Theorem:
+    """A status, what is proved, enclosures by name, and why more is not known."""
+
+    status: str = "undecided"
+    proved: list[str] = field(default_factory=list)
+    numbers: dict[str, arb] = field(default_factory=dict)
+    reason: str = ""
+
+    @property
+    def digits(self) -> float:
+        """Of the least certain number."""
+        return min((x.rel_accuracy_bits() for x in self.numbers.values()), default=0) / BITS
+
+
+def moment(statement: str, alpha: arb) -> arb:
+    """A moment of an arc up to a half disc, towards which it grows: what is integrated is positive there."""
+    if alpha < arb.pi() / 2:
+        return value((statement,), alpha)
+    return value((statement,), alpha.lower()).union(limit((statement,)))
+
+
+def first_swing(slide: Slide) -> Swing:
+    """The coefficients of its motion; an arc that faces the other way is turned about."""
+    opening = slide.theta_2 - slide.theta_1
+    middle = (slide.theta_1 + slide.theta_2) / 2
+    alpha = (opening / 2).min(arb.pi() / 2)
+    half_inertia = moment("r^3", alpha) / 2
+    softens = slide.peak_friction is not None
+    peak = slide.peak_friction if slide.peak_friction is not None else slide.friction
+    return Swing(
+        dip=abs(arb.pi() * 3 / 2 - middle),
+        weight=moment("r^2 cos u", alpha) / half_inertia,
+        press=moment("r^1 cos u", alpha) / half_inertia,
+        polar=moment("r^2", alpha) / half_inertia if slide.centripetal else arb(0),
+        cohesion=2 * alpha * slide.cohesion / (slide.radius * half_inertia),  # lambda c* = 2 alpha f c/(gamma f R)
+        residual=slide.friction,
+        drop=peak - slide.friction if softens else arb(0),
+        decay=slide.radius / slide.length if softens else arb(0),
+    )
+
+
+def theorem(slide: Callable[[], Slide], digits: int = 20) -> Theorem:
+    """Enclose a motion to these digits, with as many bits as this takes, or as the inputs allow.
+
+    Parameters
+    ----------
+    slide : callable
+        Makes the slide at the precision in force, so that exact inputs lose nothing.
+    digits : int
+        Of every number.
+
+    Returns
+    -------
+    Theorem
+        Its status is "rests", "does not move", "never rests", or "undecided" with a reason.
+    """
+    proof = Theorem()
+    for effort in (1, 3, 9):
+        before = proof.digits
+        spare = effort * SPARE
+        with working(int(BITS * (digits + 5 * spare))):
+            proof = Theorem()
+            try:
+                proof.status = _status(slide(), proof, arb(10) ** -(digits + spare))
+            except ArithmeticError as undecided:
+                proof.reason = f"{undecided}; more digits or narrower inputs are needed"
+        if proof.status != "undecided" and not before + 1 < proof.digits < digits + 1:
+            break
+    return proof
+
+
+def about(x: arb) -> str:
+    """The first digits of a ball, as far as they are certain."""
+    return str(x.str(6, radius=False))
+
+
+def _status(slide: Slide, proof: Theorem, tolerance: arb) -> str:
+    """The status of the motion; claims and numbers go into the proof, as far as it gets."""
+    swing = first_swing(slide)
+    start = arb(0)
+    if not swing.dip < arb.pi() / 2:
+        raise Undecided("the mass does not certainly press on the arc: its chord has to dip by less than 90 degrees")
+    sin, cos = swing.dip.sin_cos()
+    driving = swing.weight * sin - swing.cohesion
+    normal = swing.press * cos
+    limit_friction = driving / normal
+    margin = swing.friction(start) - limit_friction
+    proof.numbers |= {"limit_friction": limit_friction, "margin": margin}
+    net = swing.net(start)
+    if net < 0:
+        proof.numbers |= dict.fromkeys(("rotation_rad", "run_out_m", "peak_velocity_m_s", "duration_s"), start)
+        proof.proved.append(
+            f"friction is above its limit of {about(limit_friction)} by {about(margin)}: it does not move"
+        )
+        return "does not move"
+    if not net > 0:
+        raise Undecided(f"whether friction is above its limit, by {margin.str(3)}, is not certain")
+    proof.proved.append(f"friction is below its limit of {about(limit_friction)} by {about(-margin)}: the mass moves")
+    if slide.rotation:
+        return _swings(slide, swing, proof, tolerance)
+    proof.proved.append("without rotation the net moment at rest never falls, so that omega^2 > 0: it never rests")
+    return "never rests"
+
+
+def _swings(slide: Slide, swing: Swing, proof: Theorem, tolerance: arb) -> str:
+    """Swing by swing, until the mass stays where it stands."""
+    stands = list[Standstill]()
+    while swing.net(arb(0)) > 0:
+        stand = standstill(swing, tolerance)
+        if not stand.rest - swing.dip < arb.pi() / 2:
+            raise Undecided("the mass does not certainly press on the arc where it stands")
+        if not stands:
+            _claim_swing(stand, proof)
+        if swing.residual == 0 and swing.drop == 0 and swing.cohesion == 0:
+            proof.proved.append("nothing resists: it swings back as far as it came, and never rests")
+            return "never rests"
+        stands.append(stand)
+        if len(stands) == MOST_SWINGS:
+            raise Undecided(f"the mass still swings after {MOST_SWINGS} standstills")
+        swing = swing.reversed(stand.rest)
+    if not swing.net(arb(0)) < 0:
+        raise Undecided("whether the mass stays where it stands is not certain")
+    _claim_rest(slide, stands, proof)
+    return "rests"
+
+
+def _claim_rest(slide: Slide, stands: list[Standstill], proof: Theorem) -> None:
+    if len(stands) > 1:
+        proof.proved.append(f"it swings back {len(stands) - 1} times; the same holds of each swing")
+    proof.proved.append("where it stands, the resistance exceeds what pulls it back: it stays")
+    first, *others = stands
+    rotation = sum(((-1) ** k * stand.rest for k, stand in enumerate(stands)), arb(0))
+    if all(first.peak > stand.peak for stand in others):
+        proof.numbers["peak_displacement_m"] = first.peak_at * slide.radius
+    speed = (slide.radius * slide.gravity).sqrt()
+    clock = (slide.radius / slide.gravity).sqrt()
+    peak = reduce(arb.max, (stand.peak for stand in stands))
+    time = sum((stand.time for stand in stands), arb(0))
+    proof.numbers |= {
+        "rotation_rad": rotation,
+        "run_out_m": rotation * slide.radius,
+        "peak_velocity_m_s": peak.sqrt() * speed,
+        "duration_s": time * clock,
+    }
+
+
+def _claim_swing(stand: Standstill, proof: Theorem) -> None:
+    turn = about(stand.turn)
+    rest = about(stand.rest)
+    proof.proved += [
+        f"the net moment at rest changes its sign once, after {turn} rad: before, omega^2 cannot return to 0",
+        f"beyond it omega^2 falls until the mass stands after {rest} rad, and not sooner",
+        f"omega^2 has one maximum, after {about(stand.peak_at)} rad",
+        "the mass presses on the arc all the way: the normal force is least at one of the ends, and positive there",
+    ]

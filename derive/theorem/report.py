@@ -1,0 +1,135 @@
+"""Theorems from the command line: decimals in, which are exact, and decimals out, between which a number is proved."""
+
+import json
+import re
+from collections.abc import Mapping
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
+from fractions import Fraction
+from functools import partial
+from typing import Any, NamedTuple
+
+from flint import arb
+
+from derive.check.truth import fraction, number
+from derive.theorem.motion import Slide, Theorem, theorem
+
+INTERVAL = re.compile(r"(.+?)\+-(.+)")
+# The slide of Vaiont: Table 2-1 of the paper with the residual friction of its section 4, and the softening that the
+# scene of this name assumes.
+VAIONT = {"radius_m": "1492.6", "theta_1_deg": "215.2", "theta_2_deg": "276.9", "friction_deg": "10"}
+SOFTENING = {"peak_friction_deg": "22.5", "length_m": "1"}
+SCENES: dict[str, dict[str, Any]] = {"vaiont": {}, "vaiont-frozen": {"rotation": False}, "vaiont-softening": SOFTENING}
+OTHERS = {"cohesion_kPa": "0", "gravity_m_s2": "9.81"}
+POSITIVE = (Fraction(1, 10**9), 10**9)
+BOUNDS: dict[str, tuple[Fraction | int, int]] = {
+    "radius_m": POSITIVE,
+    "theta_1_deg": (90, 450),
+    "theta_2_deg": (90, 450),
+    "friction_deg": (0, 89),
+    "peak_friction_deg": (0, 89),
+    "length_m": POSITIVE,
+    "cohesion_kPa": (0, 10**9),
+    "unit_weight_kN_m3": POSITIVE,
+    "gravity_m_s2": POSITIVE,
+}
+
+
+class Interval(NamedTuple):
+    """All numbers from a rational one to another."""
+
+    low: Fraction
+    high: Fraction
+
+    def ball(self) -> arb:
+        """At the precision in force."""
+        middle = (self.low + self.high) / 2
+        radius = (self.high - self.low) / 2
+        return number(middle) + number(radius) * arb(0, 1)
+
+
+def interval(text: str) -> Interval:
+    """Of a decimal, or of one with its uncertainty: "10+-0.1"; ArithmeticError for other words."""
+    match = INTERVAL.fullmatch(text)
+    middle, half = [Decimal(part) for part in match.groups()] if match else [Decimal(text), Decimal(0)]
+    if not all(x.is_finite() and abs(x.adjusted()) <= 100 for x in (middle, half)):
+        raise ArithmeticError
+    centre = Fraction(middle)
+    radius = Fraction(half)
+    return Interval(centre - radius, centre + radius)
+
+
+def read(texts: Mapping[str, str]) -> dict[str, Interval]:
+    """The quantities; ValueError with every mistake."""
+    given, faults = dict[str, Interval](), list[str]()
+    for name, text in texts.items():
+        least, most = BOUNDS[name]
+        try:
+            given[name] = interval(text)
+        except ArithmeticError:
+            faults.append(f"{name} {text!r}: give a decimal, or one with its uncertainty: 10 or 10+-0.1")
+            continue
+        if not (least <= given[name].low and given[name].high <= most):
+            faults.append(f"{name} {text}: allowed are {least} to {most}")
+    if faults:
+        raise ValueError("\n".join(faults))
+    first = given["theta_1_deg"]
+    second = given["theta_2_deg"]
+    if not first.high < second.low <= second.high <= first.low + 180:
+        raise ValueError(
+            "theta_2_deg: has to be above theta_1_deg, by 180 at most: beyond a half disc it is in tension"
+        )
+    if "peak_friction_deg" in given and given["friction_deg"].high > given["peak_friction_deg"].low:
+        raise ValueError("peak_friction_deg: has to be at least friction_deg, to which friction falls")
+    if given["cohesion_kPa"].high and "unit_weight_kN_m3" not in given:
+        raise ValueError("cohesion_kPa: add unit_weight_kN_m3, over which it acts")
+    return given
+
+
+def slide(given: Mapping[str, Interval], **switches: bool) -> Slide:
+    """Of quantities that are allowed, at the precision in force."""
+    balls = {name: x.ball() * (arb.pi() / 180 if "deg" in name else 1) for name, x in given.items()}
+    peak = balls.get("peak_friction_deg")
+    return Slide(
+        balls["radius_m"],
+        balls["theta_1_deg"],
+        balls["theta_2_deg"],
+        balls["friction_deg"].tan(),
+        balls["gravity_m_s2"],
+        peak.tan() if peak is not None else None,
+        balls.get("length_m", arb(1)),
+        balls["cohesion_kPa"] / balls.get("unit_weight_kN_m3", 1),
+        **switches,
+    )
+
+
+def pair(x: arb, digits: int) -> list[str]:
+    """Decimals below and above all numbers of a ball."""
+    middle, radius = fraction(x.mid()), fraction(x.rad())
+    ends = ((middle - radius, ROUND_FLOOR), (middle + radius, ROUND_CEILING))
+    return [str(Context(digits, way).divide(Decimal(end.numerator), Decimal(end.denominator))) for end, way in ends]
+
+
+def report(options: Mapping[str, Any], digits: int, form: str) -> tuple[str, bool]:
+    """The theorem on the slide of these options, or those on the scenes if there are none; whether all are decided."""
+    scenes = {"slide": dict(options)} if options else SCENES
+    proofs = {}
+    for name, chosen in scenes.items():
+        switches = {key: chosen[key] for key in ("rotation", "centripetal") if key in chosen}
+        quantities = read(VAIONT | OTHERS | {key: text for key, text in chosen.items() if key not in switches})
+        proofs[name] = theorem(partial(slide, quantities, **switches), digits)
+    found = [_plain(name, proof, digits) for name, proof in proofs.items()]
+    decided = all(proof.status != "undecided" for proof in proofs.values())
+    if form == "json":
+        return json.dumps(found[0] if options else found, indent=2), decided
+    return "\n\n".join(_text(**plain) for plain in found), decided
+
+
+def _plain(name: str, proof: Theorem, digits: int) -> dict[str, Any]:
+    numbers = {key: pair(x, digits) for key, x in proof.numbers.items()}
+    return {"name": name, "status": proof.status, "reason": proof.reason, **numbers, "proved": proof.proved}
+
+
+def _text(name: str, status: str, reason: str, proved: list[str], **numbers: list[str]) -> str:
+    lines = [f"{name}: {status}", *filter(None, [reason])]
+    lines += [f"  {key:<20} {low} to {high}" for key, (low, high) in numbers.items()]
+    return "\n".join([*lines, *(f"  - {claim}" for claim in proved)])

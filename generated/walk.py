@@ -1,0 +1,1563 @@
+# Written by `python -m derive` with SymPy 1.14.0; do not edit.
+# sha256 of the text below: 7395185344807db516dd021cdbc341b59ea31f417de402d41d977c5d27c5cf90
+"""The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
+
+How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
+of ``cells``, of which `generated.layout` says what stands where. Lanes are integrated side by side.
+"""
+
+from collections.abc import Sequence
+from types import SimpleNamespace
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import layout as ix
+from generated.series import scalar_ops, series_ops
+
+Floats = Any  # an array of float64
+Mask = Any  # an array of truth values
+Index = NDArray[np.intp]
+
+ROUNDS = 10_000  # after which lanes that have ended make room at the latest
+FIXED = 2.0**40
+Program = Any
+Log = list[tuple[int, float, float, float]]
+
+
+class State(NamedTuple):
+    """A state of the motion: its cell, its register and that of its rate."""
+
+    cell: int
+    register: int
+    rate: int
+
+
+class Table:
+    """A table of the program with its data: `generated.layout` says what its cells hold."""
+
+    def __init__(self, number: int, slot: Any, data: Any, before: "Table | None") -> None:
+        self.number = number
+        self.before: Any = before
+        self.kind = ix.KINDS.index(slot.kind)
+        self.register = slot.register
+        self.cells = slot.cells
+        self.degree = slot.degree
+        self.data = data
+        self.pieces = len(data.breaks)
+        self.terms = data.coefficients.shape[1]
+        self.sine = data.sine
+        self.open = data.open
+
+
+class Lanes:
+    """Some lanes of a program during their integration: cells, with those in front, and registers."""
+
+    def __init__(
+        self,
+        program: Program,
+        tables: Sequence[Any],
+        cells: Floats,
+        columns: Index | None = None,
+        samples: Any = None,
+        log: Log | None = None,
+    ) -> None:
+        count = cells.shape[1]
+        self.program = program
+        working = np.zeros((-ix.PENDING, count))
+        self.cells = np.concatenate([cells, working])  # cells in front are at negative places
+        self.columns = np.arange(count) if columns is None else columns
+        self.highest = int(cells[ix.ORDER].max(initial=0.0))
+        self.registers = np.zeros((len(program.registers), self.highest + 2, count))
+        self.roles = SimpleNamespace(**dict.fromkeys((x.removeprefix("cell_") for x in ix.ROLES), -1))
+        self.roles.__dict__.update({x.removeprefix("cell_"): place for x, place in program.roles.items()})
+        self.states = [State(*state) for state in program.states]
+        self.tables = list[Table]()
+        for number, (slot, data) in enumerate(zip(program.tables, tables, strict=True)):
+            self.tables.append(Table(number, slot, data, self.tables[-1] if number else None))
+        self.timed = sum(t.kind == ix.OF_TIME for t in self.tables)
+        self.terms = max([self.highest + 2, *(t.terms for t in self.tables)])
+        self.autonomous = program.autonomous
+        self.samples = samples
+        self.log = log
+
+    @property
+    def stored(self) -> Floats:
+        """The cells of lanes, without those in front."""
+        return self.cells[: ix.PENDING]
+
+
+def among(chosen: Mask, *known: Any) -> tuple[Any, ...]:
+    """Numbers, arrays of them and the index, of some of the lanes."""
+    chosen = np.broadcast_to(chosen, known[0].shape)
+    return tuple(x[..., chosen] if isinstance(x, np.ndarray) and x.ndim else x for x in known)
+
+
+# --- what the text asks of a program, of tables and of records --------------------------------------------------------
+
+
+def none_of(s: Lanes) -> Mask:
+    """The mask of no lane."""
+    return np.zeros(s.cells.shape[1], dtype=bool)
+
+
+def all_lanes(mask: Mask) -> bool:
+    return bool(np.all(mask))
+
+
+def greatest(x: Floats) -> int:
+    """The greatest of integers."""
+    return int(x.max())
+
+
+def least(x: Floats) -> int:
+    """The least of integers."""
+    return int(x.min())
+
+
+def integer(x: Floats) -> Index:
+    return np.asarray(x, dtype=np.intp)
+
+
+def log2_of(x: Floats) -> Floats:
+    """log2 |x| with 40 bits behind the point, linear between powers of two: up to 0.09 too small."""
+    bits = np.abs(x).view(np.int64) >> 12
+    return bits.astype(np.float64)
+
+
+def power_of_two(y: Floats) -> Floats:
+    """The inverse of `log2_of`, but for the exponent's offset."""
+    bounded = np.clip(y, -1000.0 * FIXED, 1000.0 * FIXED)
+    bits = np.rint(bounded + 1023.0 * FIXED)
+    pattern = bits.astype(np.int64) << 12
+    return pattern.view(np.float64)
+
+
+def operate(s: Lanes, n: int) -> None:
+    """Coefficient n of every register."""
+    series_ops(s.program.series, s.registers, s.cells, n)
+
+
+def operate_later(s: Lanes, n: int) -> None:
+    """Nothing: `operate` leaves no register out."""
+
+
+def prologue(s: Lanes, which: Mask) -> None:
+    """The numbers of phases that begin."""
+    if np.all(which):
+        scalar_ops(s.program.scalar, s.cells)
+        return
+    part = s.cells[:, which]
+    scalar_ops(s.program.scalar, part)
+    s.cells[:, which] = part
+
+
+def break_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
+    """Where a piece begins, in the table's own argument."""
+    breaks = t.data.breaks
+    return breaks[piece] if breaks.ndim == 1 else breaks[piece, s.columns[i]]
+
+
+def jump_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
+    """By how much a function of time jumps where a piece begins."""
+    return t.data.jumps[piece]
+
+
+def coefficients_of(s: Lanes, i: Index, t: Table, piece: Index, terms: Floats) -> None:
+    """The coefficients of a piece, in powers of what is beyond its break."""
+    every = t.data.coefficients
+    of_piece = every[piece] if every.ndim == 2 else every[piece, :, s.columns[i]]
+    terms[: t.terms] = of_piece.T
+
+
+def piece_at(s: Lanes, i: Index, t: Table, first: Any, place: Floats, included: Any) -> Index:
+    """The last piece from the first one that begins below a place, or at it if a break belongs to the piece above."""
+    breaks = t.data.breaks
+    if breaks.ndim == 1 and included is True:
+        begun = np.searchsorted(breaks, place, side="right")
+    else:
+        breaks = breaks[:, None] if breaks.ndim == 1 else breaks[:, s.columns[i]]
+        begun = np.count_nonzero((breaks < place) | ((breaks == place) & included), axis=0)
+    return np.maximum(begun - 1, first)
+
+
+def note(s: Lanes, i: Index, event: int) -> None:
+    """Log an event of the first lane."""
+    if s.log is None or not np.any(s.columns[i] == 0):
+        return
+    lane = np.flatnonzero(s.columns == 0)
+    time, rotation, direction = s.cells[[ix.TIME, ix.ROTATION, ix.DIRECTION], lane].tolist()
+    s.log.append((event, time, rotation, direction))
+
+
+def sampled(s: Lanes, lane: int, begin: float, end: float) -> tuple[Floats, slice]:
+    """The sample times of a lane from one time up to another, since the first, and which they are.
+
+    The end time belongs to the last interval.
+    """
+    times = s.samples.times[:, s.columns[lane] if s.samples.times.shape[1] > 1 else 0]
+    first = int(np.searchsorted(times, begin))
+    closed = s.cells[ix.END_TIME, lane] <= end < np.inf
+    last = int(np.searchsorted(times, end, side="right" if closed else "left"))
+    return times[first:last] - begin, slice(first, max(first, last))
+
+
+def read_samples(s: Lanes, i: Index, begin: Floats, end: Any, moving: int, top: int) -> None:
+    """Fill in states at the sample times between two times; the lanes move along their series, or rest."""
+    if s.samples is None:
+        return
+    ends = np.broadcast_to(end, i.shape)
+    registers = [q.register for q in s.states]
+    for k, lane in enumerate(i.tolist()):
+        since, which = sampled(s, lane, float(begin[k]), float(ends[k]))
+        if not since.size:
+            continue
+        if moving:
+            x, omega, *further = (value(s.registers[r, :, lane], top, since) for r in registers)
+            rate = value(s.registers[s.roles.net, :, lane], top - 1, since)
+        else:
+            x = omega = rate = np.zeros_like(since)
+            further = [np.full_like(since, s.cells[q.cell, lane]) for q in s.states[2:]]
+        fill(s, lane, which, [x, omega, rate, *further])
+
+
+def fill(s: Lanes, lane: int, which: slice, states: Sequence[Floats]) -> None:
+    """Rotation, angular velocity, its rate, slip and as many further states as there are rows for."""
+    x, omega, rate, *further = states
+    direction = s.cells[ix.DIRECTION, lane]
+    rotation = s.cells[ix.ROTATION, lane] + direction * x
+    rows = [rotation, direction * omega, direction * rate, s.cells[ix.SLIP, lane] + x, *further]
+    for row, values in zip(s.samples.states, rows, strict=False):
+        row[which, s.columns[lane]] = values
+
+
+# --- the text of derive/flow/walk -------------------------------------------------------------------------------------
+
+EPS = 2.220446049250313e-16
+LAST_STEP = 9.313225746154785e-10
+MOST_ITERATIONS = 200
+NEGLIGIBLE = 1.3877787807814457e-17
+LARGEST = 1099511627776000.0
+CLOSEST = 1e-300
+FAR = 1e+300
+TOUCHES = 2.0
+TOGETHER = 1e-09
+INFINITY = np.inf
+
+
+def value(p: Floats, n: int, t: Floats) -> Floats:
+    """The value at a time, by Horner's scheme."""
+    total = p[n]
+    for k in range(n - 1, 0 - 1, -1):
+        total = total * t + p[k]
+    return total
+
+
+def increment(p: Floats, n: int, t: Floats) -> Floats:
+    """The value less the constant term, without cancellation."""
+    return t * value(p[1:], n - 1, t) if n > 0 else 0.0
+
+
+def value_and_slope(p: Floats, n: int, t: Floats) -> tuple[Floats, Floats]:
+    """The value and the derivative at a time."""
+    total = p[n]
+    slope: Floats = 0.0
+    for k in range(n - 1, 0 - 1, -1):
+        slope = slope * t + total
+        total = total * t + p[k]
+    return (total, slope)
+
+
+def differentiate(rates: Floats, p: Floats, n: int) -> None:
+    """The coefficients of the derivative."""
+    for k in range(1, n + 1):
+        rates[k - 1] = p[k] * float(k)
+
+
+def inside_or_middle(at: Floats, low: Floats, high: Floats) -> Floats:
+    """A place if it lies between two bounds, otherwise their middle."""
+    return np.where((at >= low) & (at <= high), at, 0.5 * (low + high))
+
+
+def bracketed_root(p: Floats, n: int, low: Floats, at_low: Floats, high: Floats, at_high: Floats,
+        which: Mask) -> Floats:
+    """A root between bounds at which values have opposite signs."""
+    falls = at_low > 0.0
+    at = inside_or_middle(low + (high - low) * (at_low / (at_low - at_high)), low, high)
+    count = 0
+    while np.any(which) and count < MOST_ITERATIONS:
+        residual, slope = value_and_slope(p, n, at)
+        beyond = (residual > 0.0) != falls
+        low = np.where(beyond, low, at)
+        high = np.where(beyond, at, high)
+        following = inside_or_middle(at - residual / slope, low, high)
+        following = np.where(residual == 0.0, at, following)
+        change = np.abs(following - at)
+        at = np.where(which, following, at)
+        which = which & (change > LAST_STEP * np.abs(following))
+        count = count + 1
+    return at
+
+
+def first_root(p: Floats, n: int, h: Floats, which: Mask) -> Floats:
+    """The first zero in (0, h] of polynomials that are positive at first; infinity where there is none."""
+    high = h
+    last, slope = value_and_slope(p, n, h)
+    crosses = which & ((last < 0.0) | (last == 0.0) & (p[0] > 0.0))
+    dips = which & np.logical_not(crosses) & (p[1] < 0.0) & (slope > 0.0)
+    if np.any(dips):
+        rates = np.zeros_like(p)
+        differentiate(rates, p, n)
+        lowest = bracketed_root(rates, n - 1, 0.0, rates[0], h, slope, dips)
+        least = value(p, n, lowest)
+        terms = np.abs(p[n])
+        for k in range(n - 1, 0 - 1, -1):
+            terms = terms * h + np.abs(p[k])
+        below = dips & (least < -4.0 * EPS * terms)
+        high = np.where(below, lowest, high)
+        last = np.where(below, least, last)
+        crosses = crosses | below
+    root: Floats = INFINITY
+    if np.any(crosses):
+        root = np.where(crosses, bracketed_root(p, n, 0.0, p[0], high, last, crosses), root)
+    return root
+
+
+def may_cross(p: Floats, n: int, t: Floats, sign: Floats, constant: Floats, divided: Mask) -> Mask:
+    """Whether sign p + constant may have a zero in (0, t]: from its value and slope there."""
+    last, slope = value_and_slope(p, n, t)
+    falls_and_rises = (sign * p[1] < 0.0) & (sign * slope > 0.0)
+    return (sign * last + constant <= 0.0) | falls_and_rises | divided
+
+
+def margin_of(e: Floats, p: Floats, n: int, sign: Floats, constant: Floats, divided: Mask) -> None:
+    """The coefficients of sign p + constant, divided by the time where its root is now."""
+    for k in range(n + 1):
+        e[k] = sign * p[k]
+    e[0] = e[0] + constant
+    if np.any(divided):
+        for k in range(n - 1 + 1):
+            e[k] = np.where(divided, e[k + 1], e[k])
+        e[n] = np.where(divided, 0.0, e[n])
+
+
+def falling_root(p: Floats, n: int, t: Floats, last: Floats, slope: Floats, here: Mask) -> Floats:
+    """The zero in (0, t] through which polynomials fall, possibly beyond a maximum; infinity where there is none."""
+    touches = p[0] == 0.0
+    positive = (p[0] > 0.0) | touches & (p[1] > 0.0)
+    falls = here & positive & ((last < 0.0) | (p[1] < 0.0) & (slope > 0.0))
+    e = np.zeros_like(p)
+    root: Floats = INFINITY
+    if np.any(falls):
+        margin_of(e, p, n, 1.0, 0.0, touches)
+        root = first_root(e, n, t, falls)
+    hump = here & (p[0] < 0.0) & (p[1] > 0.0) & (last < 0.0) & (slope < 0.0)
+    if np.any(hump):
+        differentiate(e, p, n)
+        top = bracketed_root(e, n - 1, 0.0, e[0], t, slope, hump)
+        most = value(p, n, top)
+        hump = hump & (most > 0.0)
+        if np.any(hump):
+            root = np.where(hump, bracketed_root(p, n, top, most, t, last, hump), root)
+    return root
+
+
+def shift(terms: Floats, count: int, by: Floats) -> None:
+    """The same polynomial about another point: Taylor's shift by Horner's scheme."""
+    for first in range(count - 2 + 1):
+        for j in range(count - 2, first - 1, -1):
+            terms[j] = terms[j] + by * terms[j + 1]
+
+
+def taylor_about_now(lane: Lanes, i: Index, t: Table, order: int, terms: Floats) -> None:
+    """Taylor coefficients of a function of time about now, in t*: of a sine so many, of others those of its piece."""
+    c = lane.cells
+    piece = integer(c[t.cells + ix.PIECE, i])
+    scale = c[t.cells + ix.SCALE, i]
+    begin = break_of(lane, i, t, piece)
+    local = c[ix.TIME, i] * scale - begin
+    coefficients_of(lane, i, t, piece, terms)
+    if t.sine:
+        rate = terms[1].copy()
+        angle = rate * local + terms[2]
+        size = terms[0] * c[t.cells + ix.SCALED_BY, i]
+        now = np.sin(angle)
+        slope = np.cos(angle)
+        for j in range(order + 1):
+            terms[j] = size * now
+            size = size * (rate * scale / float(j + 1))
+            before = now
+            now = slope
+            slope = -before
+        return
+    shift(terms, t.terms, local)
+    power = c[t.cells + ix.SCALED_BY, i]
+    for j in range(t.terms - 1 + 1):
+        terms[j] = terms[j] * power
+        power = power * scale
+
+
+def expand_in_time(lane: Lanes, i: Index, t: Table, top: int) -> None:
+    """The series of a function of time, as its increment since the phase began."""
+    terms = np.zeros((lane.terms, i.size))
+    taylor_about_now(lane, i, t, top, terms)
+    last = top if t.sine else min(t.terms - 1, top)
+    for j in range(1, last + 1):
+        lane.registers[t.register][j, i] = terms[j]
+
+
+def rise_to(lane: Lanes, i: Index, t: Table, past: Floats) -> Floats:
+    """What a function of time rises by in some time from now, within its piece."""
+    c = lane.cells
+    terms = np.zeros((lane.terms, i.size))
+    if t.sine:
+        piece = integer(c[t.cells + ix.PIECE, i])
+        coefficients_of(lane, i, t, piece, terms)
+        half = 0.5 * terms[1] * past * c[t.cells + ix.SCALE, i]
+        begin = break_of(lane, i, t, piece)
+        angle = terms[1] * (c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - begin) + terms[2]
+        return 2.0 * c[t.cells + ix.SCALED_BY, i] * terms[0] * np.sin(half) * np.cos(angle + half)
+    taylor_about_now(lane, i, t, 1, terms)
+    total: Floats = 0.0
+    for j in range(t.terms - 1, 1 - 1, -1):
+        total = (total + terms[j]) * past
+    return total
+
+
+def end_of_piece(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
+    """Where a piece ends, in the table's own argument; infinity after the last one."""
+    last = t.pieces - 1
+    return np.where(piece < last, break_of(lane, i, t, np.fmin(piece + 1, last)), INFINITY)
+
+
+def find_end_of_piece(lane: Lanes, i: Index, t: Table) -> None:
+    """The end of the piece of a function of time and the increment there: one rounding whatever the steps."""
+    c = lane.cells
+    piece = integer(c[t.cells + ix.PIECE, i])
+    c[t.cells + ix.UPPER, i] = end_of_piece(lane, i, t, piece) / c[t.cells + ix.SCALE, i]
+    c[t.cells + ix.LOWER, i] = c[t.cells + ix.INC, i]
+    holds_1 = piece < t.pieces - 1
+    i_1, piece_1 = (i, piece)
+    i, piece = among(holds_1, i_1, piece_1)
+    if i.size:
+        rise = rise_to(lane, i, t, c[t.cells + ix.UPPER, i] - c[ix.TIME, i])
+        c[t.cells + ix.LOWER, i] = c[t.cells + ix.LOWER, i] + rise
+        c[t.cells + ix.WAY, i] = c[t.cells + ix.WAY, i] + np.abs(rise)
+    i, piece = (i_1, piece_1)
+
+
+def begin_in_time(lane: Lanes, i: Index, t: Table) -> None:
+    """Begin a phase: increments of a function of time count from now. It may jump where a piece begins."""
+    c = lane.cells
+    piece = piece_at(lane, i, t, integer(c[t.cells + ix.PIECE, i]), c[ix.TIME, i] * c[t.cells + ix.SCALE,
+        i] * (1.0 + 2.0 * EPS), True)
+    holds_1 = piece > integer(c[t.cells + ix.PIECE, i])
+    i_1, piece_1 = (i, piece)
+    i, piece = among(holds_1, i_1, piece_1)
+    if i.size:
+        c[ix.SCALE_BEFORE, i] = INFINITY
+    i, piece = (i_1, piece_1)
+    c[t.cells + ix.PIECE, i] = piece
+    c[t.cells + ix.INC, i] = 0.0
+    c[t.cells + ix.WAY, i] = 0.0
+    terms = np.zeros((lane.terms, i.size))
+    taylor_about_now(lane, i, t, 1, terms)
+    c[t.cells + ix.VALUE, i] = terms[0]
+    find_end_of_piece(lane, i, t)
+
+
+def develop(lane: Lanes, i: Index, t: Table, local: Floats, unit: Floats) -> None:
+    """The value where the phase begins, so far beyond the break, and the coefficients of what is beyond."""
+    c = lane.cells
+    terms = np.zeros((lane.terms, i.size))
+    coefficients_of(lane, i, t, integer(c[t.cells + ix.PIECE, i]), terms)
+    shift(terms, t.terms, local)
+    factor = c[t.cells + ix.SCALED_BY, i]
+    c[t.cells + ix.VALUE, i] = factor * terms[0]
+    for j in range(1, t.degree + 1):
+        factor = factor * unit
+        c[t.cells + ix.Q1 + (j - 1), i] = factor * terms[j] if j < t.terms else 0.0
+
+
+def begin_in_rotation(lane: Lanes, i: Index, t: Table) -> None:
+    """The piece ahead, in the direction of travel, of a function of the rotation, which goes either way."""
+    c = lane.cells
+    rotation = c[ix.ROTATION, i]
+    up_to = c[ix.DIRECTION, i] > 0.0
+    piece = piece_at(lane, i, t, 0, rotation, up_to)
+    c[t.cells + ix.PIECE, i] = piece
+    local = rotation - break_of(lane, i, t, piece)
+    ahead = end_of_piece(lane, i, t, piece) - rotation
+    behind = np.where(piece > 0, local, INFINITY)
+    c[t.cells + ix.UPPER, i] = np.where(up_to, ahead, behind)
+    develop(lane, i, t, local, c[ix.DIRECTION, i])
+
+
+def begin_in_slip(lane: Lanes, i: Index, t: Table) -> None:
+    """The piece of a function of the slip."""
+    c = lane.cells
+    piece = integer(c[t.cells + ix.PIECE, i])
+    edge = break_of(lane, i, t, piece)
+    local = np.fmax(c[ix.SLIP, i] * c[t.cells + ix.SCALE, i] - edge, 0.0)
+    c[t.cells + ix.UPPER, i] = (end_of_piece(lane, i, t, piece) - edge - local) / c[t.cells + ix.SCALE, i]
+    develop(lane, i, t, local, c[t.cells + ix.SCALE, i])
+
+
+def begin_in_speed(lane: Lanes, i: Index, t: Table) -> None:
+    """Polynomials of the logarithm of the speed; piece 0, below the first speed, is constant."""
+    c = lane.cells
+    piece = integer(c[t.cells + ix.PIECE, i])
+    edge = break_of(lane, i, t, piece)
+    speed = c[ix.OMEGA, i] * c[t.cells + ix.SCALE, i]
+    varies = piece > 0
+    moves = varies & (speed > 0.0)
+    ratio = np.where(moves, speed / np.where(moves, edge, 1.0), 1.0)
+    c[t.cells + ix.UPPER, i] = end_of_piece(lane, i, t, piece) / c[t.cells + ix.SCALE, i]
+    c[t.cells + ix.LOWER, i] = np.where(varies, edge / c[t.cells + ix.SCALE, i], 0.0)
+    develop(lane, i, t, np.log(ratio), 1.0)
+
+
+def begin_pieces(lane: Lanes, i: Index) -> None:
+    """Begin a phase: the ends of each table's piece, its value, and the coefficients of what is beyond."""
+    for t in lane.tables:
+        if t.kind == ix.OF_TIME:
+            begin_in_time(lane, i, t)
+        if t.kind == ix.OF_ROTATION:
+            begin_in_rotation(lane, i, t)
+        if t.kind == ix.OF_SLIP:
+            begin_in_slip(lane, i, t)
+        if t.kind == ix.OF_SPEED:
+            begin_in_speed(lane, i, t)
+
+
+def find_pieces(lane: Lanes, i: Index) -> None:
+    """The pieces in which slip and speed lie, wherever they came from."""
+    c = lane.cells
+    for t in lane.tables:
+        if t.kind == ix.OF_SLIP:
+            c[t.cells + ix.PIECE, i] = piece_at(lane, i, t, 0, c[ix.SLIP, i] * c[t.cells + ix.SCALE, i], True)
+        if t.kind == ix.OF_SPEED:
+            c[t.cells + ix.PIECE, i] = piece_at(lane, i, t, 0, c[ix.OMEGA, i] * c[t.cells + ix.SCALE, i], True)
+
+
+def pass_break(lane: Lanes, i: Index, t: Table) -> None:
+    """Enter the next piece of a function of time; where its value jumps the lane has to look at its contact."""
+    c = lane.cells
+    piece = integer(c[t.cells + ix.PIECE, i]) + 1
+    jump = jump_of(lane, i, t, piece) * c[t.cells + ix.SCALED_BY, i]
+    c[t.cells + ix.PIECE, i] = piece
+    c[t.cells + ix.INC, i] = c[t.cells + ix.LOWER, i] + jump
+    c[t.cells + ix.WAY, i] = c[t.cells + ix.WAY, i] + np.abs(jump)
+    holds_1 = jump != 0.0
+    i_1, piece_1, jump_1 = (i, piece, jump)
+    i, piece, jump = among(holds_1, i_1, piece_1, jump_1)
+    if i.size:
+        c[ix.PENDING, i] = ix.DISCONTINUITY
+    i, piece, jump = (i_1, piece_1, jump_1)
+    terms = np.zeros((lane.terms, i.size))
+    coefficients_of(lane, i, t, piece, terms)
+    there = c[t.cells + ix.SCALED_BY, i] * terms[0] * (np.sin(terms[2]) if t.sine else 1.0)
+    rounding = np.abs(there) + np.abs(c[t.cells + ix.VALUE, i])
+    holds_2 = c[t.cells + ix.WAY, i] > rounding
+    i_2, there_2, rounding_2 = (i, there, rounding)
+    i, there, rounding = among(holds_2, i_2, there_2, rounding_2)
+    if i.size:
+        c[t.cells + ix.INC, i] = there - c[t.cells + ix.VALUE, i]
+        c[t.cells + ix.WAY, i] = rounding
+    i, there, rounding = (i_2, there_2, rounding_2)
+    find_end_of_piece(lane, i, t)
+
+
+def pass_breaks(lane: Lanes, i: Index) -> None:
+    """Enter the next piece of each function of time that breaks now."""
+    c = lane.cells
+    for t in lane.tables:
+        if t.kind == ix.OF_TIME:
+            holds_1 = c[t.cells + ix.UPPER, i] <= c[ix.TIME, i]
+            i_1 = i
+            i, = among(holds_1, i_1)
+            if i.size:
+                pass_break(lane, i, t)
+            i = i_1
+
+
+def still_changes(lane: Lanes, i: Index) -> Mask:
+    """Whether a force will still change while the lane rests."""
+    c = lane.cells
+    changes: Mask = False
+    for t in lane.tables:
+        if t.kind == ix.OF_TIME:
+            changes = changes | (c[t.cells + ix.UPPER, i] < INFINITY)
+    return changes
+
+
+def next_break(s: Lanes) -> Floats:
+    """The next time at which a function of time breaks."""
+    c = s.cells
+    time: Floats = INFINITY
+    for t in s.tables:
+        if t.kind == ix.OF_TIME:
+            time = np.minimum(c[t.cells + ix.UPPER], time)
+    return time
+
+
+def begin_series(s: Lanes) -> None:
+    """Order 0 of the registers that do not come from operations."""
+    c = s.cells
+    for q in s.states:
+        s.registers[q.register][0] = c[q.cell]
+    for t in s.tables:
+        if t.kind == ix.OF_TIME:
+            s.registers[t.register][0] = c[t.cells + ix.INC]
+
+
+def evaluate(s: Lanes) -> None:
+    """Order 0 of all registers."""
+    begin_series(s)
+    operate(s, 0)
+    operate_later(s, 1)
+
+
+def normal_force(s: Lanes) -> Floats:
+    """On the slip surface, once order 0 is there; contact is lost below zero."""
+    c = s.cells
+    force = c[s.roles.normal0].copy()
+    if s.roles.normal >= 0:
+        force = s.registers[s.roles.normal][0].copy()
+    return force
+
+
+def negligible(term: Floats, largest: Floats) -> Mask:
+    """Whether a term does not count beside the largest one."""
+    return (term <= NEGLIGIBLE * largest) & (largest > 0.0) & (largest < INFINITY)
+
+
+def cut(s: Lanes, order: Floats, top: int) -> None:
+    """End the series that events read beyond each lane's order."""
+    for n in range(top - 1 + 1):
+        within = order > float(n)
+        s.registers[s.roles.net][n] = np.where(within, s.registers[s.roles.net][n], 0.0)
+        if s.roles.normal >= 0:
+            s.registers[s.roles.normal][n] = np.where(within, s.registers[s.roles.normal][n], 0.0)
+        if s.roles.upright >= 0:
+            s.registers[s.roles.upright][n] = np.where(within, s.registers[s.roles.upright][n], 0.0)
+
+
+def begin_expansion(s: Lanes, which: Mask, top: int) -> None:
+    """Order 0 of the registers that do not come from operations, and the series of functions of time."""
+    begin_series(s)
+    for t in s.tables:
+        if t.kind == ix.OF_TIME:
+            i = np.flatnonzero(which)
+            if i.size:
+                expand_in_time(s, i, t, top)
+
+
+def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int) -> None:
+    """Coefficient n + 1 of the states, from coefficient n of their rates; zero beyond a lane's order, and at rest."""
+    for q in s.states:
+        coefficient: Floats = 0.0
+        if not at_rest:
+            coefficient = s.registers[q.rate][n] * (1.0 / (n + 1))
+        s.registers[q.register][n + 1] = coefficient if alike else np.where(order > float(n), coefficient, 0.0)
+
+
+def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
+    """Whether coefficient n times a power of the step counts beside the largest term so far."""
+    c = s.cells
+    x = s.registers[s.roles.net] if at_rest else s.registers[s.roles.x]
+    omega = s.registers[s.roles.net] if at_rest else s.registers[s.roles.omega]
+    term_x = np.abs(x[n]) * power
+    term_omega = np.abs(omega[n]) * power
+    counts = np.logical_not(negligible(term_x, c[ix.LARGEST_X]) & negligible(term_omega, c[ix.LARGEST_OMEGA]))
+    c[ix.LARGEST_X] = np.maximum(term_x, c[ix.LARGEST_X])
+    c[ix.LARGEST_OMEGA] = np.maximum(term_omega, c[ix.LARGEST_OMEGA])
+    return counts
+
+
+def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
+    """Fill the series of all registers; those of states have one order more than their rates."""
+    c = s.cells
+    order = np.where(which, c[ix.ORDER], 1.0)
+    top = greatest(order)
+    alike = all_lanes(order == float(top))
+    begin_expansion(s, which, top)
+    c[ix.LARGEST_X] = 0.0 if at_rest else np.abs(s.registers[s.roles.x][0])
+    c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
+    power = 1.0 if at_rest else room
+    in_a_row: Floats = 0.0
+    n = 0
+    while n < top:
+        operate(s, n)
+        integrate_rates(s, n, order, alike, at_rest)
+        if s.timed:
+            counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
+            power = power * room
+            in_a_row = np.where(counts, 0.0, in_a_row + 1.0)
+            ends = (in_a_row >= 2.0) & (order > float(n)) & which
+            if n >= 2 and np.any(ends):
+                order = np.where(ends, np.minimum(order, float(n + 1)), order)
+                alike = False
+                if not np.any(order > float(n + 1)):
+                    top = n + 1
+        n = n + 1
+    operate_later(s, top)
+    if not alike:
+        cut(s, order, top)
+    c[ix.SERIES_ORDER] = order
+    return top
+
+
+def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Floats:
+    """The least that the last four coefficients of each lane suggest, each against the largest of the first five."""
+    first = np.zeros_like(p)
+    comparable = p[0] != 0.0
+    for k in range(4 + 1):
+        first[k] = log2_of(p[k])
+        comparable = comparable | (p[k] != 0.0)
+    lowest: Floats = LARGEST
+    for n in range(max(least(order) - 3, 5), top + 1):
+        last = log2_of(p[n])
+        most: Floats = -LARGEST
+        for k in range(4 + 1):
+            most = np.maximum((first[k] - last) * (1.0 / (n - k)), most)
+        among_last = (order >= float(n)) & (order <= float(n + 3))
+        counts = comparable & among_last & (p[n] != 0.0)
+        lowest = np.where(counts & (most < lowest), most, lowest)
+    return power_of_two(lowest)
+
+
+def update_peak(lane: Lanes, i: Index, rate: Floats) -> None:
+    """Record the speed with which a phase begins if it is the greatest."""
+    c = lane.cells
+    holds_1 = c[ix.OMEGA, i] > np.abs(c[ix.PEAK_OMEGA, i])
+    i_1, rate_1 = (i, rate)
+    i, rate = among(holds_1, i_1, rate_1)
+    if i.size:
+        c[ix.PEAK_TIME, i] = c[ix.TIME, i]
+        c[ix.PEAK_ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
+        c[ix.PEAK_OMEGA, i] = c[ix.DIRECTION, i] * c[ix.OMEGA, i]
+        c[ix.PEAK_RATE, i] = c[ix.DIRECTION, i] * rate
+    i, rate = (i_1, rate_1)
+
+
+def update_reach(lane: Lanes, i: Index) -> None:
+    """Record the present rotation if it is the greatest from the start."""
+    c = lane.cells
+    rotation = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
+    holds_1 = np.abs(rotation) > np.abs(c[ix.REACH_ROTATION, i])
+    i_1, rotation_1 = (i, rotation)
+    i, rotation = among(holds_1, i_1, rotation_1)
+    if i.size:
+        c[ix.REACH_ROTATION, i] = rotation
+        c[ix.REACH_TIME, i] = c[ix.TIME, i]
+    i, rotation = (i_1, rotation_1)
+
+
+def note_lift_off(lane: Lanes, i: Index) -> None:
+    """Contact with the slip surface is lost."""
+    c = lane.cells
+    note(lane, i, ix.NOTE_LIFTS)
+    holds_1 = np.isnan(c[ix.LIFT_TIME, i])
+    i_1 = i
+    i, = among(holds_1, i_1)
+    if i.size:
+        c[ix.LIFT_TIME, i] = c[ix.TIME, i]
+    i = i_1
+
+
+def advance_origin(lane: Lanes, i: Index) -> None:
+    """Count rotation and slip from where the lane is now, where another phase begins."""
+    c = lane.cells
+    c[ix.ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
+    c[ix.SLIP, i] = c[ix.SLIP, i] + c[ix.X, i]
+    c[ix.X, i] = 0.0
+
+
+def face(lane: Lanes, i: Index, side: Floats) -> None:
+    """Face a direction at a standstill."""
+    c = lane.cells
+    c[ix.X, i] = 0.0
+    c[ix.OMEGA, i] = 0.0
+    c[ix.DIRECTION, i] = side
+    c[ix.LIFTED, i] = 0.0
+
+
+def start(lane: Lanes, i: Index) -> None:
+    """A lane begins, with a velocity or at rest."""
+    c = lane.cells
+    c[ix.DIRECTION, i] = np.where(c[ix.OMEGA, i] < 0.0, -1.0, 1.0)
+    c[ix.OMEGA, i] = np.abs(c[ix.OMEGA, i])
+    c[ix.X, i] = 0.0
+    c[ix.LIFTED, i] = 0.0
+    c[ix.FACED, i] = 0.0
+    c[ix.PENDING, i] = np.where(c[ix.OMEGA, i] > 0.0, ix.START_MOVING, ix.RESOLVE)
+    find_pieces(lane, i)
+
+
+def start_moving(lane: Lanes, i: Index, rate: Floats) -> None:
+    """Slip begins in the present direction."""
+    c = lane.cells
+    c[ix.STATUS, i] = ix.MOVING
+    c[ix.PASSED, i] = ix.NOTHING
+    c[ix.PHASES, i] = c[ix.PHASES, i] + 1.0
+    c[ix.TURNS, i] = c[ix.TURNS, i] + np.where(c[ix.LAST_WAY, i] * c[ix.DIRECTION, i] < 0.0, 1.0, 0.0)
+    c[ix.LAST_WAY, i] = c[ix.DIRECTION, i]
+    note(lane, i, ix.NOTE_BEGINS)
+    holds_1 = c[ix.LIFTED, i] > 0.0
+    i_1, rate_1 = (i, rate)
+    i, rate = among(holds_1, i_1, rate_1)
+    if i.size:
+        note_lift_off(lane, i)
+    i, rate = (i_1, rate_1)
+    update_peak(lane, i, rate)
+    c[ix.PENDING, i] = ix.READY
+
+
+def stay(lane: Lanes, i: Index, status: Floats) -> None:
+    """The lane stays where it is, until its end."""
+    c = lane.cells
+    c[ix.STATUS, i] = status
+    c[ix.END_ROTATION, i] = c[ix.ROTATION, i]
+    c[ix.END_OMEGA, i] = 0.0
+    c[ix.END_RATE, i] = 0.0
+    c[ix.DIRECTION, i] = 0.0
+    c[ix.REST_SINCE, i] = np.where(c[ix.REST_SINCE, i] > c[ix.END_TIME, i], c[ix.END_TIME, i], c[ix.REST_SINCE, i])
+    c[ix.PENDING, i] = ix.READY
+    read_samples(lane, i, c[ix.TIME, i], INFINITY, 0, 0)
+
+
+def may_start(lane: Lanes, i: Index) -> Mask:
+    """Whether a mass at rest may start the way it faces: shaking starts a one-way mass only down-slope."""
+    c = lane.cells
+    pull = c[lane.roles.driving_moment, i]
+    down_slope = (pull > 0.0) | (pull == 0.0) & (c[ix.DIRECTION, i] > 0.0)
+    return (c[ix.ONE_WAY, i] == 0.0) | down_slope
+
+
+def never_rests(lane: Lanes, i: Index) -> Mask:
+    """Whether a mass swings on for ever: at its lowest next to nothing presses on it, and that will not change."""
+    c = lane.cells
+    load = c[lane.roles.normal_load, i]
+    most = np.hypot(load, c[lane.roles.normal_load_slope, i])
+    carried = c[lane.roles.normal0, i] + (most - load) <= ix.CARRIED * most
+    return (c[ix.FIRST_ONLY, i] == 1.0) | carried & np.logical_not(still_changes(lane, i))
+
+
+def stick(lane: Lanes, i: Index) -> None:
+    """Nothing moves it now: it waits for another time, or stays."""
+    c = lane.cells
+    c[ix.PENDING, i] = ix.READY
+    holds_1 = np.logical_not(still_changes(lane, i))
+    i_1 = i
+    i, = among(holds_1, i_1)
+    if i.size:
+        stay(lane, i, ix.ARRESTED)
+    i, = among(np.logical_not(holds_1), i_1)
+    if not i.size:
+        return
+    c[ix.STATUS, i] = ix.RESTING
+    holds_2 = c[ix.LIFTED, i] > 0.0
+    i_2 = i
+    i, = among(holds_2, i_2)
+    if i.size:
+        note_lift_off(lane, i)
+    i = i_2
+    holds_3 = np.logical_not(may_start(lane, i))
+    i_3 = i
+    i, = among(holds_3, i_3)
+    if i.size:
+        c[ix.DIRECTION, i] = -c[ix.DIRECTION, i]
+        c[ix.PENDING, i] = ix.BEGIN_PHASE
+    i = i_3
+
+
+def resolve_stick_or_slip(lane: Lanes, i: Index) -> None:
+    """At rest: slip in the present direction, otherwise in the other one if it may, otherwise stick."""
+    c = lane.cells
+    holds_1 = (c[ix.FIRST_ONLY, i] > 0.0) & (c[ix.PHASES, i] > 0.0) & never_rests(lane, i)
+    i_1 = i
+    i, = among(holds_1, i_1)
+    if i.size:
+        stay(lane, i, ix.STOPPED)
+    i, = among(np.logical_not(holds_1), i_1)
+    if not i.size:
+        return
+    may = may_start(lane, i)
+    terms = np.abs(c[lane.roles.driving, i]) + c[lane.roles.resisting, i]
+    unsure = EPS * (terms + c[lane.roles.mu, i] * np.abs(c[lane.roles.normal0, i]))
+    holds_2 = may
+    i_2, may_2, unsure_2 = (i, may, unsure)
+    i, may, unsure = among(holds_2, i_2, may_2, unsure_2)
+    if i.size:
+        c[ix.CLOSE, i] = np.fmin(c[ix.CLOSE, i], np.abs(c[lane.roles.drive, i]) / np.fmax(unsure, CLOSEST))
+    i, may, unsure = (i_2, may_2, unsure_2)
+    holds_3 = may & (c[lane.roles.drive, i] > 0.0)
+    i_3, may_3 = (i, may)
+    i, may = among(holds_3, i_3, may_3)
+    if i.size:
+        start_moving(lane, i, c[lane.roles.drive, i])
+    i, may = among(np.logical_not(holds_3), i_3, may_3)
+    if not i.size:
+        return
+    c[ix.FACED, i] = c[ix.FACED, i] + 1.0
+    holds_4 = (c[ix.FACED, i] > 1.0) | may & (c[ix.ONE_WAY, i] > 0.0)
+    i_4, may_4 = (i, may)
+    i, may = among(holds_4, i_4, may_4)
+    if i.size:
+        stick(lane, i)
+    i, may = among(np.logical_not(holds_4), i_4, may_4)
+    if not i.size:
+        return
+    face(lane, i, -c[ix.DIRECTION, i])
+
+
+def carry_net_moment(lane: Lanes, i: Index, net: Floats) -> None:
+    """A phase begins in motion: its drive is computed anew or carried over, whichever is more accurate."""
+    c = lane.cells
+    terms = np.abs(c[ix.RATE_BEFORE, i]) + np.abs(net - c[lane.roles.drive, i]) + np.abs(c[ix.DRIVE_BEFORE, i])
+    carried = c[ix.SCALE_BEFORE, i] + EPS * terms
+    holds_1 = carried < c[lane.roles.drive_scale, i]
+    i_1, net_1, carried_1 = (i, net, carried)
+    i, net, carried = among(holds_1, i_1, net_1, carried_1)
+    if i.size:
+        c[lane.roles.drive, i] = c[lane.roles.drive, i] + (c[ix.RATE_BEFORE, i] - net)
+        c[lane.roles.drive_scale, i] = carried
+    i, net, carried = (i_1, net_1, carried_1)
+    c[ix.PENDING, i] = ix.READY
+
+
+def resolve_pending(lane: Lanes, i: Index, net: Floats, force: Floats) -> None:
+    """Begin the phase that the lane waits for, whose numbers are known: net moment and normal force now among them."""
+    c = lane.cells
+    holds_1 = c[ix.PENDING, i] == ix.ENTER_PHASE
+    i_1, net_1, force_1 = (i, net, force)
+    i, net, force = among(holds_1, i_1, net_1, force_1)
+    if i.size:
+        carry_net_moment(lane, i, net)
+    i, net, force = among(np.logical_not(holds_1), i_1, net_1, force_1)
+    if not i.size:
+        return
+    holds_2 = c[ix.PENDING, i] == ix.BEGIN_PHASE
+    i_2, net_2, force_2 = (i, net, force)
+    i, net, force = among(holds_2, i_2, net_2, force_2)
+    if i.size:
+        c[ix.PENDING, i] = ix.READY
+    i, net, force = among(np.logical_not(holds_2), i_2, net_2, force_2)
+    if not i.size:
+        return
+    lifts = np.where(c[ix.PENDING, i] == ix.START_MOVING, force < 0.0, c[lane.roles.normal0, i] <= 0.0)
+    holds_3 = lifts & (c[ix.LIFTED, i] == 0.0)
+    i_3, net_3, lifts_3 = (i, net, lifts)
+    i, net, lifts = among(holds_3, i_3, net_3, lifts_3)
+    if i.size:
+        c[ix.LIFTED, i] = 1.0
+    i, net, lifts = among(np.logical_not(holds_3), i_3, net_3, lifts_3)
+    if not i.size:
+        return
+    holds_4 = c[ix.PENDING, i] == ix.START_MOVING
+    i_4, net_4 = (i, net)
+    i, net = among(holds_4, i_4, net_4)
+    if i.size:
+        start_moving(lane, i, net)
+    i, net = among(np.logical_not(holds_4), i_4, net_4)
+    if not i.size:
+        return
+    holds_5 = c[ix.PENDING, i] == ix.START_AGAIN
+    i_5 = i
+    i, = among(holds_5, i_5)
+    if i.size:
+        c[lane.roles.drive, i] = np.where(c[ix.SUDDEN, i] > 0.0, c[lane.roles.drive, i], 0.0)
+        start_moving(lane, i, c[lane.roles.drive, i])
+    i, = among(np.logical_not(holds_5), i_5)
+    if not i.size:
+        return
+    resolve_stick_or_slip(lane, i)
+
+
+def on_discontinuity(lane: Lanes, i: Index, force: Floats) -> None:
+    """Forces have jumped: contact is decided again; if it changes, another phase begins."""
+    c = lane.cells
+    lifted = np.where(force < 0.0, 1.0, 0.0)
+    holds_1 = lifted > c[ix.LIFTED, i]
+    i_1, lifted_1 = (i, lifted)
+    i, lifted = among(holds_1, i_1, lifted_1)
+    if i.size:
+        note_lift_off(lane, i)
+    i, lifted = (i_1, lifted_1)
+    c[ix.PENDING, i] = np.where(c[ix.LIFTED, i] == lifted, ix.READY, ix.BEGIN_PHASE)
+    c[ix.LIFTED, i] = lifted
+    holds_2 = c[ix.PENDING, i] == ix.BEGIN_PHASE
+    i_2 = i
+    i, = among(holds_2, i_2)
+    if i.size:
+        advance_origin(lane, i)
+    i = i_2
+
+
+def begin_phases(s: Lanes) -> None:
+    """Begin the phases that lanes wait for and decide what follows, until every lane is ready for a step."""
+    c = s.cells
+    sudden = c[ix.PENDING] == ix.DISCONTINUITY
+    if np.any(sudden):
+        evaluate(s)
+        force = normal_force(s)
+        i = np.flatnonzero(sudden)
+        if i.size:
+            on_discontinuity(s, i, force[i])
+    waits = c[ix.PENDING] != ix.READY
+    while np.any(waits):
+        i = np.flatnonzero(waits)
+        if i.size:
+            begin_pieces(s, i)
+        prologue(s, waits)
+        if np.any((c[ix.PENDING] == ix.START_MOVING) | (c[ix.PENDING] == ix.ENTER_PHASE)):
+            evaluate(s)
+        force = normal_force(s)
+        net = s.registers[s.roles.net][0].copy()
+        i = np.flatnonzero(waits)
+        if i.size:
+            resolve_pending(s, i, net[i], force[i])
+        waits = c[ix.PENDING] != ix.READY
+
+
+def begin_here(lane: Lanes, i: Index) -> None:
+    """A phase begins in the present state, wherever that came from; its prologue follows."""
+    c = lane.cells
+    c[ix.X, i] = 0.0
+    find_pieces(lane, i)
+    begin_pieces(lane, i)
+
+
+def enter_phase(lane: Lanes, i: Index, rate: Floats) -> None:
+    """Another phase begins in motion: the lane enters another piece of a table, is lifted or lands."""
+    c = lane.cells
+    c[ix.RATE_BEFORE, i] = rate
+    c[ix.DRIVE_BEFORE, i] = c[lane.roles.drive, i]
+    c[ix.SCALE_BEFORE, i] = c[lane.roles.drive_scale, i]
+    advance_origin(lane, i)
+    c[ix.PENDING, i] = ix.ENTER_PHASE
+
+
+def on_standstill(lane: Lanes, i: Index) -> None:
+    """The lane comes to its standstill. It does not go on the way it came, whatever its rounding."""
+    c = lane.cells
+    advance_origin(lane, i)
+    update_reach(lane, i)
+    c[ix.REST_SINCE, i] = c[ix.TIME, i]
+    note(lane, i, ix.NOTE_STANDS)
+    c[ix.FACED, i] = 1.0
+    face(lane, i, -c[ix.DIRECTION, i])
+    c[ix.PENDING, i] = ix.RESOLVE
+
+
+def on_contact_change(lane: Lanes, i: Index, rate: Floats) -> None:
+    """Contact with the slip surface is lost or regained."""
+    c = lane.cells
+    c[ix.LIFTED, i] = 1.0 - c[ix.LIFTED, i]
+    holds_1 = c[ix.LIFTED, i] > 0.0
+    i_1, rate_1 = (i, rate)
+    i, rate = among(holds_1, i_1, rate_1)
+    if i.size:
+        note_lift_off(lane, i)
+    i, rate = (i_1, rate_1)
+    holds_2 = c[ix.LIFTED, i] == 0.0
+    i_2, rate_2 = (i, rate)
+    i, rate = among(holds_2, i_2, rate_2)
+    if i.size:
+        note(lane, i, ix.NOTE_LANDS)
+    i, rate = (i_2, rate_2)
+    enter_phase(lane, i, rate)
+    c[ix.PASSED, i] = ix.LIFT
+
+
+def on_breakpoint(lane: Lanes, i: Index, t: Table, rate: Floats, upwards: Mask) -> None:
+    """An edge of a table of slip, speed or rotation is passed: the lane is set exactly there, in the next piece."""
+    c = lane.cells
+    enter_phase(lane, i, rate)
+    if t.kind == ix.OF_ROTATION:
+        c[ix.ROTATION, i] = break_of(lane, i, t, integer(c[t.cells + ix.PIECE, i]) + np.where(c[ix.DIRECTION, i] > 0.0,
+            1, 0))
+        return
+    if t.kind == ix.OF_SPEED:
+        c[ix.OMEGA, i] = np.where(upwards, c[t.cells + ix.UPPER, i], c[t.cells + ix.LOWER, i])
+        c[ix.PASSED, i] = np.where(upwards, ix.FASTER, ix.SLOWER)
+    c[t.cells + ix.PIECE, i] = c[t.cells + ix.PIECE, i] + np.where(upwards, 1.0, -1.0)
+    if t.kind == ix.OF_SLIP:
+        c[ix.SLIP, i] = break_of(lane, i, t, integer(c[t.cells + ix.PIECE, i])) / c[t.cells + ix.SCALE, i]
+    if t.open:
+        holds_1 = upwards & (c[t.cells + ix.PIECE, i] == float(t.pieces - 1))
+        i_1, upwards_1 = (i, upwards)
+        i, upwards = among(holds_1, i_1, upwards_1)
+        if i.size:
+            c[ix.STATUS, i] = ix.NEED
+            c[ix.PENDING, i] = ix.READY
+        i, upwards = (i_1, upwards_1)
+
+
+def end_motion(lane: Lanes, i: Index, rate: Floats, status: Floats) -> None:
+    """The end time, or an upright chord, while the lane moves."""
+    c = lane.cells
+    c[ix.STATUS, i] = status
+    c[ix.END_ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
+    c[ix.END_OMEGA, i] = c[ix.DIRECTION, i] * c[ix.OMEGA, i]
+    c[ix.END_RATE, i] = c[ix.DIRECTION, i] * rate
+    update_reach(lane, i)
+
+
+def on_limit(lane: Lanes, i: Index, rate: Floats) -> None:
+    """The end time, or a break of a function of time."""
+    c = lane.cells
+    holds_1 = c[ix.TIME, i] >= c[ix.END_TIME, i]
+    i_1, rate_1 = (i, rate)
+    i, rate = among(holds_1, i_1, rate_1)
+    if i.size:
+        end_motion(lane, i, rate, ix.ENDED)
+    i, rate = among(np.logical_not(holds_1), i_1, rate_1)
+    if not i.size:
+        return
+    pass_breaks(lane, i)
+
+
+def settle(lane: Lanes, i: Index, rate: Floats, at_limit: Mask, endless: Mask) -> None:
+    """What follows the step: an event, a break of a function of time, the end time, or another step."""
+    c = lane.cells
+    holds_1 = endless
+    i_1, rate_1, at_limit_1, endless_1 = (i, rate, at_limit, endless)
+    i, rate, at_limit, endless = among(holds_1, i_1, rate_1, at_limit_1, endless_1)
+    if i.size:
+        c[ix.STATUS, i] = ix.TOO_LONG
+    i, rate, at_limit, endless = (i_1, rate_1, at_limit_1, endless_1)
+    holds_2 = at_limit
+    i_2, rate_2, at_limit_2 = (i, rate, at_limit)
+    i, rate, at_limit = among(holds_2, i_2, rate_2, at_limit_2)
+    if i.size:
+        on_limit(lane, i, rate)
+    i, rate, at_limit = (i_2, rate_2, at_limit_2)
+    holds_3 = c[ix.EVENT, i] == ix.EVENT_NONE
+    i_3, rate_3 = (i, rate)
+    i, rate = among(holds_3, i_3, rate_3)
+    i, rate = among(np.logical_not(holds_3), i_3, rate_3)
+    if not i.size:
+        return
+    holds_4 = c[ix.EVENT, i] == ix.EVENT_STANDSTILL
+    i_4, rate_4 = (i, rate)
+    i, rate = among(holds_4, i_4, rate_4)
+    if i.size:
+        on_standstill(lane, i)
+    i, rate = among(np.logical_not(holds_4), i_4, rate_4)
+    if not i.size:
+        return
+    holds_5 = c[ix.EVENT, i] == ix.EVENT_LIFT_OFF
+    i_5, rate_5 = (i, rate)
+    i, rate = among(holds_5, i_5, rate_5)
+    if i.size:
+        on_contact_change(lane, i, rate)
+    i, rate = among(np.logical_not(holds_5), i_5, rate_5)
+    if not i.size:
+        return
+    holds_6 = c[ix.EVENT, i] == ix.EVENT_CHORD_UPRIGHT
+    i_6, rate_6 = (i, rate)
+    i, rate = among(holds_6, i_6, rate_6)
+    if i.size:
+        end_motion(lane, i, rate, ix.UPRIGHT)
+    i, rate = among(np.logical_not(holds_6), i_6, rate_6)
+    if not i.size:
+        return
+    for t in lane.tables:
+        edge = ix.EVENT_BREAKPOINT + 2 * t.number
+        holds_7 = (c[ix.EVENT, i] == edge) | (c[ix.EVENT, i] == edge + 1)
+        i_7, rate_7 = (i, rate)
+        i, rate = among(holds_7, i_7, rate_7)
+        if i.size:
+            on_breakpoint(lane, i, t, rate, c[ix.EVENT, i] == edge)
+        i, rate = (i_7, rate_7)
+
+
+def consider(s: Lanes, here: Mask, at: Floats, event: int) -> None:
+    """An event at some time, infinite without one: each is searched in what the ones before leave of the step."""
+    c = s.cells
+    c[ix.EVENT] = np.where(here, np.where(at <= c[ix.STEP], float(event), c[ix.EVENT]), c[ix.EVENT])
+    c[ix.STEP] = np.where(here, np.minimum(at, c[ix.STEP]), c[ix.STEP])
+
+
+def find_standstill(s: Lanes, here: Mask, top: int) -> None:
+    """When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding."""
+    c = s.cells
+    omega = s.registers[s.roles.omega]
+    net = s.registers[s.roles.net]
+    last, slope = value_and_slope(omega, top, c[ix.STEP])
+    from_rest = omega[0] == 0.0
+    decelerates = net[0] < 0.0
+    falls_from_rest = from_rest & (decelerates | (net[0] == 0.0) & (net[1] <= 0.0))
+    asked = here & ((last <= 0.0) | decelerates & (slope > 0.0) | falls_from_rest)
+    if np.any(asked):
+        e = np.zeros_like(s.registers[0])
+        margin_of(e, omega, top, 1.0, 0.0, from_rest)
+        margin_of(e, e, top, 1.0, 0.0, from_rest & (e[0] == 0.0))
+        margin_of(e, e, top, 1.0, 0.0, from_rest & (e[0] == 0.0))
+        at = first_root(e, top, c[ix.STEP], asked)
+        vanishes = from_rest & (e[0] == 0.0) & (last == 0.0)
+        consider(s, here, np.where(asked & ((e[0] < 0.0) | vanishes), 0.0, at), ix.EVENT_STANDSTILL)
+
+
+def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constant: Floats, passed: Mask,
+        event: int) -> None:
+    """When sign p + constant falls through zero, except where the phase began with this event."""
+    c = s.cells
+    asked = here & may_cross(p, n, c[ix.STEP], sign, constant, passed)
+    if np.any(asked):
+        e = np.zeros_like(p)
+        margin_of(e, p, n, sign, constant, passed)
+        consider(s, here, first_root(e, n, c[ix.STEP], asked), event)
+
+
+def find_edges(s: Lanes, here: Mask, t: Table, top: int) -> None:
+    """When an edge of a table's piece is passed."""
+    c = s.cells
+    upper = np.minimum(c[t.cells + ix.UPPER], FAR)
+    event = ix.EVENT_BREAKPOINT + 2 * t.number
+    if t.kind == ix.OF_SPEED:
+        omega = s.registers[s.roles.omega]
+        find_crossing(s, here, omega, top, -1.0, upper, c[ix.PASSED] == ix.SLOWER, event)
+        varies = here & (c[t.cells + ix.LOWER] > 0.0)
+        find_crossing(s, varies, omega, top, 1.0, -c[t.cells + ix.LOWER], c[ix.PASSED] == ix.FASTER, event + 1)
+        return
+    find_crossing(s, here, s.registers[s.roles.x], top, -1.0, upper, none_of(s), event)
+
+
+def find_events(s: Lanes, here: Mask, top: int) -> None:
+    """The first event of the step; of equal times the event that is searched last."""
+    c = s.cells
+    c[ix.EVENT] = np.where(here, float(ix.EVENT_NONE), c[ix.EVENT])
+    find_standstill(s, here, top)
+    if s.roles.upright >= 0:
+        find_crossing(s, here, s.registers[s.roles.upright], top - 1, 1.0, 0.0, none_of(s), ix.EVENT_CHORD_UPRIGHT)
+    for t in s.tables:
+        if t.kind != ix.OF_TIME:
+            known = t.number > 0 and t.kind == ix.OF_ROTATION and (t.before.kind == ix.OF_ROTATION)
+            if known:
+                known = not np.any(here & (np.minimum(c[t.cells + ix.UPPER], FAR) != c[t.before.cells + ix.UPPER]))
+            if not known:
+                find_edges(s, here, t, top)
+    if s.roles.normal >= 0:
+        sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
+        find_crossing(s, here, s.registers[s.roles.normal], top - 1, sign, 0.0, c[ix.PASSED] == ix.LIFT,
+            ix.EVENT_LIFT_OFF)
+
+
+def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
+    """Record a candidate for the greatest speed where it exceeds the record."""
+    c = s.cells
+    faster = here & (speed > np.abs(c[ix.PEAK_OMEGA]))
+    if np.any(faster):
+        c[ix.PEAK_OMEGA] = np.where(here, np.where(faster, c[ix.DIRECTION] * speed, c[ix.PEAK_OMEGA]), c[ix.PEAK_OMEGA])
+        c[ix.PEAK_TIME] = np.where(here, np.where(faster, time, c[ix.PEAK_TIME]), c[ix.PEAK_TIME])
+        c[ix.PEAK_ROTATION] = np.where(here, np.where(faster, c[ix.ROTATION] + c[ix.DIRECTION] * x,
+            c[ix.PEAK_ROTATION]), c[ix.PEAK_ROTATION])
+        c[ix.PEAK_RATE] = np.where(here, np.where(faster, c[ix.DIRECTION] * rate, c[ix.PEAK_RATE]), c[ix.PEAK_RATE])
+
+
+def choose_step(s: Lanes, here: Mask, room: Floats, top: int) -> None:
+    """A fraction of the least radius of convergence of the states, or all of the room where series end early."""
+    c = s.cells
+    radius: Floats = INFINITY
+    for q in s.states:
+        radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
+    c[ix.STEP] = np.where(here, np.where(c[ix.SERIES_ORDER] < c[ix.ORDER], room, np.minimum(c[ix.FACTOR] * radius,
+        room)), c[ix.STEP])
+
+
+def advance_states(s: Lanes, here: Mask, top: int) -> None:
+    """Advance the states and the functions of time by the step."""
+    c = s.cells
+    for q in s.states:
+        c[q.cell] = np.where(here, c[q.cell] + increment(s.registers[q.register], top, c[ix.STEP]), c[q.cell])
+    for t in s.tables:
+        if t.kind == ix.OF_TIME:
+            c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + increment(s.registers[t.register], top,
+                c[ix.STEP]), c[t.cells + ix.INC])
+
+
+def is_endless(s: Lanes, here: Mask, room: Floats) -> Mask:
+    """Whether a motion goes on for ever."""
+    c = s.cells
+    endless = none_of(s)
+    if s.autonomous:
+        settled = s.registers[s.roles.net][0] * c[ix.STEP] >= -ix.SETTLED * s.registers[s.roles.omega][0]
+        uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
+        endless = here & uneventful & settled & (room == INFINITY) & (c[ix.LIFTED] == 0.0)
+    return endless
+
+
+def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> None:
+    """Record the greatest speed within the step, where the net moment falls through zero."""
+    c = s.cells
+    net = s.registers[s.roles.net]
+    at = falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
+    peaks = at < INFINITY
+    if np.any(peaks):
+        speed = value(s.registers[s.roles.omega], top, at)
+        keep_faster(s, peaks, speed, c[ix.TIME] + at, value(s.registers[s.roles.x], top, at), value(net, top - 1, at))
+
+
+def make_step(s: Lanes, here: Mask) -> None:
+    """One step of lanes that move."""
+    c = s.cells
+    limit = np.minimum(next_break(s), c[ix.END_TIME])
+    room = limit - c[ix.TIME]
+    top = expand(s, room, here, 0)
+    choose_step(s, here, room, top)
+    reaches_limit = c[ix.STEP] >= room
+    find_events(s, here, top)
+    uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
+    endless = is_endless(s, here, room)
+    c[ix.STEP] = np.where(here, np.where(endless, 0.0, c[ix.STEP]), c[ix.STEP])
+    step = c[ix.STEP].copy()
+    net = s.registers[s.roles.net]
+    rate, slope = value_and_slope(net, top - 1, step)
+    keep_peak(s, here, top, rate, slope)
+    at_limit = here & reaches_limit & uneventful & np.logical_not(endless)
+    until = np.where(at_limit, limit, c[ix.TIME] + step)
+    if s.samples:
+        i = np.flatnonzero(here)
+        if i.size:
+            read_samples(s, i, c[ix.TIME, i], until[i], 1, top)
+    steady = (np.abs(net[0]) * step < ix.STIFF_CHANGE * s.registers[s.roles.omega][0]) & uneventful
+    advance_states(s, here, top)
+    c[ix.TIME] = np.where(here, until, c[ix.TIME])
+    c[ix.STEPS] = np.where(here, c[ix.STEPS] + np.where(at_limit, 0.0, np.where(steady, float(ix.STIFF_STEP), 1.0)),
+        c[ix.STEPS])
+    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    keep_faster(s, here, c[ix.OMEGA], c[ix.TIME], c[ix.X], rate)
+    i = np.flatnonzero(here)
+    if i.size:
+        settle(s, i, rate[i], at_limit[i], endless[i])
+
+
+def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
+    """When contact is lost or regained, within the time ahead that is known."""
+    c = s.cells
+    normal = s.registers[s.roles.normal]
+    sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
+    passed = c[ix.PASSED] == float(ix.LIFT)
+    asked = here & may_cross(normal, top - 1, c[ix.STRETCH], sign, 0.0, passed)
+    if np.any(asked):
+        e = np.zeros_like(s.registers[0])
+        margin_of(e, normal, top - 1, sign, 0.0, passed)
+        at = first_root(e, top - 1, c[ix.STRETCH], asked)
+        c[ix.LIFT_AHEAD] = np.where(here, np.minimum(at, c[ix.LIFT_AHEAD]), c[ix.LIFT_AHEAD])
+        c[ix.STRETCH] = np.where(here, np.minimum(at, c[ix.STRETCH]), c[ix.STRETCH])
+
+
+def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
+    """What lies ahead of a mass at rest, in the direction it faces, where it comes before what is known already."""
+    c = s.cells
+    top = expand(s, room, here, 1)
+    net = s.registers[s.roles.net]
+    touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
+    jumps = (net[0] > 0.0) & np.logical_not(touches)
+    radius = radius_of_convergence(s, net, top - 1, c[ix.SERIES_ORDER] - 1.0)
+    reach = np.where(c[ix.SERIES_ORDER] < c[ix.ORDER], room, np.minimum(c[ix.FACTOR] * radius, room))
+    c[ix.STRETCH] = np.where(here, np.minimum(reach, c[ix.STRETCH]), c[ix.STRETCH])
+    e = np.zeros_like(s.registers[0])
+    margin_of(e, net, top - 1, -1.0, 0.0, touches)
+    at: Floats = INFINITY
+    asked = here & np.logical_not(jumps) & may_cross(net, top - 1, c[ix.STRETCH], -1.0, 0.0, touches)
+    if np.any(asked):
+        at = first_root(e, top - 1, c[ix.STRETCH], asked)
+    at = np.where(jumps | touches & (e[0] < 0.0), 0.0, at)
+    sooner = at < c[ix.START_AHEAD]
+    c[ix.START_AHEAD] = np.where(here, np.where(sooner, at, c[ix.START_AHEAD]), c[ix.START_AHEAD])
+    c[ix.START_DIRECTION] = np.where(here, np.where(sooner, c[ix.DIRECTION], c[ix.START_DIRECTION]),
+        c[ix.START_DIRECTION])
+    c[ix.SUDDEN] = np.where(here, np.where(sooner, np.where(jumps, 1.0, 0.0), c[ix.SUDDEN]), c[ix.SUDDEN])
+    if s.roles.normal >= 0:
+        look_for_lift_off(s, here, top)
+
+
+def turn_back(lane: Lanes, i: Index) -> None:
+    """Face the other way at rest."""
+    c = lane.cells
+    c[ix.DIRECTION, i] = -c[ix.DIRECTION, i]
+    c[ix.PENDING, i] = ix.BEGIN_PHASE
+
+
+def leave_rest(lane: Lanes, i: Index, limit: Floats, room: Floats) -> None:
+    """To the first of what lies ahead: start of slip, change of contact, break, end, or nothing yet."""
+    c = lane.cells
+    stretch = c[ix.STRETCH, i]
+    lifts = (c[ix.LIFT_AHEAD, i] <= stretch) & (c[ix.LIFT_AHEAD, i] <= c[ix.START_AHEAD, i] * (1.0 + TOGETHER))
+    starts = (c[ix.START_AHEAD, i] <= stretch) & np.logical_not(lifts)
+    breaks = (stretch >= room) & np.logical_not(starts) & np.logical_not(lifts)
+    until = np.where(breaks, limit, c[ix.TIME, i] + np.where(starts, c[ix.START_AHEAD, i], stretch))
+    for_ever = np.logical_not(starts) & np.logical_not(until < INFINITY)
+    if lane.samples:
+        read_samples(lane, i, c[ix.TIME, i], np.fmin(until, c[ix.END_TIME, i]), 0, 0)
+    c[ix.STEPS, i] = c[ix.STEPS, i] + np.where(breaks, 0.0, 1.0)
+    c[ix.PASSED, i] = ix.NOTHING
+    holds_1 = for_ever | (until >= c[ix.END_TIME, i])
+    i_1, lifts_1, starts_1, breaks_1, until_1, for_ever_1 = (i, lifts, starts, breaks, until, for_ever)
+    i, lifts, starts, breaks, until, for_ever = among(holds_1, i_1, lifts_1, starts_1, breaks_1, until_1, for_ever_1)
+    if i.size:
+        c[ix.TIME, i] = np.where(for_ever, c[ix.TIME, i], c[ix.END_TIME, i])
+        stay(lane, i, np.where(for_ever, ix.ARRESTED, ix.PAUSED))
+    i, lifts, starts, breaks, until, for_ever = among(np.logical_not(holds_1), i_1, lifts_1, starts_1, breaks_1,
+        until_1, for_ever_1)
+    if not i.size:
+        return
+    c[ix.TIME, i] = until
+    holds_2 = starts
+    i_2, lifts_2, starts_2, breaks_2 = (i, lifts, starts, breaks)
+    i, lifts, starts, breaks = among(holds_2, i_2, lifts_2, starts_2, breaks_2)
+    if i.size:
+        face(lane, i, c[ix.START_DIRECTION, i])
+        c[ix.PENDING, i] = ix.START_AGAIN
+    i, lifts, starts, breaks = among(np.logical_not(holds_2), i_2, lifts_2, starts_2, breaks_2)
+    if not i.size:
+        return
+    holds_3 = lifts
+    i_3, lifts_3, breaks_3 = (i, lifts, breaks)
+    i, lifts, breaks = among(holds_3, i_3, lifts_3, breaks_3)
+    if i.size:
+        c[ix.LIFTED, i] = 1.0 - c[ix.LIFTED, i]
+        c[ix.PASSED, i] = ix.LIFT
+        c[ix.PENDING, i] = ix.BEGIN_PHASE
+        holds_4 = c[ix.LIFTED, i] > 0.0
+        i_4, breaks_4 = (i, breaks)
+        i, breaks = among(holds_4, i_4, breaks_4)
+        if i.size:
+            note_lift_off(lane, i)
+        i, breaks = (i_4, breaks_4)
+    i, lifts, breaks = among(np.logical_not(holds_3), i_3, lifts_3, breaks_3)
+    if not i.size:
+        return
+    holds_5 = breaks
+    i_5, breaks_5 = (i, breaks)
+    i, breaks = among(holds_5, i_5, breaks_5)
+    if i.size:
+        pass_breaks(lane, i)
+    i, breaks = (i_5, breaks_5)
+
+
+def wait(s: Lanes, here: Mask) -> None:
+    """One step of lanes at rest under forces that change: to the next break, or to where the mass starts."""
+    c = s.cells
+    limit = next_break(s)
+    room = np.where(limit < INFINITY, limit - c[ix.TIME], 1.0)
+    c[ix.STRETCH] = np.where(here, room, c[ix.STRETCH])
+    c[ix.START_AHEAD] = np.where(here, INFINITY, c[ix.START_AHEAD])
+    c[ix.START_DIRECTION] = np.where(here, 0.0, c[ix.START_DIRECTION])
+    c[ix.SUDDEN] = np.where(here, 0.0, c[ix.SUDDEN])
+    c[ix.LIFT_AHEAD] = np.where(here, INFINITY, c[ix.LIFT_AHEAD])
+    look_ahead(s, here, room)
+    both = here & (c[ix.ONE_WAY] == 0.0)
+    if np.any(both):
+        i = np.flatnonzero(both)
+        if i.size:
+            turn_back(s, i)
+        begin_phases(s)
+        look_ahead(s, both, room)
+    for t in s.tables:
+        if t.kind == ix.OF_TIME:
+            c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + increment(s.registers[t.register], s.highest,
+                c[ix.STRETCH]), c[t.cells + ix.INC])
+    i = np.flatnonzero(here)
+    if i.size:
+        leave_rest(s, i, limit[i], room[i])
+
+
+def stop_endless(s: Lanes, here: Mask) -> None:
+    """Stop lanes that take too many steps or reversals, or overflow."""
+    c = s.cells
+    going = c[ix.STATUS] <= float(ix.RESTING)
+    most = np.where(c[ix.OMEGA] > 0.0, float(ix.MOST_STEPS), float(2 * ix.MOST_STEPS))
+    too_long = c[ix.STEPS] > most
+    if not s.timed:
+        too_long = too_long | (c[ix.TURNS] > float(ix.MOST_TURNS))
+    total = c[ix.TIME] + c[ix.X] + c[ix.OMEGA] + c[ix.ROTATION]
+    c[ix.STATUS] = np.where(here, np.where(going & too_long, float(ix.TOO_LONG), c[ix.STATUS]), c[ix.STATUS])
+    c[ix.STATUS] = np.where(here, np.where(going & (total - total != 0.0), float(ix.FAILED), c[ix.STATUS]),
+        c[ix.STATUS])
+
+
+def advance(s: Lanes, here: Mask) -> None:
+    """One step of every lane: of a moving one along its series, of a resting one to the next break."""
+    c = s.cells
+    moving = here & (c[ix.STATUS] == float(ix.MOVING))
+    resting = here & (c[ix.STATUS] == float(ix.RESTING))
+    if np.any(moving):
+        make_step(s, moving)
+    if np.any(resting):
+        wait(s, resting)
+    begin_phases(s)
+    stop_endless(s, here)
+
+
+# --- ensembles --------------------------------------------------------------------------------------------------------
+
+
+def load(s: Lanes) -> None:
+    """Begin lanes that have not begun, and the phases that they wait for."""
+    begun = np.flatnonzero(s.cells[ix.STATUS] == ix.START)
+    if begun.size:
+        start(s, begun)
+    begin_phases(s)
+
+
+def integrate(
+    program: Program, tables: Sequence[Any], cells: Floats, samples: Any = None, log: Log | None = None
+) -> None:
+    """Integrate every lane until it rests, ends or fails.
+
+    Parameters
+    ----------
+    program : slipcircle.core.program.program.Program
+    tables : sequence of slipcircle.tables.tables.Data
+        For each table of the program.
+    cells : ndarray
+        (cells, lanes), changed in place: where each lane begins and, then, where it is. Its status says how it ended.
+    samples : Samples, optional
+        What to read off on the way.
+    log : list, optional
+        Takes the events of the first lane: kind, time, rotation, direction.
+    """
+    live = np.flatnonzero(cells[ix.STATUS] <= ix.RESTING)
+    with np.errstate(all="ignore"):
+        while live.size:
+            status = cells[ix.STATUS, live]
+            alike = live[status == status[0]]  # lanes that move and lanes that rest take different steps
+            s = Lanes(program, tables, cells[:, alike], alike, samples, log)
+            load(s)
+            for _ in range(ROUNDS):
+                status = s.cells[ix.STATUS]
+                if np.count_nonzero(status <= ix.RESTING) <= alike.size // 2:
+                    break  # those that have ended make room
+                if np.count_nonzero(status == status[0]) <= alike.size // 2:
+                    break
+                advance(s, status <= ix.RESTING)
+            cells[:, alike] = s.stored
+            live = live[cells[ix.STATUS, live] <= ix.RESTING]
+
+
+def registers(program: Program, tables: Sequence[Any], cells: Floats) -> Floats:
+    """Registers in the present states of lanes, (registers, lanes)."""
+    s = Lanes(program, tables, cells)
+    with np.errstate(all="ignore"):
+        evaluate(s)
+    return s.registers[:, 0]
+
+
+def begin_phase(program: Program, tables: Sequence[Any], cells: Floats) -> Floats:
+    """Begin a phase in the present state and direction of each lane, without integrating; registers there.
+
+    The cells of a phase are filled in place.
+    """
+    s = Lanes(program, tables, cells)
+    with np.errstate(all="ignore"):
+        begin_here(s, np.arange(cells.shape[1]))
+        prologue(s, np.ones(cells.shape[1], dtype=bool))
+        evaluate(s)
+    cells[:] = s.stored
+    return s.registers[:, 0]

@@ -1,0 +1,228 @@
+"""Theorems on motions: against quadrature of the definitions, Taylor series of other code, and the package itself."""
+
+import json
+import math
+from functools import cache
+from typing import Any
+
+import mpmath as mp
+import pytest
+from flint import arb
+from mpmath import mpf
+
+from derive.__main__ import main
+from derive.check.truth import number, working
+from derive.theorem.motion import Slide, first_swing, theorem
+from derive.theorem.report import pair
+from derive.theorem.swing import duration, integrate, standstill
+from tests.campaigns.theorems import Case, compared, errors
+from tests.support import taylor, vaiont
+
+VAIONT = ["--radius-m", "1492.6", "--theta-1-deg", "215.2", "--theta-2-deg", "276.9", "--friction-deg", "10"]
+KEYS = ("rotation_rad", "run_out_m", "peak_velocity_m_s", "duration_s")
+
+
+def stated(capsys: Any, *options: str) -> Any:
+    """What the command says in JSON."""
+    assert main(["theorem", *options, "--json"]) == 0
+    return json.loads(capsys.readouterr().out)
+
+
+@cache
+def by_quadrature(centripetal: bool) -> dict[str, mpf]:
+    """The slide of Vaiont to 30 digits: moments as double integrals, E in its textbook form, its zeros, and time."""
+    with mp.workdps(45):
+        radius, friction = mpf("1492.6"), mp.tan(mp.radians(10))
+        first, last = mp.radians(mpf("215.2")), mp.radians(mpf("276.9"))
+        half, dip = (last - first) / 2, 3 * mp.pi / 2 - (first + last) / 2
+
+        def moment(power: int, turned: bool) -> mpf:
+            def inner(u: mpf) -> mpf:
+                depth = (1 - (mp.cos(half) / mp.cos(u)) ** (power + 1)) / (power + 1)
+                return depth * (mp.cos(u) if turned else 1)
+
+            return mp.quad(inner, [-half, 0, half])
+
+        inertia = moment(3, False)
+        q = 2 * friction * moment(2, False) / inertia * centripetal
+        sines, cosines = 2 * moment(2, True) / inertia, -2 * friction * moment(1, True) / inertia
+
+        def particular(psi: mpf) -> mpf:  # of dE/dpsi - q E = -(sines sin psi + cosines cos psi)
+            return ((sines + q * cosines) * mp.cos(psi) + (q * sines - cosines) * mp.sin(psi)) / (1 + q**2)
+
+        def energy(x: mpf) -> mpf:
+            return particular(dip - x) - particular(dip) * mp.exp(-q * x)
+
+        def slope(x: mpf) -> mpf:
+            return sines * mp.sin(dip - x) + cosines * mp.cos(dip - x) - q * energy(x)
+
+        rest, peak = mp.findroot(energy, 0.45), mp.findroot(slope, 0.22)
+
+        def rate(angle: mpf) -> mpf:
+            x = rest * mp.sin(angle) ** 2
+            return 2 * rest * mp.sin(angle) * mp.cos(angle) / mp.sqrt(energy(x))
+
+        time = mp.quad(rate, mp.linspace(0, mp.pi / 2, 5), method="gauss-legendre")
+        weight = mpf("9.81") * radius
+        numbers = rest, radius * rest, mp.sqrt(energy(peak) * weight), time * mp.sqrt(radius / mpf("9.81"))
+        return dict(zip(KEYS, numbers, strict=True)) | {"peak_displacement_m": peak * radius}
+
+
+@pytest.mark.parametrize("switch", [[], ["--no-centripetal"]])
+def test_quadrature_of_the_definitions_lies_between_the_decimals(switch: list[str], capsys: Any) -> None:
+    found = stated(capsys, *VAIONT, *switch)
+    assert found["status"] == "rests"
+    with mp.workdps(45):
+        for name, value in by_quadrature(not switch).items():
+            low, high = map(mpf, found[name])
+            assert low <= value <= high, name
+            assert high - low < mpf("1e-18") * value
+
+
+def test_known_digits(capsys: Any) -> None:
+    """Of an enclosure made apart."""
+    found = stated(capsys, *VAIONT)
+    for name, known in {"run_out_m": "677.30785128136000588", "peak_velocity_m_s": "27.97207129143170264"}.items():
+        assert all(abs(mpf(end) - mpf(known)) < 2e-17 for end in found[name])
+    assert all(abs(mpf(end) - mpf("38.079349529")) < 4e-10 for end in found["duration_s"])
+
+
+ARC = {"radius": 60.0, "theta_1": 3.7, "theta_2": 5.0}
+SCENES: list[tuple[dict[str, Any], float]] = [
+    ({"law": "exponential", "peak": 0.25, "residual": 0.11, "length": 1.5}, 0.0),
+    ({"law": "exponential", "peak": 0.25, "residual": 0.03, "length": 0.02}, 0.0),  # and swings back
+    ({"law": "exponential", "peak": 0.11, "residual": 0.11, "length": 1.0}, 5e3),
+    ({"law": "exponential", "peak": 0.04, "residual": 0.04, "length": 1.0}, 0.0),  # swings back five times
+]
+
+
+def made(friction: dict[str, Any], cohesion: float) -> Slide:
+    """Of doubles, which are exact."""
+    radius, theta_1, theta_2 = (number(ARC[name]) for name in ("radius", "theta_1", "theta_2"))
+    residual, peak, length = (number(friction[name]) for name in ("residual", "peak", "length"))
+    softens = peak if friction["peak"] > friction["residual"] else None
+    return Slide(radius, theta_1, theta_2, residual, number(9.81), softens, length, number(cohesion) / 19000)
+
+
+@pytest.mark.parametrize(("friction", "cohesion"), SCENES)
+def test_taylor_series_in_time_of_other_code(friction: dict[str, Any], cohesion: float) -> None:
+    effects: dict[str, Any] = {"rotation": {}, "centripetal": {}}
+    effects |= {"cohesion": {"cohesion": cohesion}} if cohesion else {}
+    scene = {"arc": ARC | {"unit_weight": 19e3, "gravity": 9.81}, "friction": friction, "effects": effects}
+    found = taylor.solve(scene | {"initial_velocity": 0.0, "end_time": None}, digits=24)
+    proof = theorem(lambda: made(friction, cohesion))
+    assert proof.status == "rests"
+    with mp.workdps(40):
+        for name, key in zip(KEYS[1:], ("run_out", "peak_velocity", "duration"), strict=True):
+            low, high = map(mpf, pair(proof.numbers[name], 30))
+            assert high - low < 1e-18 * high
+            assert abs(mpf(found[key]) - low) < 1e-20 * high + (high - low), name
+
+
+def test_the_remainder_of_time_is_counted() -> None:
+    """Of a fine E; coarse in time alone."""
+    with working(300):
+        start = first_swing(made(*SCENES[0]))
+        energy = integrate(start, arb(10) ** -40)
+        fine = standstill(start, arb(10) ** -40)
+        for exponent in (1, 2, 4, 8):
+            coarse = duration(energy, fine.rest, arb(10) ** -exponent)
+            assert coarse.contains(fine.time)
+
+
+@pytest.mark.parametrize("exponent", [2, 4, 8])
+def test_remainders_are_counted(exponent: int) -> None:
+    """With coarse steps the enclosures are wide, and hold what fine steps give."""
+    with working(300):
+        start = first_swing(made(*SCENES[0]))
+        fine = standstill(start, arb(10) ** -40)
+        for close, coarse in zip(fine, standstill(start, arb(10) ** -exponent), strict=True):
+            assert coarse.contains(close)
+            assert coarse.rad() > close.rad()
+
+
+def test_an_interval_holds_what_its_numbers_give(capsys: Any) -> None:
+    wide = stated(capsys, *VAIONT[:-1], "10+-0.01", "--digits", "8")
+    for angle in ("9.99", "9.995", "10.01"):
+        narrow = stated(capsys, *VAIONT[:-1], angle)
+        for name in KEYS:
+            ends = [mpf(x) for x in (wide[name][0], *narrow[name], wide[name][1])]
+            assert ends == sorted(ends)
+    assert mpf(wide["run_out_m"][1]) - mpf(wide["run_out_m"][0]) < 20
+
+
+def test_without_a_quantity_it_is_vaiont(capsys: Any) -> None:
+    found = {row["name"]: row for row in stated(capsys)}
+    assert [row["status"] for row in found.values()] == ["rests", "never rests", "rests"]
+    assert "run_out_m" not in found["vaiont-frozen"]
+    assert found["vaiont-softening"]["run_out_m"][0].startswith("676.43174278014566956")
+    assert main(["theorem"]) == 0
+    text = capsys.readouterr().out
+    assert "677.30785128136000588 to 677.30785128136000589" in text
+
+
+def test_above_the_limit_it_does_not_move(capsys: Any) -> None:
+    """Limit friction of (3.21), by quadrature elsewhere in the tests: 0.41921443125219915..."""
+    found = stated(capsys, *VAIONT[:-1], "22.75")
+    assert found["status"] == "does not move"
+    assert found["run_out_m"] == ["0", "0"]
+    gap = mp.tan(mp.radians(mpf("22.75"))) - mpf("0.41921443125219915141")
+    assert mpf(found["margin"][0]) == pytest.approx(float(gap), rel=1e-12) == float(found["margin"][1])
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--friction-deg", "22.7+-0.1"], "whether friction is above its limit"),
+        (["--radius-m", "10+-1", "--friction-deg", "5+-2"], "more digits or narrower inputs"),
+        (["--theta-1-deg", "100", "--theta-2-deg", "190"], "dip by less than 90 degrees"),
+    ],
+)
+def test_undecided(options: list[str], words: str, capsys: Any) -> None:
+    """No number of the motion is given."""
+    assert main(["theorem", *options, "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert found["status"] == "undecided"
+    assert words in found["reason"]
+    assert not found.keys() & set(KEYS)
+
+
+def test_without_friction_it_never_rests(capsys: Any) -> None:
+    found = stated(capsys, *VAIONT[:-1], "0")
+    assert found["status"] == "never rests"
+    assert "never rests" in found["proved"][-1]
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--theta-2-deg", "400"], "beyond a half disc"),
+        (["--theta-2-deg", "200"], "has to be above theta_1_deg"),
+        (["--friction-deg", "95"], "allowed are 0 to 89"),
+        (["--friction-deg", "ten"], "give a decimal"),
+        (["--friction-deg", "10+-x"], "give a decimal"),
+        (["--radius-m", "1e999999999"], "give a decimal"),
+        (["--radius-m", "nan"], "give a decimal"),
+        (["--cohesion-kPa", "3"], "add unit_weight_kN_m3"),
+        (["--peak-friction-deg", "9"], "has to be at least friction_deg"),
+    ],
+)
+def test_bad_input_is_named(options: list[str], words: str, capsys: Any) -> None:
+    assert main(["theorem", *options]) == 1
+    said = capsys.readouterr()
+    assert words in said.err
+    assert not said.out
+
+
+def test_vaiont_is_next_to_its_enclosure() -> None:
+    case = Case(vaiont.RADIUS, *vaiont.ENDS, math.tan(math.radians(10)), True)
+    motion = case.motion()
+    assert max(errors(motion, theorem(case.slide))) < min(1e-15, motion.error_estimate)
+
+
+@pytest.mark.parametrize("index", [0, 1, 2, 3, 12])
+def test_the_package_is_within_its_estimate_of_the_enclosure(index: int) -> None:
+    """A half disc next to the limit, a mass that swings, others: `tests.campaigns.theorems` does so for hundreds."""
+    _, status, error, estimate = compared(index, 1)
+    assert status == "rests"
+    assert error <= estimate
