@@ -27,7 +27,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
 
     Shapes of kernels without a record are searched for, or all of them with ``anew``, in so many ``trials``.
     """
-    from derive.algebra import dynamics, integrate, rules, slopes
+    from derive.algebra import dynamics, integrate, slopes
     from derive.approximate import certificates, search, shapes
     from derive.approximate.programs import variants
     from derive.check.records import read
@@ -47,7 +47,6 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     timed("equation of motion", "solve", "{0} claims proved", dynamics.prove_forms)
     timed("flow", "series", "{0} operations proved", operations.prove)
     timed("slopes", "balance", "{0} claims proved", slopes.prove)
-    timed("arc", "slopes", "{0} claims proved", rules.prove_arc_growth, integrate.closed_forms())
     timed("rounded angles", "carried", "{0} claims proved", functions.prove_carried)
     # A recorded certificate is valid as long as its operations are unchanged (`prove` proves it again).
     proved = timed("kernels", "certify", "", certificates.records, variants(), read())

@@ -136,8 +136,8 @@ LAYERS = {
         *("judge", "build", "build_hook", "__main__"),
     ),
     "generated": (
-        *("definitions", "effects", "flow", "laws", "layout", "series", "walk", "tiers", "_evaluate", "_compiled"),
-        *("growth", "kernels", "motion", "printed", "slopes", "stable", "__init__"),
+        *("definitions", "effects", "flow", "layout", "series", "walk", "tiers", "_evaluate", "_compiled"),
+        *("kernels", "motion", "printed", "slopes", "stable", "__init__"),
     ),
     "slipcircle": ("kernels", "base", "core", *ROOMS, "workbench", "__init__", "__main__"),
 }

@@ -78,20 +78,17 @@ def test_a_wrong_head_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 REMAINDERS = [
-    Remainder(sp.sin, 1, t), Remainder(sp.sin, 3, t), Remainder(sp.sin, 3, t, 1), Remainder(sp.cosh, 2, t, 1),
-    Remainder(sp.atanh, 3, t), Remainder(sp.atanh, 3, t, 1), Remainder(log1p, 1, t), Remainder(sp.atan, 1, t),
+    Remainder(sp.sin, 1, t), Remainder(sp.sin, 3, t), Remainder(sp.cosh, 2, t),
+    Remainder(sp.atanh, 3, t), Remainder(log1p, 1, t), Remainder(sp.atan, 1, t),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize("remainder", REMAINDERS, ids=lambda e: str(e).replace("Lambda(x_, ", "("))
 def test_a_remainder_keeps_its_digits(remainder: sp.Expr) -> None:
-    """Beside its definition at many digits, on both sides of every seam, and its derivative beside a difference."""
+    """Beside its definition at many digits, on both sides of every seam."""
     points = [1e-300, 1e-20, 1e-9, 1e-3, 0.1, 0.1249, 0.1251, 0.39, 0.41, 0.9]
     computed = program("remainder", ("t",), remainder).run(np.array(points))
     exact = sp.lambdify(t, unfold(remainder), "mpmath")
-    slope = sp.lambdify(t, unfold(sp.diff(remainder, t)), "mpmath")
     with mpmath.workdps(2000):
         for point, value in zip(points, computed.tolist(), strict=True):
             assert abs(mpf(value) / exact(mpf(point)) - 1) < 64 * 2.0**-53, point
-        step = mpf(10) ** -500
-        assert abs(slope(mpf("0.3")) - (exact(mpf("0.3") + step) - exact(mpf("0.3"))) / step) < mpf(10) ** -400

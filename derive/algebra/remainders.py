@@ -24,7 +24,6 @@ from sympy import (
     atanh,
     cos,
     cosh,
-    diff,
     exp,
     log,
     pi,
@@ -48,11 +47,6 @@ class Select(Function):
 
 class Horner(Function):
     """A polynomial: its argument, then its coefficients, lowest first. SymPy never expands it."""
-
-    def _eval_derivative(self, s: Symbol) -> Expr:
-        x, *coefficients = self.args
-        slope = [k * c for k, c in enumerate(coefficients)][1:]
-        return Horner(x, *slope) * diff(x, s)
 
 
 class Exp(Function):
@@ -102,9 +96,6 @@ class HalfTan(Primitive):
         x = self.args[0]
         return x * Remainder(sin, 1, x) / (1 + cos(x))
 
-    def fdiff(self, argindex: int = 1) -> Expr:
-        return (1 + self**2) / 2
-
 
 # The Taylor series of a remainder is summed for an entire function as far as anybody asks, to pi, and for artanh up to
 # a seam; its definition is computed beyond, with the end at 1 moved into the numbers.
@@ -116,54 +107,41 @@ FROM_ZERO = {log(1 + X): log1p, atan(X): atan}
 
 
 class Remainder(Primitive):
-    """(f(x) - its Taylor terms below x**n)/x**n, and with ``slopes`` = m what m derivatives make of it.
+    """(f(x) - its Taylor terms below x**n)/x**n."""
 
-    A derivative is by x, and over x where the remainder is even: ``Remainder(sin, 1, x, 1)`` is the slope of
-    sin(x)/x over x, (x cos x - sin x)/x**3.
-    """
+    nargs = 3
 
-    nargs = 4
-
-    def __new__(cls, f: FunctionClass | Lambda, n: int, x: Expr, slopes: int = 0) -> "Remainder":
+    def __new__(cls, f: FunctionClass | Lambda, n: int, x: Expr) -> "Remainder":
         if not isinstance(f, Lambda):
             f = Lambda(X, unfold(f(X)))
-        return super().__new__(cls, f, n, x, slopes)
+        return super().__new__(cls, f, n, x)
 
     @property
-    def parts(self) -> tuple[Expr, int, Expr, int]:
-        """f as an expression in `X`, n, x and the number of derivatives."""
-        f, n, x, slopes = self.args
-        return f.expr, int(n), x, int(slopes)
+    def parts(self) -> tuple[Expr, int, Expr]:
+        """f as an expression in `X`, n and x."""
+        f, n, x = self.args
+        return f.expr, int(n), x
 
     @property
     def even(self) -> bool:
         """Whether it is an even function."""
-        f, n, _, _ = self.parts
+        f, n, _ = self.parts
         return not any(taylor(f)[n + 1 :: 2])
 
     def definition(self) -> Expr:
-        f, n, x, slopes = self.parts
+        f, n, x = self.parts
         head = sum(c * X**k for k, c in enumerate(taylor(f)[:n]))
-        result = (f - head) / X**n
-        for _ in range(slopes):
-            result = diff(result, X) / (X if self.even else 1)
-        return result.subs(X, x)
-
-    def _eval_derivative(self, s: Symbol) -> Expr:
-        f, n, x, slopes = self.args
-        slope = Remainder(f, n, x, slopes + 1)
-        return (x if self.even else 1) * slope * diff(x, s)
+        remainder = (f - head) / X**n
+        return remainder.subs(X, x)
 
     def series(self) -> list[Rational]:
         """Its Taylor coefficients, in x**2 where it is even.
 
         Enough terms that the first neglected one is below an eighth of 2**-53 of the leading one.
         """
-        f, n, _, slopes = self.parts
+        f, n, _ = self.parts
         step = 2 if self.even else 1
         terms = list(taylor(f)[n::step])
-        for _ in range(slopes):
-            terms = [step * k * c for k, c in enumerate(terms)][1:]
         farthest = (pi if f in ENTIRE else SEAM) ** step
         for count in range(1, len(terms)):
             neglected = abs(terms[count]) * farthest**count
@@ -172,19 +150,19 @@ class Remainder(Primitive):
         raise ValueError(f"the series of {self} converges too slowly")
 
     def lower(self) -> Expr:
-        f, n, x, slopes = self.parts
+        f, n, x = self.parts
         power = 2 if self.even else 1
         size = Abs(x)
         if f in ENTIRE:
             return Horner(x**power, *self.series())
-        if n == 1 and not slopes and f in FROM_ZERO:  # its limit 1 is exact to the last bit for |x| < 2**-60
+        if n == 1 and f in FROM_ZERO:  # its limit 1 is exact to the last bit for |x| < 2**-60
             tiny = Rational(1, 2**60)
             one = Integer(1)
             away = Select(size, tiny, one, x)
             return Select(size, tiny, one, FROM_ZERO[f](away) / away)
         near = Max(Min(x, SEAM), -SEAM)
         far = Min(Select(size, SEAM, SEAM, x), LAST)
-        beyond = self.func(self.args[0], n, far, slopes).definition()
+        beyond = self.func(self.args[0], n, far).definition()
         return Select(size, SEAM, Horner(near**power, *self.series()), beyond)
 
 

@@ -232,33 +232,3 @@ def prove_equal(one: Expr, other: Expr, claim: str) -> None:
     refute(difference, claim)
     numerator, _ = fraction(together(difference))
     prove_zero(expand(numerator), claim)
-
-
-# --- how the moments of an arc grow with its half angle ---------------------------------------------------------------
-
-GROWTHS = ("weight_moment_amplitude", "radial_weight_amplitude", "polar_moment", "resistance_factor")
-
-
-def arc_growth(closed: Mapping[str, Expr]) -> tuple[Expr, ...]:
-    """Relative derivatives by alpha of C_theta, C_r, I_p*, lambda, all over Theta*, then of Theta* times alpha.
-
-    From the reduced functions F/alpha**3, whose slopes are O(alpha) each: nothing cancels in thin arcs.
-    """
-
-    def log_slope(name: str) -> Expr:
-        reduced = stable(closed[name]).reduced
-        return diff(reduced, alpha) / reduced
-
-    of_inertia = log_slope("moment_of_inertia")
-    return (*(log_slope(name) - of_inertia for name in GROWTHS), 3 + alpha * of_inertia)
-
-
-def prove_arc_growth(closed: Mapping[str, Expr]) -> list[str]:
-    """Prove the slopes of the reduced functions equal to those of the closed forms over alpha**3, by name."""
-    claims = []
-    for name, form in closed.items():
-        claim = f"{name}: slope of the reduced function"
-        reduced = alpha**3 * diff(stable(form).reduced, alpha)
-        prove_equal(reduced, diff(form, alpha) - 3 * form / alpha, claim)
-        claims.append(claim)
-    return claims

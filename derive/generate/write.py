@@ -66,12 +66,8 @@ def _template(name: str) -> str:
 
 def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
     """The modules that are programs with a docstring each."""
-    growth = emit.described(functions.growth(closed))
-    laws = emit.described(functions.laws())
     printed = [(p, f"{source}, as printed") for p, source in functions.printed()]
     return {
-        "growth.py": emit.plain_module("How the moments of an arc grow with its half angle.", growth),
-        "laws.py": emit.plain_module("The friction laws that have a formula.", laws),
         "motion.py": emit.module(
             "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest.",
             functions.motion(),
