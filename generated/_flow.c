@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "a5e561c63f4744e5348e569b3f3be3eead3995451bef339bc66efaab6dc7319a"
+#define DIGEST "39102ccca750017db9f8ca470531d3b3aa04315470784d3b7220d6cbc6bc71eb"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -164,6 +164,13 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     }
     job.all = cells.buf, job.count = cells.len / 8 / job.cells;
     job.begin = begin, job.end = end < job.count ? end : job.count, job.budget = budget;
+    int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0;
+    for (int t = 0; t < job.tables; t++) fits = fits && (!job.data[t].across || job.data[t].across == job.count);
+    if (!times.len && outputs.len) fits = fits && outputs.len == 8 * job.registers * job.count;
+    if (!fits) {
+        PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables or registers are not those of as many lanes");
+        goto done;
+    }
     if (times.len) {
         job.times = times.buf, job.outputs = outputs.buf;
         job.samples = outputs.len / 8 / job.count / (2 + job.states);

@@ -24,7 +24,7 @@ from slipcircle.base.forms import use_forms
 
 if TYPE_CHECKING:
     from slipcircle.core import Arc, Dimensionless, Energy, Motion, Plan, Scene, State, Status, plan, solve
-    from slipcircle.derivatives import parameters
+    from slipcircle.derivatives.parameters import parameters
     from slipcircle.ground import Section
     from slipcircle.layers import LayeredSection, Soil
     from slipcircle.tables import Pulse, Series

@@ -77,14 +77,14 @@ def test_energy_balances_at_all_times() -> None:
 @pytest.fixture
 def implicit(monkeypatch: pytest.MonkeyPatch) -> None:
     """What stiff lanes get is got from the first step on: another method on the same program."""
-    begun = Problem.initial_cells
+    begun = Problem.cells
 
-    def spent(problem: Problem) -> Any:
-        cells = begun(problem)
+    def spent(problem: Problem, *which: Any) -> Any:
+        cells = begun(problem, *which)
         cells[ix.STEPS] = ix.MOST_STEPS  # of what explicit steps a lane may take
         return cells
 
-    monkeypatch.setattr(Problem, "initial_cells", spent)
+    monkeypatch.setattr(Problem, "cells", spent)
 
 
 def test_implicit_steps_tell_the_same(implicit: None) -> None:

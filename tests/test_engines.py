@@ -248,6 +248,24 @@ def test_progress(capsys: pytest.CaptureFixture[str], told_at_once: None) -> Non
     assert re.fullmatch(r"100 of 100 scenes, \S+ a second, in \S+ s", progress.text())
 
 
+@pytest.mark.parametrize(
+    ("command", "counted"),
+    [("search real-slope", "valleys followed to their least factor"), ("search real-slope", "circles evaluated"),
+     ("backanalyse vaiont --run-out-m 400", "scenes solved"),
+     ("backanalyse vaiont --run-out-m 677+-5 --peak-velocity-m-s 28+-1", "starts followed to the best fit")],
+)  # fmt: skip
+def test_commands_tell_what_is_done_how_much_of_it_and_the_time_left(
+    command: str, counted: str, asked: Any, told_at_once: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(progress_module, "_SOON", (0.0, 0.0))
+    monkeypatch.setattr(progress_module, "_SELDOM", 0.0)
+    status, _, err = asked(*command.split())
+    assert status == 0
+    shares = re.findall(rf"(\d+) of (\d+) {counted}, \S+ a second, (?:\d+ s left|in \S+ s)", err)
+    assert shares
+    assert all(0 < int(done) <= int(total) for done, total in shares)
+
+
 @pytest.mark.parametrize(("with_rich", "erased"), [(True, "\x1b[2K"), (False, "\x1b[K")])
 def test_progress_on_a_terminal_leaves_an_empty_line(
     with_rich: bool, erased: str, told_at_once: None, monkeypatch: pytest.MonkeyPatch

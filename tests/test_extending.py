@@ -1,19 +1,25 @@
 """How to add a law, an effect and a moment, as `derive` says it: followed to the letter in a copy, and used there.
+A new kind of mass is a class: here an arc with a rigid load on top.
 
 `python -m tests.campaigns.all_weights` declares all 15 weights that a moment may have."""
 
 import json
 import math
 import re
-from functools import partial
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import mpmath
 import numpy as np
 import pytest
 from flint import arb_series
+from scipy.optimize import brentq
 
+from slipcircle import Arc, Scene, solve
+from slipcircle.core.scene.mass import Dimensionless, MomentCoefficients
 from tests.campaigns import all_weights
 from tests.campaigns.all_weights import run
 from tests.support import golden, taylor
@@ -149,3 +155,96 @@ def test_what_is_added_is_everywhere(tmp_path: Path) -> None:
     check_scene(plan_old, run_old, "exponential", 0, False)
     check_schema(schema, guide)
     check_moment(tmp_path)
+
+
+# --- a new kind of mass ----------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class LoadedArc(Arc):
+    """An arc with a rigid load on top, such as a house: N/m, at x and y from the centre, m."""
+
+    load: Any = 0.0
+    x: float = 0.0
+    y: float = 0.0
+    quantities: ClassVar[Mapping[str, int]] = {**Arc.quantities, "load": 0}
+
+    @cached_property
+    def bare(self) -> Arc:
+        return Arc(self.radius, self.theta_1, self.theta_2, self.unit_weight, self.gravity, self.width)
+
+    @cached_property
+    def moment_coefficients(self) -> MomentCoefficients:
+        arc, bare = self.bare.moment_coefficients, self.bare.dimensionless.moment_of_inertia
+        weight = self.load / (self.unit_weight * self.radius**2)
+        x, y = self.facing * self.x / self.radius, self.y / self.radius
+        distance = np.hypot(x, y)
+        parts = (
+            arc.driving_moment * bare - weight * x,
+            arc.driving_moment_slope * bare - weight * y,
+            arc.normal_load * bare - weight * y / distance,
+            arc.normal_load_slope * bare + weight * x / distance,
+            arc.resistance_factor * bare,
+            arc.polar_moment * bare + weight * distance,
+        )
+        over_inertia = [part / self.dimensionless.moment_of_inertia for part in parts]
+        return MomentCoefficients(*[*over_inertia, parts[0] / parts[2], 1.0])
+
+    @cached_property
+    def dimensionless(self) -> Dimensionless:
+        arc, weight = self.bare.dimensionless, self.load / (self.unit_weight * self.radius**2)
+        inertia = arc.moment_of_inertia + weight * (self.x**2 + self.y**2) / self.radius**2
+        return replace(arc, moment_of_inertia=inertia)
+
+
+HOUSE: Any = {"load": 4e6, "x": -70.0, "y": -40.0}
+RIGHT, MU = (100.0, math.radians(205.0), math.radians(285.0), 19e3), 0.25
+
+
+def turned(rotation: float, house: Mapping[str, float]) -> tuple[float, float, float]:
+    """Weight moment, normal load and moment of inertia, SI, after a rotation: the arc and the house in small pieces."""
+    radius, first, last, weight = RIGHT
+    half = (last - first) / 2
+    nodes, shares = np.polynomial.legendre.leggauss(60)
+    angle, of_angle = (first + last) / 2 + half * nodes, half * shares
+    inner = np.cos(half) / np.cos(half * nodes)
+    r = (inner + 1) / 2 + (1 - inner) / 2 * nodes[:, None]
+    piece = of_angle * (1 - inner) / 2 * shares[:, None] * r * weight * radius**2  # N/m
+    r, angle = (
+        np.append(r, math.hypot(house["x"], house["y"]) / radius),
+        np.append(np.broadcast_to(angle, r.shape), math.atan2(house["y"], house["x"])),
+    )
+    piece = np.append(piece, house["load"])
+    at = angle + rotation
+    return (
+        float(np.sum(piece * r * radius * -np.cos(at))),
+        float(np.sum(piece * -np.sin(at))) * radius,
+        float(np.sum(piece * (r * radius) ** 2)) / 9.81,
+    )
+
+
+@pytest.mark.parametrize("house", [HOUSE, {**HOUSE, "load": 0.0}, {"load": 9e6, "x": -15.0, "y": -60.0}])
+def test_a_new_mass_is_one_class(house: Any) -> None:
+    """It turns as the balance of energy of its pieces says, in both directions of the slope, and in an ensemble."""
+
+    def net(rotation: float) -> float:
+        drive, load, _ = turned(rotation, house)
+        return drive - MU * load
+
+    def energy(rotation: float) -> float:
+        nodes, shares = np.polynomial.legendre.leggauss(30)
+        return rotation / 2 * sum(s * net(rotation * (1 + x) / 2) for x, s in zip(nodes, shares, strict=True))
+
+    fastest = brentq(net, 0.0, 1.5, xtol=1e-15)
+    rests = brentq(energy, fastest, 3.0, xtol=1e-15)
+    _, _, inertia = turned(0.0, house)
+    motion = solve(Scene(LoadedArc(*RIGHT, **house), MU, ["rotation"]))
+    assert motion.end.rotation == pytest.approx(rests, rel=1e-11)
+    assert motion.peak.angular_velocity == pytest.approx(math.sqrt(2 * energy(fastest) / inertia), rel=1e-11)
+    radius, first, last, weight = RIGHT
+    mirrored = LoadedArc(radius, 3 * math.pi - last, 3 * math.pi - first, weight, **{**house, "x": -house["x"]})
+    assert solve(Scene(mirrored, MU, ["rotation"])).run_out == pytest.approx(motion.run_out, rel=1e-12)
+    loads = np.array([0.0, house["load"]])
+    both = solve(Scene(LoadedArc(*RIGHT, **{**house, "load": loads}), MU, ["rotation"], accuracy=1e-13))
+    bare = solve(Scene(Arc(*RIGHT), MU, ["rotation"]))
+    assert both.run_out == pytest.approx([bare.run_out, motion.run_out], rel=1e-11)

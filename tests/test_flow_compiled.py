@@ -9,8 +9,9 @@ import pytest
 
 import slipcircle
 from generated import layout as ix
+from slipcircle import Scene
 from slipcircle.tables import Pulse, Series
-from tests.support.lanes import BACKENDS, BINARY, Problem, Samples, build_problem, compiled, integrate, needs_binary
+from tests.support.lanes import BACKENDS, BINARY, Problem, Samples, compiled, integrate, needs_binary, posed
 
 pytestmark = needs_binary
 
@@ -45,7 +46,8 @@ SCENES: dict[str, tuple[dict[str, Any], Any, float]] = {
 
 def lanes(name: str, accuracy: float = 1e-11) -> Problem:
     called, friction, end = SCENES[name]
-    return build_problem(slipcircle.load("vaiont").arc, called, friction, PUSHED, end, accuracy, LANES)
+    until = None if math.isinf(end) else end
+    return posed(Scene(slipcircle.load("vaiont").arc, friction, called, PUSHED, until), accuracy)
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -112,10 +114,16 @@ def test_threads_walk_side_by_side() -> None:
 
 def test_what_does_not_fit_is_refused() -> None:
     bound = lanes("constant")
-    code, cells, nothing = compiled.encoded(bound.program), bound.cells.copy(), np.empty(0)
+    code, cells, nothing = compiled.encoded(bound.program), bound.cells(), np.empty(0)
     for bad in (code[:-4], code + code[:4]):
         with pytest.raises(ValueError, match="do not fit"):
             BINARY.integrate(bad, (), cells, 14, 0, LANES, 1, nothing, nothing, nothing, 0)
+    for short in (cells[:-1], cells[:0]):
+        with pytest.raises(ValueError, match="not those of as many lanes"):
+            BINARY.integrate(code, (), short.copy(), 14, 0, LANES, 1, nothing, nothing, nothing, 0)
+    registers = np.zeros((len(bound.program.registers) - 1, LANES))
+    with pytest.raises(ValueError, match="not those of as many lanes"):
+        BINARY.integrate(code, (), cells, 14, 0, LANES, 0, nothing, registers, nothing, 0)
     with pytest.raises(ValueError, match="do not fit"):
         BINARY.integrate(code, (), cells, 99, 0, LANES, 1, nothing, nothing, nothing, 0)
 

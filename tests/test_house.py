@@ -188,6 +188,7 @@ OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "water": ("valley-side", {}, bool),
     "creep": ("vaiont", {"effects": CREEP}, bool),
     "stiff": ("vaiont", {"effects": CREEP, "end_time": 1e6}, bool),
+    "plan": ("vaiont", {}, lambda motion: motion.plan.why),
     "equation": ("vaiont", {}, lambda motion: motion.plan.equation),
     "estimate": ("vaiont", {}, lambda motion: motion.error_estimate),
     "warnings": ("vaiont", {}, lambda motion: motion.warnings),

@@ -212,8 +212,25 @@ def test_soils_are_drawn_in_the_ground_and_in_the_mass_with_their_names() -> Non
     section = profile("constant friction")
     root = tree(live.page([solve(Scene(section, effects=TURNING))]))
     bands = [e for e in root.iter("path") if e.get("class", "").startswith("band ")]
-    assert len(bands) == 2 * (len(section.layers) - 1)
+    assert len(bands) == 2 * len(section.layers)
     assert {soil.name for soil, _ in section.layers} <= {e.text for e in root.iter("text")}
+
+
+def test_surcharges_are_arrows_onto_the_ground_with_their_values() -> None:
+    section = replace(profile("constant friction"), surcharge=[(-8.0, -2.0, 10e3, 30e3)])
+    m = solve(Scene(section, effects=TURNING))
+    root = tree(live.page([m]))
+    (line,) = (e.get("d") for e in root.iter("path") if e.get("class") == "surcharge")
+    tail, *arrows = [
+        np.array(re.findall(r"-?[\d.]+", part), dtype=float).reshape(-1, 2) for part in line.split("M")[1:]
+    ]
+    tips = np.array([arrow[1] for arrow in arrows])
+    ground = livesection.frame_around([m]).points(np.array([[-8.0, 20.0], [-2.0, 20.0]]))  # level at 20 m there
+    assert tips[[0, -1]] == pytest.approx(ground, abs=0.1)
+    heights = tips[:, 1] - tail[:, 1]
+    assert heights == pytest.approx(np.linspace(heights[-1] / 3, heights[-1], len(tips)), abs=0.1)
+    assert "10 to 30 kPa" in {e.text for e in root.iter("text")}
+    assert "surcharges" in "".join(tree(live.page([m])).find(".//figcaption").itertext())
 
 
 @pytest.mark.parametrize(

@@ -14,10 +14,11 @@ from generated import layout as ix
 from generated.effects import ALL_EFFECTS, EFFECTS, LAWS
 from generated.flow import TERMS
 from slipcircle import Scene, load, plan, solve
-from slipcircle.core.motion.plan import FLOW, STEPS, flops
 from slipcircle.tables import Series
+from slipcircle.words.choice import FLOW, STEPS, flops
 from slipcircle.words.equation import Equation
 from slipcircle.workbench.studies.ladder import ladder
+from tests.support.lanes import walked
 
 ARC = load("vaiont").arc
 SOFTENING = {"law": "exponential", "peak": 0.4, "residual": 0.2, "length": 2.0}
@@ -77,8 +78,8 @@ def test_accuracy_counts_in_ensembles_alone() -> None:
     assert costs[-1] < plan(alone, 1e-3).cost
     for scene, accuracy in ((alone, 1e-3), (several, 1e-3), (several, 1e-12)):
         motion = solve(scene, accuracy)
-        (terms,) = {*motion._lanes.problem.cells[ix.ORDER].tolist()}
-        program = motion._lanes.problem.program
+        (terms,) = {*walked(motion).cells()[ix.ORDER].tolist()}
+        program = walked(motion).program
         assert motion.plan.cost == STEPS * flops(program, int(terms))
 
 

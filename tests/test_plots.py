@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -198,6 +199,100 @@ def test_animation_moves_the_mass() -> None:
         assert f"{float(state.velocity):.2f} m/s" in figure.get_suptitle()
 
 
+# --- what stands where -----------------------------------------------------------------------------------------------
+
+# The ground ends close to the mass, and in view.
+SHORT = replace(
+    profile("constant friction"),
+    ground=[(-24, 20), (0, 20), (40, 0), (52, 0)],
+    base=-8.0,
+    level=[(-90, 10), (90, -8)],
+    surcharge=[(-15.0, -9.0, 10e3, 30e3), (-30.0, -23.0, 5e3, 5e3)],
+)
+
+
+@cache
+def short() -> Any:
+    ax = plots.section(solve(Scene(SHORT, effects=TURNING)), drawn((8.6, 4.3)))
+    ax.figure.draw_without_rendering()
+    return ax
+
+
+def test_labels_of_forces_are_beside_their_arrows_and_the_weight_is_in_view() -> None:
+    ax = plots.section(motion("vaiont"), drawn((8.5, 5.0)), forces=True)
+    figure = ax.figure
+    figure.draw_without_rendering()
+    arrows = [a for a in ax.texts if getattr(a, "arrow_patch", None) and not hasattr(a, "anchors")]
+    assert len(arrows) == 9
+    weight = arrows[0]
+    assert ax.get_ylim()[0] < weight.xy[1] < weight.xyann[1]
+    share = np.linspace(0.0, 1.0, 50)[:, None]
+    points = [ax.transData.transform(a.xyann + share * np.subtract(a.xy, a.xyann)) for a in arrows]
+    renderer = figure.canvas.get_renderer()
+    for text in ax.texts:
+        if text.get_text():
+            box = Text.get_window_extent(text, renderer)
+            assert not any(np.any(np.all((line > box.min) & (line < box.max), axis=1)) for line in points), text
+
+
+def test_soils_have_their_names_in_the_ground_beside_the_mass() -> None:
+    ax = short()
+    left, right = -24.0, 52.0
+    outlines = [matplotlib.path.Path(p.get_xy()) for p in ax.patches if isinstance(p, Polygon)]
+    names = {soil.name: k for k, (soil, _) in enumerate(SHORT.layers)}
+    shown = [text for text in ax.texts if text.get_text() in names]
+    assert len(shown) >= 3
+    for text in shown:
+        box = Text.get_window_extent(text, ax.figure.canvas.get_renderer())
+        corners = ax.transData.inverted().transform([box.min, box.max])
+        (x, y), (x_2, y_2) = corners
+        assert left < x < x_2 < right
+        assert not any(path.contains_points([(x, y), (x, y_2), (x_2, y), (x_2, y_2)]).any() for path in outlines)
+        tops = [np.interp((x + x_2) / 2, *np.transpose(SHORT.ground))]
+        for _, top in SHORT.layers[1:]:
+            tops.append(
+                min(tops[-1], float(top) if np.ndim(top) == 0 else np.interp((x + x_2) / 2, *np.transpose(top)))
+            )
+        k = names[text.get_text()]
+        assert [*tops, -np.inf][k + 1] < (y + y_2) / 2 < tops[k]
+
+
+def test_water_firm_layer_and_surcharges_end_with_the_ground() -> None:
+    lines = [np.asarray(line.get_xydata()) for line in short().lines]
+    level = [line for line in lines if np.allclose(np.interp(line[:, 0], [-90, 90], [10, -8]), line[:, 1])]
+    firm = [line for line in lines if np.all(line[:, 1] == -8.0)]
+    for (line,) in (level, firm):
+        assert line[[0, -1], 0].tolist() == [-24.0, 52.0]
+    loads = [line for line in lines if np.any(np.isnan(line))]
+    for line, ends, high in zip(loads, [(-15.0, -9.0), (-24.0, -23.0)], [(1 / 3, 1.0), (1 / 6, 1 / 6)], strict=True):
+        tails = line[: np.flatnonzero(np.isnan(line[:, 0]))[0]]
+        assert tails[[0, -1], 0] == pytest.approx(ends)
+        greatest = np.nanmax(loads[0][:, 1]) - 20.0
+        assert tails[[0, -1], 1] - 20.0 == pytest.approx(np.array(high) * greatest)
+        assert np.nanmin(line[:, 1]) == 20.0  # the tips of the arrows
+    assert {"10 to 30 kPa", "5 kPa", "firm layer", "water level"} <= {*legend(short())}
+
+
+def test_no_name_stands_at_a_boundary_that_passes_the_exit() -> None:
+    """All boundaries leave the ground at the toe, where this circle does."""
+    scene = load("layered-slope")
+    ax = layerplot.stress_along(solve(replace(scene, arc=replace(scene.arc, radius=17.94792))), drawn())
+    ends = [area.get_x() + area.get_width() for area in ax.patches]
+    named = [text for text in legend(ax) if text in ("sand", "silt", "clay")]
+    starts = [area.get_x() for area in ax.patches]
+    long = [end for start, end in zip(starts, ends, strict=True) if end - start > 0.03 * ends[-1]]
+    assert len(named) == len(long)
+
+
+@pytest.mark.parametrize(
+    ("duration", "seconds", "words"),
+    [(5.02, 5.0, "in real time"), (4.98, 5.0, "in real time"), (10.3, 10.0, "in real time"), (0.0, 4.0, "in real time"),
+     (11.0, 5.0, "2.2 times faster"), (1.0, 4.0, "4 times slower")],
+)  # fmt: skip
+def test_how_fast_a_slide_is_played(duration: float, seconds: float, words: str) -> None:
+    assert plotstyle.pace(duration, seconds) == words
+
+
 # --- words that could mislead --------------------------------------------------------------------------------------
 
 
@@ -225,6 +320,20 @@ def test_the_map_of_a_search_is_darkest_where_most_dangerous() -> None:
     assert low < 0.5 * high
     assert 1.03 * least < most
     assert least == np.nanmin(found.values)
+
+
+def test_a_flat_map_of_a_search_has_a_scale_with_different_labels() -> None:
+    stability = stability_of(load("real-slope"))
+    assert stability is not None
+    found = critical(stability.slope)
+    least = np.nanmin(found.values)
+    flat = replace(found, values=least + 1e-3 * (found.values - least))
+    searchplot.critical_circle(flat, figure := canvas((9.0, 6.0)))
+    figure.draw_without_rendering()
+    low, high = figure.axes[1].get_xlim()
+    labels = [t.get_text() for t in figure.axes[1].get_xticklabels() if low <= t.get_position()[0] <= high]
+    assert len(labels) == len({*labels}) > 2
+    assert [float(label) for label in labels] == pytest.approx(figure.axes[1].get_xticks()[-len(labels) :], abs=1e-2)
 
 
 # --- greys and names -----------------------------------------------------------------------------------------------

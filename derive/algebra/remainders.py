@@ -131,8 +131,7 @@ class Remainder(Primitive):
     def definition(self) -> Expr:
         f, n, x = self.parts
         head = sum(c * X**k for k, c in enumerate(taylor(f)[:n]))
-        remainder = (f - head) / X**n
-        return remainder.subs(X, x)
+        return ((f - head) / X**n).subs(X, x)
 
     def series(self) -> list[Rational]:
         """Its Taylor coefficients, in x**2 where it is even.

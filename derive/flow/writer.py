@@ -117,6 +117,9 @@ class Writer:
             case ast.BoolOp(op=op, values=parts):
                 values = [self.value(x) for x in parts]
                 kind = joined(values, "MBN")
+                has_others = any(v.kind != "M" for v in values)
+                if kind == "M" and has_others:
+                    self.refuse(e, "a mask is joined with masks only")
                 return Value(self.logic("and" if isinstance(op, ast.And) else "or", values, kind), kind)
         self.refuse(e, "this expression is not in the grammar of the integrator")
         raise AssertionError
@@ -252,15 +255,17 @@ class Writer:
         yield from self.count(name, way, first.text, last.text, s.body)
 
     def _if(self, s: ast.If) -> Iterator[str]:
-        test = self.value(s.test)
-        if test.kind in ("M", "B") and isinstance(s.test, ast.BoolOp) and isinstance(s.test.op, ast.And):
+        if isinstance(s.test, ast.BoolOp) and isinstance(s.test.op, ast.And):
             first, *others = s.test.values
             shared = self.value(first)
-            if shared.kind == "N":  # the same for all lanes
-                rest = others[0] if len(others) == 1 else ast.BoolOp(ast.And(), others)
-                inner = ast.copy_location(ast.If(rest, s.body, []), s)
-                yield from self.shared_if(shared.text, [ast.fix_missing_locations(inner)])
+            rest = others[0] if len(others) == 1 else ast.BoolOp(ast.And(), others)
+            if shared.kind == "N" and self.value(rest).kind != "N":  # the first is the same for all lanes
+                inner = ast.If(rest, s.body, [])
+                ast.copy_location(inner, s)
+                ast.fix_missing_locations(inner)
+                yield from self.shared_if(shared.text, [inner])
                 return
+        test = self.value(s.test)
         if test.kind not in ("N", "M", "B"):
             self.refuse(s, "an `if` is on a truth value")
         if test.kind == "N":

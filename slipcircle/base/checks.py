@@ -92,7 +92,7 @@ def plain(value: Any) -> Any:
     if type(value) is float:
         return value
     if np.ndim(value):
-        return np.add(value, 0.0)
+        return np.asarray(value, np.float64)
     return float(value)
 
 

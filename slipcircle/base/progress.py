@@ -10,7 +10,7 @@ from threading import Event, Lock, Thread
 from typing import IO, Any, ClassVar, Self, TypeVar
 
 T = TypeVar("T")
-_SOON = 1.0, 10.0  # s, before `track` shows anything on a terminal, elsewhere
+_SOON = 1.0, 10.0  # s, before `counted` work shows anything on a terminal, elsewhere
 _OFTEN, _SELDOM = 0.2, 2.0  # s between updates of a terminal; until the first line elsewhere, ever more for the next
 _CLEAR = "\r\x1b[K"  # the line of a terminal
 
@@ -95,10 +95,19 @@ class Progress:
         self.bar.update(task, completed=self.done, description=self.text(), refresh=True)
 
 
+def counted(total: int, things: str) -> Progress:
+    """Progress of which nothing is shown if the work is done soon."""
+    progress = Progress(total, things)
+    progress.shown += _SOON[not progress.is_terminal]
+    return progress
+
+
 def track(items: Collection[T], things: str) -> Iterator[T]:
-    """The items one by one, counted as they are done; nothing is shown of work that is done soon."""
-    with Progress(len(items), things) as progress:
-        progress.shown += _SOON[not progress.is_terminal]
+    """The items one by one, `counted` as they are done; of a single one its parts are counted."""
+    if len(items) < 2:
+        yield from items
+        return
+    with counted(len(items), things) as progress:
         for item in items:
             yield item
             progress()

@@ -7,9 +7,9 @@ need stands in rooms beside it, which `slipcircle.core.doors` lists.
 """
 
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.plan import Plan, plan, step_operations
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.motion.states import ANSWERED, Energy, State, Status
+from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH, Arc
 from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.core.scene.friction import (
@@ -52,5 +52,4 @@ __all__ = [
     "numpy_only",
     "plan",
     "solve",
-    "step_operations",
 ]

@@ -14,10 +14,11 @@ class Door(NamedTuple):
 DOORS = {
     "forcing": Door("shaking, or water that changes with time", "slipcircle.tables.forcing"),
     "tables": Door("a function of time, or a law in pieces or by a list", "slipcircle.tables.tables"),
-    "functions": Door("friction as a function of slip in Python", "slipcircle.tables.interpolation"),
+    "functions": Door("friction as a function of slip in Python", "slipcircle.tables.functions"),
     "water": Door("a section has a water level", "slipcircle.ground.water"),
     "creep": Door("a viscous layer, and no end time", "slipcircle.stiff.creep"),
     "stiff": Door("explicit steps were too many", "slipcircle.stiff.implicit"),
+    "plan": Door("a plan is asked for its words", "slipcircle.words.choice"),
     "equation": Door("the equation of a scene is asked for", "slipcircle.words.equation"),
     "estimate": Door("the error of a motion is asked for", "slipcircle.words.accuracy"),
     "warnings": Door("the warnings of a motion are asked for", "slipcircle.words.warnings"),

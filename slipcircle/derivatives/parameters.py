@@ -6,7 +6,7 @@ all replace values by these names; how a scene file calls them is the file reade
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import effects as declared
-from slipcircle.base.checks import InputError
+from slipcircle.base.checks import InputError, plain
 from slipcircle.base.kinds import Flags, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
 from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
@@ -236,6 +236,25 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
     of_arc = changed.pop("arc")
     arc = replace(scene.arc, **of_arc) if of_arc else scene.arc
     return replace(scene, arc=arc, **changed)
+
+
+def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
+    """Some lanes of a scene: ``select`` takes an array of the scene's shape. They were checked with it."""
+    assert isinstance(scene.effects, dict)
+    shaking = scene.effects.get("shaking", {})
+    chosen = {}
+    for name, value in scene.numbers.items():
+        if not np.ndim(value):
+            continue
+        every_lane = np.broadcast_to(value, scene.shape)
+        of_lanes = select(every_lane)
+        chosen[name] = plain(of_lanes)
+    for name in _OTHER_FACTOR:
+        if name not in shaking:  # it stands for the other
+            chosen.pop(f"shaking.{name}", None)
+    changed = _fields_with(scene, chosen)
+    arc = replace_unchecked(scene.arc, changed["arc"])
+    return replace_unchecked(scene, changed | {"arc": arc})
 
 
 def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, Flags]:

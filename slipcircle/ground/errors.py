@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+import slipcircle.ground.circles as circles
 from slipcircle.base.checks import Fault
-from slipcircle.ground import circles
 from slipcircle.ground.ground import pond_errors
 
 

@@ -138,6 +138,10 @@ class Section(SectionGeometry, Mass):
         return {**effects, "pore_pressure": {**ratio_or_pressure, "level": self.mean_pressure}}
 
     @property
+    def lanes_shape(self) -> tuple[int, ...]:
+        return self.shape
+
+    @property
     def _weighted_moments(self) -> Mapping[str, Floats]:
         """Integrals of `circles.MEASURES` over the mass, each integrand times the unit weight over its mean."""
         return self._moments

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, complaint, mistakes, raise_all
-from slipcircle.base.kinds import Effects, Floats, Values
+from slipcircle.base.kinds import Effects, Floats, Names, Values
 from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
 from slipcircle.core.scene.mass import Farther
@@ -74,6 +74,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     surcharge: Sequence[tuple[float, float, Any, Any]] = ()
     rate: Values | None = None
     crack: Any = 0.0
+    own_effects: ClassVar[Names] = ("cohesion", "pore_pressure")
     quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
 
     def __post_init__(self) -> None:
@@ -318,9 +319,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def mistakes(self, friction: Any, effects: Effects) -> list[str]:
         """Also what a scene says that its soils say."""
         of_soils = "is given by the soils of a layered section; leave it out"
-        strengths = ("cohesion", "pore_pressure")
         found = super().mistakes(friction, effects)
-        found += [f"effects.{name}: {of_soils}" for name in strengths if name in effects]
+        found += [f"effects.{name}: {of_soils}" for name in self.own_effects if name in effects]
         if friction is not None and not isinstance(friction, MeanFriction):
             found.append(f"friction = {friction!r}: {of_soils}")
         return found

@@ -21,12 +21,13 @@ from numpy.typing import NDArray
 from generated import layout as ix
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
+from slipcircle.core.doors import room
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.program.program import Samples
 from slipcircle.core.walk.compiled import engine
 
 Lanes = NDArray[np.intp]
-Integrate = Callable[[Problem, Samples | None], Floats]  # final cells
+Integrate = Callable[[Floats, Samples | None], Floats]  # final cells of those to begin with
 
 CRITICAL = 4.0 / (1.0 + (math.pi / math.log(EPS)) ** 2)  # d^2 over K from which on a mass creeps
 LEFT = 0.01  # of the run-out, when the mass is said to have arrived
@@ -41,7 +42,7 @@ LONGEST = 2.0**200  # dimensionless time
 
 
 class Now(NamedTuple):
-    """Some lanes of a problem, and their cells where they are."""
+    """Some lanes of a problem, and their cells where they are, or those of all lanes."""
 
     problem: Problem
     lanes: Lanes
@@ -57,7 +58,7 @@ class Ahead(NamedTuple):
     greatest: Floats  # N/y from here on, at most
 
 
-def integrate(problem: Problem, samples: Samples | None, integrate_lanes: Integrate) -> Floats:
+def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrate_lanes: Integrate) -> Floats:
     """Final cells of lanes, some of which may creep: these end at an infinite time, at their equilibrium.
 
     `ix.REST_SINCE` of such a lane is the time by which all but `LEFT` of its run-out is covered.
@@ -65,17 +66,19 @@ def integrate(problem: Problem, samples: Samples | None, integrate_lanes: Integr
     Parameters
     ----------
     problem : Problem
+    begin : ndarray
+        Cells that lanes begin with.
     samples : Samples, optional
     integrate_lanes : callable
-        Integrates all lanes of a problem to their end.
+        Integrates all lanes to their end.
     """
-    which, end_time = _candidates(problem)
+    which, end_time = _candidates(problem, begin)
     if not which.size:
-        return integrate_lanes(problem, samples)
+        return integrate_lanes(begin, samples)
     creeping = np.zeros(which.size, dtype=bool)
     undecided = ~creeping
     while undecided.any() and end_time.max() < LONGEST:
-        cells = integrate_lanes(_until(problem, which, end_time), None)
+        cells = integrate_lanes(_until(begin, which, end_time), None)
         final = cells[:, which]
         moving = final[ix.STATUS] == ix.ENDED
         caught, equilibrium = _caught(problem, which, final)
@@ -84,11 +87,11 @@ def integrate(problem: Problem, samples: Samples | None, integrate_lanes: Integr
         end_time = np.where(undecided, 2.0 * end_time, end_time)
     lanes = which[creeping]
     rotation = equilibrium[creeping]
-    arrival = _arrival(problem, lanes, rotation, end_time[creeping], integrate_lanes)
+    arrival = _arrival(Now(problem, lanes, begin), rotation, end_time[creeping], integrate_lanes)
     if samples is not None:
         last_sample = samples.times[-1].max()
         last = np.maximum(end_time, last_sample)
-        integrate_lanes(_until(problem, which, last), samples)
+        integrate_lanes(_until(begin, which, last), samples)
     _settle(cells, lanes, rotation, arrival)
     cells[ix.END_TIME, which] = np.inf
     cells[ix.STATUS, which[undecided]] = ix.TOO_LONG
@@ -109,16 +112,15 @@ def _settle(cells: Floats, lanes: Lanes, rotation: Floats, arrival: Floats) -> N
     cells[ix.REACH_TIME, farther] = np.inf
 
 
-def _until(problem: Problem, which: Lanes, end_time: Floats) -> Problem:
-    """The same problem with other ends of some lanes."""
-    cells = problem.initial_cells()
+def _until(begin: Floats, which: Lanes, end_time: Floats) -> Floats:
+    """The same cells with other ends of some lanes."""
+    cells = begin.copy()
     cells[ix.END_TIME, which] = end_time
-    return problem._replace(cells=cells)
+    return cells
 
 
-def _candidates(problem: Problem) -> tuple[Lanes, Floats]:
+def _candidates(problem: Problem, cells: Floats) -> tuple[Lanes, Floats]:
     """Lanes without an end that are overdamped at the equilibrium ahead, and the time that their approach takes."""
-    cells = problem.cells
     begins = cells[ix.STATUS] == ix.START
     endless = cells[ix.END_TIME] == np.inf
     (which,) = np.nonzero(begins & endless)
@@ -221,16 +223,17 @@ def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
     cells[ix.OMEGA] = omega
     cells[ix.X] = 0.0
     cells[ix.LIFTED] = 0.0
-    problem.extend_rotations(cells[ix.ROTATION], lanes)
-    problem.extend_tables(cells)
-    tables = [table.lanes(lanes) for table in problem.tables]
-    registers = engine().begin_phase(problem.program, tables, cells)
+    problem.reach_farther(cells[ix.ROTATION], lanes)
+    if problem.function is not None:
+        room("functions").extend(problem, cells)
+    registers = engine().begin_phase(problem.program, problem.tables(lanes), cells)
     net = problem.program.roles["net"]
     return np.reshape(registers[net], distance.shape)
 
 
-def _arrival(problem: Problem, lanes: Lanes, equilibrium: Floats, end: Floats, integrate_lanes: Integrate) -> Floats:
+def _arrival(now: Now, equilibrium: Floats, end: Floats, integrate_lanes: Integrate) -> Floats:
     """The time from which lanes are within `LEFT` of their run-out from their equilibrium, before some end."""
+    lanes = now.lanes
     low = np.zeros(lanes.size)
     high = end
     if not lanes.size:
@@ -240,11 +243,11 @@ def _arrival(problem: Problem, lanes: Lanes, equilibrium: Floats, end: Floats, i
     shares = np.linspace(0.0, 1.0, count + 1)
     within = LEFT * np.abs(equilibrium)
     every = np.arange(lanes.size)
-    long_enough = _until(problem, lanes, 2.0 * end)
+    long_enough = now._replace(cells=_until(now.cells, lanes, 2.0 * end))
     while np.any(high - low > NEXT * high):
         width = high - low
         times = low + shares[:, None] * width
-        rotation, omega = _read(long_enough, lanes, times, integrate_lanes)
+        rotation, omega = _read(long_enough, times, integrate_lanes)
         left = np.abs(rotation - equilibrium)
         outside = left > within
         after_last_outside = outside[::-1].argmax(axis=0)
@@ -256,12 +259,12 @@ def _arrival(problem: Problem, lanes: Lanes, equilibrium: Floats, end: Floats, i
     return high - since_arrival
 
 
-def _read(problem: Problem, lanes: Lanes, times: Floats, integrate_lanes: Integrate) -> tuple[Floats, Floats]:
+def _read(now: Now, times: Floats, integrate_lanes: Integrate) -> tuple[Floats, Floats]:
     """Rotation and omega of some lanes at times of their own, (times, lanes)."""
-    all_times = np.zeros((len(times), problem.cells.shape[1]))
-    all_times[:, lanes] = times
-    outputs = 2 + len(problem.program.states)
+    all_times = np.zeros((len(times), now.cells.shape[1]))
+    all_times[:, now.lanes] = times
+    outputs = 2 + len(now.problem.program.states)
     states = np.zeros((outputs, *all_times.shape))
-    integrate_lanes(problem, Samples(all_times, states))
-    rotation, omega, *_ = states[:, :, lanes]
+    integrate_lanes(now.cells, Samples(all_times, states))
+    rotation, omega, *_ = states[:, :, now.lanes]
     return rotation, omega

@@ -1,7 +1,7 @@
 """Implicit steps of the same program, for stiff lanes such as creep through a viscous layer.
 
 The states at the points of a step (`slipcircle.stiff.radau`) solve residual = 0 by Newton's iteration with the
-exact Jacobian I - h a_ij df/dy(Y_j), which the program carries as tangents. Fast transients decay within one step of
+Jacobian I - h a_ij df/dy(Y_j), from differences. Fast transients decay within one step of
 any length, and the end is accurate to order 2 s - 1. The step is as long as its polynomial, judged by its last Legendre
 coefficients, is the motion to rounding; events and samples are read off it. Phases and events are those of
 `generated.walk`.
@@ -17,7 +17,7 @@ from generated import layout as ix
 from generated import walk
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
-from slipcircle.core.problem.problem import Problem, common_cells
+from slipcircle.core.problem.problem import Problem
 from slipcircle.core.program.program import Log, Samples
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.core.walk.compiled import engine
@@ -37,6 +37,7 @@ from slipcircle.stiff.radau import (
 CREEP = 1e-12  # of the greatest speed, below which a mass without an end time creeps without end
 ENDLESS = 1e12  # dimensionless time, thirty thousand years and more, after which a motion has no end
 ITERATIONS = 12
+DIFFERENCE = 2.0**-26  # relative, from which the Jacobian is taken
 CONVERGED = 1e-12  # a correction, relative, from which on it is rounding that keeps it from falling
 # Of one lane, breaks of what changes with time not included. A step no longer than some explicit ones counts for ten:
 # then the motion is not stiff, but trembles or swings for long.
@@ -50,15 +51,10 @@ def integrate(
     problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: NDArray[np.intp]
 ) -> None:
     """Integrate some lanes one after the other from their present states, as `generated.walk.integrate` does."""
-    present = problem._replace(cells=cells)
-    with_tangents = present.with_outputs(problem.outputs, directions=1)
-    program = with_tangents.program
-    result_cells, own_cells = common_cells(problem.program, program)
     for number in which:
         lane_number = np.array([number])
-        begun = with_tangents.cells[:, lane_number]
-        lane = _Implicit(program, with_tangents.tables, begun, lane_number, samples, log)
-        lane.integrated = len(problem.program.states)
+        begun = cells[:, lane_number]
+        lane = _Implicit(problem.program, problem.tables(), begun, lane_number, samples, log)
         state = lane.cells
         state[ix.STATUS] = ix.MOVING
         state[ix.STEPS] = 0.0
@@ -68,7 +64,7 @@ def integrate(
             walk.begin_phases(lane)
             while lane.status <= ix.RESTING:
                 lane.advance()
-        cells[result_cells, number] = state[own_cells, 0]
+        cells[:, number] = lane.stored[:, 0]
 
 
 _ONE = np.arange(1)  # the index of the one lane
@@ -93,7 +89,6 @@ class _Implicit(walk.Lanes):
     """One lane; its step extends to the next event or break and consists of any number of implicit steps."""
 
     steps_left = MOST_STEPS
-    integrated = 0  # states, their tangents among them where these are asked for
 
     @property
     def status(self) -> float:
@@ -132,15 +127,12 @@ class _Implicit(walk.Lanes):
     def _prepare(self) -> None:
         """Prepare the quantities that all implicit steps up to the next event share."""
         program = self.program
-        (self.tangent,) = program.tangents
         next_break = walk.next_break(self)
         end_time = self.cells[ix.END_TIME]
         limit = np.minimum(next_break, end_time)
         self.limit = float(limit[0])
-        integrated = program.states[: self.integrated]
-        self.state_cells = [cell for cell, _, _ in integrated]
-        self.rates = [rate for _, _, rate in integrated]
-        self.without_tangents = len(program.states) // 2  # states, the first of them
+        self.state_cells = [cell for cell, _, _ in program.states]
+        self.rates = [rate for _, _, rate in program.states]
         self.explicit = self._explicit_step()
         self.events = self._events()
 
@@ -264,38 +256,20 @@ class _Implicit(walk.Lanes):
         states = step.states(since)
         return self._at(time, states)
 
-    def _jacobian(self, times: Floats, points: Floats) -> Floats:
-        """df_j/dy_i at points (points, states), as (i, points, j), by the program's tangents in the states' directions.
-
-        Tangents that are integrated beside the states have the same; how it changes with the states is neglected, as
-        their own equations are linear.
-        """
-        count = len(times)
-        registers = self._in_directions_of_states(times, points)
-        states = self.without_tangents
-        jacobian = np.zeros((states, count, states))
-        for j, rate in enumerate(self.rates[:states]):
-            rate_dot = self.tangent.registers.get(rate)
-            if rate_dot is not None:
-                jacobian[:, :, j] = registers[rate_dot]
-        copies = np.eye(self.integrated // states)
-        blocks = np.einsum("ab,ikj->aikbj", copies, jacobian)
-        return blocks.reshape(self.integrated, count, self.integrated)
-
-    def _in_directions_of_states(self, times: Floats, points: Floats) -> Floats:
-        """Registers with the tangents of each state set to 1 in turn, (registers, states, points)."""
-        states = self.without_tangents
-        count = len(times)
+    def _jacobian(self, times: Floats, points: Floats, rates: Floats, size: Floats) -> Floats:
+        """df_j/dy_i at points (points, states), as (i, points, j), from differences."""
+        count, states = points.shape
+        step = DIFFERENCE * size
+        moved = np.tile(points, (states, 1, 1))
+        for i in range(states):
+            moved[i, :, i] += step[:, i]
         every_time = np.tile(times, states)
-        every_point = np.tile(points, (states, 1))
-        cells = self._cells_at(every_time, every_point.T)
-        tangent_cells = self.tangent.cells
-        cells[list(tangent_cells.values())] = 0.0
-        directions = [tangent_cells[cell] for cell in self.state_cells[:states]]
-        unit_directions = np.eye(states)
-        cells[directions] = np.repeat(unit_directions, count, axis=1)
-        registers = self._registers_in(cells)
-        return registers.reshape(-1, states, count)
+        every_point = moved.reshape(-1, states)
+        registers = self._registers_at(every_time, every_point.T)
+        moved_rates = registers[self.rates].T
+        change = moved_rates.reshape(states, count, states) - rates
+        by_state = step.T[:, :, None]
+        return np.asarray(change / by_state)
 
     def _greatest_speed(self, start: Floats) -> Floats:
         """The greatest speed so far in the place of omega, otherwise 0.
@@ -325,7 +299,7 @@ class _Implicit(walk.Lanes):
             change = h * WEIGHTS @ rates
             residual = points - start - change
             size = np.maximum(np.abs(points), least_size)
-            jacobian = self._jacobian(times, points)
+            jacobian = self._jacobian(times, points, rates, size)
             correction = newton_correction(jacobian, h, residual, size)
             if correction is None:
                 return None

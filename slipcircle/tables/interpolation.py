@@ -1,4 +1,4 @@
-"""Functions known by their values, as piecewise polynomials: of the rotation between their kinks, of slip in Python.
+"""Functions of the rotation known by their values, as piecewise polynomials between their kinks.
 
 Each piece interpolates at the nodes of Chebyshev; it is halved until the coefficients that follow are negligible.
 """
@@ -9,17 +9,15 @@ from typing import Any
 
 import numpy as np
 from numpy.polynomial import Chebyshev, Polynomial
-from numpy.polynomial.chebyshev import cheb2poly, chebfit, chebval
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core.scene.piecewise import Data, continuous
 
 Function = Callable[[Any], Any]
 TERMS = 8  # of a piece
 _ORDERS = np.arange(TERMS)
 _ANGLES = np.pi * (_ORDERS + 0.5) / TERMS
-_NODES = np.cos(_ANGLES)
-_POLYNOMIALS = np.cos(np.outer(np.arccos(_NODES), _ORDERS))
+NODES = np.cos(_ANGLES)
+_POLYNOMIALS = np.cos(np.outer(np.arccos(NODES), _ORDERS))
 _TO_CHEBYSHEV = np.linalg.inv(_POLYNOMIALS)
 _SHORTEST = 2e-3  # width of a piece of a function of the rotation, rad
 _SAME = 1e-13  # rad, between kinks that are one
@@ -131,7 +129,7 @@ def _halves(first: Floats, last: Floats) -> tuple[Floats, Floats]:
 def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
     """Chebyshev coefficients of functions on pieces (pieces, n): (pieces, TERMS, functions, n)."""
     half = (last - first) / 2
-    from_first = 1.0 + _NODES[:, None]
+    from_first = 1.0 + NODES[:, None]
     distance = half[:, None] * from_first  # pieces, nodes, n
     rotation = first[:, None] + distance
     lanes = rotation.shape[-1]
@@ -168,103 +166,3 @@ def _constant(function: Function, end: Floats) -> Floats:
     coefficients = np.zeros((1, TERMS, *value.shape))
     coefficients[0, 0] = value
     return coefficients
-
-
-def in_pieces(function: Function, breaks: Floats) -> Floats:
-    """Coefficients of other functions on the same pieces, (pieces, TERMS, functions); the last piece is constant.
-
-    The functions take rotations (M, 1) and return values (functions, M, 1); ``breaks`` are (pieces,).
-    """
-    constant = _constant(function, breaks[-1:])
-    if len(breaks) == 1:
-        return constant[..., 0]
-    first = breaks[:-1, None]
-    last = breaks[1:, None]
-    chebyshev = _chebyshev(function, first, last)
-    coefficients = _in_powers(chebyshev, last - first)
-    return np.concatenate([coefficients, constant])[..., 0]
-
-
-# --- friction as a Python function of slip ---------------------------------------------------------------------------
-
-_CHECKED = np.cos(np.linspace(0.0, np.pi, 2 * TERMS + 1))
-_PLACES = 1.0 + np.concatenate([_NODES, _CHECKED])  # from the left end, over half a width
-CLOSE = 1e-13  # error of a piece, over its greatest value
-NARROWEST = 2.0**-40  # width of a piece, over the slip up to which the function is sampled
-
-
-def sampled(function: Function, end: float, known: Data | None = None) -> Data:
-    """A Python function of slip up to an end, starting from a known table; error 1e-13 of its greatest value.
-
-    Raises
-    ------
-    ValueError
-        Where it returns no numbers, negative ones or another shape than that of its argument, or is not smooth.
-    """
-    breaks = list[float]()
-    pieces = list[Floats]()
-    left = 0.0
-    if known:
-        *breaks, left = known.breaks.tolist()
-        pieces = list(known.coefficients[:-1])
-    width = end - left
-    while left < end:
-        width = min(width, end - left)
-        piece = _piece(function, left, width)
-        if piece is not None:
-            breaks.append(left)
-            pieces.append(piece)
-            left += width
-            width *= 2
-            continue
-        width /= 2
-        if width < NARROWEST * end:
-            raise ValueError(
-                f"friction: the function changes too sharply near {left:.17g} to be followed; give a law by "
-                "name or a table whose kinks are known"
-            )
-    breaks.append(end)
-    pieces.append(pieces[-1])
-    table = continuous(np.array(breaks), np.array(pieces))
-    return table._replace(open=True)
-
-
-def _piece(function: Function, left: float, width: float) -> Floats | None:
-    """Coefficients of a function in powers of the distance to the left end; None where they are not close to it."""
-    half = width / 2
-    values = _values(function, left + half * _PLACES)
-    chebyshev = chebfit(_NODES, values[:TERMS], TERMS - 1)
-    between_nodes = chebval(_CHECKED, chebyshev)
-    error = np.abs(between_nodes - values[TERMS:])
-    greatest = np.abs(values).max()
-    if error.max() > CLOSE * greatest:
-        return None
-    about_middle = Polynomial(cheb2poly(chebyshev))
-    place = Polynomial([-1.0, 1.0 / half])
-    coefficients = about_middle(place).coef
-    missing = TERMS - coefficients.size
-    return np.pad(coefficients, (0, missing))
-
-
-def _values(function: Function, slip: Floats) -> Floats:
-    """The values of a user's function, checked."""
-    try:
-        values = np.asarray(function(slip))
-        if values.dtype.kind == "c":
-            raise ValueError("complex numbers")
-        values = values.astype(np.float64)
-    except Exception as error:  # whatever it raises, the function is wrong
-        reason = f"must take an array of numbers and return one; it says {type(error).__name__}: {error}"
-        raise ValueError(f"friction: {reason}") from error
-    if values.ndim == 0:
-        values = np.full(slip.shape, float(values))
-    if values.shape != slip.shape:
-        reason = f"returns shape {values.shape} for an argument of shape {slip.shape}: must be alike"
-        raise ValueError(f"friction: {reason}")
-    bad = ~np.isfinite(values) | (values < 0.0)
-    if np.any(bad):
-        first = np.argmax(bad)
-        at = float(slip[first])
-        value = float(values[first])
-        raise ValueError(f"friction({at:.6g}) = {value!r}: must be a number of at least 0")
-    return values

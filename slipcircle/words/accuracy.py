@@ -9,10 +9,9 @@ import numpy as np
 from generated import layout as ix
 from slipcircle.base.checks import EPS, choose
 from slipcircle.base.kinds import Floats
-from slipcircle.core.problem.lanes import Lanes, integrate_all
-from slipcircle.core.problem.numbers import STEP
-from slipcircle.core.problem.problem import Problem
+from slipcircle.core.problem.problem import STEP, Problem
 from slipcircle.core.program.program import Program, Samples
+from slipcircle.core.walk.lanes import integrate
 
 Final = Mapping[int, Any]  # state entries of lanes at their end, by their places
 
@@ -42,11 +41,8 @@ SHARES = np.tile(_MIDDLES[:, None], RUNS)
 @lru_cache(maxsize=256)
 def _signs(program: Program) -> Floats:
     """The sign with which each run moves each input of the program, (cells, 8); 0 for the motion itself."""
-    first_input = len(ix.CELLS)
-    moved = [ix.LIMIT, ix.OMEGA]
-    for cell, name in enumerate(program.cells):
-        if cell >= first_input and not _is_of_table(name):
-            moved.append(cell)
+    inputs = program.cells[len(ix.CELLS) : program.given]
+    moved = [ix.LIMIT, ix.OMEGA, *(program.places[name] for name in inputs if not _is_of_table(name))]
     for table in program.tables:
         factor_of_values = table.cells + ix.SCALED_BY
         moved.append(factor_of_values)
@@ -54,9 +50,7 @@ def _signs(program: Program) -> Floats:
     signs = np.zeros((count, RUNS))
     for number, cell in enumerate(moved):
         factor = number % len(_FIRST)
-        if cell < program.given:  # the others follow from these
-            other_runs = SIGNS[:, factor]
-            signs[cell, 1:] = other_runs
+        signs[cell, 1:] = SIGNS[:, factor]
     return signs
 
 
@@ -66,20 +60,20 @@ def _is_of_table(cell: str) -> bool:
     return bool(dot) and name.isupper()
 
 
-def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Problem:
-    """The same lanes with other steps, one order more, and inputs moved by rounding; run 0 is the motion itself.
+def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
+    """Cells of the same lanes with other steps, one order more, inputs moved by rounding; run 0 is the motion itself.
 
     Of a single lane it may be several runs at once; ``rounding`` is the relative error that an input may have.
     """
     signs = _signs(problem.program)
     change = rounding * signs[:, runs]
-    cells = problem.cells * (1.0 + change)
+    cells: Floats = problem.cells() * (1.0 + change)
     cells[ix.ORDER] += ONE_ORDER_MORE[runs]
     cells[ix.FACTOR] = FACTORS[runs]
-    return problem._replace(cells=cells)
+    return cells
 
 
-def estimate(lanes: Lanes, final: Final) -> Any:
+def estimate(problem: Problem, final: Final, rounding: float) -> Any:
     """The estimated relative error of each lane's peak velocity, run-out and duration.
 
     Of a single lane also of its states along the way, relative to peak velocity and run-out. It is 1 where rounding
@@ -87,12 +81,12 @@ def estimate(lanes: Lanes, final: Final) -> Any:
     """
     error: Any
     unlike: Any
-    if lanes.count == 1:
-        spread, unlike = _of_single(lanes, final)
+    if problem.lanes == 1:
+        spread, unlike = _of_single(problem, final, rounding)
         error = max(ROUNDED * spread, LEAST)
         error = min(error, 1.0)
     else:
-        spreads, unlike = _of_ensemble(lanes, final)
+        spreads, unlike = _of_ensemble(problem, final, rounding)
         error = np.maximum(CUT * spreads, LEAST)
         error = np.minimum(error, 1.0)
     close = final[ix.CLOSE] < UNDECIDED
@@ -101,16 +95,14 @@ def estimate(lanes: Lanes, final: Final) -> Any:
     return choose(unlike | close, 1.0, if_decided)
 
 
-def _of_ensemble(lanes: Lanes, final: Final) -> tuple[Floats, Any]:
+def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Floats, Any]:
     """The greatest difference of any run from each lane's results, relative, and whether one ends otherwise."""
     summary = summary_vector(final)
-    spread = np.zeros(lanes.count)
-    unlike = np.zeros(lanes.count, dtype=bool)
-    rounding = lanes.arc.rounding
+    spread = np.zeros(problem.lanes)
+    unlike = np.zeros(problem.lanes, dtype=bool)
     for run in range(1, RUNS):
         alone = slice(run, run + 1)
-        problem = perturbed_runs(lanes.problem, alone, rounding)
-        cells = integrate_all(problem)
+        cells = integrate(problem, perturbed_runs(problem, alone, rounding))
         changes = _changes(cells, summary)
         greatest = np.fmax.reduce(changes)
         spread = np.fmax(spread, greatest)
@@ -118,18 +110,16 @@ def _of_ensemble(lanes: Lanes, final: Final) -> tuple[Floats, Any]:
     return spread, unlike
 
 
-def _of_single(lanes: Lanes, final: Final) -> tuple[float, bool]:
+def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, bool]:
     """The same of one lane: all runs at once, beside the motion itself, with their states along the way."""
-    all_runs = slice(None)
-    rounding = lanes.arc.rounding
-    problem = perturbed_runs(lanes.problem, all_runs, rounding)
+    begin = perturbed_runs(problem, slice(None), rounding)
     outputs = 2 + len(problem.program.states)
     shape = (outputs, *SHARES.shape)
     states = np.zeros(shape)
     summary = summary_vector(final)
     duration = summary[0]
     samples = Samples(duration * SHARES, states)
-    cells = integrate_all(problem, samples)
+    cells = integrate(problem, begin, samples)
     changes = _changes(cells, summary)
     spread = np.fmax.reduce(changes, axis=None)
     if final[ix.PHASES] > 0.0:

@@ -14,10 +14,11 @@ import numpy as np
 from generated.effects import ALL_EFFECTS, LAWS, Parameter
 from generated.flow import BALANCE, COEFFICIENTS, EQUATION_QUANTITIES, LATEX, TERMS
 from slipcircle.base.kinds import Names, Parameters
-from slipcircle.core.problem.lanes import Lanes
-from slipcircle.core.problem.scene_lanes import lanes_of
+from slipcircle.core.problem.plan import Plan
+from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.scene.effects import OF_SOIL, rotates, soil_number, without_soil
 from slipcircle.core.scene.friction import law_parts, law_paths
+from slipcircle.core.scene.mass import Mass
 from slipcircle.core.scene.scene import Scene
 
 VARIABLES = {
@@ -141,10 +142,9 @@ class Equation:
         }
 
 
-def equation_of(scene: Scene, accuracy: float) -> Equation:
-    """The equation of motion of a scene."""
-    lanes = lanes_of(scene, accuracy)
-    recipe = lanes.problem.recipe
+def equation_of(plan: Plan) -> Equation:
+    """The equation of motion of a plan's scene."""
+    recipe = plan.recipe
     of_effects = _terms_of_effects(recipe.effects, recipe.absent)
     of_friction = _terms_of_friction(recipe.laws)
     terms = _used(of_effects + of_friction)
@@ -154,7 +154,7 @@ def equation_of(scene: Scene, accuracy: float) -> Equation:
     symbols = {*_symbols(left), *_symbols(right)}
     for term in terms:
         symbols.update(_symbols(term.formula))
-    every_number = _numbers(scene, lanes, recipe.moving)
+    every_number = _numbers(plan.scene, problem_of(plan))
     numbers = [number for number in every_number if number.symbol in symbols]
     return Equation(balance, tuple(terms), tuple(numbers))
 
@@ -261,14 +261,14 @@ def _place(term: EquationTerm) -> int:
     return len(order)
 
 
-def _numbers(scene: Scene, lanes: Lanes, moving: Names) -> Iterator[EquationTerm]:
+def _numbers(scene: Scene, problem: Problem) -> Iterator[EquationTerm]:
     """Every number that a formula may name, with its value."""
-    for symbol, value in _of_the_arc(lanes).items():
+    for symbol, value in _of_the_arc(scene.arc).items():
         meaning = COEFFICIENTS[symbol]
         yield EquationTerm(symbol, meaning, "gravity", _per_lane(value, scene))
-    for effect in lanes.problem.recipe.effects:
+    for effect in problem.recipe.effects:
         number = soil_number(effect)
-        for term in _numbers_of_effect(effect, scene, lanes, moving):
+        for term in _numbers_of_effect(effect, scene, problem):
             yield _numbered(term, number)
     paths = law_paths(scene.friction)
     laws = law_parts(scene.friction)
@@ -285,20 +285,17 @@ def _numbers(scene: Scene, lanes: Lanes, moving: Names) -> Iterator[EquationTerm
                 yield _numbered(term, number)
 
 
-def _numbers_of_effect(effect: str, scene: Scene, lanes: Lanes, moving: Names) -> Iterator[EquationTerm]:
+def _numbers_of_effect(effect: str, scene: Scene, problem: Problem) -> Iterator[EquationTerm]:
     """The numbers of an effect, and what it gives as functions of time or the rotation."""
-    problem = lanes.problem
-    places = problem.program.places
     number = soil_number(effect)
     for p in ALL_EFFECTS[without_soil(effect)].parameters:
         symbol = p.symbol and p.symbol + number
-        if symbol in moving:
+        if symbol in problem.recipe.moving:
             argument = "the rotation" if p.kind == "rotation" else "time"
             meaning, _, _ = p.help.partition(",")
             yield EquationTerm(p.symbol, f"{meaning}, a function of {argument}", effect)
-        elif symbol in places:
-            cell = places[symbol]
-            value = _per_lane(problem.cells[cell], scene)
+        elif symbol in problem.program.places:
+            value = _per_lane(problem.start.get(symbol, 0.0), scene)
             yield EquationTerm(p.symbol, _definition(effect, p), effect, value)
 
 
@@ -312,10 +309,10 @@ def _definition(effect: str, p: Parameter) -> str:
     return meaning
 
 
-def _of_the_arc(lanes: Lanes) -> Parameters:
+def _of_the_arc(arc: Mass) -> Parameters:
     """The numbers in `COEFFICIENTS`, from what the integrator takes, whose coefficients are over Theta."""
-    coefficients = lanes.arc.moment_coefficients
-    theta = lanes.arc.dimensionless.moment_of_inertia
+    coefficients = arc.moment_coefficients
+    theta = arc.dimensionless.moment_of_inertia
     return {
         "Theta": theta,
         "lambda": coefficients.resistance_factor * theta,
@@ -329,12 +326,11 @@ def _of_the_arc(lanes: Lanes) -> Parameters:
 
 def _per_lane(value: Any, scene: Scene) -> Any:
     """A number of a single scene; an array of the scene's shape where it has one."""
-    flat = np.ravel(value)
-    if scene.shape:
-        count = int(np.prod(scene.shape))
-        every_lane = np.broadcast_to(flat, (count,))
-        return every_lane.reshape(scene.shape)
-    return float(flat[0])
+    if not scene.shape:
+        return float(np.ravel(value)[0])
+    if np.ndim(value) == 1 and np.size(value) == np.prod(scene.shape):  # one a lane
+        return np.reshape(value, scene.shape)
+    return np.broadcast_to(value, scene.shape)
 
 
 def _shown(value: Any) -> str:

@@ -3,24 +3,24 @@
 The first run writes the file; the next ones compare with it, in ulp, each kind of processor and NumPy apart.
 """
 
-import math
 import sys
 from collections.abc import Iterator
 from functools import partial
 from importlib import resources
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 
 import slipcircle
 from generated import layout as ix
 from slipcircle.base.kinds import Floats
-from slipcircle.core.problem.lanes import integrate_all
-from slipcircle.core.problem.problem import Problem, build_problem
-from slipcircle.core.problem.scene_lanes import lanes_of
+from slipcircle.core.problem.problem import Problem
 from slipcircle.core.walk import compiled
-from slipcircle.tables.series import Series
+from slipcircle.core.walk.lanes import integrate
+from slipcircle.tables import Series
+from tests.support.lanes import posed
 
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
 
@@ -34,17 +34,17 @@ def problems(share: int) -> Iterator[tuple[str, Problem]]:
     for name, lanes in (("constant", 20_000), ("exponential", 20_000), ("record", 2_000), ("up-slope", 20_000)):
         count = lanes // share
         friction: Any = np.tan(np.radians(rng.uniform(4.0, 31.0, count)))
-        called, velocity, end = TURNING, np.zeros(count), math.inf
+        called, velocity = TURNING, np.zeros(count)
         if name == "exponential":
             friction = {"law": name, "peak": friction, "residual": 0.7 * friction, "length": rng.uniform(1, 99, count)}
         elif name == "record":
             called = TURNING | {"shaking": {"horizontal": record}}
         elif name == "up-slope":
             velocity = -rng.uniform(0.1, 9.0, count)
-        yield name, build_problem(arc, called, friction, velocity, end, 1e-9, count)
+        yield name, posed(slipcircle.Scene(arc, friction, called, velocity), 1e-9)
     for path in sorted(resources.files("slipcircle").joinpath("scenes").iterdir(), key=str):
         scene = Path(str(path)).stem
-        yield scene, lanes_of(slipcircle.load(scene), 1e-9).problem
+        yield scene, posed(slipcircle.load(scene), 1e-9)
 
 
 def ulps(one: Floats, other: Floats) -> str:
@@ -63,10 +63,11 @@ def main(file: str) -> None:
     for level in (*(binary.LEVELS if binary else ()), None):
         for name, problem in problems(1 if level else 20):
             if level:
-                final = integrate_all(problem, integrator=partial(compiled.integrate, level=level))
+                with patch.object(compiled, "_widest", partial(binary.LEVELS.get, level)):
+                    final = integrate(problem)
             else:
                 with compiled.numpy_only():
-                    final = integrate_all(problem)
+                    final = integrate(problem)
             cells[f"{level or 'NumPy'} {name}"] = final[: ix.OMEGA + 1]
     if not Path(file).exists():
         np.savez_compressed(file, allow_pickle=False, **cells)

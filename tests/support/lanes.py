@@ -5,20 +5,19 @@ from contextlib import contextmanager, nullcontext
 from typing import Any
 from unittest.mock import patch
 
-import numpy as np
 import pytest
 
 from generated import layout as ix
 from generated import walk as in_numpy
-from slipcircle import Motion
+from slipcircle import Motion, Scene, plan
 from slipcircle.base.kinds import Floats
-from slipcircle.core.problem.problem import Problem, build_problem
+from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.program.build import build_program
 from slipcircle.core.program.program import Program, Samples
 from slipcircle.core.walk import compiled
 from slipcircle.layers.layered import RotationTables
 
-__all__ = ["Problem", "Program", "RotationTables", "Samples", "build_problem", "build_program", "compiled"]
+__all__ = ["Problem", "Program", "RotationTables", "Samples", "build_program", "compiled"]
 
 BINARY: Any = compiled.module()  # None where there is none
 BACKENDS = ("C", "NumPy") if BINARY else ("NumPy",)
@@ -33,17 +32,27 @@ def backend(name: str) -> Iterator[None]:
         yield
 
 
+def posed(scene: Scene, accuracy: float | None = None) -> Problem:
+    """The problem of a scene."""
+    return problem_of(plan(scene, accuracy))
+
+
+def walked(motion: Motion) -> Problem:
+    """The problem that was solved."""
+    return motion._problem
+
+
 def integrate(problem: Problem, which: Any = slice(None), name: str = BACKENDS[0], **options: Any) -> Floats:
     """How some of the lanes end: `RESULTS` of their cells."""
-    cells = np.array(problem.cells[:, which], order="C")
+    cells = problem.cells(which)
     module = in_numpy if name == "NumPy" else compiled
-    module.integrate(problem.program, problem.tables, cells, **options)
+    module.integrate(problem.program, problem.tables(which), cells, **options)
     return cells[RESULTS]
 
 
 def work(motion: Motion) -> tuple[int, int]:
     """Steps of a single scene in C, which is called for one at a time, and the operations on series in them."""
-    problem = motion._lanes.problem
+    problem = walked(motion)
     one_step = patch.object(compiled, "ROUNDS", 1)
     counting = patch.object(BINARY, "integrate", wraps=BINARY.integrate)
     with one_step, counting as calls:

@@ -141,6 +141,13 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     }
     job.all = cells.buf, job.count = cells.len / 8 / job.cells;
     job.begin = begin, job.end = end < job.count ? end : job.count, job.budget = budget;
+    int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0;
+    for (int t = 0; t < job.tables; t++) fits = fits && (!job.data[t].across || job.data[t].across == job.count);
+    if (!times.len && outputs.len) fits = fits && outputs.len == 8 * job.registers * job.count;
+    if (!fits) {
+        PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables or registers are not those of as many lanes");
+        goto done;
+    }
     if (times.len) {
         job.times = times.buf, job.outputs = outputs.buf;
         job.samples = outputs.len / 8 / job.count / (2 + job.states);

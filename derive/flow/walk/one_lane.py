@@ -105,7 +105,7 @@ def log2_of(x: V) -> float:
 
 def power_of_two(y: float) -> float:
     """The inverse of `log2_of`."""
-    exponent, share = divmod(min(max(y, -1000.0 * 2.0**40), 1000.0 * 2.0**40) * 2.0**-40, 1.0)
+    exponent, share = divmod(min(max(float(y), -1000.0 * 2.0**40), 1000.0 * 2.0**40) * 2.0**-40, 1.0)
     return math.ldexp(1.0 + share, int(exponent))
 
 

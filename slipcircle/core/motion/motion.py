@@ -15,40 +15,15 @@ import numpy as np
 from generated import layout as ix
 from slipcircle.base.checks import choose
 from slipcircle.base.forms import Forms
-from slipcircle.base.kinds import Floats, Numbers
+from slipcircle.base.kinds import Numbers
 from slipcircle.core.doors import room
 from slipcircle.core.motion.states import Phase, State, Status
 from slipcircle.core.motion.trajectory import Trajectory
+from slipcircle.core.problem.problem import problem_of
+from slipcircle.core.walk.lanes import States, integrate
 
-# The state entries of each lane's end that a motion is read off.
-FINAL_ENTRIES = (
-    ix.TIME,
-    ix.STATUS,
-    ix.PHASES,
-    ix.END_TIME,
-    ix.PEAK_TIME,
-    ix.PEAK_ROTATION,
-    ix.PEAK_OMEGA,
-    ix.PEAK_RATE,
-    ix.REACH_TIME,
-    ix.REACH_ROTATION,
-    ix.END_ROTATION,
-    ix.END_OMEGA,
-    ix.END_RATE,
-    ix.CLOSE,
-    ix.REST_SINCE,
-    ix.TURNS,
-)
 ENERGY_CHECKS = 21  # times at which the energy balance is looked at
 SWING = 1e-6  # of the run-out, beyond which a mass that was farther has swung back
-
-
-def final_entries(cells: Floats, single: bool) -> dict[int, Any]:
-    """`FINAL_ENTRIES` of state columns, as arrays or, of a single lane, as numbers."""
-    rows: Any = cells.take(FINAL_ENTRIES, axis=0)
-    if single:
-        rows = rows[:, 0].tolist()
-    return dict(zip(FINAL_ENTRIES, rows, strict=True))
 
 
 class Motion(Trajectory, Forms, Generic[Numbers]):
@@ -100,9 +75,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def status(self) -> Any:
-        if self.shape:
-            return np.reshape(self._status, self.shape)
-        return Status(self._status)
+        return self._status if self.shape else Status(self._status)
 
     @property
     def reason(self) -> Any:
@@ -118,18 +91,17 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def moves(self) -> Any:
-        has_moved = self._final[ix.PHASES] > 0.0
-        return self._shaped(self._solved & has_moved)
+        return self._solved & (self._final[ix.PHASES] > 0.0)
 
     @property
     def arrested(self) -> Any:
-        return self._shaped(self._rests_at_end)
+        return self._rests_at_end
 
     @property
     def stopped_at(self) -> Numbers:
         """Time at which the integration stopped, s, with a result or without."""
-        time = self._final[ix.TIME] * self._lanes.time_scale
-        return self._shaped(time)
+        time: Numbers = self._final[ix.TIME] * self._time_scale
+        return time
 
     @property
     def turnings(self) -> Any:
@@ -143,32 +115,27 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     def _whole_number(self, entry: int) -> Any:
         count = self._final[entry]
-        return self._shaped(np.asarray(count, int))
+        return count.astype(int) if self.shape else int(count)
 
     @property
     def brake(self) -> Any:
         """q, twice the decrease of the rate per unit of omega*^2 at the start: the speed decays like exp(-q phi/2)."""
-        return self._shaped(self._lanes.brake)
+        return self._shaped(self._forces.brake)
 
     # --- results -----------------------------------------------------------------------------------------------------
 
     @cached_property
     def outcomes(self) -> Mapping[str, Numbers]:
-        radius = self._lanes.radius
         final = self._final
         with np.errstate(over="ignore"):  # an overflow is refused where the outcome is read
-            angular_velocity = final[ix.PEAK_OMEGA] / self._lanes.time_scale
+            angular_velocity = final[ix.PEAK_OMEGA] / self._time_scale
             values = {
-                "reach": radius * final[ix.REACH_ROTATION],
-                "run_out": radius * final[ix.END_ROTATION],
-                "peak_velocity": radius * angular_velocity,
+                "reach": self._radius * final[ix.REACH_ROTATION],
+                "run_out": self._radius * final[ix.END_ROTATION],
+                "peak_velocity": self._radius * angular_velocity,
                 "duration": self._duration,
             }
-        outcomes = {}
-        for name, value in values.items():
-            known = self._known(value + 0.0)
-            outcomes[name] = self._shaped(known)
-        return outcomes
+        return {name: self._known(value) for name, value in values.items()}
 
     @property
     def duration(self) -> Numbers:
@@ -176,7 +143,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def settling_time(self) -> Numbers:
-        return self._shaped(self._settling_time)
+        return self._settling_time
 
     @property
     def run_out(self) -> Numbers:
@@ -190,7 +157,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     def reach(self) -> State:
         final = self._final
         at_end = final[ix.REACH_ROTATION] == final[ix.END_ROTATION]
-        reach_time = final[ix.REACH_TIME] * self._lanes.time_scale
+        reach_time = final[ix.REACH_TIME] * self._time_scale
         time = choose(at_end, self._duration, reach_time)
         return self._final_state(time, ix.REACH_ROTATION, ix.END_OMEGA, ix.END_RATE, moving=at_end)
 
@@ -202,31 +169,28 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         last = peak_time == final[ix.END_TIME]
         still = final[ix.PHASES] == 0.0
         at_end = last & ended | still
-        time = choose(at_end, self._duration, peak_time * self._lanes.time_scale)
+        time = choose(at_end, self._duration, peak_time * self._time_scale)
         if not self.shape and self._varies_in_time and 0.0 < time < self._duration:
             return self.at(time)  # of the rounded time: where a force jumps, as it is from then on
         return self._final_state(time, ix.PEAK_ROTATION, ix.PEAK_OMEGA, ix.PEAK_RATE)
 
     @property
     def _varies_in_time(self) -> bool:
-        tables = self._lanes.problem.program.tables
-        return any(table.kind == "time" for table in tables)
+        return any(table.kind == "time" for table in self.plan.program.tables)
 
     def _final_state(self, time: Any, rotation: int, omega: int, rate: int, moving: Any = True) -> State:
-        """A state of each lane from its final entries; where it is not moving, without speed and rate."""
-        angle = self._known(self._final[rotation])
+        """A state of each lane from its final cells; where it is not moving, without speed and rate."""
         speed = choose(moving, self._final[omega], 0.0)
-        speed = self._known(speed)
         gain = choose(moving, self._final[rate], 0.0)
-        gain = self._known(gain)
+        angle, speed, gain = map(self._known, (self._final[rotation], speed, gain))
         stress = partial(self._final_stress, time, angle, speed)
-        shaped_time = self._shaped(time + 0.0)
-        return self._state(shaped_time, angle, speed, gain, self._shaped, stress)
+        return self._state(time + 0.0, angle, speed, gain, stress)
 
     def _final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
-        lanes = self._lanes
-        stress = lanes.stress(time / lanes.time_scale, rotation, omega)
-        return self._shaped(stress + 0.0)
+        at, rotation, omega = map(np.ravel, (time / self._time_scale, rotation, omega))
+        states = States(at, rotation, omega, None, np.arange(self._problem.lanes))
+        pressing = self._shaped(self._mean_forces.outputs(states)["pressing"])
+        return pressing * self._stress_unit + 0.0
 
     @property
     def swings_back(self) -> Any:
@@ -248,7 +212,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
         A loss of contact that lasts through standstills counts once.
         """
-        scale = self._lanes.time_scale
+        scale = self._time_scale
         times = list[float]()
         lifted = False
         resumed = -1.0
@@ -264,8 +228,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
         """Phases of a single motion between its standstills."""
-        scale = float(np.squeeze(self._lanes.time_scale))
-        last = float(np.squeeze(self._settling_time))
+        scale = self._time_scale
+        last = self._settling_time
         phases = list[Phase]()
         for event, time, rotation, direction in self._log:
             if event == ix.NOTE_BEGINS:
@@ -280,26 +244,26 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def limit_friction(self) -> Any:
-        return self._shaped(self._lanes.statics["limit_friction"])
+        return self._shaped(self._forces.statics["limit_friction"])
 
     @property
     def factor_of_safety(self) -> Any:
-        return self._shaped(self._lanes.statics["factor_of_safety"])
+        return self._shaped(self._forces.statics["factor_of_safety"])
 
     @property
     def yield_coefficient(self) -> Any:
-        return self._shaped(self._lanes.statics["yield_coefficient"])
+        return self._shaped(self._forces.statics["yield_coefficient"])
 
     @property
     def friction(self) -> Any:
-        return self._shaped(self._lanes.statics["friction"])
+        return self._shaped(self._forces.statics["friction"])
 
     # --- accuracy ----------------------------------------------------------------------------------------------------
 
     @cached_property
-    def _errors(self) -> Floats:
-        errors: Floats = room("estimate").estimate(self._lanes, self._final)
-        return errors
+    def _errors(self) -> Any:
+        final = np.reshape(self._final, (len(self._final), -1)) if self.shape else self._final
+        return room("estimate").estimate(self._problem, final, self.plan.scene.arc.rounding)
 
     @property
     def error_estimate(self) -> Numbers:
@@ -359,23 +323,15 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         """The motion of one lane, or of some, by NumPy's indices of the scene's shape."""
         if not self.shape:
             raise TypeError("a single motion cannot be indexed: its scene has no arrays")
-        scene = self.plan.scene
-        chosen = {}
-        for name, value in scene.numbers.items():
-            if np.ndim(value):
-                values = np.broadcast_to(value, self.shape)
-                chosen[name] = values[index]
-        plan = replace(self.plan, scene=room("parameters").with_parameters(scene, chosen))
-        every_lane = np.arange(prod(self.shape))
-        numbers = every_lane.reshape(self.shape)[index]
-        flat = np.ravel(numbers)
-        lanes = self._lanes.taken(flat)
-        if np.ndim(numbers):
-            final = {entry: values[flat] for entry, values in self._final.items()}
-            return type(self)(plan, lanes, final, [])
+        scene = room("parameters").taken(self.plan.scene, lambda values: values[index])
+        plan = replace(self.plan, scene=scene)
+        invalid = np.broadcast_to(self.invalid, self.shape)[index]
+        if scene.shape:
+            rows = index if isinstance(index, tuple) else (index,)
+            return type(self)(plan, self._final[(slice(None), *rows)], [], invalid)
         log: list[Any] = []  # of which an ensemble keeps none, so that the lane is solved again
-        cells = lanes.solve(log)
-        return type(self)(plan, lanes, final_entries(cells, single=True), log)
+        problem = problem_of(plan, invalid)
+        return type(self)(plan, integrate(problem, log=log)[:, 0].tolist(), log, invalid, problem)
 
     def __repr__(self) -> str:
         name = self.plan.scene.name

@@ -9,20 +9,21 @@ that of one scene.
 """
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from generated.effects import ALL_EFFECTS
 from generated.layout import MOST_TURNS
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Numbers
-from slipcircle.core.motion.motion import FINAL_ENTRIES, Motion, final_entries
-from slipcircle.core.motion.plan import Plan, plan
+from slipcircle.core.doors import room
+from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.states import Status
-from slipcircle.core.problem.lanes import BLOCK
-from slipcircle.core.problem.scene_lanes import lanes_of
+from slipcircle.core.problem.plan import Plan, plan
+from slipcircle.core.problem.problem import problem_of
 from slipcircle.core.scene.scene import Scene
+from slipcircle.core.walk.lanes import BLOCK, ENTRIES, integrate
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
@@ -67,14 +68,22 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
 
 def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     """The motion that a plan leads to, or its status where there is none; some lanes may be no scenes."""
-    lanes, single = lanes_of(chosen.scene, chosen.accuracy, invalid), not chosen.scene.shape
+    scene = chosen.scene
     log: list[Any] = []
-    if lanes.count <= BLOCK:
-        return Motion(chosen, lanes, final_entries(lanes.solve(log if single else None), single), log)
-    final = np.empty((len(FINAL_ENTRIES), lanes.count))
-    for which, part in lanes.parts():
-        final[:, which] = part.solve()[list(FINAL_ENTRIES)]
-    return Motion(chosen, lanes, dict(zip(FINAL_ENTRIES, final, strict=True)), log)
+    lanes = math.prod(scene.shape)
+    if lanes <= BLOCK:
+        problem = problem_of(chosen, invalid)
+        final = integrate(problem, log=None if scene.shape else log)[:ENTRIES]
+        if not scene.shape:  # plain numbers are ten times cheaper than arrays of one
+            return Motion(chosen, final[:, 0].tolist(), log, invalid, problem)
+        return Motion(chosen, final.reshape(ENTRIES, *scene.shape), log, invalid, problem)
+    final = np.empty((ENTRIES, lanes))
+    every_invalid = np.broadcast_to(invalid, scene.shape).reshape(-1)
+    for first in range(0, lanes, BLOCK):
+        which = slice(first, first + BLOCK)
+        part = room("parameters").taken(scene, lambda values, which=which: values.reshape(-1)[which])
+        final[:, which] = integrate(problem_of(replace(chosen, scene=part), every_invalid[which]))[:ENTRIES]
+    return Motion(chosen, final.reshape(ENTRIES, *scene.shape), log, invalid)
 
 
 def _refuse(motion: Motion) -> None:
@@ -84,7 +93,7 @@ def _refuse(motion: Motion) -> None:
     if motion.is_finite and math.isfinite(speed * speed):
         return
     status = motion.status
-    turns = any(ALL_EFFECTS[e].turns for e in motion.plan.effects)
+    turns = motion.plan.turns
     stands = "shaking" in motion.plan.effects and not motion.factor_of_safety < 1.0  # but for what shakes it
     overflows = status == Status.FAILED and not stands and scene.end_time is None and speed * speed < math.inf
     velocity, end_time = (f"{{{n}}} = {getattr(scene, n)!r}" for n in ("initial_velocity", "end_time"))

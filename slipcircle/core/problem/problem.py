@@ -1,56 +1,77 @@
-"""The problem that the integrator solves: a scene's flow program, its tables, and the initial cells of lanes."""
+"""The problem that the integrator solves: a program, and what every lane begins with, dimensionless.
+
+Numbers go by the names that `generated.flow` gives them, as `generated.effects` declares them, and are computed in the
+scene's own shape: nothing here knows a law or an effect.
+"""
 
 import math
 from collections.abc import Callable, Collection, Mapping
-from functools import lru_cache
-from typing import Any, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from generated import layout as ix
-from generated.effects import ALL_EFFECTS
-from slipcircle.base.checks import choose
-from slipcircle.base.kinds import Effects, Floats, Names, Parameters
+from generated.effects import ALL_EFFECTS, LAWS
+from generated.flow import FRAGMENTS, INPUTS
+from slipcircle.base.checks import choose, plain
+from slipcircle.base.kinds import Floats, Names, Parameters
 from slipcircle.core.doors import room
-from slipcircle.core.problem.numbers import Numbers
+from slipcircle.core.problem.plan import Plan, Recipe
 from slipcircle.core.program.build import build_program
 from slipcircle.core.program.program import Program
-from slipcircle.core.scene.effects import in_order, rotates, symbols_of
-from slipcircle.core.scene.friction import law_parts, variables_of
+from slipcircle.core.scene.effects import in_order, symbols_of, without_soil
+from slipcircle.core.scene.friction import depends_on
 from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data
 
-Function = Callable[[Any], Any]
+STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)
 FINEST = 1e-14  # accuracy to which single scenes are solved: lower orders save little, and nothing under long records
 LOWEST = 5  # order, as the radius of convergence compares the last coefficients with the first five
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # beginnings of their names
+Function = Callable[[Any], Any]
+Shape = tuple[int, ...]
 
 
-class Recipe(NamedTuple):
-    """The first arguments of `build_program`."""
+@dataclass(frozen=True)
+class Problem:
+    """Scenes that share a program, one a lane.
 
-    effects: Names
-    laws: Names
-    moving: Names
-    absent: Names
+    Attributes
+    ----------
+    recipe : Recipe
+    program : Program
+    start : mapping
+        What lanes begin with, by names of cells: a number, or an array of one a lane.
+    data : dict
+        Piecewise functions by name, for all lanes; extended where lanes go farther.
+    lanes : int
+        Number of scenes.
+    function : callable or None
+        The friction law, where that is a Python function of slip.
+    farther : callable or None
+        Lays out the functions of the rotation farther.
+    """
 
-
-class Problem(NamedTuple):
-    """Arguments of `integrate`, and what they were built from."""
-
-    program: Program
-    tables: list[Data]
-    cells: Floats
-    functions: Mapping[int, Function]  # of slip, given in Python, by the place of their table
     recipe: Recipe
-    outputs: Names = ()  # further ones of the program
-    farther: Farther | None = None  # lays out functions of the rotation farther
+    program: Program
+    start: Mapping[str, Any]
+    data: dict[str, Data]
+    lanes: int
+    function: Function | None = None
+    farther: Farther | None = None
 
-    def with_outputs(self, outputs: Names = (), directions: int = 0) -> "Problem":
-        """The same lanes with further outputs, or with derivatives in some directions."""
-        program = build_program(*self.recipe, outputs, directions)
-        return self._with_program(program)._replace(outputs=outputs)
+    @property
+    def may_creep(self) -> bool:
+        """Whether a mass may approach its equilibrium for ever: viscosity, and forces of position."""
+        recipe = self.recipe
+        of_position = not recipe.moving and "thermal_pressurisation" not in recipe.effects
+        return "viscosity" in recipe.effects and of_position and {"slip"}.issuperset(depends_on(recipe.laws))
+
+    def with_outputs(self, outputs: Names) -> "Problem":
+        """The same lanes with a program that computes further outputs, too."""
+        return self._with(build_program(*self.recipe, outputs))
 
     def with_steady_shaking(self) -> "Problem":
         """The same lanes with a constant horizontal coefficient, initially 0, in place of their shaking."""
@@ -59,84 +80,70 @@ class Problem(NamedTuple):
         effects = in_order((*effects, "shaking"))
         moving = tuple(symbol for symbol in moving if symbol not in shaking)
         others = [symbol for symbol in absent if symbol not in shaking]
-        program = build_program(effects, laws, moving, (*others, "k_v"))
-        return self._with_program(program)._replace(farther=None)
+        return self._with(build_program(effects, laws, moving, (*others, "k_v")))
 
-    def _with_program(self, program: Program) -> "Problem":
-        """The same numbers for another program."""
-        lanes = self.cells.shape[1]
-        cells = program.blank(lanes)
-        places, places_here = common_cells(program, self.program)
-        cells[places] = self.cells[places_here]
-        data = dict[str, Data]()
-        for table, values in zip(self.program.tables, self.tables, strict=True):
-            data[table.name] = values
-        tables = [data[table.name] for table in program.tables]
-        return self._replace(program=program, cells=cells, tables=tables)
+    def _with(self, program: Program) -> "Problem":
+        return replace(self, program=program, start={**self.start, **program.constants})
 
-    def extend_tables(self, cells: Floats) -> None:
-        """Extend the tables of Python functions to the slip of the lanes."""
-        for k, function in self.functions.items():
-            scale = self.program.tables[k].cells + ix.SCALE
-            slip = cells[ix.SLIP] * cells[scale]
-            farthest = float(np.max(slip))
-            farthest *= 1.0 + 1e-12
-            table = self.tables[k]
-            end = float(table.breaks[-1])
-            while end <= farthest:
-                table = room("functions").sampled(function, 2 * end, table)
-                end = float(table.breaks[-1])
-            self.tables[k] = table
+    def cells(self, which: Any = slice(None)) -> Floats:
+        """The cells of some lanes at their start, a column each."""
+        places = self.program.places
+        chosen = np.arange(self.lanes)[which]
+        cells = np.zeros((len(places), chosen.size))
+        for name, value in self.start.items():
+            if name in places:  # not every program needs it
+                cells[places[name]] = value[which] if isinstance(value, np.ndarray) else value
+        return cells
 
-    def extend_rotations(self, rotation: Floats, lane: Any = slice(None)) -> bool:
-        """Extend functions of the rotation to their full range if a lane exceeds their tables; whether one does.
+    def tables(self, which: Any = None) -> list[Data]:
+        """The tables of all lanes, or of some, in the order of the program."""
+        tables = [self.data[table.name] for table in self.program.tables]
+        return tables if which is None else [table.lanes(which) for table in tables]
+
+    def reach_farther(self, rotation: Floats, lane: Any = slice(None)) -> bool:
+        """Lay out functions of the rotation to their full range if a lane exceeds them; whether one does.
 
         ``lane`` is the lane that each rotation belongs to, by default one after the other.
         """
         if self.farther is None:
             return False
-        places = [k for k, table in enumerate(self.program.tables) if table.kind == "rotation"]
-        if not any(_exceeds(self.tables[place], rotation, lane) for place in places):
+        names = [table.name for table in self.program.tables if table.kind == "rotation"]
+        if not any(self.data[name].is_exceeded(rotation, lane) for name in names):
             return False
-        laid_out = self.farther()
-        for place in places:
-            self.tables[place] = laid_out[self.program.tables[place].name]
+        self.data.update(self.farther())
         return True
 
-    @property
-    def may_creep(self) -> bool:
-        """Whether a mass may approach its equilibrium for ever: viscosity, forces of position, and no end time."""
-        recipe = self.recipe
-        of_position = not recipe.moving and "thermal_pressurisation" not in recipe.effects
-        if "viscosity" not in recipe.effects or not of_position or not {"slip"}.issuperset(variables_of(recipe.laws)):
-            return False
-        return bool(np.any(self.cells[ix.END_TIME] == np.inf))
 
-    def initial_cells(self) -> Floats:
-        """A copy of the cells at the start."""
-        return self.cells.copy()
+def problem_of(plan: Plan, invalid: Any = False) -> Problem:
+    """The problem that a plan poses; ``invalid`` says which lanes are no scenes."""
+    scene = plan.scene
+    lanes = math.prod(scene.shape)
+    numbers = Numbers(scene.arc, scene.shape)
+    for effect in plan.recipe.effects:
+        numbers.add_effect(effect, scene.called[effect])
+    farther = numbers.add_rotations(plan, lanes)
+    for name, parameters in scene.laws:
+        numbers.add_law(name, parameters)
+    numbers.add_start(scene.initial_velocity, scene.until)
+    if invalid is not False:
+        numbers.start["STATUS"] = plain(np.where(invalid, float(ix.FAILED), 0.0))
+    start = _flat(numbers.start, scene.shape)
+    start["ORDER"] = order(solved_accuracy(plan.accuracy, lanes))
+    start["ONE_WAY"] = _one_way(scene.called.get("shaking", {}))
+    start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan, start), 0.0)
+    start |= plan.program.constants
+    function = dict(scene.laws).get("callable", {}).get("function")
+    return Problem(plan.recipe, plan.program, start, numbers.tables, lanes, function, farther)
 
 
-def _exceeds(table: Data, rotation: Floats, lane: Any) -> bool:
-    """Whether a rotation lies beyond the table of its lane."""
-    last = table.breaks[-1]
-    if table.breaks.ndim == 2:  # each lane has other breaks
-        last = last[lane]
-    beyond = rotation > last + 1e-9
-    return bool(np.any(beyond))
-
-
-@lru_cache(maxsize=256)
-def common_cells(program: Program, other: Program) -> tuple[Any, Any]:
-    """Places of the inputs that two programs have in common, in each of them."""
-    inputs = program.cells[: program.given]
-    places = list[int]()
-    other_places = list[int]()
-    for place, name in enumerate(inputs):
-        if name in other.places:
-            places.append(place)
-            other_places.append(other.places[name])
-    return np.array(places), np.array(other_places)
+def _flat(numbers: Mapping[str, Any], shape: Shape) -> dict[str, Any]:
+    """Arrays with one axis of lanes; a number that all lanes share stays one."""
+    if not shape:
+        return dict(numbers)
+    flat = {}
+    for name, value in numbers.items():
+        flat[name] = np.broadcast_to(value, shape).reshape(-1) if np.ndim(value) else value
+    return flat
 
 
 def solved_accuracy(accuracy: float, lanes: int) -> float:
@@ -152,91 +159,107 @@ def order(accuracy: float) -> int:
     return max(terms, LOWEST)
 
 
-def build_problem(
-    arc: Mass, called: Effects, friction: Any, velocity: Any, end_time: Any, accuracy: float, lanes: int
-) -> Problem:
-    """Build the problem of scenes that share their effects and laws.
+class Numbers:
+    """Dimensionless numbers of a scene, by their names in its program, and its tables.
 
-    Parameters
+    Attributes
     ----------
-    arc : Mass
-        Its fields, like all numbers here, are numbers or arrays of one value a lane.
-    called : mapping
-        Effects by name, each with its parameters; functions of time are `Series` or `Pulse`.
-    friction : float, array, mapping or callable
-        As a `Scene` takes it.
-    velocity, end_time : float or ndarray
-        m/s and s; infinite where there is no end.
-    accuracy : float
-        Requested relative error.
-    lanes : int
-        Number of scenes.
-
-    Returns
-    -------
-    Problem
+    start : dict
+        Numbers, or arrays that broadcast to the scene's shape.
+    tables : dict of Data
     """
-    laws = law_parts(friction)
-    names_of_laws = tuple(name for name, _ in laws)
-    recipe = recipe_of(called, names_of_laws)
-    effects = recipe.effects
-    pushed = velocity != 0.0
-    upslope = "shaking" in effects or bool(np.any(pushed))
-    table_tolerance = FINEST
-    if lanes > 1:
-        table_tolerance = accuracy / 100
-    numbers = Numbers(arc)
-    for effect in effects:
-        numbers.add_effect(effect, called[effect])
-    numbers.add_rotations(called, friction, upslope, table_tolerance)
-    for name, parameters in laws:
-        numbers.add_law(name, parameters)
-    numbers.add_start(velocity, end_time)
-    inputs = numbers.inputs
-    shaking = called.get("shaking", {})
-    terms = {*effects, *recipe.moving}
-    first_only = _first_only(terms, laws, inputs)
-    endless = end_time == np.inf
-    inputs["ONE_WAY"] = _one_way(shaking)
-    inputs["FIRST_ONLY"] = choose(endless, first_only, 0.0)
-    inputs["ORDER"] = order(solved_accuracy(accuracy, lanes))
-    return _assembled(numbers, recipe, lanes)
 
+    def __init__(self, mass: Mass, shape: Shape) -> None:
+        self.mass = mass
+        self.shape = shape
+        self.radius = plain(mass.radius)
+        balance = mass.moment_coefficients
+        self.start: dict[str, Any] = {name: getattr(balance, name) for name in INPUTS}
+        self.tables: dict[str, Data] = {}
 
-def _assembled(numbers: Numbers, recipe: Recipe, lanes: int) -> Problem:
-    """A problem from its numbers and tables, each in the place that its program has for it."""
-    program = build_program(*recipe)
-    places = program.places
-    cells = program.blank(lanes)
-    for name, value in numbers.inputs.items():
-        if name in places:
-            cells[places[name]] = value
-    tables = list[Data]()
-    functions = dict[int, Function]()
-    for k, table in enumerate(program.tables):
-        tables.append(numbers.tables[table.name])
-        if table.name == "callable":
-            functions[k] = numbers.function
-    return Problem(program, tables, cells, functions, recipe, farther=numbers.farther)
+    def add_table(self, name: str, table: Data, scale: Any = 1.0, factor: Any = 1.0) -> None:
+        """Add a piecewise function with the scale of its argument and the factor of its values."""
+        self.tables[name] = table
+        self.start[f"{name}.SCALE"] = scale
+        self.start[f"{name}.SCALED_BY"] = factor
 
+    def _of_lanes(self, table: Data) -> Data:
+        """A table of the mass's own lanes for those of the scene."""
+        own = self.mass.lanes_shape
+        if own in ((), self.shape):
+            return table
+        numbers = np.arange(math.prod(own)).reshape(own)
+        return table.lanes(np.broadcast_to(numbers, self.shape).ravel())
 
-def recipe_of(called: Effects, laws: Names) -> Recipe:
-    """The recipe of scenes with these effects and laws."""
-    names = tuple(called)
-    effects = in_order(names)
-    moving = list[str]()
-    absent = list[str]()
-    for effect in effects:
-        parameters = called[effect]
-        for name, symbol in symbols_of(effect).items():
-            value = parameters.get(name)
-            if value is None:
-                absent.append(symbol)
-            elif callable(value):
-                moving.append(symbol)
-    if "layered_strength" in effects and "shaking" not in effects:
-        absent += ["k_h", "k_v"]  # which its terms contain, too
-    return Recipe(effects, laws, tuple(moving), tuple(absent))
+    def add_effect(self, effect: str, parameters: Parameters) -> None:
+        """Add the parameters of an effect: numbers by their symbols, functions of time as tables."""
+        symbols = symbols_of(effect)
+        if not symbols:
+            return
+        declared = ALL_EFFECTS[without_soil(effect)].parameters
+        scales = dict(self.mass.scales)
+        for p in declared:
+            if p.kind == "number":  # a symbol may take several
+                scales[p.name] = plain(parameters.get(p.name, 0.0))
+        for p in declared:
+            if not p.symbol:
+                continue
+            value = parameters.get(p.name, 0.0)
+            symbol = symbols[p.name]
+            if not callable(value):
+                self.start[symbol] = p.dimensionless(plain(value), scales)
+            elif p.kind != "series":  # a function of the rotation, which the mass lays out
+                self.start[f"{symbol}.SCALED_BY"] = p.dimensionless(1.0, scales)
+            else:
+                factor = room("forcing").factor(effect, parameters, p.name)
+                scaled = p.dimensionless(factor, scales)
+                self.add_table(symbol, room("tables").of_time(value), self.mass.time_scale, scaled)
+
+    def add_rotations(self, plan: Plan, lanes: int) -> Farther | None:
+        """Add the functions of the rotation that belong to the mass; what lays them out farther, if needed."""
+        scene = plan.scene
+        pushed = np.any(np.not_equal(scene.initial_velocity, 0.0))
+        upslope = bool(pushed) or "shaking" in plan.recipe.effects
+        tolerance = plan.accuracy / 100 if lanes > 1 else FINEST
+        tables, farther = self.mass.tables(scene.called, scene.law, upslope, tolerance)
+        for name, table in tables.items():
+            self.add_table(name, self._of_lanes(table), factor=self.start[f"{name}.SCALED_BY"])
+        if farther is None:
+            return None
+        lay_out = farther
+
+        def of_lanes() -> Mapping[str, Data]:
+            return {name: self._of_lanes(table) for name, table in lay_out().items()}
+
+        return of_lanes
+
+    def add_law(self, name: str, parameters: Parameters) -> None:
+        """Add a friction law: a table, or dimensionless numbers by its name."""
+        law = without_soil(name)
+        units = {"": 1.0, "m": self.radius, "m/s": self.mass.speed_scale, "s": self.mass.time_scale}
+        if law == "callable":
+            self.add_table(name, room("functions").first_table(parameters["function"], self.radius), self.radius)
+        elif FRAGMENTS[law].tables:
+            table, scale, unit = room("tables").of_law(law, parameters)
+            pieces, terms, *varied = table.coefficients.shape
+            if varied:
+                every = np.broadcast_to(table.coefficients, (pieces, terms, *self.shape))
+                table = table._replace(coefficients=every.reshape(pieces, terms, -1))
+            self.add_table(name, table, units[unit] / scale)
+        else:
+            for p in LAWS[law].parameters:
+                self.start[f"{name}.{p.name}"] = plain(parameters[p.name]) / units[p.unit]
+
+    def add_start(self, velocity: Any, end_time: Any) -> None:
+        """Add the initial velocity, the end time, and initial values of the integrator's records."""
+        start = self.start
+        with np.errstate(over="ignore"):  # an overflow is refused where the result is read
+            start["omega"] = plain(velocity) / self.radius * self.mass.time_scale
+            start["END_TIME"] = end_time / self.mass.time_scale
+        start["LIMIT"] = abs(self.mass.moment_coefficients.limit_friction)
+        start["FACTOR"] = STEP
+        start["CLOSE"] = np.inf
+        start["LIFT_TIME"] = np.nan
 
 
 def _one_way(shaking: Parameters) -> float:
@@ -246,30 +269,26 @@ def _one_way(shaking: Parameters) -> float:
     return float(varies and not two_way)
 
 
-def _first_only(terms: Collection[str], laws: Any, inputs: Parameters) -> Any:
-    """1 where nothing brings the mass to rest, 2 where water or heat may lift it: integrated to its first standstill.
-
-    ``terms`` are names of effects and symbols of functions.
-    """
-    effects = ALL_EFFECTS.keys() & terms
-    if not rotates(effects) or "layered_cohesion" in terms:
+def _first_only(plan: Plan, start: Parameters) -> Any:
+    """1 where nothing brings the mass to rest, 2 where water or heat may lift it: it is followed to its first stop."""
+    terms = {*plan.recipe.effects, *plan.recipe.moving}
+    if not plan.turns or "layered_cohesion" in terms:
         return 0.0
-    (name, parameters), *others = laws
     frictionless = False
-    if name == "constant" and not others:
-        frictionless = parameters["coefficient"] == 0.0
-    if_lifted = 2.0 if _may_lift(terms, inputs) else 0.0
+    if plan.recipe.laws == ("constant",):
+        frictionless = np.equal(start["constant.coefficient"], 0.0)
+    if_lifted = 2.0 if _may_lift(terms, start) else 0.0
     swings = choose(frictionless, 1.0, if_lifted)
-    cohesion = inputs.get("cohesion", 0.0)
-    cohesion = cohesion + inputs.get("layered_cohesion", 0.0)
-    return choose(cohesion > 0.0, 0.0, swings)
+    cohesion = start.get("cohesion", 0.0)
+    cohesion = cohesion + start.get("layered_cohesion", 0.0)
+    return choose(np.greater(cohesion, 0.0), 0.0, swings)
 
 
-def _may_lift(terms: Collection[str], inputs: Parameters) -> bool:
+def _may_lift(terms: Collection[str], start: Parameters) -> bool:
     """Whether the pressure of water may exceed the normal stress."""
     if not UPLIFT.isdisjoint(terms):
         return True
     if any(name.startswith(UPLIFT_OF_SOILS) for name in terms):
         return True
-    of_soils = [value for name, value in inputs.items() if name.startswith(UPLIFT_OF_SOILS)]
+    of_soils = [value for name, value in start.items() if name.startswith(UPLIFT_OF_SOILS)]
     return any(map(np.any, of_soils))

@@ -15,14 +15,12 @@ from generated.flow import FRAGMENTS
 from generated.layout import CELLS
 from slipcircle.base.kinds import Names
 from slipcircle.core.program.declare import Declarations, TableDeclaration
-from slipcircle.core.program.link import PRIME, ZERO, Operation, Operations, Term, named_in, needed, places_of, tangent
-from slipcircle.core.program.program import OUTPUT_CELLS, READ_REGISTERS, Program, Table, Tangent
+from slipcircle.core.program.link import ZERO, Operation, Operations, Term, named_in, needed
+from slipcircle.core.program.program import OUTPUT_CELLS, READ_REGISTERS, Program, Table
 
 
 @lru_cache(maxsize=256)
-def build_program(
-    effects: Names, laws: Names, moving: Names = (), absent: Names = (), outputs: Names = (), directions: int = 0
-) -> Program:
+def build_program(effects: Names, laws: Names, moving: Names = (), absent: Names = (), outputs: Names = ()) -> Program:
     """The program of a scene.
 
     Parameters
@@ -39,8 +37,6 @@ def build_program(
     outputs : tuple of str
         Further outputs: registers, such as ``mu``, ``pressing`` or ``friction``, and "energy" for the states
         ``work`` and ``dissipation``.
-    directions : int
-        Number of derivatives that the program computes: `Program.tangents`.
 
     Returns
     -------
@@ -51,7 +47,7 @@ def build_program(
     for name in outputs:
         kind = fragments if name in FRAGMENTS else registers
         kind.append(name)
-    builder = _Builder(tuple(registers), directions)
+    builder = _Builder(tuple(registers))
     builder.declare_laws(laws)
     builder.declare_effects(effects, moving, absent)
     builder.declare_functions_of_time(moving)
@@ -67,10 +63,6 @@ class _Builder(Declarations):
 
     Attributes
     ----------
-    read : list of str
-        Registers that the integrator reads.
-    varied : list of str
-        Cells whose tangents the program computes.
     registers : dict of str
         Register that holds each of the outputs; None where that is zero or constant.
     outputs : dict of str
@@ -87,13 +79,8 @@ class _Builder(Declarations):
         """Find the registers and cells that hold what the integrator reads."""
         self._fix_cells()
         link = self.link
-        self.read = [*self.rates]
-        self.read += self.rates.values()
-        self.read += READ_REGISTERS
-        self.read += [table.argument for table in self.tables]
-        roots = dict.fromkeys(self.read)
-        roots |= dict.fromkeys(self.extra)
-        roots |= dict.fromkeys(self._in_directions(self.read))
+        arguments = [table.argument for table in self.tables]
+        roots = dict.fromkeys((*self.states, *self.states.values(), *READ_REGISTERS, *arguments, *self.extra))
         link.mark_shared(roots)
         self.registers: dict[str, str | None] = {}
         for name in roots:
@@ -101,36 +88,23 @@ class _Builder(Declarations):
         self._drop_constants()
         self._hold_zeros()
         self.outputs: dict[str, str] = {}
-        tangents_of_drive = self._in_directions(["drive"])
-        for name in (*OUTPUT_CELLS.values(), *tangents_of_drive):
+        for name in OUTPUT_CELLS.values():
             self.outputs[name] = link.cell(name)
 
     def _fix_cells(self) -> None:
         """Name the cells that are set at the start of a lane, in order, and define those that depend on them alone."""
         link = self.link
         table_cells = list[str]()
-        self.varied = [*self.rates, "ROTATION", "SLIP", *self.inputs]
         for table in self.tables:
             table_cells += table.cells
-            self.varied += table.varied
-        tangents = self._in_directions(self.varied)
-        fixed = (*CELLS, *self.rates, *self.inputs, *table_cells, *tangents)
+        fixed = (*CELLS, *self.states, *self.inputs, *table_cells)
         self.fixed = list(dict.fromkeys(fixed))
         for name in self.fixed:
             link.cells[name] = name
         for state in self.states:
             link.registers[state] = state
-        for j in self.directions:
-            initial_limit = tangent("LIMIT", j)
-            limit = tangent("limit_0", j)
-            link.cell_definitions[initial_limit] = ("set", limit)
         moving = {*self.states, *table_cells}
         link.cell_definitions["departed"] = self._departed(moving)
-
-    def _in_directions(self, names: Iterable[str]) -> list[str]:
-        """The tangents of names, direction by direction."""
-        names = list(names)
-        return [tangent(name, j) for j in self.directions for name in names]
 
     def _departed(self, moving: set[str]) -> Operation:
         """The cell that is zero as long as the limit friction is the initial one, as its arguments have not changed.
@@ -189,21 +163,14 @@ class _Builder(Declarations):
     # --- 4. places ---------------------------------------------------------------------------------------------------
 
     def allocate(self) -> None:
-        """Assign places to lasting cells, then to constants, then to scratch cells, which are reused when free."""
-        computed = list[str]()
+        """Assign places to cells: those that are set, those that are computed, constants."""
         used = set(self.lasting)
-        for operation, (result,) in self.scalar:
+        for operation, _ in self.scalar:
             used.update(operation[1:])
-            if result in self.lasting:
-                computed.append(result)
-        constants = [name for name in used if name.startswith("=")]
-        self.constants = sorted(constants)
-        kept = self.fixed + computed + self.constants
-        self.place = places_of(self.scalar, kept)
-        last = max(self.place.values())
-        count = last + 1 - len(kept)
-        scratch = [f"scratch{k}" for k in range(count)]
-        self.cells = (*kept, *scratch)
+        self.constants = sorted(name for name in used if name.startswith("="))
+        computed = [result for _, (result,) in self.scalar]
+        self.cells = (*self.fixed, *computed, *self.constants)
+        self.place = {name: k for k, name in enumerate(self.cells)}
 
     # --- 5. names to places ------------------------------------------------------------------------------------------
 
@@ -229,7 +196,6 @@ class _Builder(Declarations):
             encoded = self._encoded(operation, results)
             series.append(encoded)
         tables = map(self._table, self.tables)
-        tangents = map(self._tangent, self.directions)
         return Program(
             cells=self.cells,
             given=len(self.fixed),
@@ -240,7 +206,6 @@ class _Builder(Declarations):
             tables=tuple(tables),
             roles=self._roles(),
             constants={name: float(name[1:]) for name in self.constants},
-            tangents=tuple(tangents),
         )
 
     def _table(self, table: TableDeclaration) -> Table:
@@ -289,8 +254,7 @@ class _Builder(Declarations):
         if kind == "ramp":
             table_arguments = [table.argument for table in self.tables]
             (increment,) = names
-            argument, _, _ = increment.partition(PRIME)
-            table = table_arguments.index(argument)
+            table = table_arguments.index(increment)
             return (kind, *made, table)
         operands = [self.operand[name] for name in names]
         return (kind, *made, *operands)
@@ -305,21 +269,3 @@ class _Builder(Declarations):
             places = (self.place[cell], self.at[register])
             encoded.append(places)
         return start, tuple(encoded)
-
-    def _tangent(self, direction: int) -> Tangent:
-        """Places of the tangents of cells that vary and of registers that are read."""
-        cells = dict[int, int]()
-        for name in self.varied:
-            cell = self.place[name]
-            derivative = tangent(name, direction)
-            cells[cell] = self.place[derivative]
-        drive = self.place[self.outputs["drive"]]
-        drive_dot = self.outputs[tangent("drive", direction)]
-        cells[drive] = self.place[drive_dot]
-        registers = dict[int, int]()
-        for name in self.read:
-            register = self._register(name)
-            register_dot = self._register(tangent(name, direction))
-            if register >= 0 and register_dot >= 0:
-                registers[register] = register_dot
-        return Tangent(cells, registers)

@@ -10,7 +10,7 @@ from generated.flow import INPUTS, QUANTITIES
 from generated.layout import TABLE
 from slipcircle.base.kinds import Names
 from slipcircle.core.program.fragments import fragment_of
-from slipcircle.core.program.link import ONE, ZERO, Linker, tangent
+from slipcircle.core.program.link import ONE, ZERO, Linker
 from slipcircle.core.scene.effects import OF_SOIL, soil_number
 
 
@@ -34,11 +34,6 @@ class TableDeclaration(NamedTuple):
         before = [f"{self.name}.{cell}" for cell in TABLE[:-1]]
         return before + self.coefficients
 
-    @property
-    def varied(self) -> list[str]:
-        """The cells whose tangents a program carries."""
-        return [f"{self.name}.VALUE", *self.coefficients]
-
 
 class Declarations:
     """The definitions of a program, and what the fragments in `generated.flow` declare.
@@ -47,24 +42,19 @@ class Declarations:
     ----------
     extra : tuple of str
         Registers that are computed in addition to those that the integrator reads.
-    directions : range
-        Numbers of the derivatives that the program computes.
     link : Linker
         The definitions of cells and registers.
     inputs : list of str
         Names of the numbers that a scene provides.
     tables : list of TableDeclaration
-    rates : dict of str
-        Register of the rate of each state.
     states : dict of str
-        The same, with the tangents of all states.
+        Register of the rate of each state.
     factors : list of str
         Quantities whose product is the friction coefficient.
     """
 
-    def __init__(self, extra: Names, directions: int) -> None:
+    def __init__(self, extra: Names) -> None:
         self.extra = extra
-        self.directions = range(directions)
         self.link = Linker()
         self.inputs: list[str] = []
         self.tables: list[TableDeclaration] = []
@@ -161,18 +151,13 @@ class Declarations:
         """Collect the numbers that a scene provides, and the states with their rates."""
         defined = self.link.cell_definitions
         self.inputs = [*INPUTS, *self.inputs]
-        self.rates = {"x": "omega", "omega": "net"}
+        self.states = {"x": "omega", "omega": "net"}
         for name in names:
             fragment = fragment_of(name)
             for symbol in fragment.inputs:
                 if symbol not in defined:
                     self.inputs.append(symbol)
-            self.rates.update(fragment.states)
-        self.states = dict(self.rates)
-        for j in self.directions:
-            for state, rate in self.rates.items():
-                state_dot = tangent(state, j)
-                self.states[state_dot] = tangent(rate, j)
+            self.states.update(fragment.states)
 
     def _take(self, name: str, friction: str = "mu") -> None:
         """Take a fragment's definitions; ``friction`` is the quantity to which it adds a friction coefficient.

@@ -1,15 +1,13 @@
 """Linking of a flow program: definitions by name become ordered operations, without those that are identically zero.
 
 A *cell* is a number where a phase begins, a *register* a series in time. Equal operations are computed once, and sums
-of sums are flattened. A name with a prime and a number, ``net'0``, is the tangent in that direction of the name before
-the prime; its definition follows by the rules in `generated.flow`.
+of sums are flattened.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from generated.flow import CELL_TANGENTS, SERIES_TANGENTS
 from slipcircle.base.kinds import Names
 
 Operation = tuple[Any, ...]  # name and arguments; of series (`Linker.series_definitions`) name, results, arguments
@@ -17,14 +15,7 @@ WithResults = tuple[Operation, Names]
 Operations = list[WithResults]
 Term = tuple[str, str]  # of a sum: a cell times a register
 RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2, "powers": 6}  # of operations on series that have more than one
-ZERO, ONE, MINUS_ONE = "=0.0", "=1.0", "=-1.0"
-PRIME = "'"
-TANGENT_OF_COPY = (("d", "a"), (("set", "d'", "a'"),))
-
-
-def tangent(name: str, direction: object) -> str:
-    """The name of a tangent."""
-    return f"{name}{PRIME}{direction}"
+ZERO, ONE = "=0.0", "=1.0"
 
 
 def results_of(operation: str, names: Sequence[Any]) -> Names:
@@ -80,42 +71,18 @@ class Linker:
     def cell(self, name: str) -> str:
         """The cell that a name stands for, computed if necessary."""
         if name.startswith("="):
-            return ZERO if PRIME in name else name
+            return name
         if name not in self.cells:
-            if name not in self.cell_definitions:
-                self._define_cell_tangent(name)
             operation, *names = self.cell_definitions[name]
             operands = [self.cell(argument) for argument in names]
             self.cells[name] = self.compute(operation, operands, name)
         return self.cells[name]
-
-    def _define_cell_tangent(self, name: str) -> None:
-        """By the rule for the operation that computes the cell; zero for a number that does not vary."""
-        base, prime, direction = name.rpartition(PRIME)
-        if not prime:
-            raise KeyError(name)
-        if base not in self.cell_definitions:
-            self.cell_definitions[name] = ("set", ZERO)
-            return
-        operation, *operands = self.cell_definitions[base]
-        placeholders, rule = CELL_TANGENTS.get(operation, TANGENT_OF_COPY)
-        names = (base, *operands)
-        actual = dict(zip(placeholders, names, strict=False))
-        derivative = _instance(rule, actual, base, direction)
-        self.define_cells(derivative)
 
     def compute(self, operation: str, operands: list[str], name: str = "") -> str:
         """The cell of an operation's result: a new one, or one that holds it already."""
         known = _simplified(operation, operands)
         if known is not None:
             return known
-        first = operands[0]
-        second = operands[-1]
-        if operation == "sub" and first == ZERO:
-            return self.compute("neg", [second], name)
-        if operation == "mul" and MINUS_ONE in operands:
-            factor = second if first == MINUS_ONE else first
-            return self.compute("neg", [factor], name)
         result = name
         if not name:
             number = len(self.scalar)
@@ -141,38 +108,8 @@ class Linker:
 
     def definition(self, name: str) -> Operation:
         """Definition of a register; without one it is an empty sum."""
-        definitions = self.series_definitions
-        is_tangent = PRIME in name and name not in self.registers
-        if is_tangent and name not in definitions:
-            self._define_series_tangent(name)
         empty_sum = ("lin", name, "", ())
-        return definitions.get(name, empty_sum)
-
-    def _define_series_tangent(self, name: str) -> None:
-        """Of a sum term by term, (c r)' = c r' + c' r; of other operations by the rules of `generated.flow`."""
-        base, _, direction = name.rpartition(PRIME)
-        operation, *names = self.definition(base)
-        if operation == "lin":
-            _, constant, terms = names
-            by_registers = list[Term]()
-            by_cells = list[Term]()
-            for cell, register in terms:
-                cell_dot = tangent(cell, direction)
-                register_dot = tangent(register, direction)
-                by_registers.append((cell, register_dot))
-                by_cells.append((cell_dot, register))
-            if constant:
-                constant = tangent(constant, direction)
-            self.series_definitions[name] = ("lin", name, constant, (*by_registers, *by_cells))
-            return
-        if operation == "ramp":
-            table = names[1]
-            self.series_definitions[name] = ("ramp", name, table)
-            return
-        placeholders, rule = SERIES_TANGENTS[operation]
-        actual = dict(zip(placeholders, names, strict=True))
-        derivative = _instance(rule, actual, base, direction)
-        self.define_series(derivative)
+        return self.series_definitions.get(name, empty_sum)
 
     def mark_shared(self, names: Iterable[str]) -> None:
         """Collect the registers that these take, directly or not, and that are more than terms of sums."""
@@ -301,8 +238,6 @@ def _simplified(operation: str, operands: Sequence[str]) -> str | None:
             return second if first == ONE else first
         case "div" if ZERO == first or second == ONE:
             return first
-        case "neg" if first == ONE:
-            return MINUS_ONE
         case "neg" | "abs" if first == ZERO:
             return ZERO
         case "less" if first == second == ZERO:
@@ -312,31 +247,6 @@ def _simplified(operation: str, operands: Sequence[str]) -> str | None:
         case "select" if operands[1] == second == ZERO:
             return ZERO
     return None
-
-
-def _instance(rule: Iterable[Any], actual: dict[str, str], base: str, direction: str) -> list[Any]:
-    """A rule's operations with the names of one operation in the place of its placeholders.
-
-    ``x'`` is the tangent of what x stands for; other names are made unique.
-    """
-
-    def substitute(item: Any) -> Any:
-        if not isinstance(item, str):
-            return tuple(substitute(x) for x in item)
-        if item in actual:
-            return actual[item]
-        if not item or item.startswith("="):
-            return item
-        placeholder = item.removesuffix(PRIME)
-        if placeholder in actual:
-            return tangent(actual[placeholder], direction)
-        return f"{tangent(base, direction)}|{item}"
-
-    instance = []
-    for operation, *names in rule:
-        actual_names = map(substitute, names)
-        instance.append((operation, *actual_names))
-    return instance
 
 
 # --- operations that a program keeps ---------------------------------------------------------------------------------
@@ -365,29 +275,3 @@ def needed(operations: Iterable[WithResults], outputs: Iterable[str]) -> Operati
             operands = [register for _, register in terms]
         pending.update(operands)
     return selected[::-1]
-
-
-def places_of(operations: Operations, kept: list[str]) -> dict[str, int]:
-    """Place of each cell: kept ones in their order, the others reuse free places."""
-    place = {name: k for k, name in enumerate(kept)}
-    last_use = dict[str, int]()
-    for k, (operation, _) in enumerate(operations):
-        for name in operation[1:]:
-            last_use[name] = k
-    first_scratch = len(kept)
-    end = first_scratch
-    free = list[int]()
-    for k, (operation, (result,)) in enumerate(operations):
-        used_up = set[int]()
-        for name in operation[1:]:
-            if last_use[name] == k and place[name] >= first_scratch:
-                used_up.add(place[name])
-        free += sorted(used_up, reverse=True)
-        if result in place:
-            continue
-        if free:
-            place[result] = free.pop()
-            continue
-        place[result] = end
-        end += 1
-    return place

@@ -36,20 +36,13 @@ class Table:
     degree: int
 
 
-class Tangent(NamedTuple):
-    """One direction of derivatives in a program: cells and registers of derivatives, by those that they belong to."""
-
-    cells: Mapping[int, int]
-    registers: Mapping[int, int]
-
-
 @dataclass(frozen=True, eq=False)
 class Program:
     """Cells and registers by name, operations on cells and on series by their indices, and who plays which role.
 
     The first ``given`` cells are set at the start of a lane, the next ones computed where a phase begins; then follow
-    ``constants``, by name, and what a prologue needs while it runs.
-    ``states`` are (cell, register, register of the rate); the tangents of all states follow, direction by direction.
+    ``constants``, by name.
+    ``states`` are (cell, register, register of the rate).
     """
 
     cells: tuple[str, ...]
@@ -61,7 +54,6 @@ class Program:
     tables: tuple[Table, ...]
     roles: Mapping[str, int]
     constants: Mapping[str, float]
-    tangents: tuple[Tangent, ...] = ()
 
     @cached_property
     def places(self) -> Mapping[str, int]:

@@ -120,13 +120,13 @@ def law_names(given: Any) -> Names:
 
 def law_depends(given: Any) -> Names:
     """What a scene's friction depends on: some of slip, speed, time."""
-    return variables_of(law_names(given))
+    return depends_on(law_names(given))
 
 
-def variables_of(names: Names) -> Names:
-    """What laws of friction depend on: some of slip, speed, time."""
+def depends_on(laws: Names) -> Names:
+    """What a product of laws depends on."""
     variables: dict[str, None] = {}
-    for name in names:
+    for name in laws:
         law = LAWS.get(without_soil(name))
         depends_on = law.depends_on if law else ("slip",)
         variables |= dict.fromkeys(depends_on)

@@ -10,8 +10,8 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import EPS, Fault
-from slipcircle.base.kinds import Effects, Values
+from slipcircle.base.checks import EPS, Fault, plain
+from slipcircle.base.kinds import Effects, Names, Values
 from slipcircle.core.scene.piecewise import Tables
 
 
@@ -78,6 +78,8 @@ class Mass:
         Its fields that scenes vary, each with the number of axes that one mass has of it.
     rounding : float
         Relative error that each of its coefficients may have.
+    own_effects : tuple of str
+        Effects that it has by its soils, and that no scene gives.
     friction : mapping or None
         That of its soils, in place of the scene's.
     given : mapping or None
@@ -94,8 +96,10 @@ class Mass:
     moment_coefficients: Any
     quantities: ClassVar[Mapping[str, int]]
     rounding: ClassVar[float] = 4 * EPS
+    own_effects: ClassVar[Names] = ()
     friction: Any = None
     given: Any = None
+    lanes_shape: Any = ()  # of its own tables
 
     # --- what it may add; a plain arc adds nothing -------------------------------------------------------------------
 
@@ -154,7 +158,25 @@ class Mass:
     @cached_property
     def time_scale(self) -> Any:
         """t_c = sqrt(R/g) (3.9), s."""
-        return np.sqrt(np.divide(self.radius, self.gravity))
+        return plain(np.sqrt(np.divide(self.radius, self.gravity)))
+
+    @property
+    def speed_scale(self) -> Any:
+        """sqrt(R g), m/s."""
+        return plain(self.radius) / self.time_scale
+
+    @cached_property
+    def scales(self) -> Values:
+        """What the parameters of effects are made dimensionless by, under the names that `generated.effects` uses."""
+        return {
+            "half_angle": self.half_angle,
+            "gravity": self.gravity,
+            "reference_stress": self.reference_stress,
+            "Theta": self.dimensionless.moment_of_inertia,
+            "radius": plain(self.radius),
+            "density": plain(self.mean_unit_weight) / plain(self.gravity),
+            "cover": self.moment_coefficients.cover,
+        }
 
     @cached_property
     def reference_stress(self) -> Any:

@@ -3,6 +3,7 @@
 from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, overload
@@ -11,13 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS
-from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, plain, raise_all, shape_mistakes
 from slipcircle.base.kinds import Array, Effects, Numbers, Parameters, Values
 from slipcircle.core.doors import room
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.core.scene.effects import effect_mistakes, named, resolved
-from slipcircle.core.scene.friction import law_mistakes, law_parts, law_paths, number_name
+from slipcircle.core.scene.friction import Law, law_mistakes, law_parts, law_paths, number_name
 from slipcircle.core.scene.mass import Mass
 
 One = float | str | Callable[[Any], Any] | Mapping[str, float | str]  # what a parameter is in one scene
@@ -154,7 +155,32 @@ class Scene(Generic[Numbers]):
             faults.append(f"uncertain = {uncertain!r}: must be a mapping from numbers to their distributions")
         return faults
 
+    @cached_property
+    def law(self) -> Any:
+        """The friction that it is given, or that of the soils of its mass."""
+        return self.friction if self.arc.friction is None else self.arc.friction
+
+    def of_means(self) -> Scene:
+        """The same scene, in which stresses are means over the arc, not weighted by the friction of soils."""
+        called = self.arc.effects_of_means(self.called)
+        if called is self.called:
+            return self
+        other = copy(self)
+        vars(other).update(called=called, law={"law": "constant", "coefficient": 0.0})
+        vars(other).pop("laws", None)
+        return other
+
+    @cached_property
+    def laws(self) -> tuple[Law, ...]:
+        """The laws that its friction is a product of, each with its parameters."""
+        return law_parts(self.law)
+
     @property
+    def until(self) -> Any:
+        """When it ends at the latest, s; infinite without an end time."""
+        return INFINITY if self.end_time is None else plain(self.end_time)
+
+    @cached_property
     def called(self) -> Effects:
         """Effects by name, each with its parameters, and the water level of a section."""
         assert isinstance(self.effects, dict)

@@ -10,6 +10,7 @@ from slipcircle.workbench.outputs import pictures, tables
 from slipcircle.workbench.outputs.tables import Answer
 
 HELP = "how a scene will be solved, and what that costs"
+FIELDS = ("effects", "left_out", "law", "method", "why", "fragments", "operations", "cost", "accuracy")  # in JSON
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -30,7 +31,8 @@ def run(options: argparse.Namespace) -> Answer:
         raise ValueError("plan: --plot: draws the ladder; give --ladder as well")
     chosen = plan(load(options.scene))
     equation = chosen.equation
-    record = vars(chosen) | {"scene": chosen.scene.name, "equation": equation.to_dict()}
+    record = {"scene": chosen.scene.name, **{name: getattr(chosen, name) for name in FIELDS}}
+    record["equation"] = equation.to_dict()
     if not options.ladder:
         return Answer(lambda: [record], [tables.plan_part(chosen), f"\n{equation}"])
     from slipcircle.workbench.studies.ladder import ladder

@@ -99,7 +99,7 @@ def _sections(motions: Sequence[Motion], ax: Any) -> None:
             ends[k] = mass.outline(turn)
     view = View.around(start, *ends.values())
     margin = 0.1 * view.size
-    view = scenery(ax, mass, soil, view.grown(margin, margin))
+    view = scenery(ax, mass, soil, view.grown(margin, margin), [start, *ends.values()])
     ax.add_patch(Polygon(start, closed=True, zorder=2, **AREAS["start"]))
     for k, outline in ends.items():
         colour, dashes, _ = styles.get(k, REST)

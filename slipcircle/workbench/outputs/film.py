@@ -7,7 +7,7 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Motion
-from slipcircle.workbench.outputs.plotstyle import AREAS, axis, number
+from slipcircle.workbench.outputs.plotstyle import AREAS, axis, number, pace
 from slipcircle.workbench.outputs.sectionplot import set_stage
 
 _FRAMES = 60
@@ -54,9 +54,7 @@ def _pace(motion: Motion, seconds: float, magnification: float) -> str:
     """Speed-up and magnification of a film, in words."""
     words = ""
     if motion.moves:
-        speed_up = motion.settling_time / seconds
-        ratio = f"{max(speed_up, 1.0 / speed_up):.2g}"
-        words = f"; {ratio} times {'faster' if speed_up > 1.0 else 'slower'}" if ratio != "1" else "; in real time"
+        words = f"; {pace(motion.settling_time, seconds)}"
     if magnification > 1.0:
         words += f", displacements {number(magnification)} times as large"
     return words

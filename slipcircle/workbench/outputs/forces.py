@@ -12,8 +12,8 @@ from slipcircle.workbench.outputs.plotstyle import FORCES, beside, label
 _ARROWS = (-0.6, -0.2, 0.2, 0.6)  # angles of the reactions from the middle of the arc, over alpha
 
 
-def draw_forces(ax: Any, motion: Motion, mass: Any, size: float) -> None:
-    """The weight at the centroid, and reactions along the arc."""
+def draw_forces(ax: Any, motion: Motion, mass: Any, size: float) -> float:
+    """The weight at the centroid, and reactions along the arc; returns the height that has to be in view."""
     start, end = mass.ends.tolist()
     middle = (start + end) / 2
     alpha = (end - start) / 2
@@ -23,11 +23,9 @@ def draw_forces(ax: Any, motion: Motion, mass: Any, size: float) -> None:
     tip = centroid - [0.0, 1.25 * length]
     _arrow(ax, centroid, tip, "weight", 2.2)
     beside(ax, "$W$", tip, (0.0, -1.0))
-    bottom, _ = ax.get_ylim()
-    below_tip = tip[1] - 0.12 * size
-    ax.set_ylim(bottom=min(bottom, below_tip))
     angles = middle + alpha * np.array(_ARROWS)
     _reactions(ax, motion, mass.on_circle(angles), length)
+    return float(tip[1] - 0.12 * size)
 
 
 def _reactions(ax: Any, motion: Motion, places: Floats, length: float) -> None:

@@ -22,9 +22,12 @@ _NEAR = 15.0  # points, within which a label needs no leader
 _DIRECTIONS = np.linspace(0.0, 2 * math.pi, 16, endpoint=False)
 _SPACING = 4.0  # of the points that stand for lines, in pixels
 _GAP = 2.0  # around labels, in pixels
-# Costs: a covered point, a pixel outside the axis, an overlap with a label or its leader, leaders that cross, a pixel
-# of distance.
-_COVERED, _OUTSIDE, _WORDS, _LEADERS, _FAR = 2.0, 200.0, 400.0, 20.0, 0.12
+# Costs: a covered point, a pixel outside the axis, an overlap with a label or its leader, leaders that cross, a point
+# of a leader on a line, a pixel of distance.
+_COVERED, _OUTSIDE, _WORDS, _LEADERS, _CROSSED, _FAR = 2.0, 200.0, 400.0, 20.0, 3.0, 0.12
+_ALONG, _FREE = 24, 4  # points along a leader, and those at its anchor that are on the line of the anchor
+_CELL, _AROUND = 2.0, 60.0  # of the grid that counts points, and its margin around an axis, in pixels
+_ARROW = 10  # points of an arrow in the place of one of a line
 BACK = 1.5  # `zorder` below which artists may be covered
 _HALO = 2.5  # points of white around a label
 
@@ -67,6 +70,7 @@ class Label(Annotation):
         box = Text.get_window_extent(self, renderer)
         half = np.array([box.width, box.height]) / 2
         anchors = self.parent.transData.transform(self.anchors)
+        self._covered = _Covered(np.concatenate([np.empty((0, 2)), *_obstacles(self.parent)]), self.parent.bbox)
         distances, offsets = self._offsets(half, pixels)
         count = len(anchors)
         which = np.repeat(np.arange(count), len(offsets))
@@ -96,19 +100,11 @@ class Label(Annotation):
         """Costs of a label of a half size at centres, (candidates, 2) in pixels."""
         low = centres - half
         high = centres + half
-        no_points = np.empty((0, 2))
-        points = np.concatenate([no_points, *_obstacles(self.parent)])
-        x, y = points.T
-        left, bottom = low.T[:, :, None]
-        right, top = high.T[:, :, None]
-        across = (left < x) & (x < right)
-        upwards = (bottom < y) & (y < top)
-        covered = np.count_nonzero(across & upwards, axis=1)
+        cost = _COVERED * self._covered(low, high)
         frame = self.parent.bbox
         too_low = np.maximum(frame.min - low, 0.0)
         too_high = np.maximum(high - frame.max, 0.0)
-        outside = (too_low + too_high).sum(axis=1)
-        cost = _COVERED * covered + _OUTSIDE * outside
+        cost += _OUTSIDE * (too_low + too_high).sum(axis=1)
         for box in self._other_words(renderer):
             first = np.maximum(low, box.min)
             last = np.minimum(high, box.max)
@@ -127,15 +123,18 @@ class Label(Annotation):
             cost += _WORDS / 4 * crossed
         for anchor, centre in self._other_leaders():
             cost += _LEADERS * _crosses(anchors, centres, anchor, centre)
-        return cost
+        across = np.linspace(0.0, 1.0, _ALONG)[_FREE:, None, None]
+        places = anchors + across * (centres - anchors)
+        crossed = np.count_nonzero(self._covered(places - _GAP, places + _GAP), axis=0)
+        return np.asarray(cost + _CROSSED * crossed * (far > 0.0))
 
     def _placed(self) -> Iterator[Any]:
-        """The texts that have been placed."""
+        """The labels that have been placed, and all other texts."""
         for ax in _beside(self.parent):
+            is_later = False
             for text in ax.texts:
-                if text is self:
-                    break
-                if text.get_text() and text.get_visible():
+                is_later |= text is self
+                if text.get_text() and text.get_visible() and not (is_later and isinstance(text, Label)):
                     yield text
 
     def _other_words(self, renderer: Any) -> Iterator[Any]:
@@ -149,6 +148,36 @@ class Label(Annotation):
             if isinstance(text, Label) and text.leader.get_visible():
                 anchor = text.parent.transData.transform(text.xy)
                 yield anchor, anchor + text.get_position()
+
+
+class _Covered:
+    """Counts of points in boxes, by sums over the cells of a grid around a frame."""
+
+    def __init__(self, points: Floats, frame: Any) -> None:
+        self._corner = frame.min - _AROUND
+        size = frame.max + _AROUND - self._corner
+        cells = np.ceil(size / _CELL).astype(int)
+        ends = np.stack([self._corner, self._corner + cells * _CELL], axis=1)
+        counts, _, _ = np.histogram2d(points[:, 0], points[:, 1], bins=cells.tolist(), range=ends.tolist())
+        sums = counts.cumsum(axis=0).cumsum(axis=1)
+        self._sums = np.pad(sums, ((1, 0), (1, 0)))
+
+    def __call__(self, low: Floats, high: Floats) -> Floats:
+        """Number of points in each box, (...,), from its corners, (..., 2)."""
+        last = np.array(self._sums.shape) - 1
+        first_cells = self._cells(low, last)
+        last_cells = self._cells(high, last)
+        left, bottom = np.moveaxis(first_cells, -1, 0)
+        right, top = np.moveaxis(last_cells, -1, 0)
+        sums = self._sums
+        below_top = sums[right, top] - sums[left, top]
+        below_bottom = sums[right, bottom] - sums[left, bottom]
+        return np.asarray(below_top - below_bottom)
+
+    def _cells(self, corners: Floats, last: Any) -> Any:
+        cells = (corners - self._corner) / _CELL
+        nearest = np.rint(cells).astype(int)
+        return np.clip(nearest, 0, last)
 
 
 def _beside(ax: Any) -> list[Any]:
@@ -189,6 +218,9 @@ def _obstacles(axes: Any) -> Iterator[Floats]:
                     yield _along(np.asarray(polygon, dtype=np.float64), frame)
                 if artist.get_hatch():
                     yield _inside(path, frame)
+            elif isinstance(artist, Annotation) and artist.arrow_patch and not isinstance(artist, Label):
+                ends = np.array([artist.xyann, artist.xy], dtype=np.float64)
+                yield np.repeat(_along(ax.transData.transform(ends), frame), _ARROW, axis=0)
 
 
 def _about(points: Floats, size: float) -> Floats:

@@ -20,7 +20,7 @@ from slipcircle.workbench.common.quantities import OUTCOMES, end_words, summary
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.outputs.interpolant import BYTES, TOLERANCE, Interpolant, interpolant
 from slipcircle.workbench.outputs.livesection import Section, axes, common_magnification, frame_around, section
-from slipcircle.workbench.outputs.plotstyle import ending, quantity_words
+from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, pace, quantity_words
 from slipcircle.workbench.studies import motions as study_motions
 from slipcircle.workbench.studies.ensemble import varied_number
 
@@ -43,8 +43,12 @@ def text(name: str) -> str:
 
 
 def style() -> str:
-    """The style of `fragment`."""
-    return text("live.css")
+    """The style of `fragment`, in the colours of pictures; `live.css` has those for a dark screen."""
+    colours = {f"band-{k}": band for k, (band, _) in enumerate(SOILS)}
+    colours |= {"soil": SCENERY["soil"]["color"], "mass": AREAS["moving"]["facecolor"]}
+    colours |= {"way": LINES["main"]["color"], "speed": LINES["other"]["color"]}
+    by_name = "".join(f"--{name}: {colour}; " for name, colour in colours.items())
+    return f":root {{ {by_name}}}\n{text('live.css')}"
 
 
 def script() -> str:
@@ -122,7 +126,7 @@ def _data(
     duration = max(float(history.times[-1]) for history in histories)
     return {
         "duration": duration,
-        "pace": _pace(duration),
+        "pace": pace(duration, min(max(duration, _SHORTEST), _LONGEST)),
         "first": first,
         "velocity": _range(history.velocity for history in histories),
         "displacement": _range(history.displacement for history in histories),
@@ -215,21 +219,13 @@ def _range(columns: Iterable[Any]) -> tuple[float, float]:
     return (low, high) if high > low else (0.0, 1.0)
 
 
-def _pace(duration: float) -> str:
-    """Speed at which a slide is played, in words."""
-    seconds = min(max(duration, _SHORTEST), _LONGEST)
-    if duration == seconds or duration == 0.0:
-        return "in real time"
-    faster = duration > seconds
-    times = duration / seconds if faster else seconds / duration
-    return f"played {times:.2g} times {'faster' if faster else 'slower'}"
-
-
 def _caption(motions: Sequence[Motion], histories: Sequence[Interpolant], magnification: float) -> Iterator[str]:
     """Sentences on what the drawing shows and on the error of interpolation."""
     yield "To scale. Dashed: the mass at the start; dotted: the circle continued, as the method assumes."
     if isinstance(motions[0].plan.scene.arc, Arc):
         yield "The chord stands in place of the ground; coordinates are from the centre of the circle."
+    if any(len(getattr(motion.plan.scene.arc, "surcharge", ())) for motion in motions):
+        yield "Arrows: surcharges, where they are at the start."
     if magnification > 1.0:
         yield f"Displacements are drawn {shown(magnification)} times as large."
     if any(motion.moves and "rotation" not in motion.plan.effects for motion in motions):

@@ -4,7 +4,7 @@ The mass is one group, which the page turns about the centre of the slip circle.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,9 +12,10 @@ import numpy as np
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Arc, Motion
 from slipcircle.workbench.common.markup import Raw, escaped
-from slipcircle.workbench.outputs.layerplot import boundaries
+from slipcircle.workbench.outputs.plotstyle import SOILS
+from slipcircle.workbench.outputs.scenery import Line, lines
 from slipcircle.workbench.outputs.sectionplot import magnified
-from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of, water_line
+from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of
 
 WIDTH = 1000.0  # of the drawing, in its own unit
 _LOWEST = 0.42  # least height over width
@@ -22,7 +23,6 @@ _TALLEST = 0.5  # greatest height over width
 _MARGIN = 0.08  # of the view
 _TICKS = 6, 4  # of the axes, at most
 _INSET = 12.0  # of names and numbers from the edges
-_COLOURS = 5  # of soils, in `live.css`
 _NAME = 0.11  # of the height, for a name below its line on a narrow screen
 _FREE = 0.08, 0.06  # of an axis, without numbers at its two ends
 _STRAIGHT = 1e-6  # change of slope, below which a line has no vertex
@@ -55,11 +55,16 @@ class Frame(NamedTuple):
         return (self.view.top - height) * self.scale
 
     def path(self, world: Any, closed: bool = False) -> str:
-        """A line through points of the world as the data of a path."""
+        """A line through points of the world, with gaps at NaN, as the data of a path."""
         points = np.round(self.points(np.asarray(world, dtype=np.float64)), 2)
-        places = "L".join(f"{x:.7g} {y:.7g}" for x, y in points.tolist())
+        gaps = np.flatnonzero(np.isnan(points[:, 0]))
         end = "Z" if closed else ""
-        return f"M{places}{end}"
+        data = ""
+        for part in np.split(points, gaps):
+            is_point = np.isfinite(part[:, 0])
+            places = part[is_point].tolist()
+            data += "M" + "L".join(f"{x:.7g} {y:.7g}" for x, y in places) + end
+        return data
 
 
 def frame_around(motions: Sequence[Motion]) -> Frame:
@@ -89,8 +94,9 @@ def frame_around(motions: Sequence[Motion]) -> Frame:
 def _bottom_below_names(soil: Any, view: View) -> float:
     """The bottom of a view, lowered where the lowest visible soil is too thin for its name."""
     room = _NAME * (view.top - view.bottom)
-    x = view.left if float(soil.facing) > 0.0 else view.right
-    visible = [height for height, _, _ in _named(soil, view, x) if height > view.bottom]
+    is_left = float(soil.facing) > 0.0
+    named = [line for line in lines(mass_of(soil, soil), soil, view) if line.name and line.role != "surcharge"]
+    visible = [height for line in named if (height := _height(line, is_left, view)) > view.bottom]
     return min([view.bottom, *(height - room for height in visible)])
 
 
@@ -112,14 +118,15 @@ def section(motion: Motion, frame: Frame, magnification: float, name: str) -> Se
     along_arc = _onwards(mass, frame, right, left)
     outline = f"{surface}{along_arc}Z"
     ground = _ground(mass, soil, frame)
-    bands = "".join(_bands(soil, frame))
+    around = [*lines(mass, soil, frame.view)]
+    bands = "".join(_bands(around, frame))
     parts = [
         f'<clipPath id="{name}-ground">{_path("", ground)}</clipPath>',
         f'<clipPath id="{name}-mass">{_path("", outline)}</clipPath>',
         _path("soil", ground),
         f'<g clip-path="url(#{name}-ground)">{bands}</g>',
         _path("scar", outline),
-        *_firm_layer(soil, frame),
+        *_drawn(around, frame, "firm"),
         _path("circle", _continued(mass, frame)),
         '<g class="mass">',
         _path("body", outline),
@@ -128,8 +135,8 @@ def section(motion: Motion, frame: Frame, magnification: float, name: str) -> Se
         "</g>",
         _path("slip", _stretch(mass, frame, left, right)),
         _path("ghost", surface),
-        *_water(soil, frame),
-        *_names(soil, frame),
+        *_drawn(around, frame, "water", "surcharge"),
+        *_names(around, float(soil.facing) > 0.0, frame),
     ]
     x, y = frame.points(mass.centre).tolist()
     turn = -math.degrees(magnification * float(soil.facing) / mass.radius)
@@ -203,14 +210,12 @@ def _area(line: Floats, bottom: float, frame: Frame) -> str:
     return frame.path([*line, [right, bottom], [left, bottom]], closed=True)
 
 
-def _bands(soil: Any, frame: Frame) -> Iterator[str]:
-    """The soils below the first as areas, each from its top down to the bottom of the view."""
-    for number, top in enumerate(_tops(soil)):
-        if number == 0:
-            continue
-        area = _area(_corners(top), frame.view.bottom, frame)
-        colour = number % _COLOURS
-        yield _path(f"band band-{colour}", area)
+def _bands(around: Iterable[Line], frame: Frame) -> Iterator[str]:
+    """The soils of a layered section as areas, each from its top down to the bottom of the view."""
+    for line in around:
+        if line.soil is not None:
+            area = _area(_corners(line.points), frame.view.bottom, frame)
+            yield _path(f"band band-{line.soil % len(SOILS)}", area)
 
 
 def _corners(line: Floats) -> Floats:
@@ -220,54 +225,37 @@ def _corners(line: Floats) -> Floats:
     return line[np.concatenate([[True], bends, [True]])]
 
 
-def _tops(soil: Any) -> list[Floats]:
-    """The tops of the soils of a layered section."""
-    layers = getattr(soil, "layers", ())
-    if not layers:
-        return []
-    x, tops = boundaries(np.asarray(soil.ground, dtype=np.float64), layers)
-    return [np.stack([x, top], axis=-1) for top in tops]
-
-
-def _firm_layer(soil: Any, frame: Frame) -> Iterator[str]:
-    base = getattr(soil, "base", None)
-    if base is not None:
-        left, right = [frame.view.left, base], [frame.view.right, base]
-        yield _path("firm", frame.path([left, right]))
-
-
-def _water(soil: Any, frame: Frame) -> Iterator[str]:
-    level = water_line(soil, frame.view)
-    if level is not None:
-        yield _path("water", frame.path(level))
+def _drawn(around: Iterable[Line], frame: Frame, *roles: str) -> Iterator[str]:
+    """The lines of some roles."""
+    for line in around:
+        if line.role in roles:
+            yield _path(line.role, frame.path(line.points))
 
 
 # --- names and axes --------------------------------------------------------------------------------------------------
 
 
-def _names(soil: Any, frame: Frame) -> Iterator[str]:
-    """Names of soils, water and firm layer at the upper side of the slope; the script moves them to their lines."""
-    is_left = float(soil.facing) > 0.0
-    x = frame.view.left if is_left else frame.view.right
+def _names(around: Iterable[Line], is_left: bool, frame: Frame) -> Iterator[str]:
+    """Names of lines at the upper side of the slope; the script moves them to their lines. Surcharges have values."""
     edge = _INSET if is_left else WIDTH - _INSET
     anchor = "start" if is_left else "end"
-    for height, words, kind in sorted(_named(soil, frame.view, x), reverse=True):
-        line = frame.depth(height)
-        if 0.0 <= line <= frame.height:
-            place = f'x="{edge:g}" y="{line:.1f}" dy="1.1em" text-anchor="{anchor}"'
-            yield f'<text class="{kind}" data-line="{line:.1f}" {place}>{escaped(words)}</text>'
+    named = [(_height(line, is_left, frame.view), line) for line in around if line.name]
+    for height, line in sorted(named, key=lambda pair: -pair[0]):
+        depth = frame.depth(height)
+        if not 0.0 <= depth <= frame.height:
+            continue
+        x = edge
+        if line.role == "surcharge":
+            x, anchor = frame.points(line.places.mean(axis=0))[0], "middle"
+        place = f'x="{x:.4g}" y="{depth:.1f}" dy="1.1em" text-anchor="{anchor}"'
+        yield f'<text class="name of-{line.role}" data-line="{depth:.1f}" {place}>{escaped(line.name)}</text>'
 
 
-def _named(soil: Any, view: View, x: float) -> Iterator[tuple[float, str, str]]:
-    """Heights of named lines at x, their names, and their CSS classes."""
-    for top, (layer, _) in zip(_tops(soil), getattr(soil, "layers", ()), strict=True):
-        yield float(np.interp(x, *top.T)), layer.name, "name"
-    level = water_line(soil, view)
-    if level is not None:
-        yield float(np.interp(x, *level.T)), "water level", "name of-water"
-    base = getattr(soil, "base", None)
-    if base is not None:
-        yield float(base), "firm layer", "name"
+def _height(line: Line, is_left: bool, view: View) -> float:
+    """Height of a line at the side of the names; of surcharges their highest."""
+    if line.role == "surcharge":
+        return float(np.max(line.places[:, 1]))
+    return float(np.interp(view.left if is_left else view.right, *line.points.T))
 
 
 def axes(frame: Frame, names_left: bool) -> Raw:

@@ -318,8 +318,8 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     ax.axhline(yields, **{**LINES["total"], "lw": 1.2})
     ax.set_xlim(0.0, last)
     ax.margins(y=0.25)
-    words = f"yields at the start: $k_y$ = {number(yields)}"
-    label(ax, words, [(share * last, yields) for share in (0.1, 0.3, 0.5, 0.7, 0.9)])
+    side = ax.secondary_yaxis("right")
+    side.set_yticks([yields], [f"yields at\nthe start:\n$k_y$ = {number(yields)}"], fontsize="small")
     ax.grid(alpha=0.3)
     return ax
 

@@ -64,7 +64,9 @@ SCENERY: Mapping[str, Mapping[str, Any]] = {
     "ground": {"color": "black", "lw": 1.4, "zorder": 3},
     "soil": {"color": "#EFE6D2", "lw": 0, "zorder": 1},
     "water": {"color": "#56B4E9", "lw": 1.6, "zorder": 3},
-    "firm layer": {"color": "0.3", "lw": 2.5, "zorder": 3},
+    "firm": {"color": "0.3", "lw": 2.5, "zorder": 3},
+    "surcharge": {"color": "0.25", "lw": 1.0, "zorder": 3},
+    "boundary": {"color": "0.55", "lw": 0.8, "zorder": 1.1},
     "depth": {"color": "black", "lw": 1.0, "marker": "_", "zorder": 3},
     "centre": {"color": "black", "marker": "+", "ls": "", "ms": 9, "mew": 1.5, "zorder": 5},
 }
@@ -235,6 +237,14 @@ def ending(motion: Motion) -> str:
     if motion.status is Status.CREEPS:
         return "creeping, 99 % covered"
     return "first standstill" if motion.plan.scene.end_time is None else "still moving"
+
+
+def pace(duration: float, seconds: float) -> str:
+    """Speed at which a duration is shown in so many seconds, in words."""
+    ratio = f"{max(duration / seconds, seconds / duration):.2g}" if duration else "1"
+    if ratio == "1":
+        return "in real time"
+    return f"{ratio} times {'faster' if duration > seconds else 'slower'}"
 
 
 def width(motion: Motion) -> tuple[str, str]:

@@ -31,7 +31,7 @@ def critical_circle(critical: Critical, figure: Any) -> Any:
     view = View.around(outline, mass.centre).grown(0.8 * reach, 0.4 * reach)
     first, last = mass.ground[[0, -1], 0]
     view = view._replace(left=max(view.left, first), right=min(view.right, last))
-    view = scenery(ax, mass, critical.slope, view)
+    view = scenery(ax, mass, critical.slope, view, [outline])
     view = _map(critical, ax, view)
     label(ax, "mass", outline.mean(axis=0), "0.3", inside=True)
     name_circle(ax, mass, critical.slope)
@@ -52,6 +52,8 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
     The frame is extended to all centres with factors up to `_VALLEY` above the least, but is at most `_TALL` times as
     high as wide, and is returned; the scale ends at the least factor of a centre outside.
     """
+    from matplotlib.ticker import ScalarFormatter
+
     known = np.isfinite(critical.values)
     centres, values = critical.centres[known], critical.values[known]
     if values.size <= 10:
@@ -80,7 +82,9 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
         zorder=0,
     )
     words = _scale_label(critical.method, most)
-    ax.figure.colorbar(cells, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format="%.2f")
+    ax.figure.colorbar(
+        cells, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format=ScalarFormatter(useOffset=False)
+    )
     return view
 
 

@@ -1,7 +1,7 @@
 """The section as a picture to scale, after Figure 1-1: ground, slip circle, mass, water, and the forces on an arc."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,11 +12,12 @@ from slipcircle.ground import Section
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.forces import draw_forces
-from slipcircle.workbench.outputs.layerplot import draw_bands, draw_stretches
+from slipcircle.workbench.outputs.layerplot import draw_stretches
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
     SCENERY,
+    SOILS,
     axis,
     beside,
     ending,
@@ -26,7 +27,8 @@ from slipcircle.workbench.outputs.plotstyle import (
     number,
     to_scale,
 )
-from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of, water_line
+from slipcircle.workbench.outputs.scenery import lines
+from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
 
@@ -34,6 +36,8 @@ _SMALL = 0.12  # chord over view, below which the mass is drawn as a mark, witho
 _SEEN = 0.02  # least displacement over chord that is drawn to scale
 _WIDE = 0.1  # magnified displacement over chord
 _MARGIN = 0.1  # of the view
+_BELOW = 0.08  # of the size of a view, below the firm layer
+_NAMES = {"water": LINES["main"]["color"]}  # colours of names that differ from the others
 
 
 class Pose(NamedTuple):
@@ -62,7 +66,7 @@ def section(motion: Motion, ax: Any = None, forces: bool = False) -> Any:
     """
     ax = axis(ax, (8.0, 5.0))
     stage = set_stage(motion, ax, forces)
-    soil, turns = motion.plan.scene.arc, stage.turns
+    soil, turns, view = motion.plan.scene.arc, stage.turns, stage.view
     farthest = max(turns, key=abs)
     if farthest:
         _continuation(ax, motion, stage.mass, farthest)
@@ -73,9 +77,10 @@ def section(motion: Motion, ax: Any = None, forces: bool = False) -> Any:
     if forces and isinstance(soil, Arc):
         _radii(ax, stage.mass, stage.is_small)
         if not stage.is_small:
-            draw_forces(ax, motion, stage.mass, stage.view.size)
+            lowest = draw_forces(ax, motion, stage.mass, view.size)
+            view = view._replace(bottom=min(view.bottom, lowest))
     name_circle(ax, stage.mass, soil)
-    stage.view.show(ax)
+    view.show(ax)
     note(ax, _notes(motion, stage.magnification))
     return ax
 
@@ -108,7 +113,7 @@ def set_stage(motion: Motion, ax: Any, with_centre: bool = False) -> Stage:
     chord = math.dist(first, last)
     is_small = chord < _SMALL * view.size
     margin = _MARGIN * view.size
-    view = scenery(ax, mass, soil, view.grown(margin, margin))
+    view = scenery(ax, mass, soil, view.grown(margin, margin), outlines)
     origin = " from the centre K" if is_arc else ""
     view.show(ax)
     to_scale(ax, f"$x${origin} (m)", f"$y${origin} (m)")
@@ -207,21 +212,27 @@ def factors_in_words(critical: Critical | None) -> str:
 # --- ground, water and circle ----------------------------------------------------------------------------------------
 
 
-def scenery(ax: Any, mass: Mass, soil: Any, view: View) -> View:
-    """Draw the circle with the chord of an arc, or with ground, soils, water and firm layer; return the view."""
+def scenery(ax: Any, mass: Mass, soil: Any, view: View, outlines: Sequence[Floats] = ()) -> View:
+    """Draw the circle and what surrounds the mass in these outlines; return the view, with the firm layer."""
     ax.plot(*mass.arc.T, zorder=4, **LINES["main"])
-    if isinstance(soil, Arc):
-        ax.plot(*mass.ground.T, **SCENERY["ground"])
-    else:
-        view = _firm_layer(ax, soil, view)
-        depth = view.bottom - view.size  # the axis may show more than the view
-        layers = getattr(soil, "layers", ())
-        if layers:
-            draw_bands(ax, mass.ground, layers, view, depth)
+    base = getattr(soil, "base", None)
+    bottom = view.bottom - view.size  # the axis may show more than the view
+    if base is not None:
+        bottom = base
+        view = view._replace(bottom=min(view.bottom, base - _BELOW * view.size))
+    for line in lines(mass, soil, view, outlines):
+        colour = _NAMES.get(line.role, "0.2")
+        style = SCENERY[line.role]
+        if line.role == "soil":
+            if line.soil is not None:
+                band, colour = SOILS[line.soil % len(SOILS)]
+                ax.plot(*line.points.T, **SCENERY["boundary"])
+                style = {**style, "color": band}
+            ax.fill_between(*line.points.T, bottom, **style)
         else:
-            ax.fill_between(*mass.ground.T, depth, **SCENERY["soil"])
-        ax.plot(*mass.ground.T, **SCENERY["ground"])
-        _water_level(ax, soil, view)
+            ax.plot(*line.points.T, **style)
+        if line.name:
+            label(ax, line.name, line.places, colour, inside=line.role == "soil")
     return view
 
 
@@ -242,32 +253,6 @@ def name_circle(ax: Any, mass: Mass, soil: Any) -> None:
     shares = np.linspace(0.2, 0.8, 7)
     along_chord = left + shares[:, None] * (right - left)
     label(ax, words, along_chord)
-
-
-def _firm_layer(ax: Any, soil: Any, view: View) -> View:
-    """The firm layer with its label, if there is one; the view extended to below it."""
-    if soil.base is None:
-        return view
-    ax.axhline(soil.base, **SCENERY["firm layer"])
-    label(ax, "firm layer", _across(view, lambda x: np.full_like(x, soil.base)), "0.2")
-    below = soil.base - 0.08 * view.size
-    return view._replace(bottom=min(view.bottom, below))
-
-
-def _water_level(ax: Any, soil: Any, view: View) -> None:
-    """The water level with its label, if there is one."""
-    level = water_line(soil, view)
-    if level is None:
-        return
-    x, y = level.T
-    ax.plot(x, y, **SCENERY["water"])
-    label(ax, "water level", _across(view, lambda at: np.interp(at, x, y)), LINES["main"]["color"])
-
-
-def _across(view: View, height: Callable[[Floats], Floats]) -> Floats:
-    """Points of a line across a view where its label may stand."""
-    x = np.linspace(view.left, view.right, 12)[1:-1]
-    return np.stack([x, height(x)], axis=-1)
 
 
 # --- centre, radii and forces of an arc ------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""Shapes of a section: the mass on its circle, the water level, and the view."""
+"""Shapes of a section: the mass on its circle, and the view."""
 
 import math
 from typing import Any, NamedTuple
@@ -101,18 +101,6 @@ class View(NamedTuple):
         """Set the limits of an axis to it, or wider if the shape of the axis differs."""
         ax.set_xlim(self.left, self.right, auto=None)
         ax.set_ylim(self.bottom, self.top, auto=None)
-
-
-def water_line(soil: Any, view: View) -> Floats | None:
-    """The water level of a section, horizontal beyond its ends and beyond a view; None where there is none."""
-    if getattr(soil, "level", None) is None:
-        return None
-    level = np.asarray(soil.level, dtype=np.float64)
-    width = np.ptp(level[:, 0])
-    beyond = np.array([view.size + width, 0.0])
-    far_left = level[:1] - beyond
-    far_right = level[-1:] + beyond
-    return np.concatenate([far_left, level, far_right])
 
 
 def mass_of(circle: Any, soil: Any) -> Mass:

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from generated.effects import EFFECTS
 from slipcircle.base.progress import clear_line
 from slipcircle.base.text import shown
-from slipcircle.core import Motion, Plan, step_operations
+from slipcircle.core import Motion, Plan
+from slipcircle.words import step_operations
 from slipcircle.workbench.common.quantities import (
     OUTCOMES,
     end_words,

@@ -15,6 +15,7 @@ import numpy as np
 
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Floats
+from slipcircle.base.progress import counted
 from slipcircle.ground import circle_through, circle_touching
 from slipcircle.workbench.stability.descent import Descent, in_order
 from slipcircle.workbench.stability.factors import YIELD, factors_by
@@ -154,8 +155,10 @@ class Search:
         possible = self._possible(q)
         size = len(possible) * len(self.ground)
         blocks = max(math.ceil(size / _TOGETHER), 1)
-        for block in np.array_split(possible, blocks):
-            values[block] = self._factors(q[block], nodes)
+        with counted(len(possible), "circles evaluated") as progress:
+            for block in np.array_split(possible, blocks):
+                values[block] = self._factors(q[block], nodes)
+                progress(len(block))
         return values
 
     def _possible(self, q: Floats) -> Any:
@@ -283,13 +286,15 @@ class Search:
     def refined(self, q: Floats, step: Floats) -> tuple[Floats, Floats]:
         """The best circles, in order, after all were followed downhill, and their first steps."""
         descent = Descent(q, step, self.along[-1])
-        for _ in range(_STEPS):
-            if not descent.unfinished.size:
-                break
-            near = descent.proposals()
-            values = self.evaluate(near.reshape(-1, 4), _FINE_NODES)
-            values = np.nan_to_num(values, nan=np.inf)
-            descent.move(near, values.reshape(near.shape[:2]))
+        with counted(len(q), "valleys followed to their least factor") as progress:
+            for _ in range(_STEPS):
+                progress(len(q) - descent.unfinished.size - progress.done)
+                if progress.done == len(q):
+                    break
+                near = descent.proposals()
+                values = self.evaluate(near.reshape(-1, 4), _FINE_NODES)
+                values = np.nan_to_num(values, nan=np.inf)
+                descent.move(near, values.reshape(near.shape[:2]))
         order = in_order(descent.best)[:_KEPT]
         return descent.q[order], step[order]
 

@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
+from slipcircle.base.progress import track
 from slipcircle.workbench.studies.problem import SearchProblem
 
 _STARTS = 12  # of fits
@@ -24,7 +25,7 @@ class Fit(NamedTuple):
 
 def fits(problem: SearchProblem, shares: Floats) -> list[Fit]:
     """All different minima that are reached from the best of these shares, (fields, count), the best first."""
-    results = [_minimum(problem, start) for start in _starts(problem, shares)]
+    results = [_minimum(problem, start) for start in track(_starts(problem, shares), "starts followed to the best fit")]
     same_below = 1.0 if problem.is_weighted else 1e-3  # change of the residuals, in standard errors or shares
     different: list[Fit] = []
     for result in sorted(results, key=lambda result: result.cost):

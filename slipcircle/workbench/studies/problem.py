@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Floats
+from slipcircle.base.progress import counted
 from slipcircle.core import ANSWERED, Scene, Status, law_depends
 from slipcircle.derivatives import DIP, parameter_value
 from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
@@ -24,6 +25,7 @@ MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on fr
 _PATIENCE = 100.0  # times sqrt(R/g), until which a motion without an end is followed: what creeps on takes too long
 _FINE = 1e-13  # accuracy of motions in a search
 _STEP = 1e-6  # of differences, of a range
+_BLOCK = 256  # motions that are solved at once, and counted
 
 
 class SearchProblem:
@@ -54,6 +56,17 @@ class SearchProblem:
 
         NaN where they do not count: those do that move, and rest or end before long.
         """
+        parts = []
+        count = values.shape[1]
+        with counted(count, "scenes solved") as progress:
+            for block in np.array_split(values, max(1, math.ceil(count / _BLOCK)), axis=1):
+                parts.append(self._outcomes(block))
+                progress(block.shape[1])
+        outcomes, kinds = zip(*parts, strict=True)
+        return np.concatenate(outcomes, axis=1), np.concatenate(kinds)
+
+    def _outcomes(self, values: Floats) -> tuple[Floats, Kinds]:
+        """`outcomes` of values that are solved at once."""
         scene = self.scene
         is_open = scene.end_time is None
         if is_open:

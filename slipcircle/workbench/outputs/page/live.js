@@ -75,7 +75,7 @@ function start(figure, addressed) {
   function place(names, size, height) {
     let lowest = 0;
     for (const name of names) {
-      const line = Number(name.dataset.line), below = !name.classList.contains('of-water');
+      const line = Number(name.dataset.line), below = !name.matches('.of-water, .of-surcharge');
       const room = below && line + 1.4 * size < height;
       const y = Math.max(room ? line + 1.15 * size : line - (below ? 1.8 : 0.5) * size, lowest);
       name.setAttribute('y', y);

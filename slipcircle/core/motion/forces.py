@@ -1,0 +1,141 @@
+"""Forces on the mass, at the start and along the way, as its program says them where phases begin in its states."""
+
+from functools import cached_property
+from typing import Any, NamedTuple, Self
+
+import numpy as np
+
+from generated import layout as ix
+from slipcircle.base.checks import EPS
+from slipcircle.base.kinds import Floats
+from slipcircle.core.problem.problem import Problem
+from slipcircle.core.program.program import Program
+from slipcircle.core.walk.compiled import engine
+from slipcircle.core.walk.lanes import States, begin
+
+OUTPUTS = ("pressing", "normal", "mu")  # registers that are evaluated beside the states
+
+
+class Balance(NamedTuple):
+    """What drives, what resists beside friction, and the normal force, over Theta*."""
+
+    driving: Any
+    resisting: Any
+    normal: Any
+
+    @classmethod
+    def of(cls, program: Program, cells: Floats) -> Self:
+        """Where phases begin."""
+        names = ("cell_driving", "cell_resisting", "cell_normal0")
+        return cls(*(cells[program.roles[name]] for name in names))
+
+
+class Forces:
+    """Forces on the lanes of a problem."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+
+    @cached_property
+    def _with_outputs(self) -> Problem:
+        return self.problem.with_outputs(OUTPUTS)
+
+    # --- in any states -----------------------------------------------------------------------------------------------
+
+    def outputs(self, states: States) -> dict[str, Floats]:
+        """Registers of `OUTPUTS`: total and effective normal force over Theta*, and friction."""
+        places = [self._with_outputs.program.roles[name] for name in OUTPUTS]
+        parts = []
+        for part in states.parts():
+            _, registers = begin(self._with_outputs, part, np.where(part.omega < 0.0, -1.0, 1.0))
+            parts.append(registers[places])
+        return dict(zip(OUTPUTS, np.concatenate(parts, axis=1), strict=True))
+
+    def holding_friction(self, states: States) -> Floats:
+        """Friction coefficient required for equilibrium of the mass where it is; NaN where nothing presses.
+
+        The greater one of both ways, where both are open to it.
+        """
+        at_rest = states._replace(omega=np.zeros(states.lane.size))
+        down_slope = self._holding(at_rest, 1.0)
+        up_slope = self._holding(at_rest, -1.0)
+        return np.fmax(down_slope, up_slope)
+
+    def _holding(self, at_rest: States, side: float) -> Floats:
+        """Friction required in one direction; NaN without contact, or where a mass cannot start."""
+        program = self._with_outputs.program
+        cells, _ = begin(self._with_outputs, at_rest, side)
+        forces = Balance.of(program, cells)
+        excess = forces.driving - forces.resisting
+        with np.errstate(all="ignore"):
+            friction = excess / forces.normal
+        contact = forces.normal > 0.0
+        pull = cells[program.roles["cell_driving_moment"]]
+        goes_down = (pull > 0.0) | ((pull == 0.0) & (side > 0.0))
+        may_start = (cells[ix.ONE_WAY] == 0.0) | goes_down
+        return np.where(contact & may_start, np.maximum(friction, 0.0), np.nan)
+
+    # --- at the start ------------------------------------------------------------------------------------------------
+
+    @property
+    def brake(self) -> Floats:
+        """q = 2 (lambda A mu + d)/Theta* at the start: twice the decrease of the rate per unit of omega^2."""
+        program = self.problem.program
+        tables = self.problem.tables()
+        cells = self.problem.cells()
+        cells[ix.DIRECTION] = 1.0
+        engine().begin_phase(program, tables, cells)
+        cells[program.roles["cell_drive"]] = 0.0
+        cells[ix.OMEGA] = 1.0
+        registers = engine().registers(program, tables, cells)
+        return np.asarray(-2.0 * registers[program.roles["net"]])
+
+    @cached_property
+    def statics(self) -> dict[str, Floats]:
+        """Limit friction, factor of safety, yield coefficient and friction at the start, without shaking.
+
+        All are read off the program. The excess of drive over resistance is linear in k_h: k_y is where it is zero.
+        """
+        problem = self.problem.with_steady_shaking()
+        program = problem.program
+        cells = problem.cells()
+        pull = cells[program.places["driving_moment"]]
+        downhill = np.where(pull < 0.0, -1.0, 1.0)
+        cells[ix.OMEGA] = 0.0
+        cells[ix.DIRECTION] = downhill
+        cells[program.places["k_h"]] = 0.0
+        shaken = cells.copy()
+        shaken[program.places["k_h"]] = downhill  # a unit of k_h, the way in which gravity drives
+        for each in (cells, shaken):
+            engine().begin_phase(program, problem.tables(), each)
+        mu = cells[program.roles["cell_mu"]]
+        limit = cells[program.roles["cell_limit"]]
+        with np.errstate(all="ignore"):
+            return equilibrium(Balance.of(program, cells), Balance.of(program, shaken), mu, limit)
+
+
+def equilibrium(at_rest: Balance, shaken: Balance, mu: Floats, limit: Floats) -> dict[str, Floats]:
+    """`Forces.statics` from the forces at rest and under a unit of k_h, the friction and the limit friction."""
+    driving, resisting, normal = at_rest
+    pressed = normal > 0.0
+    frictionless = driving - resisting
+    excess = frictionless - mu * normal
+    near_limit = normal * (limit - mu)  # without cancellation
+    exact_excess = np.where(pressed, near_limit, excess)
+    frictionless_shaken = shaken.driving - shaken.resisting
+    excess_shaken = frictionless_shaken - mu * shaken.normal
+    yielding = -exact_excess / (excess_shaken - excess)
+    normal_then = normal + yielding * (shaken.normal - normal)
+    yielding_lifted = -frictionless / (frictionless_shaken - frictionless)
+    yield_coefficient = np.where(normal_then < 0.0, yielding_lifted, yielding)
+    friction_moment = np.where(pressed, mu * normal, 0.0)
+    strength = resisting + friction_moment
+    rounding = 8 * EPS * abs(normal)
+    driven = driving > rounding
+    without_contact = np.where(frictionless > 0.0, np.inf, -np.inf)
+    return {
+        "limit_friction": np.where(pressed, limit, without_contact),
+        "friction": mu,
+        "factor_of_safety": np.where(driven, strength / driving, np.inf),
+        "yield_coefficient": yield_coefficient + 0.0,
+    }

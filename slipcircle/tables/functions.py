@@ -1,0 +1,128 @@
+"""Friction as a Python function of slip: sampled as piecewise polynomials, as far as lanes slip."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.polynomial import Polynomial
+from numpy.polynomial.chebyshev import cheb2poly, chebfit, chebval
+
+from generated import layout as ix
+from slipcircle.base.kinds import Floats
+from slipcircle.core.problem.problem import Problem
+from slipcircle.core.scene.piecewise import Data, continuous
+from slipcircle.tables.interpolation import NODES, TERMS
+
+Function = Callable[[Any], Any]
+FIRST_SLIP = 1 / 256  # over the radius, to which a function is sampled at first
+_CHECKED = np.cos(np.linspace(0.0, np.pi, 2 * TERMS + 1))
+_PLACES = 1.0 + np.concatenate([NODES, _CHECKED])  # from the left end, over half a width
+CLOSE = 1e-13  # error of a piece, over its greatest value
+NARROWEST = 2.0**-40  # width of a piece, over the slip up to which the function is sampled
+
+
+def first_table(function: Function, radius: Any) -> Data:
+    """A function up to the slip to which it is sampled at first."""
+    return sampled(function, FIRST_SLIP * float(np.max(radius)))
+
+
+def extend(problem: Problem, cells: Floats) -> None:
+    """Extend the table of a problem's function to the slip of lanes."""
+    assert problem.function is not None
+    slip = cells[ix.SLIP] * cells[problem.program.places["callable.SCALE"]]
+    farthest = float(np.max(slip))
+    farthest *= 1.0 + 1e-12
+    table = problem.data["callable"]
+    end = float(table.breaks[-1])
+    while end <= farthest:
+        table = sampled(problem.function, 2 * end, table)
+        end = float(table.breaks[-1])
+    problem.data["callable"] = table
+
+
+def extend_to_end(problem: Problem, cells: Floats, integrate: Callable[..., object]) -> None:
+    """Extend the table as far as the first lane that waits for it needs it up to its end."""
+    which = np.flatnonzero(cells[ix.STATUS] == ix.NEED)[:1]
+    one = cells[:, which]
+    while one[ix.STATUS, 0] == ix.NEED:
+        extend(problem, one)
+        one[ix.OMEGA] *= one[ix.DIRECTION]
+        one[ix.STATUS] = ix.START
+        integrate(problem.program, problem.tables(which), one)
+
+
+def sampled(function: Function, end: float, known: Data | None = None) -> Data:
+    """A Python function of slip up to an end, starting from a known table; error 1e-13 of its greatest value.
+
+    Raises
+    ------
+    ValueError
+        Where it returns no numbers, negative ones or another shape than that of its argument, or is not smooth.
+    """
+    breaks = list[float]()
+    pieces = list[Floats]()
+    left = 0.0
+    if known:
+        *breaks, left = known.breaks.tolist()
+        pieces = list(known.coefficients[:-1])
+    width = end - left
+    while left < end:
+        width = min(width, end - left)
+        piece = _piece(function, left, width)
+        if piece is not None:
+            breaks.append(left)
+            pieces.append(piece)
+            left += width
+            width *= 2
+            continue
+        width /= 2
+        if width < NARROWEST * end:
+            raise ValueError(
+                f"friction: the function changes too sharply near {left:.17g} to be followed; give a law by "
+                "name or a table whose kinks are known"
+            )
+    breaks.append(end)
+    pieces.append(pieces[-1])
+    table = continuous(np.array(breaks), np.array(pieces))
+    return table._replace(open=True)
+
+
+def _piece(function: Function, left: float, width: float) -> Floats | None:
+    """Coefficients of a function in powers of the distance to the left end; None where they are not close to it."""
+    half = width / 2
+    values = _values(function, left + half * _PLACES)
+    chebyshev = chebfit(NODES, values[:TERMS], TERMS - 1)
+    between_nodes = chebval(_CHECKED, chebyshev)
+    error = np.abs(between_nodes - values[TERMS:])
+    greatest = np.abs(values).max()
+    if error.max() > CLOSE * greatest:
+        return None
+    about_middle = Polynomial(cheb2poly(chebyshev))
+    place = Polynomial([-1.0, 1.0 / half])
+    coefficients = about_middle(place).coef
+    missing = TERMS - coefficients.size
+    return np.pad(coefficients, (0, missing))
+
+
+def _values(function: Function, slip: Floats) -> Floats:
+    """The values of a user's function, checked."""
+    try:
+        values = np.asarray(function(slip))
+        if values.dtype.kind == "c":
+            raise ValueError("complex numbers")
+        values = values.astype(np.float64)
+    except Exception as error:  # whatever it raises, the function is wrong
+        reason = f"must take an array of numbers and return one; it says {type(error).__name__}: {error}"
+        raise ValueError(f"friction: {reason}") from error
+    if values.ndim == 0:
+        values = np.full(slip.shape, float(values))
+    if values.shape != slip.shape:
+        reason = f"returns shape {values.shape} for an argument of shape {slip.shape}: must be alike"
+        raise ValueError(f"friction: {reason}")
+    bad = ~np.isfinite(values) | (values < 0.0)
+    if np.any(bad):
+        first = np.argmax(bad)
+        at = float(slip[first])
+        value = float(values[first])
+        raise ValueError(f"friction({at:.6g}) = {value!r}: must be a number of at least 0")
+    return values

@@ -1,0 +1,223 @@
+"""What surrounds the mass of a section, as lines with their names: soils, ground, water, firm layer and surcharges.
+
+Pictures and the live page draw the same lines, each in its own way.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.base.kinds import Floats
+from slipcircle.base.text import shown
+from slipcircle.core import Arc
+from slipcircle.workbench.outputs.shapes import Mass, View
+
+_ACROSS = 400  # points of a boundary
+_PLACES = 40  # for the name of a soil
+_EDGE = 0.06  # of the ground in view, at either end, without names
+_THICK = 0.6  # of the greatest thickness of a soil, from which its name may stand there
+_VISIBLE = 0.003  # of the height of a view: a thinner soil has no name
+_LOAD = 0.05  # of the size of a view, height of the greatest surcharge
+_APART = 0.025  # of the size of a view, between arrows
+_HEAD = 0.3  # of the length of an arrow
+_NO_PLACES = np.empty((0, 2))
+
+
+class Line(NamedTuple):
+    """A line from left to right; of a soil its top, below which it lies down to the next line or to the firm layer."""
+
+    role: str  # in `plotstyle.SCENERY`, and as a class of `live.css`
+    points: Floats  # NaN between the parts of a line
+    name: str = ""
+    places: Floats = _NO_PLACES  # for the name, the best first
+    soil: int | None = None  # its number in a layered section, for its colours
+
+
+def lines(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats] = ()) -> Iterator[Line]:
+    """The lines of a section in a view, whose soils have no names on the mass; of an arc its chord alone.
+
+    Parameters
+    ----------
+    mass : Mass
+    soil : Arc, Section or Slope
+    view : View
+    outlines : sequence of ndarray
+        The mass wherever it is shown.
+    """
+    if not isinstance(soil, Arc):
+        yield from _soils(mass, soil, view, outlines)
+    yield Line("ground", mass.ground)
+    if isinstance(soil, Arc):
+        return
+    if soil.base is not None:
+        left, right = mass.ground[[0, -1], 0]
+        base = np.array([[left, soil.base], [right, soil.base]])
+        yield _along_ground("firm", "firm layer", base, mass.ground, view)
+    if soil.level is not None:
+        level = np.asarray(soil.level, dtype=np.float64)
+        yield _along_ground("water", "water level", level, mass.ground, view)
+    loads = getattr(soil, "surcharge", ())
+    yield from _surcharges(mass.ground, loads, view)
+
+
+def _along_ground(role: str, name: str, points: Floats, ground: Floats, view: View) -> Line:
+    """A line between the ends of the ground."""
+    x, y = points.T
+    left = ground[0, 0]
+    right = ground[-1, 0]
+    is_between = (left < x) & (x < right)
+    vertices = x[is_between]
+    line_x = np.concatenate([[left], vertices, [right]])
+    line_y = np.interp(line_x, x, y)
+    line = np.stack([line_x, line_y], axis=-1)
+    first = max(view.left, left)
+    last = min(view.right, right)
+    in_view = np.linspace(first, last, 12)
+    places_x = in_view[1:-1]
+    places_y = np.interp(places_x, x, y)
+    places = np.stack([places_x, places_y], axis=-1)
+    return Line(role, line, name, places)
+
+
+# --- soils -----------------------------------------------------------------------------------------------------------
+
+
+def _soils(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats]) -> Iterator[Line]:
+    """The tops of soils, each with the name at the places where it is thick and free of the mass."""
+    layers = getattr(soil, "layers", ())
+    if not layers:
+        yield Line("soil", mass.ground)
+        return
+    x, tops = boundaries(mass.ground, layers)
+    lowest = view.bottom
+    if soil.base is not None:
+        lowest = max(soil.base, lowest)
+    bottom = np.full_like(x, lowest)
+    free = _below_mass(mass, x, outlines)
+    numbers = numbers_of(layers)
+    lower_edges = [*tops[1:], bottom]
+    for (of_layer, _), top, lower in zip(layers, tops, lower_edges, strict=True):
+        free_top = np.minimum(top, free)
+        free_bottom = np.maximum(lower, bottom)
+        places = _thick_places(x, free_top, free_bottom, view)
+        name = of_layer.name if len(places) else ""
+        line = np.stack([x, top], axis=-1)
+        number = numbers[key_of(of_layer)]
+        yield Line("soil", line, name, places, number)
+
+
+def _below_mass(mass: Mass, x: Floats, outlines: Sequence[Floats]) -> Floats:
+    """Heights below which the mass is nowhere: the circle, from one end of all outlines to the other."""
+    if not outlines:
+        return np.full_like(x, np.inf)
+    reached = np.concatenate(outlines)[:, 0]
+    first = np.min(reached)
+    last = np.max(reached)
+    is_reached = (first <= x) & (x <= last)
+    centre_x, centre_y = mass.centre
+    across = x - centre_x
+    square = mass.radius**2 - across**2
+    half_chord = np.sqrt(np.maximum(square, 0.0))
+    circle = centre_y - half_chord
+    return np.where(is_reached, circle, np.inf)
+
+
+def _thick_places(x: Floats, top: Floats, bottom: Floats, view: View) -> Floats:
+    """Places in the middle of a soil where it is thick, from the middle outwards."""
+    left = max(view.left, x[0])
+    right = min(view.right, x[-1])
+    edge = _EDGE * (right - left)
+    inside = (left + edge <= x) & (x <= right - edge)
+    thickness = np.where(inside, top - bottom, 0.0)
+    thickest = float(np.max(thickness))
+    if thickest < _VISIBLE * (view.top - view.bottom):
+        return _NO_PLACES
+    middle_y = (top + bottom) / 2
+    middle = np.column_stack([x, middle_y])
+    is_thick = thickness > _THICK * thickest
+    places = middle[is_thick]
+    places_x = places[:, 0]
+    off_middle = np.abs(places_x - np.mean(places_x))
+    order = np.argsort(off_middle, kind="stable")
+    apart = max(1, len(places) // _PLACES)
+    return np.asarray(places[order[::apart]])
+
+
+def boundaries(ground: Floats, layers: Sequence[tuple[Any, Any]]) -> tuple[Floats, list[Floats]]:
+    """Tops of the layers over x, each cut off by those above."""
+    surface = np.asarray(ground, dtype=np.float64)
+    left = surface[0, 0]
+    right = surface[-1, 0]
+    lines = [surface]
+    for _, top in layers[1:]:
+        line = np.asarray(top, dtype=np.float64)
+        if line.ndim < 2:  # a height
+            line = np.array([[left, top], [right, top]])
+        lines.append(line)
+    vertices = np.concatenate([line[:, 0] for line in lines])
+    inside = np.clip(vertices, left, right)
+    equidistant = np.linspace(left, right, _ACROSS)
+    x = np.union1d(equidistant, inside)
+    tops = [np.interp(x, *lines[0].T)]
+    for line in lines[1:]:
+        height = np.interp(x, *line.T)
+        tops.append(np.minimum(tops[-1], height))
+    return x, tops
+
+
+def key_of(soil: Any) -> str:
+    """Identifier of a soil: the name if it has one."""
+    return soil.name or str(id(soil))
+
+
+def numbers_of(layers: Sequence[tuple[Any, Any]]) -> dict[str, int]:
+    """Numbers of the soils of layers, from the ground down, by `key_of`."""
+    keys = dict.fromkeys(key_of(soil) for soil, _ in layers)
+    return {key: number for number, key in enumerate(keys)}
+
+
+# --- surcharges ------------------------------------------------------------------------------------------------------
+
+
+def _surcharges(ground: Floats, loads: Sequence[tuple[float, float, Any, Any]], view: View) -> Iterator[Line]:
+    """Pressures on the ground as arrows below a line, in proportion to each other, with their values."""
+    greatest = max([float(np.max(load[2:])) for load in loads], default=0.0)
+    if greatest <= 0.0:
+        return
+    scale = _LOAD * view.size / greatest
+    apart = _APART * view.size
+    first = ground[0, 0]
+    last = ground[-1, 0]
+    for left, right, at_left, at_right in loads:
+        start = max(left, first)
+        end = min(right, last)
+        if start >= end:
+            continue
+        spaces = max(1, round((end - start) / apart))
+        x = np.linspace(start, end, spaces + 1)
+        y = np.interp(x, *ground.T)
+        pressure = np.interp(x, [left, right], [at_left, at_right])
+        height = scale * pressure
+        top = y + height
+        tails = np.stack([x, top], axis=-1)
+        arrows = [_arrow(*arrow) for arrow in zip(x, y, height, strict=True)]
+        line = np.concatenate([tails, *arrows])
+        first_value = shown(1e-3 * at_left, 4)
+        last_value = shown(1e-3 * at_right, 4)
+        name = f"{first_value} kPa"
+        if last_value != first_value:
+            name = f"{first_value} to {last_value} kPa"
+        yield Line("surcharge", line, name, tails)
+
+
+def _arrow(x: float, y: float, height: float) -> Floats:
+    """An arrow down to a point, after a gap."""
+    head = _HEAD * height
+    half = head / 2
+    gap = [np.nan, np.nan]
+    tail = [x, y + height]
+    tip = [x, y]
+    left = [x - half, y + head]
+    right = [x + half, y + head]
+    return np.array([gap, tail, tip, left, tip, right])

@@ -1,0 +1,160 @@
+"""The text of the integrator: one lane as plain Python, faults in what is written from it, and what is refused."""
+
+import ast
+import math
+from contextlib import suppress
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+import slipcircle
+from derive.flow import restricted, restricted_c, restricted_numpy
+from derive.flow.walk import TEXT
+from generated import layout as ix
+from generated import walk
+from slipcircle.tables.series import Pulse
+from tests.support import lanes, one_lane
+from tests.support.lanes import Problem, posed
+
+TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
+MU = np.tan(np.radians([8.0, 14.0, 20.0]))
+SOFTENING = {"law": "exponential", "peak": MU, "residual": 0.7 * MU, "length": 20.0}
+RATES = {"law": "rate_tabulated", "speed": [1e-3, 0.1, 1.0], "coefficient": [0.2, 0.18, 0.15]}
+PULSE = {"shaking": {"horizontal": Pulse("sine", 0.3, 0.5, 12.0, 6.0)}}
+SCENES: dict[str, tuple[dict[str, Any], Any, Any, float]] = {
+    "constant": (TURNING, MU, 0.0, math.inf),
+    "up-slope": (TURNING, MU, -3.0, math.inf),
+    "softening": (TURNING, SOFTENING, 0.0, math.inf),
+    "kinks": (TURNING, {"law": "tabulated", "slip": [0.0, 10.0, 30.0], "coefficient": [0.3, 0.2, 0.15]}, 0.0, 60.0),
+    "rates": (TURNING, RATES, 0.5, 60.0),
+    "shaken": (TURNING | PULSE, MU + 0.2, 0.0, 30.0),
+}  # fmt: skip
+COUNTED = (ix.STATUS, ix.STEPS, ix.PHASES, ix.TURNS, ix.DIRECTION, ix.LAST_WAY, ix.LIFTED, ix.PASSED)
+RESULTS = (ix.TIME, ix.ROTATION, ix.SLIP, ix.PEAK_TIME, ix.PEAK_OMEGA, ix.REACH_ROTATION, ix.END_ROTATION)
+
+
+def problem(name: str) -> Problem:
+    called, friction, velocity, end = SCENES[name]
+    velocities = np.full(MU.size, velocity)
+    until = None if math.isinf(end) else end
+    return posed(slipcircle.Scene(slipcircle.load("vaiont").arc, friction, called, velocities, until), 1e-11)
+
+
+def alike(one: Any, other: Any, within: float) -> bool:
+    """Whether counts are the same, and results to rounding."""
+    if any(one[row] != other[row] for row in COUNTED):
+        return False
+    return all(abs(float(one[row] - other[row])) <= within * max(abs(float(other[row])), 1e-3) for row in RESULTS)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_one_lane_as_plain_python_is_what_every_backend_integrates(name: str) -> None:
+    bound = problem(name)
+    for backend in lanes.BACKENDS:
+        final = lanes.integrate(bound, name=backend)
+        for column in range(MU.size):
+            assert alike(one_lane.integrate(bound, column), final[:, column], 1e-11), (backend, column)
+
+
+@pytest.mark.parametrize("name", ["constant", "softening", "shaken"])
+def test_one_lane_with_thirty_digits_is_the_same_motion(name: str) -> None:
+    bound = problem(name)
+    final = lanes.integrate(bound)
+    with mpmath.workdps(30):
+        exact = one_lane.integrate(bound, 1, mpmath.mpf)
+    assert all(isinstance(exact[row], mpmath.mpf) for row in (ix.TIME, ix.ROTATION))
+    assert alike(exact, final[:, 1], 1e-11)
+
+
+# --- faults in the written text --------------------------------------------------------------------------------------
+
+FAULTS = {
+    "a mask is dropped": ("step", "make_step", "here and reaches_limit and uneventful", "here and uneventful"),
+    "branches are swapped": ("step", "make_step", "where(at_limit, limit, s.time + step)",
+                             "where(at_limit, s.time + step, limit)"),
+    "a bound is wrong": ("roots", "value_and_slope", "down(n - 1, 0)", "down(n - 1, 1)"),
+    "a sign is wrong": ("phases", "advance_origin", "lane.rotation + lane.direction", "lane.rotation - lane.direction"),
+    "a direction is kept": ("step", "on_standstill", "face(lane, -lane.direction)", "face(lane, lane.direction)"),
+    "a return is missing": ("phases", "resolve_pending", "start_moving(lane, net)\n        return",
+                            "start_moving(lane, net)"),
+    "an index is off by one": ("tables", "pass_break", "integer(t.piece) + 1", "integer(t.piece) + 0"),
+}  # fmt: skip
+
+
+def written(module: str, old: str, new: str) -> dict[str, Any]:
+    """The functions in NumPy, written from the text with a fault in a module."""
+    text = restricted.Text()
+    for name in TEXT:
+        source = (restricted.FOLDER / f"{name}.py").read_text("utf-8")
+        if name == module:
+            assert source.count(old) >= 1
+            source = source.replace(old, new)
+        text.read(source, f"{name}.py")
+    scope = dict(vars(walk))
+    exec(restricted_numpy.functions(text), scope)
+    return scope
+
+
+def ends_as_written(monkeypatch: pytest.MonkeyPatch, module: str, old: str, new: str) -> bool:
+    """Whether all scenes end as one lane of the text does, with NumPy's functions written from a changed text."""
+    expected = {name: [one_lane.integrate(problem(name), k) for k in range(MU.size)] for name in ("up-slope", "shaken")}
+    for name, value in written(module, old, new).items():
+        if callable(value) and name in restricted.integrator().functions:
+            monkeypatch.setattr(walk, name, value)
+    monkeypatch.setattr(walk, "ROUNDS", 200)
+    for name, finals in expected.items():
+        bound = problem(name)
+        s = walk.Lanes(bound.program, bound.tables(), bound.cells())
+        with np.errstate(all="ignore"):
+            walk.load(s)
+            for _ in range(200):
+                walk.advance(s, s.cells[ix.STATUS] <= ix.RESTING)
+        if not all(alike(final, s.cells[:, k], 1e-11) for k, final in enumerate(finals)):
+            return False
+    return True
+
+
+def test_what_is_written_from_the_text_as_it_stands_is_the_integrator(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert ends_as_written(monkeypatch, "roots", "LAST_STEP = 2.0**-30", "LAST_STEP = 2.0**-30")
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_fault_in_the_written_text_is_seen(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    module, function, old, new = FAULTS[fault]
+    node = restricted.integrator().functions[function].node
+    assert old.split("\n")[0] in ast.unparse(node)
+    with suppress(IndexError, ValueError, OverflowError):  # which is seen, too
+        assert not ends_as_written(monkeypatch, module, old, new)
+
+
+# --- what is refused -------------------------------------------------------------------------------------------------
+
+BAD = {
+    "def f(x: V) -> V:\n    return x ** 2\n": "not in the grammar",
+    "def f(x: V) -> V:\n    return y + x\n": "y has no value here",
+    "def f(s: Lanes) -> V:\n    return s.velocity\n": "no entry velocity",
+    "def f(x: V) -> V:\n    while x:\n        break\n    return x\n": "not in the grammar",
+    "def f(x: V) -> V:\n    return g(x)\n": "there is no function g",
+    "def f(x) -> V:\n    return x\n": "one of the kinds",
+    "def f(x: V) -> V:\n    y = 1.0\n    return x + y\n": "y needs an annotation",
+    "def f(lane: Lane, x: float) -> None:\n    if x > 0.0:\n        x = 1.0\n": "changes x, which is known outside",
+    "def f(lane: Lane, x: float) -> float:\n    if x > 0.0:\n        return x\n    return x\n": "without a value",
+    "def f(x: V, m: M, n: N) -> V:\n    return where(m and n > 0, x, 0.0)\n": "joined with masks only",
+    "def f(x: V) -> V:\n    return x if x > 0.0 else 0.0\n": "a choice by lane is `where`",
+    "x: int\n": "a module has",
+}
+
+
+def bad(source: str) -> restricted.Text:
+    text = restricted.Text()
+    text.read(source, "bad.py")
+    return text
+
+
+@pytest.mark.parametrize("source", BAD)
+def test_what_is_outside_the_grammar_is_refused_with_its_file_and_line(source: str) -> None:
+    for functions in (restricted_c.functions, restricted_numpy.functions):
+        with pytest.raises(restricted.GrammarError, match=rf"^bad\.py, line \d+: .*{BAD[source]}"):
+            functions(bad(source))
