@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a26bf61f697119792154138b36e3276c85c28aaab38fc928d993cf2cb0c3003e
+# sha256 of the text below: 4835b81a84c6f241bb4d75c493689491e7f80ed18455cab2b2f0fc8b0dbaae80
 """The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref:
@@ -52,10 +52,6 @@ class Fragment(NamedTuple):
     tables: tuple[tuple[str, str, str, int], ...] = ()
 
 
-# The names of an operation's results and arguments, and the operations that make the tangents of its results: a prime
-# marks a tangent, other names are for what is made on the way.
-Tangents = tuple[tuple[str, ...], tuple[tuple[object, ...], ...]]
-
 # Numbers that every scene gives.
 INPUTS = {
     'driving_moment': 'J_theta/Theta* of the weight at the start',
@@ -69,57 +65,6 @@ INPUTS = {
 # Laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond.
 PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]] = {
     'linear': ('length', (0.0, 1.0), lambda peak, residual, **_: ((peak, -peak + residual), (residual, 0.0))),
-}
-
-# Operations that make the tangent of a cell.
-CELL_TANGENTS: dict[str, Tangents] = {
-    'add': (('d', 'a', 'b', 'e'), (('add', "d'", "a'", "b'"),)),
-    'sub': (('d', 'a', 'b', 'e'), (('sub', "d'", "a'", "b'"),)),
-    'mul': (('d', 'a', 'b', 'e'), (('mul', '*.t4', 'a', "b'"), ('mul', '*.t5', "a'", 'b'), ('add', "d'", '*.t4',
-        '*.t5'))),
-    'div': (('d', 'a', 'b', 'e'), (('div', '*.t4', "a'", 'b'), ('mul', '*.t5', 'b', 'b'), ('div', '*.t6', 'a', '*.t5'),
-        ('mul', '*.t7', '*.t6', "b'"), ('sub', "d'", '*.t4', '*.t7'))),
-    'neg': (('d', 'a', 'b', 'e'), (('neg', "d'", "a'"),)),
-    'sin': (('d', 'a', 'b', 'e'), (('cos', '*.t2', 'a'), ('mul', "d'", '*.t2', "a'"))),
-    'cos': (('d', 'a', 'b', 'e'), (('sin', '*.t2', 'a'), ('mul', '*.t3', '*.t2', "a'"), ('neg', "d'", '*.t3'))),
-    'tan': (('d', 'a', 'b', 'e'), (('tan', '*.t3', 'a'), ('mul', '*.t4', '*.t3', '*.t3'), ('add', '*.t5', '=1.0',
-        '*.t4'), ('mul', "d'", '*.t5', "a'"))),
-    'exp': (('d', 'a', 'b', 'e'), (('exp', '*.t2', 'a'), ('mul', "d'", '*.t2', "a'"))),
-    'expm1': (('d', 'a', 'b', 'e'), (('exp', '*.t2', 'a'), ('mul', "d'", '*.t2', "a'"))),
-    'log': (('d', 'a', 'b', 'e'), (('div', "d'", "a'", 'a'),)),
-    'log1p': (('d', 'a', 'b', 'e'), (('add', '*.t3', '=1.0', 'a'), ('div', "d'", "a'", '*.t3'))),
-    'sqrt': (('d', 'a', 'b', 'e'), (('sqrt', '*.t3', 'a'), ('div', '*.t4', '=0.5', '*.t3'), ('mul', "d'", '*.t4',
-        "a'"))),
-    'abs': (('d', 'a', 'b', 'e'), (('neg', '*.t3', "a'"), ('less', '*.t4', 'a', '=0.0'), ('select', "d'", '*.t4',
-        '*.t3', "a'"))),
-    'min': (('d', 'a', 'b', 'e'), (('less', '*.t4', 'a', 'b'), ('select', "d'", '*.t4', "a'", "b'"))),
-    'max': (('d', 'a', 'b', 'e'), (('less', '*.t4', 'a', 'b'), ('select', "d'", '*.t4', "b'", "a'"))),
-    'less': (('d', 'a', 'b', 'e'), (('less', '*.t3', 'a', 'b'), ('select', "d'", '*.t3', '=0.0', '=0.0'))),
-    'select': (('d', 'a', 'b', 'e'), (('less', '*.t4', '=0.0', 'a'), ('select', "d'", '*.t4', "b'", "e'"))),
-}
-
-# Operations that make the tangents of a register.
-SERIES_TANGENTS: dict[str, Tangents] = {
-    'mul': (('d', 'a', 'b'), (('mul', "a*b'", 'a', "b'"), ('mul', "a'*b", "a'", 'b'), ('lin', "d'", '', (('=1.0',
-        "a*b'"), ('=1.0', "a'*b"))))),
-    'sqr': (('d', 'a'), (('mul', "a*a'", 'a', "a'"), ('lin', "d'", '', (('=2.0', "a*a'"),)))),
-    'powers': (('p2', 'p3', 'p4', 'p5', 'p6', 'p7', 'x'), (('mul', "x*x'", 'x', "x'"), ('lin', "p2'", '', (('=2.0',
-        "x*x'"),)), ('mul', "p2*x'", 'p2', "x'"), ('lin', "p3'", '', (('=3.0', "p2*x'"),)), ('mul', "p3*x'", 'p3',
-        "x'"), ('lin', "p4'", '', (('=4.0', "p3*x'"),)), ('mul', "p4*x'", 'p4', "x'"), ('lin', "p5'", '', (('=5.0',
-        "p4*x'"),)), ('mul', "p5*x'", 'p5', "x'"), ('lin', "p6'", '', (('=6.0', "p5*x'"),)), ('mul', "p6*x'", 'p6',
-        "x'"), ('lin', "p7'", '', (('=7.0', "p6*x'"),)))),
-    'tim': (('q', 'a'), (('tim', "q'", "a'"),)),
-    'turn': (('s', 'v', 'q', 'x'), (('mul', "v*x'", 'v', "x'"), ('lin', "s'", '', (('=-1.0', "v*x'"), ('=1.0', "x'"))),
-        ('mul', "s*x'", 's', "x'"), ('lin', "v'", '', (('=1.0', "s*x'"),)))),
-    'exp': (('e', 'm', 'q', 'z'), (('mul', "e*z'", 'e', "z'"), ('lin', "e'", '', (('=1.0', "e*z'"),)), ('lin', "m'", '',
-        (('=1.0', "e*z'"),)))),
-    'rec': (('h', 'm', 'z'), (('sqr', 'h*h', 'h'), ('mul', "h*h*z'", 'h*h', "z'"), ('lin', "h'", '', (('=-1.0',
-        "h*h*z'"),)), ('lin', "m'", '', (('=-1.0', "h*h*z'"),)))),
-    'log': (('l', 'z'), (('rec', 'h', '*.h_less_1', 'z'), ('mul', "h*z'", 'h', "z'"), ('lin', "l'", '', (('=1.0',
-        "h*z'"),)))),
-    'pow': (('p', 'm', 'z', 'power'), (('rec', 'h', '*.h_less_1', 'z'), ('log', 'l', 'z'), ('mul', 'h*p', 'h', 'p'),
-        ('mul', "h*p*z'", 'h*p', "z'"), ('mul', 'l*p', 'l', 'p'), ('lin', "p'", '', (('power', "h*p*z'"), ("power'",
-        'l*p'))), ('lin', "m'", '', (('power', "h*p*z'"), ("power'", 'l*p'))))),
 }
 
 # Parts of programs.

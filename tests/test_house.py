@@ -136,7 +136,7 @@ LAYERS = {
         *("judge", "build", "build_hook", "__main__"),
     ),
     "generated": (
-        *("definitions", "effects", "flow", "laws", "layout", "series", "walk", "tiers", "_evaluate", "_compiled"),
+        *("definitions", "effects", "flow", "layout", "series", "walk", "tiers", "_evaluate", "_compiled"),
         *("kernels", "motion", "printed", "slopes", "stable", "__init__"),
     ),
     "slipcircle": ("kernels", "base", "core", *ROOMS, "workbench", "__init__", "__main__"),

@@ -205,15 +205,6 @@ def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: 
     return _module(docstring, [p.name for p, _ in programs], code)
 
 
-def described(programs: Iterable[tuple[Program, str]]) -> list[tuple[Program, str]]:
-    """Programs by name, each with a docstring of one sentence and what it costs."""
-    documented = []
-    for p, words in sorted(programs, key=lambda x: x[0].name):
-        doc = f"{sentence(words)} Operations: {operations(p.operations()) or 'none'}."
-        documented.append((p, _fill(f'    """{doc}"""') + "\n"))
-    return documented
-
-
 # Imports of generated modules, in this order.
 _IMPORTS = (
     "from typing import Any",

@@ -15,7 +15,6 @@ from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
 from derive.code.program import Program, program
-from derive.declare.effects import LAWS
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
 from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 
@@ -269,14 +268,3 @@ def _printed_motion() -> list[tuple[str, Expr, str]]:
         ("angular_velocity", velocity, "(3.20), misprint mended, from rest"),
         ("rotation", rotation, "(4.3), from rest"),
     ]
-
-
-def laws() -> list[tuple[Program, str]]:
-    """Each friction law that has a formula."""
-    programs = []
-    for law in LAWS:
-        if law.coefficient is not None:
-            symbols = {x.name for x in law.coefficient.free_symbols}
-            inputs = tuple(x for x in ("slip", "speed", *(p.name for p in law.parameters)) if x in symbols)
-            programs.append((program(f"friction_{law.name}", inputs, law.coefficient), f"friction: {law.help}"))
-    return programs

@@ -66,10 +66,8 @@ def _template(name: str) -> str:
 
 def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
     """The modules that are programs with a docstring each."""
-    laws = emit.described(functions.laws())
     printed = [(p, f"{source}, as printed") for p, source in functions.printed()]
     return {
-        "laws.py": emit.plain_module("The friction laws that have a formula.", laws),
         "motion.py": emit.module(
             "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest.",
             functions.motion(),

@@ -17,7 +17,7 @@ def each_lane(lines: Floats, lanes: int) -> Floats:
 
 @dataclass(slots=True)
 class Vectors:
-    """Arrays of vectors by their components: real, complex, or each a `DoubleDouble`."""
+    """Arrays of vectors by their components: numbers, or each a `DoubleDouble`."""
 
     x: Any
     y: Any

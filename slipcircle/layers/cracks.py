@@ -1,7 +1,7 @@
 """A dry tension crack: a slit in the ground, from which on downwards the arc is the slip surface.
 
 The mass above the lower side of the arc is what the slit leaves; the slit has no width, so that nothing else of the
-ground changes. Numbers may be complex, with derivatives in imaginary parts (`slipcircle.derivatives.complex_step`).
+ground changes.
 """
 
 from collections.abc import Iterator
@@ -65,7 +65,7 @@ class CrackedSection(Section):
         x = arc_crossings(self._lowered_ground)
         first = left.x[:, None]
         last = right.x[:, None]
-        inside = (x.real > first.real) & (x.real < last.real)
+        inside = (x > first) & (x < last)
         or_right = np.where(inside, x, np.inf)
         or_left = np.where(inside, x, -np.inf)
         from_left = or_right.min(axis=1)
@@ -152,5 +152,5 @@ def _with_slits(ground: Floats, bottom: Floats, x: Floats) -> Floats:
     slit = np.stack([slit_x, slit_y], axis=2)
     points = np.concatenate([lines, slit], axis=1)
     all_x = points[..., 0]
-    order = np.argsort(all_x.real, axis=1, kind="stable")
+    order = np.argsort(all_x, axis=1, kind="stable")
     return np.take_along_axis(points, order[..., None], axis=1)

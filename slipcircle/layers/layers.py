@@ -325,10 +325,10 @@ class LayeredSection(LayeredNumbers, CrackedSection):
             found.append(f"friction = {friction!r}: {of_soils}")
         return found
 
-    def effects_with_own(self, effects: Effects, complete: bool = False) -> Effects:
+    def effects_with_own(self, effects: Effects) -> Effects:
         """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
         strength = self.arc_strength
-        needs = Needs("rotation" in effects, "shaking" in effects, complete)
+        needs = Needs("rotation" in effects, "shaking" in effects)
         terms = {"layered_strength": strength.terms(needs)}
         terms |= strength.soil_terms(needs)
         if "centripetal" not in effects:

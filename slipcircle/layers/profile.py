@@ -64,7 +64,7 @@ class Profile(NamedTuple):
         inside = np.clip(beta, first_edge, last_edge)
         piece = np.zeros(inside.shape, dtype=np.intp)
         for edge in inner_edges:
-            piece += inside.real >= edge.real
+            piece += inside >= edge
         circle = np.arange(inside.shape[1])
         first = self.edges[piece, circle]
         last = self.edges[piece + 1, circle]
@@ -147,7 +147,7 @@ def profile_of(strips: Strips) -> Profile:
 def _order(piece: _Piece) -> float:
     """By what pieces are put from left to right: twice the directions of their middles, of all circles."""
     ends = piece.first + piece.last
-    return float(ends.real.sum())
+    return float(ends.sum())
 
 
 def _converged(strips: Strips) -> list[_Piece]:
@@ -167,7 +167,7 @@ def _converged(strips: Strips) -> list[_Piece]:
         coefficients, tail = _sizes(values)
         scale = max(scale, coefficients)
         is_truncated = tail > _ACCURACY * scale
-        is_long = width.real > _SHORTEST
+        is_long = width > _SHORTEST
         rough = is_truncated.any(axis=1) & is_long.any(axis=1)
         smooth = ~rough
 

@@ -56,7 +56,6 @@ class Needs(NamedTuple):
 
     rotates: bool
     shaken: bool = False
-    complete: bool = False  # also terms that are 0, for derivatives of them that may not be
 
 
 class MeanFriction(dict[str, Any]):
@@ -171,8 +170,7 @@ class ArcStrength(StretchIntegrals):
         remaining = np.where(softens, beyond_share, 0.0)
         rounding = 2e-15 * np.abs(self._residual * mean / divisor)  # peak less residual cancels
         is_rounding = np.abs(remaining) <= rounding
-        dropped = np.where(is_rounding, remaining.real, 0.0)  # only the value: derivatives stay
-        return share, remaining - dropped
+        return share, np.where(is_rounding, 0.0, remaining)
 
     @cached_property
     def friction(self) -> MeanFriction:
@@ -191,15 +189,13 @@ class ArcStrength(StretchIntegrals):
         """What the balance takes beyond a homogeneous mass with the mean friction, over Theta*: numbers and functions.
 
         Of friction what it takes hold of beyond its mean, N + G + (G_r)/mu, N of the weight; G_r remains of it where
-        soils do not soften alike. Whatever does not change with the rotation is a number. What is 0 is left out, unless
-        they are to be complete, for what derivatives may not be 0 of.
+        soils do not soften alike. Whatever does not change with the rotation is a number. What is 0 is left out.
         """
         if needs not in self._terms:
             terms = {"strength": self._cohesion(needs)}
             if not self._own_laws:
                 terms |= self._friction_terms(needs)
-            counted = [name for name in terms if needs.complete or _counts(terms[name])]
-            self._terms[needs] = {name: terms[name] for name in counted}
+            self._terms[needs] = {name: term for name, term in terms.items() if _counts(term)}
         return self._terms[needs]
 
     def _friction_terms(self, needs: Needs) -> dict[str, Any]:
@@ -210,8 +206,7 @@ class ArcStrength(StretchIntegrals):
         terms = self._gripping(names, beyond_mean, needs)
         if np.any(self._peak):
             terms["lift"] = self._lift(share, needs)
-        may_remain = needs.complete and self._laws
-        if may_remain or np.any(remaining):
+        if np.any(remaining):
             names = ("remaining_normal", "remaining", "remaining_inertia")
             terms |= self._gripping(names, remaining, needs)
             terms["remaining_lift"] = self._lift(remaining, needs)
@@ -251,7 +246,7 @@ class ArcStrength(StretchIntegrals):
             of_soil["slope"] = excess["turning_slope"]
             of_soil["inertia"] = excess["inertia"]
             lift = self._lift(along, needs)
-            if needs.complete or _counts(lift):
+            if _counts(lift):
                 of_soil["lift"] = lift
             terms[f"soil_friction{OF_SOIL}{k}"] = of_soil
         return terms
@@ -293,7 +288,7 @@ class ArcStrength(StretchIntegrals):
         cohesion = section.of_soils("cohesion")
         growth = section.of_soils("cohesion_gradient")
         coefficients = {}
-        if needs.complete or np.any(cohesion):
+        if np.any(cohesion):
             _, _, radius = section._circle
             dimensionless = cohesion / (self._weight_scale * radius)
             coefficients["space"] = self._by_direction(dimensionless)

@@ -234,8 +234,8 @@ class StretchIntegrals:
     def rotation_kinks(self) -> Floats:
         """Rotations at which one of these functions is not smooth, (kinks, circles), sorted."""
         section = self.section
-        ends = np.stack(self.span, axis=1).real
-        joints = self.stretches.joint.real
+        ends = np.stack(self.span, axis=1)
+        joints = self.stretches.joint
         facing = section._facing[:, None]
         opening = np.diff(ends, axis=1)
         kinks = [opening]
@@ -246,7 +246,7 @@ class StretchIntegrals:
                 turning = np.concatenate([ends, joints], axis=1)
             kinks.append(_differences(of_level, turning))
         if self._base_stays:
-            strips = section._strips.beta.real * facing
+            strips = section._strips.beta * facing
             kinks.append(_differences(joints, strips))
             kinks += [_differences(crossings, ends) for crossings in self._datum_crossings]
         every = np.concatenate(kinks, axis=1)
@@ -257,7 +257,7 @@ class StretchIntegrals:
         """Directions at which heights below which cohesion grows cross the circle, (circles, 2) each."""
         for level in self.section.datum_levels:
             if level is not None:
-                depth = np.clip(-level.real, -1.0, 1.0)
+                depth = np.clip(-level, -1.0, 1.0)
                 reach = np.arccos(depth)
                 yield np.stack([reach, -reach], axis=1)
 

@@ -6,8 +6,7 @@ the arc, so that in a strip each surface is one straight edge and the base lies 
 unit weights gamma_i, any moment is the sum over the surfaces of (gamma_i - gamma_(i-1)) times that of the mass below.
 
 Lengths are over R from the centre of the circle, y up; beta is measured from straight below the centre, to the right.
-Arrays have the axes (surfaces, circles, strips) or parts of them. Points may be complex, with a derivative in their
-imaginary part (`slipcircle.derivatives.complex_step`): NumPy orders complex numbers by their real parts first.
+Arrays have the axes (surfaces, circles, strips) or parts of them.
 """
 
 from collections.abc import Sequence
@@ -158,7 +157,7 @@ def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats |
     within_mass = np.clip(every, left, right)
     edges = np.sort(within_mass, axis=1)
     width = np.diff(edges, axis=1)
-    has_width = width.real > _THIN
+    has_width = width > _THIN
     of_any = has_width.any(axis=0)
     is_needed = np.concatenate([[True], of_any])
     return edges[:, is_needed]
@@ -176,16 +175,16 @@ def meets_circle(line: Floats) -> Floats:
     along = start.dot(edge)
     outside = start.square - 1.0
     discriminant = along * along - square * outside
-    crosses = discriminant.real > 0.0
+    crosses = discriminant > 0.0
     positive = np.where(crosses, discriminant, 1.0)
     root = np.sqrt(positive)
-    has_length = square.real > 0.0
+    has_length = square > 0.0
     divisor = np.where(has_length, square, 1.0)
     crossings = []
     for signed_root in (-root, root):
         share = (signed_root - along) / divisor
-        after_start = share.real >= 0.0
-        before_end = share.real <= 1.0
+        after_start = share >= 0.0
+        before_end = share <= 1.0
         on_edge = crosses & after_start & before_end
         at_crossing = start.x + share * edge.x
         x = np.where(on_edge, at_crossing, start.x)
@@ -220,7 +219,7 @@ def line_crossings(one: Floats, other: Floats) -> Floats:
     other_start = others.starts[:, None]
     apart = other_start - start
     across = edge.cross(other_edge)
-    parallel = across.real == 0.0
+    parallel = across == 0.0
     divisor = np.where(parallel, 1.0, across)
     share = apart.cross(other_edge) / divisor
     other_share = apart.cross(edge) / divisor
@@ -234,8 +233,8 @@ def line_crossings(one: Floats, other: Floats) -> Floats:
 
 def _within_edge(share: Floats) -> Flags:
     """Whether a point lies between the ends of an edge, by its share of it."""
-    after_start = share.real > 0.0
-    before_end = share.real < 1.0
+    after_start = share > 0.0
+    before_end = share < 1.0
     return after_start & before_end
 
 
@@ -244,7 +243,7 @@ def edge_below(line: Floats, x: Floats, middle: Floats) -> tuple[Floats, Floats]
     of_points = each_lane(line, len(x))
     vertices = Vectors.of(of_points)
     place = middle[..., None]
-    behind = vertices.x[:, None].real <= place.real
+    behind = vertices.x[:, None] <= place
     passed = np.count_nonzero(behind, axis=-1)
     last_edge = line.shape[1] - 2
     first = np.clip(passed - 1, 0, last_edge)
@@ -252,7 +251,7 @@ def edge_below(line: Floats, x: Floats, middle: Floats) -> tuple[Floats, Floats]
     start = vertices[circle, first]
     end = vertices[circle, first + 1]
     edge = end - start
-    upright = edge.x.real <= 0.0
+    upright = edge.x <= 0.0
     divisor = np.where(upright, 1.0, edge.x)
     steepness = edge.y / divisor
     slope = np.where(upright, 0.0, steepness)
