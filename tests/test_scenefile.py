@@ -159,6 +159,9 @@ def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
 # --- what is refused -----------------------------------------------------------------------------------------------
 
 MISTAKES = [
+    (ARC.replace("1492.6", "{ distribution = 'gauss' }") + FRICTION,
+     "arc.radius_m: distribution = 'gauss': must be one of normal, lognormal, uniform, triangular, truncated_normal"),
+    (f"angle_deg = 10\n{ARC}[friction]\n", "angle_deg = 10: is unknown; did you mean angle_deg in [friction]?"),
     (ARC.replace("radius_m", "radius") + FRICTION, "arc.radius = 1492.6: is unknown; did you mean radius_m?"),
     (ARC + "end_time_s = 30\n" + FRICTION,
      "arc.end_time_s = 30: is unknown; did you mean end_time_s above the first table?"),
