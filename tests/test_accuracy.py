@@ -16,6 +16,7 @@ import slipcircle
 from generated import layout as ix
 from slipcircle import Arc, Scene, load, solve
 from slipcircle.workbench.files.scenefile import shipped
+from tests.campaigns import estimates
 from tests.support import references, section_references, taylor, vaiont
 from tests.support.accuracy import DATA, MANY, NUMBERS, ROWS, TIMED, error, near_limit, scene, solved, true_error
 from tests.support.lanes import Problem, backend, needs_binary, work
@@ -104,6 +105,16 @@ def test_estimate_is_at_most_the_accuracy_unless_a_warning_says_so() -> None:
 def test_estimate_is_not_much_above_the_true_error() -> None:
     ratios = [solved(k).error_estimate / max(*error(k), 1e-17) for k in NUMBERS if ROWS[k]["reference"]["moves"]]
     assert np.median(ratios) < 100
+
+
+@needs_binary
+def test_estimates_of_ensembles_are_upper_bounds() -> None:
+    """A sample of ``python -m tests.campaigns.estimates``; from rest an order more may add nothing (158, 401)."""
+    cases = [case for number in (*range(0, 400, 40), 158, 401) for case in estimates.stored(number)]
+    cases += [case for number in range(8) for case in estimates.compared(number, 1)]
+    assert not [case for case in cases if case.estimate < case.error]
+    ratios = [case.estimate / max(case.error, estimates.ROUNDING) for case in cases if case.estimate > 0.0]
+    assert np.median(ratios) <= estimates.MOST
 
 
 def test_true_errors_are_rounding() -> None:

@@ -1,6 +1,7 @@
 """How well a motion is known: seven more runs, with longer series, other steps and inputs moved by rounding."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -9,7 +10,8 @@ import numpy as np
 from generated import layout as ix
 from slipcircle.base.checks import EPS, choose
 from slipcircle.base.kinds import Floats
-from slipcircle.core.problem.problem import STEP, Problem
+from slipcircle.core.problem.plan import Plan
+from slipcircle.core.problem.problem import STEP, Problem, problem_of
 from slipcircle.core.program.program import Program, Samples
 from slipcircle.core.walk.lanes import integrate
 
@@ -21,10 +23,10 @@ RUNS = 8
 _FIRST = (1, 1, 1, -1, 1, -1, -1)
 _ROWS = [np.roll(_FIRST, k) for k in range(7)]
 SIGNS = np.array(_ROWS, dtype=float)
-# Steps over the radius of convergence, of the motion itself and the other runs, which go one order further. Longer ones
-# cost less than shorter ones would, and with that order still truncate less than the motion does.
-ONE_ORDER_MORE = np.ones(RUNS)
-ONE_ORDER_MORE[0] = 0.0
+# Steps over the radius of convergence, of the motion itself and the other runs, which go two orders further, as from
+# rest every other coefficient is 0. Longer ones cost less than shorter ones would, and still truncate less.
+FURTHER = np.full(RUNS, 2.0)
+FURTHER[0] = 0.0
 FACTORS = np.array([STEP, 0.136, 0.138, 0.140, 0.142, 0.145, 0.148, 0.151])
 # What the spread counts for: where the ends of the series are the error, as of an ensemble's lanes, and where rounding
 # is, as of single scenes, of which in 2,000 random ones the error was up to 5.1 times the spread.
@@ -33,6 +35,9 @@ ROUNDED = 6.0
 LEAST_SIZE = 1e-300  # by which what is 0 is divided
 LEAST = 8 * EPS / 2  # that an estimate is
 UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
+# Functions of the rotation are laid out to a share of the accuracy: beside the motion closer, down to their rounding.
+CLOSER = 1e-3
+CLOSEST = 1e-13
 # Shares of the duration at which states are compared, of each run the same.
 _MIDDLES = (np.arange(8) + 0.5) / 8
 SHARES = np.tile(_MIDDLES[:, None], RUNS)
@@ -61,24 +66,25 @@ def _is_of_table(cell: str) -> bool:
 
 
 def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
-    """Cells of the same lanes with other steps, one order more, inputs moved by rounding; run 0 is the motion itself.
+    """Cells of the same lanes with other steps, two orders more, inputs moved by rounding; run 0 is the motion itself.
 
     Of a single lane it may be several runs at once; ``rounding`` is the relative error that an input may have.
     """
     signs = _signs(problem.program)
     change = rounding * signs[:, runs]
     cells: Floats = problem.cells() * (1.0 + change)
-    cells[ix.ORDER] += ONE_ORDER_MORE[runs]
+    cells[ix.ORDER] += FURTHER[runs]
     cells[ix.FACTOR] = FACTORS[runs]
     return cells
 
 
-def estimate(problem: Problem, final: Final, rounding: float) -> Any:
+def estimate(plan: Plan, problem: Problem, final: Final) -> Any:
     """The estimated relative error of each lane's peak velocity, run-out and duration.
 
     Of a single lane also of its states along the way, relative to peak velocity and run-out. It is 1 where rounding
     decides whether the mass moves or rests.
     """
+    rounding = plan.scene.arc.rounding
     error: Any
     unlike: Any
     if problem.lanes == 1:
@@ -86,7 +92,7 @@ def estimate(problem: Problem, final: Final, rounding: float) -> Any:
         error = max(ROUNDED * spread, LEAST)
         error = min(error, 1.0)
     else:
-        spreads, unlike = _of_ensemble(problem, final, rounding)
+        spreads, unlike = _of_ensemble(_closer(plan, problem), final, rounding)
         error = np.maximum(CUT * spreads, LEAST)
         error = np.minimum(error, 1.0)
     close = final[ix.CLOSE] < UNDECIDED
@@ -108,6 +114,15 @@ def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Float
         spread = np.fmax(spread, greatest)
         unlike |= _ends_otherwise(cells, final)
     return spread, unlike
+
+
+def _closer(plan: Plan, problem: Problem) -> Problem:
+    """The same lanes with the functions of their rotation closer to what these stand for."""
+    if not any(table.kind == "rotation" for table in problem.program.tables):
+        return problem
+    accuracy = max(CLOSER * plan.accuracy, CLOSEST)
+    closer = problem_of(replace(plan, accuracy=accuracy))
+    return replace(problem, data=closer.data, farther=closer.farther)
 
 
 def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, bool]:

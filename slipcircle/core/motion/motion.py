@@ -263,7 +263,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @cached_property
     def _errors(self) -> Any:
         final = np.reshape(self._final, (len(self._final), -1)) if self.shape else self._final
-        return room("estimate").estimate(self._problem, final, self.plan.scene.arc.rounding)
+        return room("estimate").estimate(self.plan, self._problem, final)
 
     @property
     def error_estimate(self) -> Numbers:
