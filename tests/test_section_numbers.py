@@ -86,7 +86,7 @@ def in_two_layers(scene: Scene) -> Scene:
     """The same mass, cut by a boundary between two soils that are alike."""
     arc = scene.arc
     assert isinstance(arc, Section)
-    soils = [Soil(float(arc.unit_weight), 0.0, scene.friction, name=name) for name in "ab"]
+    soils = [Soil(float(np.asarray(arc.unit_weight)), 0.0, scene.friction, name=name) for name in "ab"]
     layers = list(zip(soils, (None, float(arc.centroid[1])), strict=True))
     return replace(scene, arc=LayeredSection(arc.ground, arc.centre, arc.radius, level=arc.level, layers=layers),
                    friction=None)  # fmt: skip
