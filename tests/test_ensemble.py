@@ -169,6 +169,8 @@ def test_names_of_settings_are_checked() -> None:
     settings: list[tuple[dict[str, Any], str]] = [
         ({"scale": [1]}, r"scale = \[1\]: is unknown"),
         ({"scales": [1]}, "is for records; give records"),
+        ({"records": [], "polarities": 3}, "polarities = 3: must be True or False"),
+        ({"keep": "no"}, "keep = 'no': must be True or False"),
         ({"records": [RECORD], "scale": [1]}, r"is unknown; did you mean scales\?"),
     ]
     for given, words in settings:

@@ -16,6 +16,7 @@ from slipcircle.workbench.studies.suitedesign import OfRecords
 _MOST = 10**12
 _MOST_BASE = 2**22
 OF_ARRAYS = "a scene of arrays is solved as it is: use solve"
+_Flag = bool | np.bool_ | None  # None where it is not given
 _OUTSIDE = 1e-4  # of a distribution, that may lie out of a number's bounds; such samples are counted apart
 
 
@@ -59,9 +60,11 @@ def setting_mistakes(
     of_records: Mapping[str, Any],
 ) -> list[str]:
     """A sentence for each mistake."""
-    method, points, _, size, search_each = settings
+    method, points, keep, size, search_each = settings
     with_records = records is not None
+    flags = {"keep": keep, "search_each": search_each} | {k: of_records.get(k) for k in ("polarities", "strict")}
     of_settings = _number_mistakes(n, method, size, confidence) + _sensitivity_mistakes(points, correlation)
+    of_settings += [f"{k} = {v!r}: must be True or False" for k, v in flags.items() if not isinstance(v, _Flag)]
     found = _scene_mistakes(scene, search_each, with_records) + of_settings
     if with_records and (search_each or points):
         found.append("search_each and sensitivity do not go with records; leave them out")
