@@ -15,7 +15,6 @@ from slipcircle.core import Scene, Status
 from slipcircle.workbench.commands import suite
 from slipcircle.workbench.commands import values as read
 from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
-from slipcircle.workbench.commands.records import spectrum_misfits
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.common.quantities import OUTCOMES
@@ -129,7 +128,7 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError("sweep: --search-each: of samples, not of a grid")
     if under_records and options.grid:
         raise ValueError("sweep: --records and --grid exclude each other; give uncertain numbers and --samples")
-    of_records = ("polarities", "scale", "scale_to_pga", "thresholds", "fragility", "spectrum", "magnitude", "period")
+    of_records = ("polarities", "scale", "scale_to_pga", "thresholds", "fragility", "magnitude", "period")
     absent = (None, False)
     given = [name for name in of_records if not any(getattr(options, name) is value for value in absent)]
     if given and not under_records:
@@ -153,7 +152,7 @@ def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_fil
         files.write(options.fragility, files.table(exceedance, zip(*exceedance.values(), strict=True)))
     magnitude = math.nan if options.magnitude is None else options.magnitude
     compared = study.regressions(study.own_scale, magnitude, options.period or 0.0)
-    tables = list(suite.parts(study, compared, spectrum_misfits(study.suite, options)))
+    tables = list(suite.parts(study, compared))
     record = study.to_dict() | {"regressions": [c._asdict() for c in compared]}
     if options.report:
         files.write(options.report, suite_report(study, tables, record, scene_file, options.line).encode())
