@@ -11,7 +11,6 @@ from tests.support.lanes import Problem, posed
 
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
 LANES = 37
-TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
 MU = np.tan(np.radians(np.linspace(12.0, 31.0, LANES)))
 _RNG = np.random.default_rng(20240229)
 PUSHED = np.where(np.arange(LANES) % 3 == 0, _RNG.normal(size=LANES) * 3.0, 0.0)
