@@ -54,12 +54,16 @@ class Part(NamedTuple):
     note: str = ""
 
 
+Files = Mapping[str, Callable[[str], bytes]]  # by option: what to write into a path
+
+
 class Answer(NamedTuple):
-    """Result of a command: as JSON on request, otherwise as tables and texts, with warnings."""
+    """Result of a command: as JSON on request, otherwise as tables and texts, with warnings and the files of options."""
 
     record: Callable[[], Any]
     parts: Iterable[Part | str]
     warnings: Iterable[str] = ()
+    files: Files = {}
 
 
 # --- motions ---------------------------------------------------------------------------------------------------------
