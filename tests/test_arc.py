@@ -1,5 +1,6 @@
 """The arc's quantities, against the paper's tables, ball arithmetic and integrals in SI units; and what it refuses."""
 
+import math
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any

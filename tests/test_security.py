@@ -94,7 +94,7 @@ def test_pages_need_nothing_else_and_names_are_texts_on_them() -> None:
     stays = solve(Scene(load("vaiont").arc, 0.9, ["rotation"], name=HOSTILE))
     clean = HOSTILE.replace("\x08", "\ufffd").replace("\ud800", "\ufffd")
     file = "# " + HOSTILE.replace("\x08", "").replace("\ud800", "") + "\n"
-    root = sealed(report([slides, stays], [file.encode(), None], f"run {HOSTILE}"))
+    root = sealed(report([slides, stays], [file.encode(), b""], f"run {HOSTILE}"))
     assert [h.text for h in root.iter("h2")] == [clean, clean, "To repeat it"]
     assert {f"run {clean}", file} <= {pre.text for pre in root.iter("pre")}
     assert "does not move" in [cell.text for cell in root.iter("td")]
