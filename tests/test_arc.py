@@ -94,7 +94,7 @@ def test_si_quantities(arc: Arc) -> None:
     fields = (arc.radius, arc.unit_weight, arc.gravity, arc.width, *ends(arc))
     radius, gamma, g, width, first, second = (float(np.asarray(x)) for x in fields)
     opening, unit = second - first, {name: float(value) for name, value in references(arc).items()}
-    depth = radius * (1 - math.cos(opening / 2))
+    depth = 2 * radius * math.sin(opening / 4) ** 2
     expected = {
         "polar_moment": radius**3 * float(oracle.kernel("polar_moment", opening / 2)),
         "moment_of_inertia": width * gamma / g * radius**4 * unit["moment_of_inertia"],

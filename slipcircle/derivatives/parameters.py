@@ -244,16 +244,24 @@ def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
     shaking = scene.effects.get("shaking", {})
 
     def of_lanes(value: Any) -> Any:
-        return plain(select(np.broadcast_to(value, scene.shape)))
+        every_lane = np.broadcast_to(value, scene.shape)
+        lanes = select(every_lane)
+        return plain(lanes)
 
-    chosen = {name: of_lanes(value) for name, value in scene.numbers.items() if np.ndim(value)}
+    chosen = {}
+    for name, value in scene.numbers.items():
+        if np.ndim(value):
+            chosen[name] = of_lanes(value)
     for name in _OTHER_FACTOR:
         if name not in shaking:  # it stands for the other
             chosen.pop(f"shaking.{name}", None)
     changed = _fields_with(scene, chosen)
     if "surcharge" in changed["arc"]:  # of which the greater of two pressures is a number
-        loads = getattr(scene.arc, "surcharge", ())
-        changed["arc"]["surcharge"] = tuple((x1, x2, of_lanes(q1), of_lanes(q2)) for x1, x2, q1, q2 in loads)
+        loads = []
+        for x1, x2, *pressures in getattr(scene.arc, "surcharge", ()):
+            q1, q2 = map(of_lanes, pressures)
+            loads.append((x1, x2, q1, q2))
+        changed["arc"]["surcharge"] = tuple(loads)
     arc = replace_unchecked(scene.arc, changed["arc"])
     return replace_unchecked(scene, changed | {"arc": arc})
 
