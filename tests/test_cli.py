@@ -8,7 +8,7 @@ import re
 import subprocess
 import sys
 import time
-from dataclasses import asdict, fields, replace
+from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
 
@@ -93,16 +93,6 @@ def test_scenes_of_different_lengths_stand_side_by_side(asked: Any) -> None:
     assert "swings back: it reaches 953 m after 38.44 s, farther than its run-out of 573.8 m" in err
     assert err.count("swings back") == 1
     assert "frozen geometry" not in out
-
-
-def test_both_polarities_and_their_mean(records: Any, refused: Any) -> None:
-    one, other, mean = records("run vaiont-shaken --polarities")
-    scene = load("vaiont-shaken")
-    given = {**scene.called["shaking"], "amplitude": -scene.called["shaking"]["amplitude"]}
-    turned = solve(replace(scene, effects={**scene.called, "shaking": given}))
-    assert other["run_out"] == pytest.approx(turned.run_out, rel=1e-12)
-    assert mean["run_out"] == pytest.approx((one["run_out"] + other["run_out"]) / 2, rel=1e-15)
-    assert "nothing shakes it" in refused("run vaiont --polarities")
 
 
 def test_times_of_the_rows(tmp_path: Path, said: Any, refused: Any, asked: Any) -> None:
