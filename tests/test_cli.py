@@ -110,7 +110,7 @@ def test_times_of_the_rows(tmp_path: Path, said: Any, refused: Any, asked: Any) 
 
 
 def test_slopes_at_the_limits_of_the_method(tmp_path: Path, said: Any, asked: Any) -> None:
-    """An accuracy beyond float64's, a level arc, friction above the limit, uplift, a layer that hardly moves."""
+    """An accuracy beyond float64's, a level arc, friction above the limit, uplift."""
     path = tmp_path / "slope.toml"
 
     def slope(before: str = "", more: str = "", **changed: object) -> Path:
@@ -127,7 +127,6 @@ def test_slopes_at_the_limits_of_the_method(tmp_path: Path, said: Any, asked: An
     assert "after 0 s" not in "".join(asked("run", slope(angle_deg=42))[1:])
     status, out, _ = asked("run", slope(more="[pore_pressure]\npressure_kPa = 500\n"))
     assert status == 1 or "still moving" not in out
-    assert "it creeps" in said("run", slope(more="[viscosity]\nviscosity_Pa_s = 1e12\nthickness_m = 0.01\n"))
 
 
 def test_names_are_whole_however_many_scenes(tmp_path: Path, said: Any) -> None:

@@ -10,7 +10,6 @@ import numpy as np
 from slipcircle.core import Scene, checked
 from slipcircle.workbench.files.numbers import Uncertain, uncertain_numbers
 from slipcircle.workbench.studies.design import METHODS
-from slipcircle.workbench.studies.sampling import MOST_LATIN
 from slipcircle.workbench.studies.searched import search_mistakes
 from slipcircle.workbench.studies.suitedesign import OfRecords
 
@@ -82,13 +81,10 @@ def _scene_mistakes(scene: Scene, search_each: bool, with_records: bool) -> list
 def _number_mistakes(n: Any, method: Any, size: Any, confidence: Any) -> list[str]:
     """A sentence for each setting out of bounds."""
     mistakes = []
-    is_count = whole(n) and 1 <= n <= _MOST
-    if not is_count:
+    if not (whole(n) and 1 <= n <= _MOST):
         mistakes.append(f"n = {n!r}: must be a whole number of samples, from 1 to {_MOST:.0e}")
     if method not in METHODS:
         mistakes.append(f"method = {method!r}: must be one of {', '.join(METHODS)}")
-    if method == "latin-hypercube" and is_count and n > MOST_LATIN:
-        mistakes.append(f"n = {n}: a Latin hypercube is held in memory, so {MOST_LATIN} at most; take method='sobol'")
     if not (isinstance(confidence, float) and 0.0 < confidence < 1.0):
         mistakes.append(f"confidence = {confidence!r}: must be between 0 and 1")
     is_power = whole(size) and size >= 4 and not size & (size - 1)
