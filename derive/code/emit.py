@@ -39,6 +39,15 @@ PROCESSOR = (TEMPLATES / "_processor.h").read_text(encoding="utf-8").strip()  # 
 HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
 
+def filled(name: str, marks: Mapping[str, str] | None = None) -> str:
+    """The text of a template, with what its marks stand for; one that stands for lines has a line of its own."""
+    text = (TEMPLATES / name).read_text("utf-8")
+    for mark, value in (marks or {}).items():
+        line = "\n" * value.endswith("\n")
+        text = text.replace(f"@{mark}@{line}", value)
+    return text
+
+
 class PythonText:
     """The private functions of a module; each is read back after it is written, and may call those before it."""
 

@@ -24,13 +24,11 @@ from sympy import (
     expand,
     log,
     sin,
-    sqrt,
     symbols,
-    tan,
 )
 
 from derive.algebra.prove import prove_zero
-from derive.algebra.remainders import Select, expm1, log1p, unfold
+from derive.algebra.remainders import expm1, log1p, unfold
 from derive.declare.effects import DEGREE
 
 n, k = symbols("n k", integer=True)
@@ -199,21 +197,3 @@ def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Ma
         for result, start in zip(names, o.start, strict=False):
             registers[result] = start.subs(known)
     return registers
-
-
-# Operations on cells: what they make of a, b and e, in C over vectors of lanes, and in NumPy.
-_a, _b, _e = symbols("a b e", real=True)
-_CALLS = {"sin": sin, "cos": cos, "tan": tan, "exp": exp, "expm1": expm1, "log": log, "log1p": log1p, "sqrt": sqrt}
-SCALARS: dict[str, tuple[Expr, str, str]] = {
-    "add": (_a + _b, "a + b", "np.add"),
-    "sub": (_a - _b, "a - b", "np.subtract"),
-    "mul": (_a * _b, "a * b", "np.multiply"),
-    "div": (_a / _b, "a / b", "np.divide"),
-    "neg": (-_a, "-a", "np.negative"),
-    **{x: (call(_a), f"IN(map)({x}, a)", f"np.{x}") for x, call in _CALLS.items()},
-    "abs": (Select(_a, 0, -_a, _a), "IN(choose)(a < 0.0, -a, a)", "np.abs"),
-    "min": (Select(_a, _b, _a, _b), "IN(choose)(a < b, a, b)", "np.minimum"),
-    "max": (Select(_a, _b, _b, _a), "IN(choose)(a < b, b, a)", "np.maximum"),
-    "less": (Select(_a, _b, 1, 0), "IN(choose)(a < b, (V){0} + 1.0, (V){0})", "_less"),
-    "select": (Select(0, _a, _b, _e), "IN(choose)(a > 0.0, b, e)", "_select"),
-}

@@ -31,16 +31,14 @@ def files(proved: list[Record]) -> dict[str, str]:
     kernels = functions.kernels(proved)
     closed = closed_forms()
     c_kernels = emit_c.source(variants(), functions.comments(kernels, proved))
-    c_flow = _template("_flow.c").replace("@PROCESSOR@", emit.PROCESSOR)
     integrator = restricted.integrator()
-    walk = {"WALK": restricted_c.functions(integrator)}
-    for mark, lines in (layout.c() | series.c() | walk).items():
-        c_flow = c_flow.replace(f"@{mark}@\n", lines)
+    walk = {"WALK": restricted_c.functions(integrator), "PROCESSOR": emit.PROCESSOR}
+    c_flow = emit.filled("_flow.c", layout.c() | series.c() | walk)
     texts = {
-        "_compiled.py": _template("_compiled.py"),
+        "_compiled.py": emit.filled("_compiled.py"),
         "layout.py": layout.python(),
         "definitions.py": definitions_module(closed),
-        "_evaluate.py": _template("_evaluate.py"),
+        "_evaluate.py": emit.filled("_evaluate.py"),
         "effects.py": effects.module(),
         "flow.py": flow.module(),
         "kernels.py": emit.module("Moments, weights and quotients of the arc, from their definitions.", kernels),
@@ -48,7 +46,7 @@ def files(proved: list[Record]) -> dict[str, str]:
         "_kernels.c": c_kernels,
         "series.py": series.numpy_text(digest_of(c_flow)),
         "slopes.py": slopes.module(),
-        "walk.py": _template("_walk.py.in").replace("# @WALK@\n", restricted_numpy.functions(integrator)),
+        "walk.py": emit.filled("_walk.py.in", {"WALK": restricted_numpy.functions(integrator)}),
         "tiers.py": tiers_module(proved, digest_of(c_kernels)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
@@ -58,10 +56,6 @@ def files(proved: list[Record]) -> dict[str, str]:
         if name.endswith(".py"):
             texts[name] = emit.wrapped(text)
     return {name: header(name, text) + text for name, text in sorted(texts.items())}
-
-
-def _template(name: str) -> str:
-    return (emit.TEMPLATES / name).read_text(encoding="utf-8")
 
 
 def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
