@@ -2,6 +2,7 @@
 
 import random
 from collections.abc import Iterator
+from dataclasses import replace
 
 import mpmath
 import numpy as np
@@ -51,6 +52,15 @@ def test_increments_keep_their_digits(name: str, wanted: float) -> None:
     places = [0, 1, *([3] if operations.Q in o.arguments else []), 4]
     series.series_ops(((name, *places, *(0 for _ in o.numbers)),), r, np.full((1, 1), 0.5), 0)
     assert r[1, 0, 0] == pytest.approx(wanted, rel=1e-15)
+
+
+def test_a_wrong_sign_is_not_the_equation_of_motion(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is linked is proved to be (3.11), which is derived elsewhere from the balance laws."""
+    assert len(fragments.prove()) == 4
+    centripetal = next(e for e in EFFECTS if e.name == "centripetal")
+    monkeypatch.setattr(fragments, "EFFECTS", (replace(centripetal, stress=-centripetal.stress),))
+    with pytest.raises(ProofError, match=r"\(3.11\), direction 1, at the start"):
+        fragments.prove()
 
 
 # --- programs --------------------------------------------------------------------------------------------------------

@@ -5,16 +5,14 @@ from typing import NamedTuple
 
 from sympy import Expr, Indexed, IndexedBase, Sum, Symbol, cancel
 
-from derive.code import operations
 from derive.code.emit import filled
 from derive.code.program import program
 from derive.code.text import Language, statements
-from derive.flow.operations import OPERATIONS, Operation, k, n
+from derive.flow.operations import CELLS, OPERATIONS, Operation, k, n
 
 C = Language("vector", "const V {name} = {text};", repr, "")
 NUMPY = Language("python", "{name} = {text}", repr, "", "np")
 ZERO = {"vector": "(V){0}", "python": "0.0"}
-CELLS = {name: o for name, o in operations.OPERATIONS.items() if o.vector}  # operations on numbers of lanes
 
 
 class _Sum(NamedTuple):
