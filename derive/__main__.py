@@ -32,7 +32,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     from derive.approximate.programs import variants
     from derive.check.records import read
     from derive.declare.quantities import MOMENTS
-    from derive.flow import fragments, operations
+    from derive.flow import linked, operations
     from derive.generate import functions, write
 
     for moment in MOMENTS:
@@ -45,7 +45,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     _stable_forms()
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", dynamics.prove_forms)
-    timed("flow", "balance", "{0} claims proved", fragments.prove)
+    timed("flow", "balance", "{0} claims proved", linked.prove)
     timed("flow", "series", "{0} operations proved", operations.prove)
     timed("slopes", "balance", "{0} claims proved", slopes.prove)
     timed("rounded angles", "carried", "{0} claims proved", functions.prove_carried)

@@ -12,7 +12,7 @@ import sympy as sp
 from derive.check.proof import ProofError
 from derive.declare import effects as declared
 from derive.declare.effects import EFFECTS, SLIP, THETA, VALUE, Effect, Parameter
-from derive.flow import fragments, operations
+from derive.flow import fragments, linked, operations
 from generated import series
 from tests.campaigns import flow_oracle
 from tests.support.lanes import Program, build_program
@@ -56,11 +56,11 @@ def test_increments_keep_their_digits(name: str, wanted: float) -> None:
 
 def test_a_wrong_sign_is_not_the_equation_of_motion(monkeypatch: pytest.MonkeyPatch) -> None:
     """What is linked is proved to be (3.11), which is derived elsewhere from the balance laws."""
-    assert len(fragments.prove()) == 4
+    assert len(linked.prove()) == 4
     centripetal = next(e for e in EFFECTS if e.name == "centripetal")
-    monkeypatch.setattr(fragments, "EFFECTS", (replace(centripetal, stress=-centripetal.stress),))
+    monkeypatch.setattr(linked, "EFFECTS", (replace(centripetal, stress=-centripetal.stress),))
     with pytest.raises(ProofError, match=r"\(3.11\), direction 1, at the start"):
-        fragments.prove()
+        linked.prove()
 
 
 # --- programs --------------------------------------------------------------------------------------------------------

@@ -1,12 +1,10 @@
 """The declared effects and laws, and the balance itself, lowered to the fragments from which programs are assembled."""
 
 from collections.abc import Sequence
-from itertools import chain, combinations, product
+from itertools import chain, combinations
 
-from sympy import Add, Expr, Integer, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin, symbols, sympify
+from sympy import Expr, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin, sympify
 
-from derive.algebra import dynamics
-from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import Select
 from derive.declare.effects import (
     ALL_EFFECTS,
@@ -14,7 +12,6 @@ from derive.declare.effects import (
     DEGREE,
     DRIVING_MOMENT,
     EFFECTIVE,
-    EFFECTS,
     J_R,
     J_THETA,
     K_H,
@@ -41,7 +38,6 @@ from derive.declare.effects import (
     Law,
 )
 from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, cell, series, total, varying
-from derive.flow.operations import first, number, numbers
 
 # Inputs of every scene, over Theta*.
 INPUTS = {
@@ -369,33 +365,3 @@ def fragments(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAW
     soils = Lowering("soils", {cell(x): varying(x) for x in (*SOIL_SUMS.values(), "slip_mu")})
     every["soils"] = soils.fragment({x: cell(y) / SLIP_MU for x, y in SOIL_SUMS.items()})
     return every | {"balance": balance(), "energy": energy()}
-
-
-def prove() -> list[str]:
-    """Prove that these fragments, linked as a scene links them, are the derived equation of motion (3.11).
-
-    Of weight, centripetal term and constant friction where a phase begins: in both directions of travel, at the start
-    (the drive from the limit friction) and later (from the terms).
-    """
-    claims = []
-    theta, driving, pressing = symbols("Theta J_theta J_r", positive=True)  # so that it is known which way it is driven
-    positive = {dynamics.theta_star: theta, dynamics.j_theta: driving, dynamics.j_r: pressing}
-    derived = {name: e.subs(positive) for name, e in dynamics.balance().items() if name in ("3.11", "3.21")}
-    given = {"driving_moment": driving / theta, "normal_load": pressing / theta, "polar_moment": dynamics.polar / theta}
-    given |= {"constant.coefficient": dynamics.mu, "LIMIT": derived["3.21"], "LIFTED": ZERO}
-    parts = [gravity(), *(of_effect(e) for e in EFFECTS if e.name == "centripetal"), of_law(LAWS[0])]
-    for direction, departed in product((1, -1), (0, 1)):
-        cells = {**given, "DIRECTION": Integer(direction), "departed": Integer(departed)}
-        at = {"omega": dynamics.omega_star, "x": ZERO, "sin(x)": ZERO, "vers(x)": ZERO}
-        for part in parts:
-            cells = numbers(part.scalar, cells)
-            at = first(part.series, at, cells)
-        for quantity in (*QUANTITIES, "mu"):
-            added = [part.adds[quantity] for part in parts if quantity in part.adds]
-            cells |= {f"{quantity}_0": Add(*(cells[base] for base, _, _ in added)), f"{quantity}_size": ONE}
-            at[f"d{quantity}"] = Add(*(number(c, cells) * at[r] for *_, terms in added for c, r in terms))
-        whole = balance()
-        net = first(whole.series, at, numbers(whole.scalar, cells))["net"]
-        claims.append(f"(3.11), direction {direction}, {'later' if departed else 'at the start'}")
-        prove_zero(theta * net - derived["3.11"].subs(driving, direction * driving), claims[-1])
-    return claims
