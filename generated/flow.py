@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3ea2e90629e8fc1ff0da153f020a330ec55c2746985ded148991a38c45eaeb29
+# sha256 of the text below: a1ea4391ed96afef725be9f599ee3f807c2bb1a2313fe66f5424fce746ae422f
 """The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref:
@@ -34,7 +34,7 @@ from typing import Any, NamedTuple
 
 
 class Fragment(NamedTuple):
-    """Formulas in words; operations on numbers where a phase begins, operations on series, and what they add.
+    """Operations on numbers where a phase begins, operations on series, and what they add.
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
     of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be
@@ -42,7 +42,6 @@ class Fragment(NamedTuple):
     rotation or time, with the series of its argument (of time, its own) and the degree of its pieces.
     """
 
-    words: tuple[str, ...]
     inputs: tuple[str, ...]
     optional: tuple[str, ...]
     scalar: tuple[tuple[str, ...], ...]
@@ -70,9 +69,6 @@ PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]] = {
 # Parts of programs.
 FRAGMENTS: dict[str, Fragment] = {
     'gravity': Fragment(
-        words=(
-            '(3.11) driving = J_theta/Theta*, pressing = J_r/Theta*, in the direction of travel',
-        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -106,11 +102,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'rotation': Fragment(
-        words=(
-            '(1.2) the mass turns as it slides, and its weight acts in its new position',
-            'psi = psi_0 - phi',
-            "q(psi - x) = q - q vers x - q' sin x, of J_theta, J_r and their slopes",
-        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -164,10 +155,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'centripetal': Fragment(
-        words=(
-            '(2.20) the normal stress on the slip surface increases with the speed of rotation',
-            'adds A omega^2 to sigma',
-        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -184,13 +171,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'pore_pressure': Fragment(
-        words=(
-            '(2.20) water pressure on the slip surface reduces friction',
-            'adds J_r pore_ratio*/lambda + pore_pressure* + water* to u',
-            'pore_ratio* = cover ratio',
-            'pore_pressure* = pressure/sigma_ref',
-            'water* = level/sigma_ref',
-        ),
         inputs=('pore_ratio', 'pore_pressure'),
         optional=('pore_ratio', 'pore_pressure'),
         scalar=(
@@ -227,11 +207,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(('water', 'rotation', 'x', 7),),
     ),
     'cohesion': Fragment(
-        words=(
-            '(3.11) the slip surface has strength without normal stress',
-            'adds cohesion* lambda to resistance',
-            'cohesion* = cohesion/sigma_ref',
-        ),
         inputs=('cohesion',),
         optional=(),
         scalar=(
@@ -246,11 +221,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'drag': Fragment(
-        words=(
-            '(3.11) turbulent resistance, which grows with the square of the speed',
-            'adds Theta drag* omega^2 to resistance',
-            'drag* = 2 alpha g/(Theta xi)',
-        ),
         inputs=('drag',),
         optional=(),
         scalar=(
@@ -267,11 +237,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'viscosity': Fragment(
-        words=(
-            '(3.11) viscous resistance of a sheared layer, which grows with the speed',
-            'adds Theta omega viscosity* to resistance',
-            'viscosity* = 2 alpha viscosity/(Theta rho thickness sqrt(R g))',
-        ),
         inputs=('viscosity',),
         optional=(),
         scalar=(
@@ -286,11 +251,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'shaking': Fragment(
-        words=(
-            '(3.11) ground motion tilts and scales gravity',
-            'adds -J_theta k_v + dJ_theta/dpsi k_h to J_theta',
-            'adds -J_r k_v + dJ_r/dpsi k_h to J_r',
-        ),
         inputs=('k_h', 'k_v'),
         optional=('k_h', 'k_v'),
         scalar=(
@@ -343,15 +303,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'thermal_pressurisation': Fragment(
-        words=(
-            '(3.11) friction heats a thin layer, whose pore water expands and reduces its strength; undrained and '
-                'adiabatic (neither water nor heat leaves the layer), as in slides of seconds to minutes on some '
-                'millimetres of clay; one mean pressure and temperature, constant Lambda, and all work of friction is '
-                'heat',
-            'adds excess to u',
-            "dexcess/dphi = kappa* mu sigma'",
-            'kappa* = R pressurisation/(heat_capacity thickness)',
-        ),
         inputs=('kappa',),
         optional=(),
         scalar=(
@@ -374,14 +325,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'layered_strength': Fragment(
-        words=(
-            '(2.23) each soil along the arc has its strength, with the normal stress from the weight above it (2.23)',
-            'adds Theta (layered_lift + layered_remaining_lift/slip_mu)/lambda to u',
-            'adds Theta layered_cohesion to resistance',
-            'adds Theta (k_h (layered_normal_slope + turning_slope) + layered_inertia omega^2 + (1 - k_v) '
-                '(layered_normal + turning) + (k_h (layered_remaining_slope + remaining_slope) + '
-                'layered_remaining_inertia omega^2 + (1 - k_v) (layered_remaining + remaining))/slip_mu) to J_r',
-        ),
         inputs=('turning', 'turning_slope', 'remaining', 'remaining_slope'),
         optional=('turning', 'turning_slope', 'remaining', 'remaining_slope'),
         scalar=(
@@ -642,13 +585,6 @@ FRAGMENTS: dict[str, Fragment] = {
             7)),
     ),
     'soil_friction': Fragment(
-        words=(
-            '(2.23) a soil has a friction law of its own, and its part of the normal force; strength moves with the '
-                'mass',
-            'adds Theta soil_lift soil_mu/(lambda slip_mu) to u',
-            'adds Theta soil_mu (k_h soil_slope + omega^2 soil_inertia + soil_turning (1 - k_v))/slip_mu to J_r',
-            'adds soil_mu soil_share to mu',
-        ),
         inputs=('soil_share', 'soil_turning', 'soil_slope', 'soil_inertia'),
         optional=('soil_share', 'soil_turning', 'soil_slope', 'soil_inertia'),
         scalar=(
@@ -736,10 +672,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(('soil_lift', 'rotation', 'x', 7),),
     ),
     'constant': Fragment(
-        words=(
-            '(1.14) friction does not change',
-            'mu = coefficient',
-        ),
         inputs=('constant.coefficient',),
         optional=(),
         scalar=(
@@ -754,10 +686,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'exponential': Fragment(
-        words=(
-            '(Fig. 4-1) residual + (peak - residual) exp(-slip/length)',
-            'mu = residual + (peak - residual)*exp(-slip/length)',
-        ),
         inputs=('exponential.peak', 'exponential.residual', 'exponential.length'),
         optional=(),
         scalar=(
@@ -799,10 +727,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'linear': Fragment(
-        words=(
-            '(Fig. 4-1) falls from peak to residual over the length, then stays',
-            'mu = VALUE + Q1 y + Q2 y^2 + ..., y = x',
-        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -817,10 +741,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(('linear', 'slip', 'x', 1),),
     ),
     'hyperbolic': Fragment(
-        words=(
-            '(Fig. 4-1) residual + (peak - residual)/(1 + slip/length)',
-            'mu = residual + (peak - residual)/(1 + slip/length)',
-        ),
         inputs=('hyperbolic.peak', 'hyperbolic.residual', 'hyperbolic.length'),
         optional=(),
         scalar=(
@@ -858,10 +778,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'tabulated': Fragment(
-        words=(
-            '(Fig. 4-1) monotone cubic interpolation in a table, its last value beyond',
-            'mu = VALUE + Q1 y + Q2 y^2 + ..., y = x',
-        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -880,10 +796,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(('tabulated', 'slip', 'x', 3),),
     ),
     'rate_weakening': Fragment(
-        words=(
-            '(1.14) residual + (peak - residual)/(1 + speed/velocity)',
-            'mu = residual + (peak - residual)/(speed/velocity + 1)',
-        ),
         inputs=('rate_weakening.peak', 'rate_weakening.residual', 'rate_weakening.velocity'),
         optional=(),
         scalar=(
@@ -904,10 +816,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'rate_tabulated': Fragment(
-        words=(
-            '(1.14) monotone cubic interpolation in the logarithm of the speed, the end values beyond',
-            'mu = VALUE + Q1 y + Q2 y^2 + ..., y = log(omega/omega_0)',
-        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -934,9 +842,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(('rate_tabulated', 'speed', 'log_speed', 3),),
     ),
     'prescribed': Fragment(
-        words=(
-            '(1.14) straight lines between the times of a table, the end values beyond',
-        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -951,10 +856,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(('prescribed', 'time', 'dprescribed', 0),),
     ),
     'callable': Fragment(
-        words=(
-            '(1.14) a function of the slip, in pieces',
-            'mu = VALUE + Q1 y + Q2 y^2 + ..., y = x',
-        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -973,9 +874,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(('callable', 'slip', 'x', 7),),
     ),
     'product': Fragment(
-        words=(
-            'mu = mu(slip) mu(speed)',
-        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -993,9 +891,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'soils': Fragment(
-        words=(
-            'what soils with friction laws of their own add, over mu',
-        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -1023,12 +918,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'balance': Fragment(
-        words=(
-            '(3.11) d omega*/dt* = net = driving - resisting - friction, friction = mu normal unless the mass is '
-                'lifted',
-            'normal = pressing - lifting; net = drive + dnet, where drive is net where the phase began, at no speed',
-            'drive = normal (limit - mu) as at the start; drive_scale is the rounding of its terms',
-        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -1086,9 +975,6 @@ FRAGMENTS: dict[str, Fragment] = {
         tables=(),
     ),
     'energy': Fragment(
-        words=(
-            'dwork/dt* = driving omega*, ddissipation/dt* = (resisting + friction) omega*, over Theta*',
-        ),
         inputs=(),
         optional=(),
         scalar=(),

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 372683fb1464f894f2465002ae60a1b5189ee3e3f02e9ceeaf83ed9723dcb50d
+# sha256 of the text below: 50fb3a91aadd52b6cbfc2117c3f5493569c80c8287678244b5bf2e6898918f2a
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "39102ccca750017db9f8ca470531d3b3aa04315470784d3b7220d6cbc6bc71eb"  # of the compiled integrator's source
+DIGEST = "398a25420be8c4936889d7763192e00a41bff94c25371679de799f7492e9916a"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -50,17 +50,15 @@ def same(one: Study, two: Study) -> None:
         np.testing.assert_array_equal(a[name].view(np.uint8), b[name].view(np.uint8), err_msg=name)
 
 
-@pytest.mark.parametrize("method", ["monte-carlo", "latin-hypercube"])
-def test_every_executor_gives_the_same_bits(method: str) -> None:
+def test_every_executor_gives_the_same_bits() -> None:
     """Threads, and another process; of circles, grounds and water levels too."""
-    serial = ensemble(SCENE, method=method, **MANY)
+    serial = ensemble(SCENE, **MANY)
     with ThreadPoolExecutor(3) as pool:
-        same(serial, ensemble(SCENE, executor=pool, method=method, **MANY))
-    if method == "monte-carlo":
-        levels = {"circle.centre_m.x": [212.9, 213.1], "water.level_m.3.y": [66.0, 70.0, 72.0]}
-        with ProcessPoolExecutor(1, get_context("spawn")) as other:
-            same(serial, ensemble(SCENE, executor=other, **MANY))
-            same(grid(VALLEY, levels), grid(VALLEY, levels, other))
+        same(serial, ensemble(SCENE, executor=pool, **MANY))
+    levels = {"circle.centre_m.x": [212.9, 213.1], "water.level_m.3.y": [66.0, 70.0, 72.0]}
+    with ProcessPoolExecutor(1, get_context("spawn")) as other:
+        same(serial, ensemble(SCENE, executor=other, **MANY))
+        same(grid(VALLEY, levels), grid(VALLEY, levels, other))
 
 
 def test_what_is_no_executor_is_refused() -> None:

@@ -8,7 +8,7 @@ import pytest
 from scipy import stats
 
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS, distribution_of
-from slipcircle.workbench.studies.sampling import latin, monte_carlo, sobol
+from slipcircle.workbench.studies.sampling import monte_carlo, sobol
 from slipcircle.workbench.studies.statistics import (
     BIN_ERROR,
     BINS,
@@ -51,13 +51,6 @@ def test_sobol_points_are_scipys() -> None:
     scipys = stats.qmc.Sobol(3, rng=np.random.default_rng(seed)).random(4096).T
     for start, count in ((0, 4096), (512, 512), (1024, 1000), (7, 1), (0, 1)):
         np.testing.assert_array_equal(sobol(5, (1, 2), start, count, 3), scipys[:, start : start + count])
-
-
-def test_a_latin_hypercube_fills_every_stratum() -> None:
-    points = latin(1, 5000, 3)
-    for x in points:
-        np.testing.assert_array_equal(np.sort(np.floor(x * 5000)), np.arange(5000))
-    assert np.all(np.abs(np.asarray(np.corrcoef(points))[~np.eye(3, dtype=bool)]) < 0.06)
 
 
 def test_proportion_and_ranks_cover() -> None:

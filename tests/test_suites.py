@@ -324,13 +324,6 @@ def test_synthetic_records_written_to_a_folder_give_the_same_bits(tmp_path: Path
         assert sweeps[0][name] == sweeps[1][name]
 
 
-def test_records_made_for_a_spectrum_have_their_misfit_in_the_table(tmp_path: Path, said: Any) -> None:
-    target = tmp_path / "target.csv"
-    target.write_text("period (s),Sa (g)\n0.05,0.5\n0.15,0.75\n0.5,0.75\n2,0.19\n")
-    rows = [line.split() for line in said(f"records --synthetic 2:4 --spectrum {target}").splitlines()]
-    assert [0.0 < float(row[-2]) < 10.0 for row in rows if row[:1] == ["synthetic"]] == [True, True]
-
-
 @pytest.mark.parametrize(
     ("line", "message"),
     [
@@ -338,9 +331,7 @@ def test_records_made_for_a_spectrum_have_their_misfit_in_the_table(tmp_path: Pa
         ("records --synthetic 3:1.5:4 --out no/suite", "there is no folder"),
         ("records more --out other", "writes synthetic records"),
         ("records more --synthetic 3:1.5:4", "give either files and folders of records, or --synthetic"),
-        ("records --synthetic 2:4 --spectrum still.csv", "periods and accelerations of a spectrum must be above 0"),
-        ("records --synthetic 2:1:4 --spectrum still.csv", "COUNT:DURATION with --spectrum FILE"),
-        ("records --synthetic 2:4", "give COUNT:ARIAS:DURATION, or"),
+        ("records --synthetic 2:4", "2:4: must be COUNT:ARIAS:DURATION, such as 20:1.5:12"),
         ("sweep newmark-pulse --records . --strict --step 1", "slammer: units are missing"),
         ("sweep newmark-pulse --samples 3 --magnitude 7 --period 0.2", "--magnitude, --period: of records"),
         ("sweep newmark-pulse --records site.txt --period -1", "--period -1: must be a time in s, at least 0"),
@@ -351,7 +342,6 @@ def test_records_made_for_a_spectrum_have_their_misfit_in_the_table(tmp_path: Pa
 def test_what_commands_refuse(
     line: str, message: str, folder: Path, asked: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    (folder / "still.csv").write_text("period (s),Sa (g)\n0,0.5\n1,0.75\n")
     monkeypatch.chdir(folder)
     status, _, err = asked(line)
     assert status

@@ -68,7 +68,7 @@ def _pieces(law: Law) -> str:
 def _fragment(f: Fragment) -> str:
     lines = []
     for name, value in f._asdict().items():
-        if name in ("words", "scalar", "series") and value:
+        if name in ("scalar", "series") and value:
             rows = "".join(f"            {x!r},\n" for x in value)
             lines.append(f"        {name}=(\n{rows}        ),\n")
         elif name == "adds" and value:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from itertools import chain, combinations
 
-from sympy import Expr, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin, sstr, sympify
+from sympy import Expr, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin, sympify
 
 from derive.algebra.remainders import Select
 from derive.declare.effects import (
@@ -36,7 +36,6 @@ from derive.declare.effects import (
     A,
     Effect,
     Law,
-    formulas,
 )
 from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, cell, series, total, varying
 
@@ -200,7 +199,6 @@ def of_effect(effect: Effect) -> Fragment:
         if p.optional:
             optional.append(name)
     return low.fragment(
-        (f"({effect.equation}) {effect.help}", *formulas(effect)),
         quantities(effect),
         inputs=inputs,
         optional=optional,
@@ -212,12 +210,10 @@ def of_effect(effect: Effect) -> Fragment:
 def of_law(law: Law) -> Fragment:
     """Friction of a law: its base and its increment, from its formula or as the polynomial of a table's piece."""
     low = Lowering(law.name, moving())
-    words = [f"({law.equation}) {law.help}"]
     coefficient = law.coefficient if law.depends_on else cell("coefficient")
     if coefficient is not None and not law.kinks:
         inputs = {cell(p.name): cell(f"{law.name}.{p.name}") for p in law.parameters}
-        words.append(f"mu = {sstr(coefficient)}")
-        return low.fragment(words, {"mu": coefficient.xreplace(inputs)}, [str(x) for x in inputs.values()])
+        return low.fragment({"mu": coefficient.xreplace(inputs)}, [str(x) for x in inputs.values()])
     value = cell(f"{law.name}.VALUE")
     (variable,) = law.depends_on
     argument = {"time": f"d{law.name}", "speed": "log_speed"}.get(variable, "x")
@@ -226,10 +222,8 @@ def of_law(law: Law) -> Fragment:
     else:
         if variable == "speed":
             _log_speed(law, low)
-        of = "log(omega/omega_0)" if variable == "speed" else "x"
-        words.append(f"mu = VALUE + Q1 y + Q2 y^2 + ..., y = {of}")
         low.moving = {value: (value, piece(low, law.name, argument, law.degree))}
-    return low.fragment(words, {"mu": value}, tables=((law.name, variable, argument, law.degree),))
+    return low.fragment({"mu": value}, tables=((law.name, variable, argument, law.degree),))
 
 
 def _log_speed(law: Law, low: Lowering) -> None:
@@ -277,12 +271,14 @@ def gravity() -> Fragment:
     for q in BY_PSI:
         low.cells[str(seen(q))] = sign(q) * q
     low.moving = position()
-    words = ["(3.11) driving = J_theta/Theta*, pressing = J_r/Theta*, in the direction of travel"]
-    return low.fragment(words, {"driving": DRIVING_MOMENT, "pressing": NORMAL_LOAD})
+    return low.fragment({"driving": DRIVING_MOMENT, "pressing": NORMAL_LOAD})
 
 
 def rotation(effect: Effect) -> Fragment:
-    """Rotation of the weight: its components at the start of the phase, and the series of their rotation since."""
+    """Rotation of the weight: its components at the start of the phase, and the series of their rotation since.
+
+    q(psi - x) = q - q vers x - q' sin x, of J_theta, J_r and their slopes.
+    """
     low = Lowering(effect.name, {})
     for q, slope in BY_PSI.items():
         turned = q * cos(ROTATION) - slope * sin(ROTATION)
@@ -290,16 +286,15 @@ def rotation(effect: Effect) -> Fragment:
     low.turn(series("x"), ONE, ONE)
     normal_load, increment = position()[NORMAL_LOAD]
     low.put("lin", "upright", str(normal_load), low.sum(increment))
-    words = [
-        f"({effect.equation}) {effect.help}",
-        *formulas(effect),
-        "q(psi - x) = q - q vers x - q' sin x, of J_theta, J_r and their slopes",
-    ]
-    return low.fragment(words, {})
+    return low.fragment()
 
 
 def balance() -> Fragment:
-    """The balance of momentum in its quantities, which are sums of the terms of all fragments."""
+    """The balance of momentum (3.11) in its quantities, which are sums of the terms of all fragments.
+
+    d omega*/dt* = net = driving - resisting - friction, where friction = mu normal unless the mass is lifted, and
+    normal = pressing - lifting; net = drive + dnet, where drive is net where the phase began, at no speed.
+    """
     names = (*QUANTITIES, "mu")
     driving, resisting, pressing, lifting, mu = (cell(x) for x in names)
     low = Lowering("balance", {cell(x): varying(x) for x in names})
@@ -316,12 +311,7 @@ def balance() -> Fragment:
     low.register(increment, "dnet")
     low.whole("net", "drive", "dnet")
     _drive(low, net)
-    words = [
-        "(3.11) d omega*/dt* = net = driving - resisting - friction, friction = mu normal unless the mass is lifted",
-        "normal = pressing - lifting; net = drive + dnet, where drive is net where the phase began, at no speed",
-        "drive = normal (limit - mu) as at the start; drive_scale is the rounding of its terms",
-    ]
-    return low.fragment(words, {})
+    return low.fragment()
 
 
 def _drive(low: Lowering, net: Expr) -> None:
@@ -350,14 +340,16 @@ def _drive(low: Lowering, net: Expr) -> None:
 
 
 def energy() -> Fragment:
-    """Work of the driving moment and dissipation by the resistance, as states: only where they are requested."""
+    """Work of the driving moment and dissipation by the resistance, over Theta*: states, only where requested.
+
+    dwork/dt* = driving omega*, ddissipation/dt* = (resisting + friction) omega*.
+    """
     names = ("driving", "resisting", "friction", "brakes", "omega")
     driving, resisting, friction, brakes, omega = (cell(x) for x in names)
     low = Lowering("energy", {cell(x): (ZERO, series(x)) for x in names})  # in full
     _, increment = low.split(resisting + friction)
     low.register(increment, "brakes")
-    words = ["dwork/dt* = driving omega*, ddissipation/dt* = (resisting + friction) omega*, over Theta*"]
-    return low.fragment(words, {}, states={"work": driving * omega, "dissipation": brakes * omega})
+    return low.fragment(states={"work": driving * omega, "dissipation": brakes * omega})
 
 
 def fragments(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> dict[str, Fragment]:
@@ -369,8 +361,7 @@ def fragments(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAW
         every[law.name] = of_law(law)
     factors = {cell(x): varying(x) for x in ("slip_mu", "rate_mu")}
     product = Lowering("product", factors)
-    every["product"] = product.fragment(["mu = mu(slip) mu(speed)"], {"mu": Mul(*factors)})
+    every["product"] = product.fragment({"mu": Mul(*factors)})
     soils = Lowering("soils", {cell(x): varying(x) for x in (*SOIL_SUMS.values(), "slip_mu")})
-    words = ["what soils with friction laws of their own add, over mu"]
-    every["soils"] = soils.fragment(words, {x: cell(y) / SLIP_MU for x, y in SOIL_SUMS.items()})
+    every["soils"] = soils.fragment({x: cell(y) / SLIP_MU for x, y in SOIL_SUMS.items()})
     return every | {"balance": balance(), "energy": energy()}

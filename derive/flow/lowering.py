@@ -62,7 +62,7 @@ SLIP = cell("slip")
 
 
 class Fragment(NamedTuple):
-    """Formulas in words; operations on numbers where a phase begins, operations on series, and what they add.
+    """Operations on numbers where a phase begins, operations on series, and what they add.
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
     of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be
@@ -70,7 +70,6 @@ class Fragment(NamedTuple):
     rotation or time, with the series of its argument (of time, its own) and the degree of its pieces.
     """
 
-    words: tuple[str, ...]
     inputs: tuple[str, ...]
     optional: tuple[str, ...]
     scalar: tuple[tuple[str, ...], ...]
@@ -253,21 +252,19 @@ class Lowering:
 
     def fragment(
         self,
-        words: Iterable[str],
-        adds: Mapping[str, Expr],
+        adds: Mapping[str, Expr] | None = None,
         inputs: Iterable[str] = (),
         optional: Iterable[str] = (),
         states: Mapping[str, Expr] | None = None,
         tables: tuple[tuple[str, str, str, int], ...] = (),
     ) -> Fragment:
         """The fragment of all lowered operations, of ``adds``, and of the rates of states."""
-        added = {quantity: self.add(e, quantity) for quantity, e in adds.items() if e != 0}
+        added = {quantity: self.add(e, quantity) for quantity, e in (adds or {}).items() if e != 0}
         rates = []
         for name, rate in (states or {}).items():
             _, increment = self.split(rate)
             rates.append((name, self.register(increment)))
         return Fragment(
-            words=tuple(words),
             inputs=tuple(inputs),
             optional=tuple(optional),
             scalar=self.scalar(),

@@ -38,12 +38,22 @@ CODES: dict[str, tuple[str, Mapping[str, Any]]] = {row.name: (row.prefix, row.me
     "Limit": ("", layout.LIMITS),
     "Share": ("", layout.SHARES),
 }
-CELLS = {x.lower() for x in (*layout.CELLS, *layout.WORKING)}
-CELLS_BY_ROLE = {x.removeprefix("cell_") for x in layout.ROLES if x.startswith("cell_")}
-REGISTERS = {x for x in layout.ROLES if not x.startswith("cell_")}
-PARTS = {x.lower() for x in layout.TABLE} - {"q1"}
-OF_LANES = {"samples", "timed", "sloped", "autonomous", "highest"}  # what all lanes of a program share
-OF_TABLE = {"kind", "number", "degree", "terms", "pieces", "sine", "open"}
+# Entries of lanes, of one lane, of tables and of states, by the kind of what has them: what they are, and their kind.
+_OF_LANES = {
+    **{x.lower(): ("CELL", "V") for x in (*layout.CELLS, *layout.WORKING)},
+    **{x.removeprefix("cell_"): ("ROLE", "V") for x in layout.ROLES if x.startswith("cell_")},
+    **{f"series.{x}": ("SERIES", "S") for x in layout.ROLES},
+    **{f"has.{x}": ("HAS", "N") for x in layout.ROLES},
+    **dict.fromkeys(("samples", "timed", "sloped", "autonomous", "highest"), ("SHARED", "N")),
+}
+_OF_TABLE = {
+    **{x.lower(): ("PART", "V") for x in layout.TABLE if x != "Q1"},
+    **dict.fromkeys(("kind", "number", "degree", "terms", "pieces", "sine", "open"), ("TABLE", "N")),
+    "series": ("TABLE", "S"),
+}
+ENTRIES = {(kind, x): entry for kind in ("LANES", "LANE") for x, entry in _OF_LANES.items()}
+ENTRIES |= {("T", before + x): entry for before in ("", "before.") for x, entry in _OF_TABLE.items()}
+ENTRIES |= {("Q", "now"): ("NOW", "V"), ("Q", "series"): ("STATE", "S"), ("Q", "rate"): ("STATE", "S")}
 COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"}
 # The kind of what a call of a primitive gives; nothing where it depends on the arguments.
 PRIMITIVES = {
@@ -59,7 +69,6 @@ PRIMITIVES = {
     "none_of": "M",
     "isnan": "B",
 }
-WITH_STATE = {"break_of", "jump_of", "piece_at", "coefficients_of", "note", "read_samples"}  # of one lane
 
 
 class GrammarError(Exception):

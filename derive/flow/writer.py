@@ -1,20 +1,15 @@
 """What writes restricted Python in another language: statements and expressions, their kinds, and what is refused."""
 
 import ast
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from derive.flow.restricted import (
-    CELLS,
-    CELLS_BY_ROLE,
     CODES,
     COMPARED,
-    OF_LANES,
+    ENTRIES,
     OF_ONE_LANE,
-    OF_TABLE,
-    PARTS,
     PRIMITIVES,
-    REGISTERS,
     SIGNS,
     Function,
     Text,
@@ -32,12 +27,14 @@ class Value:
 
 
 class Writer:
-    """What the two languages share: statements and expressions, their kinds, and what is refused.
+    """What the languages share; they differ in their ``forms``, in declarations, and in an ``if`` by lane.
 
-    ``lane`` says that what is written is about one lane: a function of a `Lane`, or the body of an ``if`` on a mask.
+    A form has its name, or its name and that of what it is of, ``where.V``: `x` is what it is of, `X` the same in
+    capitals, `s` the state, `at` the place of one lane. ``lane`` says that what is written is about one lane: a
+    function of a `Lane`, or the body of an ``if`` on a mask.
     """
 
-    boolean = ("", "")  # how false and true are written
+    forms: Mapping[str, str]
 
     def __init__(self, text: Text, function: Function) -> None:
         self.all = text
@@ -46,31 +43,23 @@ class Writer:
         self.kinds = dict(function.parameters)
         self.state = next((x for x, kind in function.parameters.items() if kind in ("LANES", "LANE")), "")
 
-    # What a language says in its own way.
-
-    def named(self, name: str, kind: str) -> str:
-        raise NotImplementedError
-
-    def attribute(self, holder: str, name: str, kind: str) -> Value:
-        raise NotImplementedError
-
-    def element(self, e: ast.Subscript) -> Value:
-        raise NotImplementedError
-
-    def logic(self, sign: str, values: Sequence[Value], kind: str) -> str:
-        raise NotImplementedError
-
-    def call(self, name: str, values: Sequence[Value], e: ast.Call) -> Value:
-        raise NotImplementedError
-
-    def choice(self, chosen: Value, one: Value, other: Value) -> str:
-        raise NotImplementedError
-
-    def binary(self, one: Value, sign: str, other: Value) -> str:
-        return f"({one.text} {sign} {other.text})"
+    def say(self, what: str, name: str = "", **parts: str) -> str:
+        """A form, filled in."""
+        form = self.forms.get(f"{what}.{name}") or self.forms[what]
+        at = self.forms["at"] if self.lane else ""
+        return form.format(x=name, X=name.upper(), s=self.state, at=at, **parts)
 
     def refuse(self, node: ast.AST, why: str) -> None:
         refuse(self.function.path, node, why)
+
+    def _here(self, kind: str) -> str:
+        """The kind of what is of one lane or of all."""
+        return OF_ONE_LANE.get(kind, kind) if self.lane else kind
+
+    def as_kind(self, value: Value, kind: str) -> str:
+        """The text where a value of some kind is expected."""
+        text = bare(value.text)
+        return self.say("broadcast", text) if kind == "V" and value.kind in ("K", "N") else text
 
     # Expressions.
 
@@ -78,107 +67,107 @@ class Writer:
         """The text of an expression, and its kind."""
         match e:
             case ast.Constant(value=bool(x)):
-                return Value(self.boolean[x], "N")
+                return Value(self.forms[str(x)], "N")
             case ast.Constant(value=int(x) | float(x)):
                 return Value(repr(x), "N" if isinstance(x, int) else "K")
             case ast.Name(id=name):
                 return self._name(name, e)
-            case ast.Attribute(value=ast.Name(id=holder), attr=name):
-                return self._attribute(holder, name, e)
-            case ast.Attribute(value=ast.Attribute(value=ast.Name(id=holder), attr=middle), attr=name):
-                return self._attribute(f"{holder}.{middle}", name, e)
+            case ast.Attribute():
+                return self._entry(e)
             case ast.Subscript():
-                return self.element(e)
+                return self._element(e)
             case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
-                return self._call(name, arguments, e)
+                return self._call(name, [self.value(x) for x in arguments], e)
             case ast.IfExp(test=test, body=a, orelse=b):
-                chosen, one, other = self.value(test), self.value(a), self.value(b)
+                chosen, *ends = map(self.value, (test, a, b))
                 if chosen.kind != "N":
                     self.refuse(e, "a choice by lane is `where`")
-                return Value(self.choice(chosen, one, other), joined((one, other), "SVFIKN"))
+                kind = joined(ends, "SVFIKN")
+                one, other = (self.as_kind(x, kind) if kind == "V" else x.text for x in ends)
+                return Value(self.say("choice", a=chosen.text, b=one, c=other), kind)
         return self._operation(e)
 
     def _operation(self, e: ast.expr) -> Value:
-        """The same of signs and of choices."""
+        """The same of signs."""
         match e:
             case ast.BinOp(left=a, op=op, right=b) if type(op) in SIGNS:
-                one, other = self.value(a), self.value(b)
-                return Value(self.binary(one, SIGNS[type(op)], other), joined((one, other)))
+                values = self.value(a), self.value(b)
+                return Value(self._joined(SIGNS[type(op)], values), joined(values))
             case ast.UnaryOp(op=ast.USub(), operand=a):
                 one = self.value(a)
                 return Value(f"(-{one.text})", one.kind)
             case ast.UnaryOp(op=ast.Not(), operand=a):
                 one = self.value(a)
-                return Value(self.logic("not", [one], one.kind), one.kind)
+                return Value(self.say("not", one.kind, a=one.text), one.kind)
             case ast.Compare(left=a, ops=[op], comparators=[b]) if type(op) in SIGNS:
-                one, other = self.value(a), self.value(b)
-                kind = joined((one, other), "VMFIBKN")
-                return Value(self.binary(one, SIGNS[type(op)], other), COMPARED[kind])
+                values = self.value(a), self.value(b)
+                return Value(self._joined(SIGNS[type(op)], values), COMPARED[joined(values, "VMFIBKN")])
             case ast.BoolOp(op=op, values=parts):
-                values = [self.value(x) for x in parts]
-                kind = joined(values, "MBN")
-                has_others = any(v.kind != "M" for v in values)
-                if kind == "M" and has_others:
+                several = [self.value(x) for x in parts]
+                kind = joined(several, "MBN")
+                if kind == "M" and any(v.kind != "M" for v in several):
                     self.refuse(e, "a mask is joined with masks only")
-                return Value(self.logic("and" if isinstance(op, ast.And) else "or", values, kind), kind)
+                sign = self.say("and" if isinstance(op, ast.And) else "or", kind)
+                return Value(self._joined(sign, several), kind)
         self.refuse(e, "this expression is not in the grammar of the integrator")
         raise AssertionError
 
+    def _joined(self, sign: str, values: Sequence[Value]) -> str:
+        """Values with a sign between them; an integer beside numbers of lanes becomes one."""
+        vector = any(v.kind == "V" for v in values)
+        texts = (self.say("cast", v.text) if vector and v.kind == "N" else v.text for v in values)
+        return f"({f' {sign} '.join(texts)})"
+
     def _name(self, name: str, e: ast.expr) -> Value:
-        if name in self.kinds:
-            kind = self.kinds[name]
-            return Value(self.named(name, kind), OF_ONE_LANE.get(kind, kind) if self.lane else kind)
+        if kind := self.kinds.get(name):
+            return Value(self.say("of_lane", name) if self._here(kind) != kind else name, self._here(kind))
         if name not in self.all.constants:
             self.refuse(e, f"{name} has no value here")
         return Value(name, "K")
 
-    def _attribute(self, holder: str, name: str, e: ast.expr) -> Value:
+    def _entry(self, e: ast.expr) -> Value:
         """A member of an enumeration, or an entry of lanes, of a table or of a state, by its kind."""
-        if holder in CODES and name in CODES[holder][1]:
-            return self.attribute(holder, CODES[holder][0] + name, "CODE")
-        first, _, middle = holder.partition(".")
-        entries = {"T": self._of_table, "Q": self._of_state}.get(self.kinds.get(first, ""), self._of_lanes)
-        what, kind = entries(first, middle, name)
+        holder, _, entry = ast.unparse(e).partition(".")
+        prefix, members = CODES.get(holder, ("", {}))
+        if entry in members:
+            return Value(self.say("CODE", prefix + entry), "N")
+        what, kind = ENTRIES.get((self.kinds.get(holder, ""), entry), ("", ""))
         if not what:
-            self.refuse(e, f"lanes, tables and states have no entry {name}")
-        holder = first if what in ("SERIES", "HAS") else holder
-        number = OF_ONE_LANE.get(kind, kind) if self.lane else kind
-        return Value(self.attribute(holder, name, what).text, number)
+            self.refuse(e, f"lanes, tables and states have no entry {entry}")
+        middle, _, name = entry.rpartition(".")
+        of = self.say("before", holder) if middle == "before" else holder
+        return Value(self.say(what, name, of=of), self._here(kind))
 
-    def _of_lanes(self, first: str, middle: str, name: str) -> tuple[str, str]:
-        """What an entry of lanes is, and its kind."""
-        if first != self.state:
-            return "", ""
-        if name in REGISTERS and middle:
-            return {"series": ("SERIES", "S"), "has": ("HAS", "N")}.get(middle, ("", ""))
-        if middle:
-            return "", ""
-        if name in CELLS:
-            return "CELL", "V"
-        if name in CELLS_BY_ROLE:
-            return "ROLE", "V"
-        return ("SHARED", "N") if name in OF_LANES else ("", "")
+    def _element(self, e: ast.Subscript) -> Value:
+        index = bare(self.value(e.slice).text)
+        match e.value:
+            case ast.Attribute(value=ast.Name(id=holder), attr="inverse") if holder == self.state:
+                return Value(self.say("inverse", index), "K")
+            case ast.Attribute(value=ast.Name(id=holder), attr="coefficients") if self.kinds.get(holder) == "T":
+                return Value(self.say("coefficients", index, of=holder), self._here("V"))
+        series = self.value(e.value)
+        if series.kind == "S":
+            return Value(self.say("element", index, of=series.text), self._here("V"))
+        return Value(f"{series.text}[{index}]", "F")
 
-    def _of_table(self, first: str, middle: str, name: str) -> tuple[str, str]:
-        """What an entry of a table, or of the one before it, is, and its kind."""
-        if middle not in ("", "before"):
-            return "", ""
-        if name in PARTS:
-            return "PART", "V"
-        if name in OF_TABLE:
-            return "OF_TABLE", "N"
-        return ("OF_TABLE", "S") if name == "series" else ("", "")
-
-    def _of_state(self, first: str, middle: str, name: str) -> tuple[str, str]:
-        """What an entry of a state is, and its kind."""
-        return ("OF_STATE", {"now": "V", "series": "S", "rate": "S"}.get(name, "")) if not middle else ("", "")
-
-    def _call(self, name: str, arguments: Sequence[ast.expr], e: ast.Call) -> Value:
-        if name not in PRIMITIVES and name not in self.all.functions:
+    def _call(self, name: str, values: Sequence[Value], e: ast.Call) -> Value:
+        function = self.all.functions.get(name)
+        if name not in PRIMITIVES and not function:
             self.refuse(e, f"there is no function {name}")
-        return self.call(name, [self.value(x) for x in arguments], e)
+        kind = self._kind_of_call(name, values)
+        expected = function.parameters.values() if function else [kind] * len(values)
+        texts = [self.as_kind(v, k) for v, k in zip(values, expected, strict=True)]
+        if values and values[0].kind in ("LANES", "LANE"):
+            one = function.of == "LANE" if function else self.lane
+            texts[0] = self.say("LANE" if one else "LANES")
+        form = name if function else self.forms.get(f"{name}.{kind}") or self.forms.get(name, name)
+        if "{" not in form:
+            return Value(f"{form}({', '.join(texts)})", kind)
+        series = next((x for x, k in self.function.parameters.items() if k == "S"), f"{self.state}.registers[0]")
+        operands = dict(zip("abc", (v.text for v in values), strict=False))
+        return Value(form.format(*texts, s=self.state, series=series, **operands), kind)
 
-    def kind_of_call(self, name: str, values: Sequence[Value]) -> str:
+    def _kind_of_call(self, name: str, values: Sequence[Value]) -> str:
         """The kind of what a call gives."""
         if name in self.all.functions:
             kind = self.all.functions[name].returns
@@ -191,50 +180,64 @@ class Writer:
             kind = "F" if values[0].kind == "I" else "K"
         else:
             kind = PRIMITIVES[name] or joined(values)
-        return OF_ONE_LANE.get(kind, kind) if self.lane else kind
+        return self._here(kind)
 
     # Statements.
 
     def body(self, statements: Sequence[ast.stmt]) -> Iterator[str]:
         """The lines of a block."""
+        end = self.forms["end"]
         for s in statements:
             match s:
                 case ast.Expr(value=ast.Constant(value=str())):
                     pass
                 case ast.Expr(value=ast.Call() as e):
-                    yield from self.run(self.value(e))
+                    yield self.value(e).text + end
                 case ast.Assign() | ast.AnnAssign():
                     yield from self._assign(s)
                 case ast.For(iter=ast.Call(func=ast.Name(id="up" | "down" as way), args=[a, b])):
                     yield from self._count(way, self.value(a), self.value(b), s)
                 case ast.For(target=ast.Name(id=name), iter=ast.Attribute(attr="tables" | "states" as what)):
                     self.kinds[name] = "T" if what == "tables" else "Q"
-                    yield from self.loop_over(name, what, s.body)
+                    yield from self.block(self.say(what, name), s.body)
                 case ast.While(test=test):
-                    yield from self.loop_while(self.value(test), s.body)
+                    yield from self.block(self.say("while", bare(self.value(test).text)), s.body)
                 case ast.If(orelse=[]):
                     yield from self._if(s)
                 case ast.Return(value=None):
-                    yield from self.give(None)
+                    yield f"return{end}"
                 case ast.Return(value=ast.Tuple(elts=[a, b])):
-                    yield from self.give((self.value(a), self.value(b)))
+                    yield self.say("pair", a=self.value(a).text, b=self.value(b).text)
                 case ast.Return(value=ast.expr() as e):
-                    yield from self.give(self.value(e))
+                    yield f"return {self.as_kind(self.value(e), self.function.returns)}{end}"
                 case _:
                     self.refuse(s, "this statement is not in the grammar of the integrator")
+
+    def block(self, head: str, body: Sequence[ast.stmt]) -> Iterator[str]:
+        """The lines of a statement that has a body, whose names are known there only."""
+        known = dict(self.kinds)
+        opened, closed = self.forms["open"], self.forms["close"]
+        yield head + opened
+        for line in self.body(body):
+            yield f"    {line}"
+        yield from closed
+        self.kinds = {x: kind for x, kind in self.kinds.items() if x in known}
 
     def _assign(self, s: ast.stmt) -> Iterator[str]:
         match s:
             case ast.Assign(targets=[ast.Tuple(elts=[ast.Name(id=a), ast.Name(id=b)])], value=value):
-                pair = self.value(value)
+                yield from self.say("let_pair", self.value(value).text, a=a, b=b).split("\n")
                 self.kinds |= {a: "V", b: "V"}
-                yield from self.let_pair(a, b, pair)
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 yield from self._let(name, self.value(value), s)
             case ast.AnnAssign(target=ast.Name(id=name), annotation=kind, value=ast.expr() as value):
                 yield from self._let(name, self.value(value), s, annotation(kind, self.function.path, s))
             case ast.Assign(targets=[ast.Attribute() | ast.Subscript() as target], value=value):
-                yield from self.store(target, self.value(target), self.value(value))
+                place, new = self.value(target), self.value(value)
+                masked = isinstance(target, ast.Attribute) and not self.lane and "here" in self.kinds
+                text = self.as_kind(new, place.kind)
+                stored = f"{self.forms['masked']}(here, {text}, {place.text})" if masked else text
+                yield f"{place.text} = {stored}{self.forms['end']}"
             case _:
                 self.refuse(s, "this assignment is not in the grammar of the integrator")
 
@@ -245,14 +248,14 @@ class Writer:
         if kind == "K":
             self.refuse(s, f"{name} needs an annotation: is it a number of each lane or of all?")
         self.kinds[name] = kind
-        yield from self.let(name, kind, value, new)
+        yield self.let(name, kind, value, new)
 
     def _count(self, way: str, first: Value, last: Value, s: ast.For) -> Iterator[str]:
         if not {first.kind, last.kind} <= {"N"}:
             self.refuse(s, "a loop counts between integers that all lanes share")
         name = ast.unparse(s.target)
         self.kinds[name] = "N"
-        yield from self.count(name, way, first.text, last.text, s.body)
+        yield from self.block(self.say(way, bare(first.text), of=name, to=bare(last.text)), s.body)
 
     def _if(self, s: ast.If) -> Iterator[str]:
         if isinstance(s.test, ast.BoolOp) and isinstance(s.test.op, ast.And):
@@ -263,14 +266,18 @@ class Writer:
                 inner = ast.If(rest, s.body, [])
                 ast.copy_location(inner, s)
                 ast.fix_missing_locations(inner)
-                yield from self.shared_if(shared.text, [inner])
+                yield from self.block(self.say("if", bare(shared.text)), [inner])
                 return
         test = self.value(s.test)
         if test.kind not in ("N", "M", "B"):
             self.refuse(s, "an `if` is on a truth value")
         if test.kind == "N":
-            yield from self.shared_if(test.text, s.body)
+            yield from self.block(self.say("if", bare(test.text)), s.body)
             return
+        yield from self._by_lane(test, s)
+
+    def _by_lane(self, test: Value, s: ast.If) -> Iterator[str]:
+        """An ``if`` that lanes decide apart."""
         outside = set(self.kinds)
         assigned = {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
         if outside & assigned:
@@ -280,43 +287,40 @@ class Writer:
         leaves = isinstance(last, ast.Return)
         if isinstance(last, ast.Return) and (test.kind == "M" or last.value):
             self.refuse(s, "only one lane returns early, and without a value")
-        yield from self.lane_if(test, s, leaves)
+        if test.kind == "M":
+            self.lane = True
+            yield from self.of_mask(bare(test.text), s.body)
+            self.lane = False
+            return
+        yield from self.of_lane(test, s, leaves)
         for name in assigned:
             self.kinds.pop(name, None)
 
-    # What a language says in its own way, a line for a line.
+    # What a language says in its own way.
 
-    def run(self, call: Value) -> Iterator[str]:
+    def let(self, name: str, kind: str, value: Value, new: bool) -> str:
+        """The statement that gives a name a value."""
         raise NotImplementedError
 
-    def let(self, name: str, kind: str, value: Value, new: bool) -> Iterator[str]:
+    def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
+        """The lines of a block for each lane in which a mask holds."""
         raise NotImplementedError
 
-    def let_pair(self, a: str, b: str, pair: Value) -> Iterator[str]:
-        raise NotImplementedError
-
-    def store(self, target: ast.expr, place: Value, value: Value) -> Iterator[str]:
-        raise NotImplementedError
-
-    def count(self, name: str, way: str, first: str, last: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        raise NotImplementedError
-
-    def loop_over(self, name: str, what: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        raise NotImplementedError
-
-    def loop_while(self, test: Value, body: Sequence[ast.stmt]) -> Iterator[str]:
-        raise NotImplementedError
-
-    def shared_if(self, test: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        raise NotImplementedError
-
-    def lane_if(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
-        raise NotImplementedError
-
-    def give(self, value: Value | tuple[Value, Value] | None) -> Iterator[str]:
+    def of_lane(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
+        """Those of an ``if`` on a truth value of one lane, which may leave the function."""
         raise NotImplementedError
 
 
 def joined(values: Sequence[Value], order: str = "VFIKN") -> str:
     """The kind of what values make: the first of an order that one of them has."""
     return next(k for k in order if any(v.kind == k for v in values))
+
+
+def bare(text: str) -> str:
+    """Without brackets around all of it."""
+    depth = 0
+    for k, x in enumerate(text):
+        depth += (x == "(") - (x == ")")
+        if not depth and k < len(text) - 1:
+            return text
+    return text[1:-1] if text.startswith("(") else text

@@ -177,11 +177,8 @@ def _shown(value: Any, digits: int = 6) -> str:
     """A value to some digits; the range of an array."""
     if value is None:
         return "..."
-    if np.ndim(value):
-        least = np.min(value)
-        greatest = np.max(value)
-        return f"{least:.{digits}g} to {greatest:.{digits}g}"
-    return f"{value:.{digits}g}"
+    ends = (f"{end:.{digits}g}" for end in (np.min(value), np.max(value)))
+    return " to ".join(dict.fromkeys(ends))
 
 
 def _latex(symbol: str) -> str:

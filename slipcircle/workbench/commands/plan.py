@@ -2,6 +2,7 @@
 
 import argparse
 from dataclasses import asdict
+from functools import partial
 
 from slipcircle.core import plan
 from slipcircle.workbench.commands.common import SCENE, add_files, with_scene_context
@@ -33,6 +34,6 @@ def run(options: argparse.Namespace) -> Answer:
     from slipcircle.workbench.studies.ladder import ladder
 
     rungs = with_scene_context(chosen.scene, ladder)
-    pictures.write(options.plot, "ladder", rungs)
     record["ladder"] = [asdict(rung) for rung in rungs]
-    return Answer(lambda: [record], [tables.ladder_part(rungs, chosen.scene.name)])
+    drawn = {"plot": partial(pictures.picture, "ladder", rungs)}
+    return Answer(lambda: [record], [tables.ladder_part(rungs, chosen.scene.name)], (), drawn)

@@ -1,22 +1,13 @@
 """`slipcircle records`: records of files and folders with their intensity measures, or synthetic ones to be written."""
 
 import argparse
-from collections.abc import Sequence
-from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
 from slipcircle.workbench.common import files
 from slipcircle.workbench.outputs.tables import Answer, Part
-from slipcircle.workbench.records.headers import ACCELERATION, UNITS
-from slipcircle.workbench.records.recordfiles import parse
-from slipcircle.workbench.records.records import checked_samples
 from slipcircle.workbench.records.suite import Suite, read_suite
-from slipcircle.workbench.suites.spectra import misfit
 from slipcircle.workbench.suites.synthetic import synthetic_records, write_records
 
 HELP = "earthquake records of files and folders with their intensity measures, or synthetic ones for a folder"
@@ -47,19 +38,14 @@ def add_synthetic(parser: Any) -> None:
     """The option of synthetic records."""
     made = "synthetic ones in their place, of an Arias intensity in m/s and a duration (5 to 95 %%) in s: 20:1.5:12"
     parser.add_argument("--synthetic", type=_synthetic, metavar="COUNT:ARIAS:DURATION", help=made)
-    target = "period in s and acceleration in g at 5 %% damping by lines: --synthetic 20:12 (COUNT:DURATION) matches it"
-    parser.add_argument("--spectrum", metavar="FILE", help=f"target spectrum, {target}; the table has what remains")
 
 
-def _synthetic(text: str) -> tuple[int, float | None, float]:
-    """COUNT:ARIAS:DURATION or COUNT:DURATION."""
+def _synthetic(text: str) -> tuple[int, float, float]:
     try:
-        count, *arias, duration = text.split(":")
-        (intensity,) = map(float, arias) if arias else (None,)
-        return int(count), intensity, float(duration)
+        count, arias, duration = text.split(":")
+        return int(count), float(arias), float(duration)
     except ValueError:
-        form = "COUNT:ARIAS:DURATION, such as 20:1.5:12, or with --spectrum COUNT:DURATION"
-        raise argparse.ArgumentTypeError(f"{text}: must be {form}") from None
+        raise argparse.ArgumentTypeError(f"{text}: must be COUNT:ARIAS:DURATION, such as 20:1.5:12") from None
 
 
 def suite_of(options: argparse.Namespace, gravity: float) -> Suite:
@@ -70,30 +56,7 @@ def suite_of(options: argparse.Namespace, gravity: float) -> Suite:
         reading = {name: getattr(options, name) for name in ("strict", "holds", "units", "step")}
         return read_suite(options.records, gravity=gravity, **reading)
     count, arias, duration = options.synthetic
-    if (arias is None) != bool(options.spectrum):
-        raise ValueError(
-            f"{options.command}: --synthetic: give COUNT:ARIAS:DURATION, or COUNT:DURATION with --spectrum FILE, which "
-            "has the intensity"
-        )
-    spectrum = target_spectrum(options)
-    return Suite.of(synthetic_records(count, arias, duration, options.seed or 0, gravity, spectrum))
-
-
-def target_spectrum(options: argparse.Namespace) -> tuple[Floats, Floats] | None:
-    """Periods and accelerations of the file, if there is one."""
-    if not options.spectrum:
-        return None
-    try:
-        parsed = parse(ACCELERATION, options.spectrum, Path(options.spectrum), None, None)
-        in_g = parsed._replace(units=parsed.units or "g")
-        found = checked_samples(ACCELERATION, options.spectrum, in_g, None, None, "linear")
-    except ValueError as error:
-        form = "a spectrum has increasing periods in s in its first column and accelerations in g in its second"
-        raise ValueError(f"--spectrum {error}; {form}") from error
-    unit = {"g": 1.0, "%g": 0.01}.get(found.units, UNITS[found.units] / 9.81)
-    if found.time[0] <= 0.0 or np.any(found.values <= 0.0):
-        raise ValueError(f"--spectrum {options.spectrum}: periods and accelerations of a spectrum must be above 0")
-    return found.time, found.values * unit
+    return Suite.of(synthetic_records(count, arias, duration, options.seed or 0, gravity))
 
 
 def run(options: argparse.Namespace) -> Answer:
@@ -101,16 +64,12 @@ def run(options: argparse.Namespace) -> Answer:
     if options.out:
         _check_folder(options)
     suite = suite_of(options, 9.81)
-    misfits = spectrum_misfits(suite, options)
     record = suite.to_dict()
-    for row, remaining in zip(record["records"], misfits, strict=False):
-        row["spectrum_misfit"] = remaining
     if options.out:
         write_records({entry.name: entry.record() for entry in suite}, options.out)
-    if options.csv:
-        rows = record["records"]
-        files.write(options.csv, files.table(rows[0], [row.values() for row in rows]))
-    return Answer(lambda: record, [records_part(suite, misfits)], suite.not_used)
+    rows = record["records"]
+    written = {"csv": lambda _: files.table(rows[0], [row.values() for row in rows])}
+    return Answer(lambda: record, [records_part(suite)], suite.not_used, written)
 
 
 def _check_folder(options: argparse.Namespace) -> None:
@@ -124,26 +83,18 @@ def _check_folder(options: argparse.Namespace) -> None:
         raise ValueError(f"records: --out {folder}: there is no folder {folder.parent}")
 
 
-def spectrum_misfits(suite: Suite, options: argparse.Namespace) -> list[float]:
-    """How far the spectrum of each record is from the target, if there is one."""
-    target = target_spectrum(options)
-    return [] if target is None else [misfit(entry.record(), target) for entry in suite]
-
-
-def records_part(suite: Suite, misfits: Sequence[float] = ()) -> Part:
-    """The records with their intensity measures, and how far their spectra are from a target."""
+def records_part(suite: Suite) -> Part:
+    """The records with their intensity measures."""
     with_components = any(entry.component for entry in suite)
     head = ["record", *["component"] * with_components, "samples", "step (s)", "unit", "PGA (g)", "PGV (m/s)"]
-    head += ["I_A (m/s)", "D5-95 (s)", "T_m (s)", *["misfit"] * bool(misfits)]
+    head += ["I_A (m/s)", "D5-95 (s)", "T_m (s)"]
     rows = []
-    for entry, remaining in zip_longest(suite, misfits):
+    for entry in suite:
         component = [entry.component or "-"] if with_components else []
         samples = [str(entry.samples), shown(entry.step), entry.unit]
         measures = map(shown, entry.intensities)
-        of_spectrum = [f"{100.0 * remaining:.2g} %"] if misfits else []
-        rows.append([entry.name, *component, *samples, *measures, *of_spectrum])
+        rows.append([entry.name, *component, *samples, *measures])
     note = "I_A: Arias intensity; D5-95: significant duration; T_m: mean period"
-    note += "; misfit: root mean square of ln(S_a/target)" if misfits else ""
     pairs = f", {_counted(len(suite.pairs), 'pair')} of components" if suite.pairs else ""
     return Part(head, rows, f"{_counted(len(suite), 'record')}{pairs}", note)
 

@@ -1,21 +1,19 @@
 """`slipcircle run`: solve scenes, print their motions side by side, write their files."""
 
 import argparse
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 from slipcircle.base.progress import track
-from slipcircle.base.text import shown
 from slipcircle.core import Motion, solve
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, with_scene_context
-from slipcircle.workbench.common import files
-from slipcircle.workbench.common.quantities import OUTCOMES, record
+from slipcircle.workbench.common.quantities import record
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import find, load
-from slipcircle.workbench.files.variation import other_way
 from slipcircle.workbench.outputs import pictures, tables
-from slipcircle.workbench.outputs.tables import Answer, Part
+from slipcircle.workbench.outputs.tables import Answer, Files, Part
 from slipcircle.workbench.outputs.trace import csv
 
 HELP = "solve scenes and print their motion side by side"
@@ -25,8 +23,6 @@ def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument("scenes", nargs="+", metavar="SCENE", help=SCENE)
     parser.add_argument("--verbose", action="store_true", help="all results, effects and coefficients of the arc")
-    polarities = "each shaken scene also with its horizontal shaking turned around, and the mean of both"
-    parser.add_argument("--polarities", action="store_true", help=polarities)
     picture = "section, motion and energy, and the slide itself as .gif; may be given more than once"
     table = "the motion over time, in SI units and full precision"
     slide = "a page on which one can drag the slide, which needs nothing else"
@@ -42,34 +38,27 @@ def run(options: argparse.Namespace) -> Answer:
     _check_options(options)
     scenes = [load(name) for name in options.scenes]
     sources = [find(name).read_bytes() for name in options.scenes] if options.report else []
-    if options.polarities:
-        scenes = [polarity for scene in scenes for polarity in (scene, other_way(scene))]
-        sources = [source for source in sources for _ in range(2)]
     motions = [with_scene_context(scene, solve) for scene in track(scenes, "scenes solved")]
-    _write_files(motions, sources, options)
-    means = _polarity_means(motions) if options.polarities else {}
-    return Answer(
-        lambda: [*map(record, motions), *({"scene": name, **mean} for name, mean in means.items())],
-        _parts(motions, means, options.verbose),
-        _warnings(motions),
-    )
+    contents: Files = {
+        "csv": lambda _: csv(motions, options.times),
+        "plot": partial(pictures.picture, "motions", motions),
+        "live": lambda _: _live(motions[0], options.vary).encode(),
+        "report": lambda _: _report(motions, sources, options.line).encode(),
+    }
+    return Answer(lambda: [*map(record, motions)], _parts(motions, options.verbose), _warnings(motions), contents)
 
 
-def _parts(motions: Sequence[Motion], means: Mapping[str, Mapping[str, float]], verbose: bool) -> Iterator[Part]:
-    """The motions side by side with their means, and if verbose the soils along each slip surface."""
+def _parts(motions: Sequence[Motion], verbose: bool) -> Iterator[Part]:
+    """The motions side by side, and if verbose the soils along each slip surface."""
     scenes = [motion.plan.scene for motion in motions]
     tabulate = tables.motion_column if verbose else tables.motion_summary
     columns = [tabulate(motion) for motion in motions]
-    for mean in means.values():
-        texts = {q.label: f"{shown(mean[name])} {q.unit}" for name, q in OUTCOMES.items()}
-        columns.append({label: text for label, text in texts.items() if label in columns[0]})
     notes = [f"{scene.name}: {scene.note}" for scene in scenes if scene.note]
     for scene in scenes:
         if critical := stability_of(scene):
             of_scene = f"{scene.name}: " if len(scenes) > 1 else ""
             notes.append(of_scene + tables.difference_words(critical))
-    head = ["", *(scene.name for scene in scenes), *means]
-    yield Part(head, tables.beside(columns), note="; ".join(notes))
+    yield Part(["", *(scene.name for scene in scenes)], tables.beside(columns), note="; ".join(notes))
     if verbose:
         yield from filter(None, map(tables.stretches_part, motions))
 
@@ -80,25 +69,14 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
     if options.vary and not options.live:
         raise ValueError("run: --vary: is the second slider of a page; give --live FILE as well")
-    if options.live and (len(options.scenes) > 1 or options.polarities):
+    if options.live and len(options.scenes) > 1:
         raise ValueError("run: --live: shows one scene; --report has room for all")
 
 
-def _write_files(motions: Sequence[Motion], sources: Sequence[bytes], options: argparse.Namespace) -> None:
-    """Compute all requested files before the first is written."""
-    contents: dict[str, bytes] = {}
-    if options.csv:
-        contents[options.csv] = csv(motions, options.times)
-    for path in options.plot:
-        contents[path] = pictures.picture("motions", motions, path)
-    if options.live:
-        contents[options.live] = _live(motions[0], options.vary).encode()
-    if options.report:
-        from slipcircle.workbench.outputs.report import report
+def _report(motions: Sequence[Motion], sources: Sequence[bytes], line: str) -> str:
+    from slipcircle.workbench.outputs.report import report
 
-        contents[options.report] = report(motions, sources, options.line).encode()
-    for path, content in contents.items():
-        files.write(path, content)
+    return report(motions, sources, line)
 
 
 def _live(motion: Motion, varied: str | None) -> str:
@@ -110,15 +88,6 @@ def _live(motion: Motion, varied: str | None) -> str:
     form = "KEY=FROM:TO:COUNT or KEY=A,B,C, such as friction.residual_deg=8:18:21"
     ((key, levels),) = values.by_key("vary", [varied], form, values.levels).items()
     return with_scene_context(motion.plan.scene, lambda scene: live.varied_page(scene, key, levels))
-
-
-def _polarity_means(motions: Sequence[Motion]) -> dict[str, Mapping[str, float]]:
-    """Mean absolute value of each outcome over both polarities of a scene, by the name of a column."""
-    means: dict[str, Mapping[str, float]] = {}
-    for one, other in zip(motions[::2], motions[1::2], strict=True):
-        sizes = {name: (abs(one.outcomes[name]) + abs(other.outcomes[name])) / 2 for name in OUTCOMES}
-        means[f"{one.plan.scene.name} mean"] = sizes
-    return means
 
 
 def _warnings(motions: Sequence[Motion]) -> Iterator[str]:

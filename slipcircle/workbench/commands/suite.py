@@ -67,9 +67,9 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
     return found
 
 
-def parts(study: SuiteStudy, compared: Sequence[Comparison], misfits: Sequence[float]) -> Iterator[Part]:
+def parts(study: SuiteStudy, compared: Sequence[Comparison]) -> Iterator[Part]:
     """The records, their displacements at the scale next to their own beside regressions, and statistics."""
-    yield records_part(study.suite, misfits)
+    yield records_part(study.suite)
     scale = study.own_scale
     yield _by_record_part(study, scale)
     yield _statistics_part(study)

@@ -1,4 +1,4 @@
-"""Scenes derived from others: along the critical circle of the means, and with reversed shaking."""
+"""Scenes derived from others: along the critical circle of the means."""
 
 from collections.abc import Iterator
 from dataclasses import fields, replace
@@ -15,16 +15,6 @@ from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.search import critical
 from slipcircle.workbench.stability.stability import Slope, soil
-
-
-def other_way(scene: Scene) -> Scene:
-    """A shaken scene with reversed horizontal shaking."""
-    if "shaking" not in scene.called:
-        raise ValueError(f"{scene.name}: nothing shakes it, so that it has no other polarity")
-    assert isinstance(scene.effects, dict)
-    shaking = scene.effects["shaking"]
-    turned = {"shaking": shaking | {"horizontal": shaking["horizontal"].scaled(-1.0)}}
-    return replace(scene, effects=scene.effects | turned, name=f"{scene.name} reversed")
 
 
 def along_means(scene: Scene) -> Scene:

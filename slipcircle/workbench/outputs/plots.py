@@ -19,7 +19,6 @@ from slipcircle.tables import in_time
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
 from slipcircle.workbench.outputs.comparison import ladder
 from slipcircle.workbench.outputs.film import animate
-from slipcircle.workbench.outputs.kinks import Kinks, friction_kinks, motion_kinks, water_kinks
 from slipcircle.workbench.outputs.layerplot import stress_along
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
@@ -32,7 +31,6 @@ from slipcircle.workbench.outputs.plotstyle import (
     label,
     letter,
     mark,
-    note,
     number,
     points_of,
     still,
@@ -67,7 +65,6 @@ HISTORIES: Mapping[str, tuple[str, tuple[Curve, ...]]] = {
         (Curve("normal_stress", "main", "total $\\sigma_n$"), Curve("effective_stress", "other", "effective")),
     ),
 }
-_MOST_KINKS = 4  # that are labelled one by one
 _TOUCHES = 0.02  # of the required friction at the start, below which it is zero
 _TALL = 3.0  # greatest required friction in view, over the greatest mobilised friction
 _SECTION = 4.3  # height of the section, inches
@@ -101,7 +98,6 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
             label(ax, curve.label, _in_view(ax, times, heights), LINES[curve.line]["color"])
     if what == "friction":
         _explain_zeros(ax, motion, len(curves) > 1)
-    _explain_kinks(ax, motion, what, brief)
     if what == "displacement":
         _rotation_axis(ax, motion)
     return ax
@@ -145,28 +141,6 @@ def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
     inside = in_middle & (low < values) & (values < high)
     shown = inside if np.any(inside) else slice(None)
     return np.asarray(points_of(times[shown], values[shown]))
-
-
-def _explain_kinks(ax: Any, motion: Motion, what: str, brief: bool) -> None:
-    """Lines where curves bend, with the reason: of the motion unless brief, of friction and water where these are."""
-    _draw_kinks(ax, motion_kinks(motion), "stops {} times before", not brief)
-    if what == "friction":
-        _draw_kinks(ax, friction_kinks(motion), "{} breakpoints")
-    if what in ("friction", "normal_stress"):
-        _draw_kinks(ax, water_kinks(motion), "{} breakpoints of the pore pressure", what == "normal_stress")
-
-
-def _draw_kinks(ax: Any, kinks: Kinks, many: str, named: bool = True) -> None:
-    """Lines at kinks with their words; only the number if many."""
-    if len(kinks) > _MOST_KINKS:
-        if named:
-            note(ax, [many.format(len(kinks))])
-        return
-    low, high = ax.get_ylim()
-    for time, words in kinks:
-        ax.axvline(time, **LINES["help"])
-        if named:
-            label(ax, words, [(time, low + share * (high - low)) for share in (0.1, 0.3, 0.5, 0.7, 0.9)], "0.3")
 
 
 def _explain_zeros(ax: Any, motion: Motion, with_required: bool) -> None:

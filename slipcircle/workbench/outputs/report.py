@@ -54,26 +54,22 @@ PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
 # --- pages -----------------------------------------------------------------------------------------------------------
 
 
-def page(
-    title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes | None]], command: str, script: str = ""
-) -> str:
+def page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes]], command: str, script: str = "") -> str:
     """A page of parts, and how to reproduce it: command, digests of scene files, versions."""
     sources = {}
     for name, content in files:
-        if content is not None:
-            sources[f"scene file of {name}"] = f"sha256 {hashlib.sha256(content).hexdigest()}"
+        sources[f"scene file of {name}"] = f"sha256 {hashlib.sha256(content).hexdigest()}"
     sources |= facts()
     versions = [[key, Raw(f"<code>{escaped(value)}</code>")] for key, value in sources.items()]
     body = [tag("h1", title), *parts, tag("h2", "To repeat it")]
-    if command:
-        body.append(tag("p", "This command, with the versions and files below, writes this report again:"))
-        body.append(tag("pre", command))
+    body.append(tag("p", "This command, with the versions and files below, writes this report again:"))
+    body.append(tag("pre", command))
     body.append(_scrolling(versions))
     return document(title, body, live.style() + live.text("report.css"), script)
 
 
 def chapter(
-    plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], record: Any, unit: str, file: bytes | None
+    plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], record: Any, unit: str, file: bytes
 ) -> Iterable[Raw]:
     """Note and warnings of a scene, its parts, its result as JSON, and its file."""
     if plan.scene.note:
@@ -85,9 +81,8 @@ def chapter(
             yield part
         else:
             yield from _table(part)
-    texts = {f"All numbers, as JSON{unit}": json.dumps(plain(record), indent=2, allow_nan=False)}
-    if file is not None:
-        texts["The scene's file"] = file.decode("utf-8-sig")
+    numbers = json.dumps(plain(record), indent=2, allow_nan=False)
+    texts = {f"All numbers, as JSON{unit}": numbers, "The scene's file": file.decode("utf-8-sig")}
     for summary, text in texts.items():  # folded
         yield Raw(f"<details><summary>{escaped(summary)}</summary>{tag('pre', text)}</details>")
 
@@ -136,10 +131,9 @@ def _estimate(e: Estimate) -> Raw:
     return Raw(f"{_data(float(e.value), value)} {ends}".rstrip())
 
 
-def input_parts(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
+def input_parts(plan: Plan, file: bytes) -> Iterable[Part | Raw]:
     """Inputs with units and sources, effects, friction law, equation of motion, and assumptions."""
-    text = None if file is None else file.decode("utf-8-sig")
-    given = [[_path(row.path), *row[1:]] for row in inputs(plan.scene, text)]
+    given = [[_path(row.path), *row[1:]] for row in inputs(plan.scene, file.decode("utf-8-sig"))]
     yield Part(["input", "value", "unit", "what it is", "source"], given, "Inputs")
     effects = []
     for name, effect in EFFECTS.items():
@@ -165,9 +159,8 @@ def input_parts(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
 # --- motions ---------------------------------------------------------------------------------------------------------
 
 
-def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), command: str = "") -> str:
-    """A report on motions as HTML, with the scene files where there are any, and the command that writes it."""
-    files = files or [None] * len(motions)
+def report(motions: Sequence[Motion], files: Sequence[bytes], command: str) -> str:
+    """A report on motions as HTML, with their scene files and the command that writes it."""
     names = [motion.plan.scene.name or f"scene {number}" for number, motion in enumerate(motions, 1)]
     several = len(motions) > 1
     parts = [_overview(motions, names)] if several else []
@@ -194,7 +187,7 @@ def _overview(motions: Sequence[Motion], names: Sequence[str]) -> Raw:
     return _scrolling(rows, ["", *links])
 
 
-def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
+def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
     """The chapter of a motion below its slide: pictures, all results, inputs, method and accuracy, energy."""
     plan = motion.plan
     if plan.scene.uncertain:
@@ -356,18 +349,18 @@ def _quantile_notes(study: Study) -> Iterator[str]:
         yield f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"
 
 
-def study_report(study: Study, file: bytes | None = None, command: str = "") -> str:
+def study_report(study: Study, file: bytes, command: str) -> str:
     """A report on an ensemble of samples as HTML; the seed is added to the command if missing."""
     name = study.scene.name or "scene"
     way = plan(study.scene, study.design.accuracy)
-    if command and "--seed" not in command:
+    if "--seed" not in command:
         command += f" --seed {study.seed}"
     contents = _of_study(study, way, file)
     of_study = chapter(way, study.warnings, contents, export.record(study), "", file)
     return page(f"Uncertain slide: {name}", of_study, [(name, file)], command)
 
 
-def _of_study(study: Study, way: Plan, file: bytes | None) -> Iterable[Part | Raw]:
+def _of_study(study: Study, way: Plan, file: bytes) -> Iterable[Part | Raw]:
     """The chapter of a study: the picture, its parts, inputs and their distributions, method and accuracy."""
     design = study.design
     caption = "Exceedance probability of greatest displacement and peak velocity"

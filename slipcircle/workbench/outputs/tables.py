@@ -7,6 +7,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import chain, zip_longest
 from textwrap import wrap
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from slipcircle.base.progress import clear_line
@@ -52,12 +53,16 @@ class Part(NamedTuple):
     note: str = ""
 
 
+Files = Mapping[str, Callable[[str], bytes]]  # by option: what to write into a path
+
+
 class Answer(NamedTuple):
-    """Result of a command: as JSON on request, otherwise as tables and texts, with warnings."""
+    """Result of a command: as JSON on request, otherwise as tables and texts, with warnings and files by options."""
 
     record: Callable[[], Any]
     parts: Iterable[Part | str]
     warnings: Iterable[str] = ()
+    files: Files = MappingProxyType({})
 
 
 # --- motions ---------------------------------------------------------------------------------------------------------

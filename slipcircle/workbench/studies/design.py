@@ -20,7 +20,7 @@ from slipcircle.workbench.files.numbers import Number, Uncertain
 from slipcircle.workbench.stability.stability import METHODS as STABILITY_METHODS
 from slipcircle.workbench.stability.stability import factors_of_safety, soil
 from slipcircle.workbench.studies.motions import motions
-from slipcircle.workbench.studies.sampling import latin, monte_carlo, sobol
+from slipcircle.workbench.studies.sampling import monte_carlo, sobol
 from slipcircle.workbench.studies.searched import searched_factors
 from slipcircle.workbench.studies.statistics import sums
 from slipcircle.workbench.studies.tally import counted
@@ -28,7 +28,7 @@ from slipcircle.workbench.studies.tally import counted
 Result = dict[str, NDArray[Any]]
 # Of a sample that slides, but not to a known end: it moves, and exceeds every threshold.
 NO_RESULT = tuple(s for s in Status if s not in ANSWERED and s is not Status.INVALID)
-METHODS = ("monte-carlo", "sobol", "latin-hypercube")
+METHODS = ("monte-carlo", "sobol")
 REPLICATES = 16  # independent scramblings of a Sobol sequence, whose spread is the error
 BATCHES = 32  # of the base points of sensitivity indices, whose spread is the error
 
@@ -105,8 +105,6 @@ class Design:
     def points(self, index: int, dimensions: int) -> Floats:
         """Points of the unit cube that a block draws, (dimensions, count)."""
         stream, start, length = self.piece(index)
-        if self.method == "latin-hypercube" and index < self.sample_blocks:
-            return latin(self.seed, self.n, dimensions)[:, start : start + length]
         draw = sobol if self.method == "sobol" else monte_carlo
         return draw(self.seed, stream, start, length, dimensions)
 

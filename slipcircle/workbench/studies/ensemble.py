@@ -102,9 +102,8 @@ def ensemble(
         Seed, or source of one; the same seed gives bitwise the same results with any executor. Where blocks are
         computed; by default one thread per processor.
     method, sensitivity : str and int, optional
-        "monte-carlo"; "sobol": 16 independently scrambled sequences, whose spread gives the intervals; or "latin-
-        hypercube", in memory, whose intervals are those of Monte Carlo and therefore too wide. Base points of the
-        sensitivity indices, each with (inputs + 2) scenes; by default n, at most 16384.
+        "monte-carlo"; or "sobol": 16 independently scrambled sequences, whose spread gives the intervals. Base points
+        of the sensitivity indices, each with (inputs + 2) scenes; by default n, at most 16384.
     keep, size : bool and int, optional
         Whether to keep the samples (by default up to 2**20 of them) or to count them in bins of relative width 1/1024;
         samples of a block, a power of two, by default for at least eight blocks.

@@ -1,19 +1,17 @@
-"""Points of the unit cube: Monte Carlo, scrambled Sobol sequences, Latin hypercubes.
+"""Points of the unit cube: Monte Carlo and scrambled Sobol sequences.
 
 Any stretch of a sequence is a pure function of its seed and its place, so that blocks may be drawn anywhere and in any
-order, and that a longer run begins with the points of a shorter one (but for Latin hypercubes, which are made whole).
-Monte Carlo needs NumPy alone; the others are SciPy's.
+order, and that a longer run begins with the points of a shorter one. Monte Carlo needs NumPy alone; Sobol sequences are
+SciPy's.
 """
 
 import warnings
-from functools import lru_cache
 
 import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.workbench.common.distributions import statistics
 
-MOST_LATIN = 2**24
 _LOWEST = 2.0**-54  # 0 and 1 have no quantile
 _HIGHEST = 1.0 - 2.0**-53
 
@@ -31,14 +29,6 @@ def monte_carlo(seed: int, stream: tuple[int, ...], start: int, count: int, dime
     generator = np.random.Generator(philox.advance(start * dimensions // 4))
     points = generator.random((count, dimensions))
     return np.maximum(points.T, _LOWEST)
-
-
-@lru_cache(4)
-def latin(seed: int, count: int, dimensions: int) -> Floats:
-    """A Latin hypercube, (dimensions, count): each coordinate has one point in each of ``count`` equal strata."""
-    hypercube = statistics().qmc.LatinHypercube(dimensions, rng=_seeded(seed, (3,)))
-    points = np.ascontiguousarray(hypercube.random(count).T)
-    return np.clip(points, _LOWEST, _HIGHEST)
 
 
 def sobol(seed: int, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:

@@ -10,13 +10,13 @@ import numpy as np
 from slipcircle.core import Scene, checked
 from slipcircle.workbench.files.numbers import Uncertain, uncertain_numbers
 from slipcircle.workbench.studies.design import METHODS
-from slipcircle.workbench.studies.sampling import MOST_LATIN
 from slipcircle.workbench.studies.searched import search_mistakes
 from slipcircle.workbench.studies.suitedesign import OfRecords
 
 _MOST = 10**12
 _MOST_BASE = 2**22
 OF_ARRAYS = "a scene of arrays is solved as it is: use solve"
+_Flag = bool | np.bool_ | None  # None where it is not given
 _OUTSIDE = 1e-4  # of a distribution, that may lie out of a number's bounds; such samples are counted apart
 
 
@@ -60,9 +60,11 @@ def setting_mistakes(
     of_records: Mapping[str, Any],
 ) -> list[str]:
     """A sentence for each mistake."""
-    method, points, _, size, search_each = settings
+    method, points, keep, size, search_each = settings
     with_records = records is not None
+    flags = {"keep": keep, "search_each": search_each} | {k: of_records.get(k) for k in ("polarities", "strict")}
     of_settings = _number_mistakes(n, method, size, confidence) + _sensitivity_mistakes(points, correlation)
+    of_settings += [f"{k} = {v!r}: must be True or False" for k, v in flags.items() if not isinstance(v, _Flag)]
     found = _scene_mistakes(scene, search_each, with_records) + of_settings
     if with_records and (search_each or points):
         found.append("search_each and sensitivity do not go with records; leave them out")
@@ -79,13 +81,10 @@ def _scene_mistakes(scene: Scene, search_each: bool, with_records: bool) -> list
 def _number_mistakes(n: Any, method: Any, size: Any, confidence: Any) -> list[str]:
     """A sentence for each setting out of bounds."""
     mistakes = []
-    is_count = whole(n) and 1 <= n <= _MOST
-    if not is_count:
+    if not (whole(n) and 1 <= n <= _MOST):
         mistakes.append(f"n = {n!r}: must be a whole number of samples, from 1 to {_MOST:.0e}")
     if method not in METHODS:
         mistakes.append(f"method = {method!r}: must be one of {', '.join(METHODS)}")
-    if method == "latin-hypercube" and is_count and n > MOST_LATIN:
-        mistakes.append(f"n = {n}: a Latin hypercube is held in memory, so {MOST_LATIN} at most; take method='sobol'")
     if not (isinstance(confidence, float) and 0.0 < confidence < 1.0):
         mistakes.append(f"confidence = {confidence!r}: must be between 0 and 1")
     is_power = whole(size) and size >= 4 and not size & (size - 1)

@@ -89,11 +89,11 @@ def _mean_period(record: Series) -> float:
     return float(np.average(periods, weights=weights))
 
 
-def spectral_acceleration(record: Series, period: float, resolution: int = _STEPS_OF_PERIOD) -> float:
+def spectral_acceleration(record: Series, period: float) -> float:
     """Pseudo-acceleration of a record at a period and a damping ratio of 5 %, over gravity.
 
     The greatest displacement of an oscillator times the square of its angular frequency. Between samples the
-    acceleration is linear, of which the recurrence of Nigam and Jennings (1969) is exact.
+    acceleration is linear, of which a first-order hold is exact (Nigam and Jennings 1969).
 
     Parameters
     ----------
@@ -101,8 +101,6 @@ def spectral_acceleration(record: Series, period: float, resolution: int = _STEP
         Acceleration over gravity, zero before and after; samples at uneven times are interpolated at even ones.
     period : float
         Natural period, s; at 0 the result is the peak acceleration.
-    resolution : int
-        Steps of a period, at least; the result is too small by 5/resolution^2 at most.
 
     Raises
     ------
@@ -117,7 +115,7 @@ def spectral_acceleration(record: Series, period: float, resolution: int = _STEP
     last = float(record.time[-1])
     intervals = record.time.size - 1
     mean_step = (last - first) / intervals
-    refinement = math.ceil(mean_step * resolution / period)
+    refinement = math.ceil(mean_step * _STEPS_OF_PERIOD / period)
     times, step = np.linspace(first, last, intervals * refinement + 1, retstep=True)
     at_rest = np.zeros(math.ceil(1.5 * period / step))  # the oscillation may be greatest after the end
     acceleration = np.concatenate([record(times), at_rest])
@@ -137,22 +135,13 @@ def _oscillation(acceleration: Floats, step: float, frequency: float) -> Floats:
 
 @lru_cache(maxsize=1024)
 def _recurrence(step: float, frequency: float) -> tuple[Floats, Floats, Floats]:
-    """Weights of three accelerations and three displacements, and of the first acceleration, before which is rest.
+    """Weights of three accelerations and three displacements, and of the first acceleration, before which is rest."""
+    from scipy.signal import cont2discrete, ss2tf
 
-    By Cayley and Hamilton u_(n+1) - tr(E) u_n + det(E) u_(n-1), E the free oscillation over a step, is a sum of three
-    accelerations alone.
-    """
-    from scipy.linalg import expm
-
-    oscillator = np.zeros((4, 4))  # displacement, velocity, acceleration of the ground and its slope
-    oscillator[0, 1] = oscillator[2, 3] = 1.0
-    oscillator[1, :3] = -(frequency**2), -2.0 * _DAMPING * frequency, -1.0
-    over_step = expm(step * oscillator)
-    free = over_step[:2, :2]
-    by_next = over_step[:2, 3] / step
-    by_last = over_step[:2, 2] - by_next
-    across = np.array([-free[1, 1], free[0, 1]])
-    weights = np.array([by_next[0], by_last[0] + across @ by_next, across @ by_last])
-    recurrence = np.array([1.0, -np.trace(free), np.linalg.det(free)])
-    at_start = np.array([-weights[0], by_last[0] - weights[1]])  # the ground may jump
-    return weights, recurrence, at_start
+    free = np.array([[0.0, 1.0], [-(frequency**2), -2.0 * _DAMPING * frequency]])
+    by_ground = np.array([[0.0], [-1.0]])
+    both, none = np.eye(2), np.zeros((2, 1))
+    over_step, by_last, _, at_once, _ = cont2discrete((free, by_ground, both, none), step, "foh")
+    weights, recurrence = ss2tf(over_step, by_last, both, at_once)
+    first, second = -at_once[0, 0], -(over_step @ at_once)[0, 0]  # the ground may jump
+    return weights[0], recurrence, np.array([first, second + recurrence[1] * first])

@@ -20,14 +20,13 @@ One source only has the yield coefficients of Jibson's data and the least ratio 
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Floats
 
-_LN_10 = math.log(10.0)
 _SYMBOLS = {"ratio": "r", "k_y": "k_y", "magnitude": "M", "period": "T_s", "response": "S_a(1.5 T_s)"}
 RIGID = 0.05  # s, fundamental period below which Bray and Travasarou (2007) take a mass for rigid
 
@@ -71,6 +70,11 @@ class Shaking:
     def is_rigid(self) -> bool:
         return self.period < RIGID
 
+    @property
+    def flexible_period(self) -> float:
+        """The fundamental period, 0 of a rigid mass."""
+        return 0.0 if self.is_rigid else self.period
+
 
 @dataclass(frozen=True)
 class Regression:
@@ -81,25 +85,36 @@ class Regression:
     name : str
     source : str
         Where its coefficients stand.
-    ln_cm : callable
-        ln D of `Shaking`; NaN or negative infinity where nothing moves.
-    std_ln : callable
-        Standard deviation of ln D.
+    median, deviation : mapping
+        Coefficients of features, whose sums are ln D and the standard deviation of ln D.
     limits : mapping
         Least and greatest values of its authors' data, by the attributes of `Shaking`.
     least_cm : float
         Displacement that counts as none.
-    negligible : callable, optional
-        Probability of at most this.
+    motion : mapping
+        Coefficients of features, whose sum is the standard normal quantile of a larger displacement.
     """
 
     name: str
     source: str
-    ln_cm: Callable[[Shaking], Floats]
-    std_ln: Callable[[Shaking], Floats]
+    median: Mapping[str, float]
+    deviation: Mapping[str, float]
     limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     least_cm: float = 0.0
-    negligible: Callable[[Shaking], Floats] | None = None
+    motion: Mapping[str, float] = field(default_factory=dict)
+
+    def ln_cm(self, shaking: Shaking) -> Floats:
+        """Natural logarithm of the displacement; NaN or negative infinity where nothing moves."""
+        return _sum(self.median, shaking)
+
+    def std_ln(self, shaking: Shaking) -> Floats:
+        """Standard deviation of `ln_cm`."""
+        return _sum(self.deviation, shaking)
+
+    def negligible(self, shaking: Shaking) -> Floats:
+        """Probability of at most ``least_cm``, of a regression that has one."""
+        quantiles = _sum(self.motion, shaking)
+        return np.array([0.5 * math.erfc(z / math.sqrt(2.0)) for z in quantiles.tolist()])
 
     @property
     def valid(self) -> str:
@@ -119,75 +134,37 @@ class Regression:
         return np.asarray(inside)
 
 
-def _of_ratio(constant: float, one: float, other: float) -> Callable[[Shaking], Floats]:
-    """Log10 D = constant + log10[(1 - r)^one r^other]."""
-
-    def ln_cm(shaking: Shaking) -> Floats:
-        r = shaking.ratio
-        with np.errstate(invalid="ignore", divide="ignore"):
-            return np.asarray(_LN_10 * constant + one * np.log1p(-r) + other * np.log(r))
-
-    return ln_cm
-
-
-def _jibson_arias(shaking: Shaking) -> Floats:
-    log_arias = np.log10(shaking.arias)
-    log_ratio = np.log10(shaking.ratio)
-    return np.asarray(_LN_10 * (0.561 * log_arias - 3.833 * log_ratio - 1.474))
-
-
-def _jibson_magnitude(shaking: Shaking) -> Floats:
-    of_ratio = _of_ratio(-2.710, 2.335, -1.478)
-    return of_ratio(shaking) + _LN_10 * 0.424 * shaking.magnitude
-
-
-def _jibson_arias_only(shaking: Shaking) -> Floats:
-    log_arias = np.log10(shaking.arias)
-    log_yield = math.log10(shaking.k_y)
-    return np.asarray(_LN_10 * (2.401 * log_arias - 3.481 * log_yield - 3.230))
-
-
-def _of_polynomial(
-    *coefficients: float, pga: float, pgv: float = 0.0, arias: float = 0.0, magnitude: float = 0.0
-) -> Callable[[Shaking], Floats]:
-    """Ln D = polynomial of r + pga ln PGA + pgv ln PGV (cm/s) + arias ln I_A + magnitude (M - 6)."""
-    polynomial = np.polynomial.Polynomial(coefficients)
-
-    def ln_cm(shaking: Shaking) -> Floats:
-        displacement = polynomial(shaking.ratio) + pga * np.log(shaking.pga)
-        if pgv:
-            displacement += pgv * np.log(100.0 * shaking.pgv)
-        if arias:
-            displacement += arias * np.log(shaking.arias)
-        if magnitude:
-            displacement += magnitude * (shaking.magnitude - 6.0)
-        return np.asarray(displacement)
-
-    return ln_cm
+# What a coefficient multiplies: ln 10 where a source has common logarithms; PGV in cm/s, PGA and S_a over gravity.
+_FEATURES: dict[str, Callable[[Shaking], Any]] = {
+    "1": lambda s: np.ones(s.pga.shape),
+    "ln 10": lambda s: np.full(s.pga.shape, math.log(10.0)),
+    "r": lambda s: s.ratio,
+    "r^2": lambda s: s.ratio**2,
+    "r^3": lambda s: s.ratio**3,
+    "r^4": lambda s: s.ratio**4,
+    "ln r": lambda s: np.log(s.ratio),
+    "ln (1 - r)": lambda s: np.log1p(-s.ratio),
+    "ln k_y": lambda s: math.log(s.k_y),
+    "(ln k_y)^2": lambda s: math.log(s.k_y) ** 2,
+    "ln k_y ln S_a": lambda s: math.log(s.k_y) * np.log(s.response),
+    "T_s ln k_y": lambda s: s.flexible_period * math.log(s.k_y),
+    "ln S_a": lambda s: np.log(s.response),
+    "(ln S_a)^2": lambda s: np.log(s.response) ** 2,
+    "ln PGA": lambda s: np.log(s.pga),
+    "ln PGV": lambda s: np.log(100.0 * s.pgv),
+    "ln I_A": lambda s: np.log(s.arias),
+    "M ln 10": lambda s: s.magnitude * math.log(10.0),
+    "M - 6": lambda s: s.magnitude - 6.0,
+    "M - 7": lambda s: s.magnitude - 7.0,
+    "rigid": lambda s: float(s.is_rigid),
+    "flexible": lambda s: float(not s.is_rigid),
+    "T_s": lambda s: s.flexible_period,
+}
 
 
-def _bray_travasarou(shaking: Shaking) -> Floats:
-    """Equation 5, and 6 of a rigid mass."""
-    y = math.log(shaking.k_y)
-    s = np.log(shaking.response)
-    of_period = -0.22 if shaking.is_rigid else -1.10 + 1.50 * shaking.period
-    of_slope = -2.83 * y - 0.333 * y * y
-    of_shaking = 0.566 * y * s + 3.04 * s - 0.244 * s * s
-    return np.asarray(of_period + of_slope + of_shaking + 0.278 * (shaking.magnitude - 7.0))
-
-
-def _negligible(shaking: Shaking) -> Floats:
-    """Probability of at most 1 cm by Bray and Travasarou (2007), equation 3."""
-    y = math.log(shaking.k_y)
-    s = np.log(shaking.response)
-    period = 0.0 if shaking.is_rigid else shaking.period
-    z = -1.76 - 3.22 * y - 0.484 * period * y + 3.52 * s
-    return np.array([0.5 * math.erfc(x / math.sqrt(2.0)) for x in z.tolist()])
-
-
-def _std(constant: float, slope: float = 0.0, square: float = 0.0) -> Callable[[Shaking], Floats]:
-    """Standard deviation of ln D, constant + slope r + square r^2."""
-    return lambda shaking: constant + slope * shaking.ratio + square * shaking.ratio**2
+def _sum(coefficients: Mapping[str, float], shaking: Shaking) -> Floats:
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.asarray(sum(factor * _FEATURES[name](shaking) for name, factor in coefficients.items()))
 
 
 _JIBSON = {"k_y": (0.05, 0.40), "magnitude": (5.3, 7.6)}
@@ -197,81 +174,100 @@ REGRESSIONS = (
     Regression(
         "Ambraseys and Menu (1988)",
         "Earthquake Engineering and Structural Dynamics 16, 985-1006",
-        _of_ratio(0.90, 2.53, -1.09),
-        _std(0.30 * _LN_10),
+        {"ln 10": 0.90, "ln (1 - r)": 2.53, "ln r": -1.09},
+        {"ln 10": 0.30},
         {"ratio": (0.1, 1.0), "magnitude": (6.6, 7.3)},
     ),
     Regression(
         "Jibson (2007), r",
         "Engineering Geology 91, 209-218, eq. 6",
-        _of_ratio(0.215, 2.341, -1.438),
-        _std(0.510 * _LN_10),
+        {"ln 10": 0.215, "ln (1 - r)": 2.341, "ln r": -1.438},
+        {"ln 10": 0.510},
         _JIBSON,
     ),
     Regression(
         "Jibson (2007), I_A and r",
         "Engineering Geology 91, 209-218, eq. 10",
-        _jibson_arias,
-        _std(0.616 * _LN_10),
+        {"ln 10": -1.474, "ln I_A": 0.561, "ln r": -3.833},
+        {"ln 10": 0.616},
         _JIBSON,
     ),
     Regression(
         "Jibson (2007), r and M",
         "Engineering Geology 91, 209-218, eq. 7",
-        _jibson_magnitude,
-        _std(0.454 * _LN_10),
+        {"ln 10": -2.710, "M ln 10": 0.424, "ln (1 - r)": 2.335, "ln r": -1.478},
+        {"ln 10": 0.454},
         _JIBSON,
     ),
     Regression(
         "Jibson (2007), I_A and k_y",
         "Engineering Geology 91, 209-218, eq. 9",
-        _jibson_arias_only,
-        _std(0.656 * _LN_10),
+        {"ln 10": -3.230, "ln I_A": 2.401, "ln k_y": -3.481},
+        {"ln 10": 0.656},
         _JIBSON,
     ),
     Regression(
         "Saygili and Rathje (2008), PGA",
         f"{_ASCE} 134, 790-803, eq. 5",
-        _of_polynomial(5.52, -4.43, -20.39, 42.61, -28.74, pga=0.72),
-        _std(1.13),
+        {"1": 5.52, "r": -4.43, "r^2": -20.39, "r^3": 42.61, "r^4": -28.74, "ln PGA": 0.72},
+        {"1": 1.13},
         _SAYGILI_RATHJE,
     ),
     Regression(
         "Saygili and Rathje (2008), PGA and PGV",
         f"{_ASCE} 134, 790-803, eq. 6",
-        _of_polynomial(-1.56, -4.58, -20.84, 44.75, -30.50, pga=-0.64, pgv=1.55),
-        _std(0.41, 0.52),
+        {"1": -1.56, "r": -4.58, "r^2": -20.84, "r^3": 44.75, "r^4": -30.50, "ln PGA": -0.64, "ln PGV": 1.55},
+        {"1": 0.41, "r": 0.52},
         _SAYGILI_RATHJE,
     ),
     Regression(
         "Saygili and Rathje (2008), PGA and I_A",
         f"{_ASCE} 134, 790-803, eq. 6",
-        _of_polynomial(2.39, -5.24, -18.78, 42.01, -29.15, pga=-1.56, arias=1.38),
-        _std(0.46, 0.56),
+        {"1": 2.39, "r": -5.24, "r^2": -18.78, "r^3": 42.01, "r^4": -29.15, "ln PGA": -1.56, "ln I_A": 1.38},
+        {"1": 0.46, "r": 0.56},
         _SAYGILI_RATHJE,
     ),
     Regression(
         "Saygili and Rathje (2008), PGA, PGV and I_A",
         f"{_ASCE} 134, 790-803, eq. 6",
-        _of_polynomial(-0.74, -4.93, -19.91, 43.75, -30.12, pga=-1.30, pgv=1.04, arias=0.67),
-        _std(0.20, 0.79),
+        {
+            "1": -0.74,
+            "r": -4.93,
+            "r^2": -19.91,
+            "r^3": 43.75,
+            "r^4": -30.12,
+            "ln PGA": -1.30,
+            "ln PGV": 1.04,
+            "ln I_A": 0.67,
+        },
+        {"1": 0.20, "r": 0.79},
         _SAYGILI_RATHJE,
     ),
     Regression(
         "Rathje and Saygili (2009), PGA and M",
         "Bulletin of the New Zealand Society for Earthquake Engineering 42, 18-27, eqs. 8 and 9",
-        _of_polynomial(4.89, -4.85, -19.64, 42.49, -29.06, pga=0.72, magnitude=0.89),
-        _std(0.732, 0.789, -0.539),
+        {"1": 4.89, "r": -4.85, "r^2": -19.64, "r^3": 42.49, "r^4": -29.06, "ln PGA": 0.72, "M - 6": 0.89},
+        {"1": 0.732, "r": 0.789, "r^2": -0.539},
         _SAYGILI_RATHJE,
     ),
     Regression(
         "Bray and Travasarou (2007)",
         f"{_ASCE} 133, 381-392, eqs. 3, 5 and 6",
-        _bray_travasarou,
-        _std(0.66),
+        {
+            "rigid": -0.22,
+            "flexible": -1.10,
+            "T_s": 1.50,
+            "ln k_y": -2.83,
+            "(ln k_y)^2": -0.333,
+            "ln k_y ln S_a": 0.566,
+            "ln S_a": 3.04,
+            "(ln S_a)^2": -0.244,
+            "M - 7": 0.278,
+        },
+        {"1": 0.66},
         {"k_y": (0.01, 0.5), "period": (0.0, 2.0), "response": (0.002, 2.7), "magnitude": (4.5, 9.0)},
         least_cm=1.0,
-        negligible=_negligible,
+        motion={"1": -1.76, "ln k_y": -3.22, "T_s ln k_y": -0.484, "ln S_a": 3.52},
     ),
 )
 
@@ -326,7 +322,7 @@ def _compared(regression: Regression, displacement_cm: Floats, shaking: Shaking,
     moves = inside & (displacement_cm > regression.least_cm)
     count = int(moves.sum())
     row = Comparison(regression.name, regression.source, regression.valid, displacement_cm.size, count)
-    if regression.negligible is not None and np.any(inside):
+    if regression.motion and np.any(inside):
         probability = float(regression.negligible(shaking)[inside].mean())
         row = row._replace(negligible=probability, negligible_computed=1.0 - count / int(inside.sum()))
     if count < 2:
