@@ -57,7 +57,7 @@ def test_run_prints_a_table(said: Any) -> None:
         "run-out along the arc",
         "peak velocity",
         "duration",
-        "factor of safety",
+        "factor of safety by the paper's method",
         "estimated error",
     ]
     assert list(cells)[:6] == keys
@@ -123,7 +123,7 @@ def test_slopes_at_the_limits_of_the_method(tmp_path: Path, said: Any, asked: An
     warning = asked("run", slope("accuracy = 1e-30\n"))[2]
     assert "float64 does not allow a smaller error" in warning
     assert "friction is next" not in warning
-    assert columns(said("run", slope(theta_1_deg=260)))["factor of safety"] == ["infinite"]
+    assert columns(said("run", slope(theta_1_deg=260)))["factor of safety by the paper's method"] == ["infinite"]
     assert "after 0 s" not in "".join(asked("run", slope(angle_deg=42))[1:])
     status, out, _ = asked("run", slope(more="[pore_pressure]\npressure_kPa = 500\n"))
     assert status == 1 or "still moving" not in out
