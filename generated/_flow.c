@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "49ff3786be2808d55081857bdb18167df03f1e9ff6ca08e10a6670b6225872df"
+#define DIGEST "0823f54f59f4d17fd0122a09a3154edb379f9890e4a256df7f6ffb269b950772"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -946,36 +946,45 @@ static double end_of_piece(Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* The end of the piece of a function of time and the increment there: one rounding whatever the steps. */
-static void find_end_of_piece(Batch *b, unsigned lane, int t)
+static void find_end_of_piece(Batch *b, unsigned lane, int t, double now)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    c[job->table[t].cell + UPPER][lane] = end_of_piece(b, lane, t, piece) / c[job->table[t].cell + SCALE][lane];
+    double end = end_of_piece(b, lane, t, piece);
+    c[job->table[t].cell + UPPER][lane] = end / c[job->table[t].cell + SCALE][lane];
     c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + INC][lane];
     if (piece < ((int)job->data[t].pieces - 1)) {
-        double rise = rise_to(b, lane, t, c[job->table[t].cell + UPPER][lane] - c[TIME][lane]);
+        double rise = rise_to(b, lane, t, (end - now) / c[job->table[t].cell + SCALE][lane]);
         c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + LOWER][lane] + rise;
         c[job->table[t].cell + WAY][lane] = c[job->table[t].cell + WAY][lane] + fabs(rise);
     }
 }
 
-/* Begin a phase: increments of a function of time count from now. It may jump where a piece begins. */
+/* Begin a phase: increments of a function of time count from now. It may jump where a piece begins. Within a piece
+ * the value and the rise to its end follow from the increment: on a short ramp the rounding of the time, times the
+ * slope, is much. */
 static void begin_in_time(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    int64_t piece = piece_at(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane], (c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 + (2.0 * EPS)), 1);
-    if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
-        c[SCALE_BEFORE][lane] = INFINITY;
-    }
-    c[job->table[t].cell + PIECE][lane] = (double)piece;
+    c[job->table[t].cell + VALUE][lane] = c[job->table[t].cell + VALUE][lane] + c[job->table[t].cell + INC][lane];
+    c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + LOWER][lane] - c[job->table[t].cell + INC][lane];
     c[job->table[t].cell + INC][lane] = 0.0;
-    c[job->table[t].cell + WAY][lane] = 0.0;
-    double terms[HIGHEST + 2];
-    taylor_about_now(b, lane, t, 1, terms);
-    c[job->table[t].cell + VALUE][lane] = terms[0];
-    find_end_of_piece(b, lane, t);
+    c[job->table[t].cell + WAY][lane] = fabs(c[job->table[t].cell + LOWER][lane]);
+    if (c[job->table[t].cell + UPPER][lane] <= c[TIME][lane]) {
+        double now = c[TIME][lane] * c[job->table[t].cell + SCALE][lane];
+        int64_t piece = piece_at(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane], now * (1.0 + (2.0 * EPS)), 1);
+        if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
+            c[SCALE_BEFORE][lane] = INFINITY;
+        }
+        c[job->table[t].cell + PIECE][lane] = (double)piece;
+        c[job->table[t].cell + WAY][lane] = 0.0;
+        double terms[HIGHEST + 2];
+        taylor_about_now(b, lane, t, 1, terms);
+        c[job->table[t].cell + VALUE][lane] = terms[0];
+        find_end_of_piece(b, lane, t, now);
+    }
 }
 
 /* The value where the phase begins, so far beyond the break, and the coefficients of what is beyond. */
@@ -1095,7 +1104,7 @@ static void pass_break(Batch *b, unsigned lane, int t)
         c[job->table[t].cell + INC][lane] = there - c[job->table[t].cell + VALUE][lane];
         c[job->table[t].cell + WAY][lane] = rounding;
     }
-    find_end_of_piece(b, lane, t);
+    find_end_of_piece(b, lane, t, break_of(b, lane, t, piece));
 }
 
 /* Enter the next piece of each function of time that breaks now. */
@@ -1949,10 +1958,10 @@ static void leave_rest(Batch *b, unsigned lane, double limit, double room)
     const Job *const job = b->job;
     V *const c = b->c;
     double stretch = c[STRETCH][lane];
-    int lifts = (c[LIFT_AHEAD][lane] <= stretch) && (c[LIFT_AHEAD][lane] <= (c[START_AHEAD][lane] * (1.0 + TOGETHER)));
-    int starts = (c[START_AHEAD][lane] <= stretch) && !lifts;
+    int lifts = c[LIFT_AHEAD][lane] <= stretch;
+    int starts = c[START_AHEAD][lane] <= stretch;
     int breaks = (stretch >= room) && !starts && !lifts;
-    double until = breaks ? limit : (c[TIME][lane] + (starts ? c[START_AHEAD][lane] : stretch));
+    double until = breaks ? limit : (c[TIME][lane] + stretch);
     int for_ever = !starts && !(until < INFINITY);
     if (job->samples > 0) {
         read_samples(b, lane, c[TIME][lane], fmin(until, c[END_TIME][lane]), 0, 0);
@@ -2005,6 +2014,9 @@ static void wait(Batch *b, M here)
         begin_phases(b);
         look_ahead(b, both, room);
     }
+    M lifts = c[LIFT_AHEAD] <= (c[START_AHEAD] * (1.0 + TOGETHER));
+    c[START_AHEAD] = pick(here, pick(lifts, broadcast(INFINITY), c[START_AHEAD]), c[START_AHEAD]);
+    c[STRETCH] = pick(here, minimum(c[START_AHEAD], c[STRETCH]), c[STRETCH]);
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind == OF_TIME) {
             c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + increment(b->r + job->table[t].reg, job->order, c[STRETCH]), c[job->table[t].cell + INC]);

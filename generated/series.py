@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d612fec680c984761fd060b745ff1dd0735878c734a3ffbc9d305ab0be23dfb1
+# sha256 of the text below: b64c87a9f3c68805725beb20d9b2f131dcc6136a385f04e1bbfb4b3c8d8f1024
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "49ff3786be2808d55081857bdb18167df03f1e9ff6ca08e10a6670b6225872df"  # of the compiled integrator's source
+DIGEST = "0823f54f59f4d17fd0122a09a3154edb379f9890e4a256df7f6ffb269b950772"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -72,6 +72,15 @@ def test_programs_are_the_equation_of_motion() -> None:
         assert flow_oracle.difference(case, 0) < flow_oracle.BOUND, case
 
 
+def test_sums_add_terms_in_the_order_in_which_they_are_ready() -> None:
+    """By register, whatever the cells are called: last bits do not depend on names, nor on who integrates."""
+    for case in random.Random(8).sample(list(flow_oracle.cases()), 200):
+        sums = [op for op in build_program(*case, ("energy",)).series if op[0] == "lin"]
+        for *_, terms in sums:
+            registers = [register for _, register in terms]
+            assert registers == sorted(set(registers)), case
+
+
 def test_a_program_holds_what_its_scene_calls_for_and_nothing_else() -> None:
 
     def names(p: Program) -> list[str]:

@@ -214,7 +214,7 @@ def test_one_command_writes_everything(tmp_path: Path, records: Any) -> None:
 @each_case
 @pytest.mark.usefixtures("unseen")
 def test_every_study_has_a_report(name: str) -> None:
-    text = study_report(found(name))
+    text = study_report(found(name), b"", "slipcircle sweep")
     assert tree(text) is not None
     assert ("Sensitivity indices" in text) == (len(CASES[name][0]) > 1)
 

@@ -1,22 +1,37 @@
 """What scenes link from the fragments, compared with the equation of motion that is derived from the balance laws."""
 
+from collections.abc import Mapping, Sequence
 from itertools import product
+from typing import Any
 
-from sympy import Add, Integer, symbols
+from sympy import Add, Expr, Integer, symbols
 
 from derive.algebra import dynamics
 from derive.algebra.prove import prove_zero
 from derive.declare.effects import EFFECTS, LAWS
 from derive.flow.fragments import QUANTITIES, balance, gravity, of_effect, of_law
-from derive.flow.lowering import ONE, ZERO
+from derive.flow.lowering import ONE, ZERO, Fragment
 from derive.flow.operations import first, number, numbers
 
 
-def prove() -> list[str]:
-    """Prove that these fragments, linked as a scene links them, are the derived equation of motion (3.11).
+def net_moment(parts: Sequence[Fragment], cells: Mapping[str, Any]) -> Expr:
+    """The rate of the angular velocity omega_star where a phase begins, from what the parts add to the balance."""
+    at: dict[str, Expr] = {"omega": dynamics.omega_star, "x": ZERO, "sin(x)": ZERO, "vers(x)": ZERO}
+    for part in parts:
+        cells = numbers(part.scalar, cells)
+        at = first(part.series, at, cells)
+    for quantity in (*QUANTITIES, "mu"):
+        added = [part.adds[quantity] for part in parts if quantity in part.adds]
+        cells = {**cells, f"{quantity}_0": Add(*(cells[base] for base, _, _ in added)), f"{quantity}_size": ONE}
+        at[f"d{quantity}"] = Add(*(number(c, cells) * at[r] for *_, terms in added for c, r in terms))
+    whole = balance()
+    return first(whole.series, at, numbers(whole.scalar, cells))["net"]
 
-    Of weight, centripetal term and constant friction where a phase begins: in both directions of travel, at the start
-    (the drive from the limit friction) and later (from the terms).
+
+def prove() -> list[str]:
+    """Prove that weight, centripetal term and constant friction, as they are linked, are the derived (3.11).
+
+    In both directions of travel, at the start (where the drive is from the limit friction) and later (from the terms).
     """
     claims = []
     theta, driving, pressing = symbols("Theta J_theta J_r", positive=True)  # so that it is known which way it is driven
@@ -26,17 +41,7 @@ def prove() -> list[str]:
     given |= {"constant.coefficient": dynamics.mu, "LIMIT": derived["3.21"], "LIFTED": ZERO}
     parts = [gravity(), *(of_effect(e) for e in EFFECTS if e.name == "centripetal"), of_law(LAWS[0])]
     for direction, departed in product((1, -1), (0, 1)):
-        cells = {**given, "DIRECTION": Integer(direction), "departed": Integer(departed)}
-        at = {"omega": dynamics.omega_star, "x": ZERO, "sin(x)": ZERO, "vers(x)": ZERO}
-        for part in parts:
-            cells = numbers(part.scalar, cells)
-            at = first(part.series, at, cells)
-        for quantity in (*QUANTITIES, "mu"):
-            added = [part.adds[quantity] for part in parts if quantity in part.adds]
-            cells |= {f"{quantity}_0": Add(*(cells[base] for base, _, _ in added)), f"{quantity}_size": ONE}
-            at[f"d{quantity}"] = Add(*(number(c, cells) * at[r] for *_, terms in added for c, r in terms))
-        whole = balance()
-        net = first(whole.series, at, numbers(whole.scalar, cells))["net"]
         claims.append(f"(3.11), direction {direction}, {'later' if departed else 'at the start'}")
+        net = net_moment(parts, given | {"DIRECTION": Integer(direction), "departed": Integer(departed)})
         prove_zero(theta * net - derived["3.11"].subs(driving, direction * driving), claims[-1])
     return claims

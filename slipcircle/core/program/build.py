@@ -260,12 +260,12 @@ class _Builder(Declarations):
         return (kind, *made, *operands)
 
     def _encoded_sum(self, constant: str, terms: Iterable[Term]) -> tuple[Any, ...]:
-        """A sum: the cell of its constant, -1 if that is zero, and its terms."""
+        """A sum: the cell of its constant, -1 if that is zero, and its terms.
+
+        Terms are in the order in which their registers are ready, so that a sum waits for the last one only.
+        """
         start = -1
         if constant != ZERO:
             start = self.place[constant]
-        encoded = list[tuple[int, int]]()
-        for cell, register in terms:
-            places = (self.place[cell], self.at[register])
-            encoded.append(places)
-        return start, tuple(encoded)
+        encoded = [(self.at[register], self.place[cell]) for cell, register in terms]
+        return start, tuple((cell, register) for register, cell in sorted(encoded))

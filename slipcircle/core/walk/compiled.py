@@ -131,8 +131,7 @@ def _results(kind: str, names: Sequence[Any]) -> Sequence[int]:
 
 
 def _encoded_series(program: Program, chosen: Sequence[int]) -> list[int]:
-    """Operations on series; the terms of a sum in the order in which they are ready, so that it waits for one only."""
-    ready = {register: k for k, (kind, *names) in enumerate(program.series) for register in _results(kind, names)}
+    """Operations on series, in the order of the program."""
     code = list[int]()
     for k in chosen:
         kind, *names = program.series[k]
@@ -140,7 +139,7 @@ def _encoded_series(program: Program, chosen: Sequence[int]) -> list[int]:
         if kind == "lin":
             result, constant, terms = names
             code += [_begin(result), constant, len(terms)]
-            for cell, register in sorted(terms, key=lambda term: ready.get(term[1], -1)):
+            for cell, register in terms:
                 code += [cell, _begin(register)]
         elif kind in ("pow", "ramp"):  # the last one is a cell or a table
             code += [*map(_begin, names[:-1]), names[-1]]
