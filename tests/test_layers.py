@@ -95,11 +95,6 @@ def test_stretches_carry_the_means_along_the_arc() -> None:
             assert [*computed, row.weight_share * above[6].sum()] == pytest.approx(sums, rel=1e-11)
 
 
-MIRRORED = replace(
-    CRACKED, ground=np.asarray(CRACKED.ground)[::-1] * [-1, 1], centre=(-30, 45), surcharge=[(-4.0, 3.0, 3e4, 2e4)]
-)
-
-
 @pytest.mark.parametrize(
     ("strength", "law"),
     [
@@ -187,15 +182,6 @@ def test_mistakes_are_named(changes: dict[str, Any], message: str) -> None:
 def test_what_soils_say_is_not_said_twice(section: Any, friction: Any, effects: Any, words: str) -> None:
     with pytest.raises(ValueError, match=words):
         Scene(section, friction, effects)
-
-
-@pytest.mark.parametrize("section", [CRACKED, MIRRORED])
-def test_a_cracked_section_has_the_factors_of_its_slope(section: LayeredSection) -> None:
-    level, loads = [(-120, -1.0), (120, -1.0)], section.surcharge
-    slope = Slope(section.ground, layers=section.layers, surcharge=loads, crack=4.0, level=level, k_h=0.1)
-    wet = Scene(replace(section, level=level))
-    for method, factor in at_circle(slope, replace(section, crack=0.0)).factor_of_safety.items():
-        assert factors_of_safety(wet, k_h=0.1)[method] == pytest.approx(factor, rel=1e-9)
 
 
 def test_numbers_of_soils_of_an_odd_size_are_questioned() -> None:
