@@ -118,9 +118,7 @@ def _parser() -> argparse.ArgumentParser:
         choice = command.add_mutually_exclusive_group()
         for form, shown in forms.items():
             choice.add_argument(f"--{form}", dest="form", action="store_const", const=form, default="text", help=shown)
-        if name == "verify":
-            command.add_argument("--verbose", action="store_true", help="causes and rules below the table too")
-        elif name == "theorem":
+        if name == "theorem":
             _add_quantities(command)
     return parser
 
@@ -163,14 +161,14 @@ def main(argv: list[str] | None = None) -> int:
     if options.command == "theorem":
         return _prove_motion(options)
     if options.command == "verify":
-        from derive.judge.report import show
+        from derive.judge import report
 
-        show(options.form, options.verbose)
+        print(report.report(options.form, 100 if sys.stdout.isatty() else sys.maxsize))
         return 0
     if options.command == "hard":
-        from derive.judge.hard import report
+        from derive.judge import hard
 
-        print(report(options.form))
+        print(hard.report(options.form))
         return 0
     return generate(options.check, options.search, options.trials)
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8b8d3333c0400c28d1e0ce4ade5dbd2e4209854f1daed6be93b503c8ed9322f2
+# sha256 of the text below: 4a82359b4de67dc901fec7ea7e834d377ba4c7eab61a5ef5ae2217eabe4a85b7
 """The paper's own forms, as printed, for comparison only: they cancel and overflow."""
 
 import numpy as np
@@ -15,8 +15,6 @@ __all__ = [
     "dynamic_coefficient",
     "appendix_I",
     "appendix_II",
-    "angular_velocity",
-    "rotation",
 ]
 
 
@@ -214,29 +212,3 @@ def appendix_II(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
     """
     with np.errstate(all="ignore"):
         return _appendix_II(theta_1, theta_2, alpha)
-
-
-def _angular_velocity(a: Array, b: Array, t: Array) -> Array:
-    return np.sqrt(a / b) * np.tanh(np.sqrt(a * b) * t)
-
-
-def angular_velocity(a: Array, b: Array, t: Array) -> Array:
-    """(3.20), misprint mended, from rest, as printed: float64 arrays, no domain check.
-
-    Operations: 3 mul, 1 div, 2 sqrt, 1 tanh.
-    """
-    with np.errstate(all="ignore"):
-        return _angular_velocity(a, b, t)
-
-
-def _rotation(a: Array, b: Array, t: Array) -> Array:
-    return np.log(np.cosh(np.sqrt(a * b) * t)) / b
-
-
-def rotation(a: Array, b: Array, t: Array) -> Array:
-    """(4.3), from rest, as printed: float64 arrays, no domain check.
-
-    Operations: 2 mul, 1 div, 1 cosh, 1 log, 1 sqrt.
-    """
-    with np.errstate(all="ignore"):
-        return _rotation(a, b, t)
