@@ -188,29 +188,26 @@ def module(docstring: str, functions: Sequence[Function]) -> str:
 
 
 def raw_module(docstring: str, programs: Sequence[tuple[Program, str]]) -> str:
-    """A module of bare formulas: no domain, no types, no checks, and no warnings."""
-    text = PythonText()
-    code = ""
+    """A module of bare formulas, each with its source: no domain, no types, no checks, and no warnings."""
+    documented = []
     for p, source in programs:
-        typed = ", ".join(f"{x}: Array" for x in p.inputs)
-        names = ", ".join(p.inputs)
-        code += (
-            f"\n\n{text.body(p)}\n\ndef {p.name}({typed}) -> Array:\n"
-            f'    """{source}: float64 arrays, no domain check.\n\n'
-            f'    Operations: {operations(p.operations())}.\n    """\n'
-            f'    with np.errstate(all="ignore"):\n        return _{p.name}({names})\n'
+        cost = operations(p.operations())
+        documented.append(
+            (p, f'    """{source}: float64 arrays, no domain check.\n\n    Operations: {cost}.\n    """\n')
         )
-    return _module(docstring, [p.name for p, _ in programs], code)
+    return plain_module(docstring, documented, before='@np.errstate(all="ignore")\n')
 
 
-def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: str = "") -> str:
+def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: str = "", before: str = "") -> str:
     """A module of functions for callers that know the domain: arrays or floats in, no checks; each with its docstring.
 
-    ``code`` comes before them.
+    ``code`` comes before them, and a decorator ``before`` each.
     """
+    text = PythonText()
     for p, doc in programs:
-        signature, body = PythonText().body(p).replace("Array", "Any").replace("def _", "def ", 1).split("\n", 1)
-        code += f"\n\n{signature}\n{doc}{body}"
+        public = re.sub(r"\b_(\w+\()", r"\1", text.body(p).replace("Array", "Any"))
+        signature, body = public.split("\n", 1)
+        code += f"\n\n{before}{signature}\n{doc}{body}"
     return _module(docstring, [p.name for p, _ in programs], code)
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
-from sympy import Abs, Expr, Integer, Min, N, Rational, atanh, cos, diff, pi, sin, tan
+from sympy import Expr, Integer, Min, N, Rational, atanh, cos, diff, pi, sin
 
 from derive.algebra import dynamics
 from derive.algebra.appendices import APPENDICES, parse
@@ -15,7 +15,7 @@ from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
 from derive.code.program import Program, program
-from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
+from derive.declare.quantities import MOMENTS, PRINTED, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
 from derive.declare.symbols import alpha, theta_1, theta_2, theta_m
 
 HALF_PI = repr(float(N(pi / 2, 40)))
@@ -245,9 +245,7 @@ def printed() -> list[tuple[Program, str]]:
 def _printed_kernels() -> list[tuple[str, Expr, str]]:
     c = cos(alpha)
     s = sin(alpha)
-    log = sp.log(Abs(tan(pi / 4 + alpha / 2)))
-    moment = (2 * alpha - sin(2 * alpha) / 2 - log * c**3) / 3
-    inertia = (alpha - sin(2 * alpha) * (1 + 2 * c**2) / 6) / 2
+    moment, inertia = (sp.parse_expr(PRINTED[name], {"alpha": alpha}) for name in ("polar_moment", "moment_of_inertia"))
     resistance = RESISTANCE.form
     return [
         ("polar_moment", moment, "(2.19)"),
