@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "0823f54f59f4d17fd0122a09a3154edb379f9890e4a256df7f6ffb269b950772"
+#define DIGEST "d280d086f1777239d637a2346ac88050ca84a4288cb0735dcc7bf5f0fe3962aa"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -419,7 +419,7 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         } else {
             V sum0_[2] = {{0}};
             OVER(0, n + 1, sum0_[j] += a[k] * b[n - k]);
-            V sum0 = (sum0_[0] + sum0_[1]);
+            V sum0 = sum0_[0] + sum0_[1];
             d[n] = sum0;
         }
         return at + 4;
@@ -459,12 +459,12 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         } else {
             V sum0_[2] = {{0}}, sum1_[2] = {{0}}, sum2_[2] = {{0}}, sum3_[2] = {{0}}, sum4_[2] = {{0}}, sum5_[2] = {{0}};
             OVER(1, n + 1, sum0_[j] += x[k] * p2[n - k]; sum1_[j] += x[k] * p3[n - k]; sum2_[j] += x[k] * p4[n - k]; sum3_[j] += x[k] * p5[n - k]; sum4_[j] += x[k] * p6[n - k]; sum5_[j] += x[k] * x[n - k]);
-            V sum0 = (sum0_[0] + sum0_[1]);
-            V sum1 = (sum1_[0] + sum1_[1]);
-            V sum2 = (sum2_[0] + sum2_[1]);
-            V sum3 = (sum3_[0] + sum3_[1]);
-            V sum4 = (sum4_[0] + sum4_[1]);
-            V sum5 = (sum5_[0] + sum5_[1]);
+            V sum0 = sum0_[0] + sum0_[1];
+            V sum1 = sum1_[0] + sum1_[1];
+            V sum2 = sum2_[0] + sum2_[1];
+            V sum3 = sum3_[0] + sum3_[1];
+            V sum4 = sum4_[0] + sum4_[1];
+            V sum5 = sum5_[0] + sum5_[1];
             p2[n] = sum5 + x[0] * x[n];
             p3[n] = sum0 + p2[n] * x[0];
             p4[n] = sum1 + p3[n] * x[0];
@@ -496,8 +496,8 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         } else {
             V sum0_[2] = {{0}}, sum1_[2] = {{0}};
             OVER(1, n + 1, sum0_[j] += q[k] * s[n - k]; sum1_[j] += q[k] * v[n - k]);
-            V sum0 = (sum0_[0] + sum0_[1]);
-            V sum1 = (sum1_[0] + sum1_[1]);
+            V sum0 = sum0_[0] + sum0_[1];
+            V sum1 = sum1_[0] + sum1_[1];
             s[n] = (q[n] - sum1) * by_n;
             v[n] = by_n * sum0;
         }
@@ -514,7 +514,7 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         } else {
             V sum0_[2] = {{0}};
             OVER(1, n + 1, sum0_[j] += q[k] * e[n - k]);
-            V sum0 = (sum0_[0] + sum0_[1]);
+            V sum0 = sum0_[0] + sum0_[1];
             e[n] = by_n * sum0;
             m[n] = e[n];
         }
@@ -531,7 +531,7 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         } else {
             V sum0_[2] = {{0}};
             OVER(1, n + 1, sum0_[j] += z[k] * h[n - k]);
-            V sum0 = (sum0_[0] + sum0_[1]);
+            V sum0 = sum0_[0] + sum0_[1];
             h[n] = -(h[0] * sum0);
             m[n] = h[n];
         }
@@ -544,8 +544,8 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
             l[0] = IN(map)(log1p, z[0]);
         } else {
             V sum0_[2] = {{0}};
-            OVER(1, n + 0, sum0_[j] += k * l[k] * z[n - k]);
-            V sum0 = (sum0_[0] + sum0_[1]);
+            OVER(1, n - 1 + 1, sum0_[j] += k * l[k] * z[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
             l[n] = (z[n] - by_n * sum0) / (1.0 + z[0]);
         }
         return at + 3;
@@ -562,7 +562,7 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         } else {
             V sum0_[2] = {{0}};
             OVER(1, n + 1, sum0_[j] += (k + k * power - n) * z[k] * p[n - k]);
-            V sum0 = (sum0_[0] + sum0_[1]);
+            V sum0 = sum0_[0] + sum0_[1];
             p[n] = by_n / (1.0 + z[0]) * sum0;
             m[n] = p[n];
         }

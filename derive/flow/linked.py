@@ -21,9 +21,14 @@ def net_moment(parts: Sequence[Fragment], cells: Mapping[str, Any]) -> Expr:
         cells = numbers(part.scalar, cells)
         at = first(part.series, at, cells)
     for quantity in (*QUANTITIES, "mu"):
-        added = [part.adds[quantity] for part in parts if quantity in part.adds]
-        cells = {**cells, f"{quantity}_0": Add(*(cells[base] for base, _, _ in added)), f"{quantity}_size": ONE}
-        at[f"d{quantity}"] = Add(*(number(c, cells) * at[r] for *_, terms in added for c, r in terms))
+        bases, increments = [], []
+        for part in parts:
+            if quantity in part.adds:
+                base, _, terms = part.adds[quantity]
+                bases.append(cells[base])
+                increments += [number(c, cells) * at[r] for c, r in terms]
+        cells = {**cells, f"{quantity}_0": Add(*bases), f"{quantity}_size": ONE}
+        at[f"d{quantity}"] = Add(*increments)
     whole = balance()
     return first(whole.series, at, numbers(whole.scalar, cells))["net"]
 
@@ -36,12 +41,18 @@ def prove() -> list[str]:
     claims = []
     theta, driving, pressing = symbols("Theta J_theta J_r", positive=True)  # so that it is known which way it is driven
     positive = {dynamics.theta_star: theta, dynamics.j_theta: driving, dynamics.j_r: pressing}
-    derived = {name: e.subs(positive) for name, e in dynamics.balance().items() if name in ("3.11", "3.21")}
-    given = {"driving_moment": driving / theta, "normal_load": pressing / theta, "polar_moment": dynamics.polar / theta}
-    given |= {"constant.coefficient": dynamics.mu, "LIMIT": derived["3.21"], "LIFTED": ZERO}
+    derived, limit = (dynamics.balance()[equation].subs(positive) for equation in ("3.11", "3.21"))
+    given = {
+        "driving_moment": driving / theta,
+        "normal_load": pressing / theta,
+        "polar_moment": dynamics.polar / theta,
+        "constant.coefficient": dynamics.mu,
+        "LIMIT": limit,
+        "LIFTED": ZERO,
+    }
     parts = [gravity(), *(of_effect(e) for e in EFFECTS if e.name == "centripetal"), of_law(LAWS[0])]
     for direction, departed in product((1, -1), (0, 1)):
         claims.append(f"(3.11), direction {direction}, {'later' if departed else 'at the start'}")
         net = net_moment(parts, given | {"DIRECTION": Integer(direction), "departed": Integer(departed)})
-        prove_zero(theta * net - derived["3.11"].subs(driving, direction * driving), claims[-1])
+        prove_zero(theta * net - derived.subs(driving, direction * driving), claims[-1])
     return claims
