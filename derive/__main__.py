@@ -32,7 +32,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     from derive.approximate.programs import variants
     from derive.check.records import read
     from derive.declare.quantities import MOMENTS
-    from derive.flow import linked, operations
+    from derive.flow import linked, recurrences
     from derive.generate import functions, write
 
     for moment in MOMENTS:
@@ -46,7 +46,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", dynamics.prove_forms)
     timed("flow", "balance", "{0} claims proved", linked.prove)
-    timed("flow", "series", "{0} operations proved", operations.prove)
+    timed("flow", "series", "{0} operations proved", recurrences.prove)
     timed("slopes", "balance", "{0} claims proved", slopes.prove)
     timed("rounded angles", "carried", "{0} claims proved", functions.prove_carried)
     # A recorded certificate is valid as long as its operations are unchanged (`prove` proves it again).

@@ -254,12 +254,6 @@ def _imports(code: str) -> str:
     return re.sub(r"\n{3,}", "\n\n", "\n".join(imports).strip())
 
 
-def sentence(words: str) -> str:
-    """A sentence with a capital and a full stop; an initial symbol stays as it is."""
-    first = words.split(maxsplit=1)[0].strip(":,")
-    return f"{words[0].upper() if first.isalpha() and first.islower() else words[0]}{words[1:]}."
-
-
 _ITEM = re.compile(r"""(?:'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|[^'",]|,(?! ))+(?:, ?|$)""")
 
 

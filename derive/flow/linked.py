@@ -11,7 +11,7 @@ from derive.algebra.prove import prove_zero
 from derive.declare.effects import EFFECTS, LAWS
 from derive.flow.fragments import QUANTITIES, balance, gravity, of_effect, of_law
 from derive.flow.lowering import ONE, ZERO, Fragment
-from derive.flow.operations import first, number, numbers
+from derive.flow.recurrences import first, number, numbers
 
 
 def net_moment(parts: Sequence[Fragment], cells: Mapping[str, Any]) -> Expr:

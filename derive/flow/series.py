@@ -8,7 +8,7 @@ from sympy import Expr, Indexed, IndexedBase, Sum, Symbol, cancel
 from derive.code.emit import filled
 from derive.code.program import program
 from derive.code.text import Language, statements
-from derive.flow.operations import CELLS, OPERATIONS, Operation, k, n
+from derive.flow.recurrences import CELLS, OPERATIONS, Operation, k, n
 
 
 class _Sum(NamedTuple):

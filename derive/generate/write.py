@@ -17,8 +17,7 @@ from derive.check.records import Record
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
-from derive.flow import emit as flow
-from derive.flow import layout, restricted, restricted_c, restricted_numpy, series
+from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series
 from derive.generate import effects, emit_c, functions, slopes
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -40,7 +39,7 @@ def files(proved: list[Record]) -> dict[str, str]:
         "definitions.py": definitions_module(closed),
         "_evaluate.py": emit.filled("_evaluate.py"),
         "effects.py": effects.module(),
-        "flow.py": flow.module(),
+        "flow.py": module.module(),
         "kernels.py": emit.module("Moments, weights and quotients of the arc, from their definitions.", kernels),
         "_flow.c": c_flow,
         "_kernels.c": c_kernels,

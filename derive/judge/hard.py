@@ -23,7 +23,7 @@ from derive.code.program import Program, program
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import a, alpha, b, omega_0, t, theta_1, theta_2, theta_m
 from derive.flow.fragments import balance
-from derive.flow.operations import numbers
+from derive.flow.recurrences import numbers
 from derive.generate import functions
 from derive.progress import track
 
