@@ -77,7 +77,7 @@ def test_json_has_full_precision(records: Any) -> None:
         assert found["dimensionless"] == asdict(motion.plan.scene.arc.dimensionless)
 
 
-@pytest.mark.parametrize("asked_for", ["plan vaiont", "plan --all", "sensitivity vaiont", "search real-slope",
+@pytest.mark.parametrize("asked_for", ["plan vaiont", "sensitivity vaiont", "search real-slope",
                                        "sweep vaiont --grid friction.angle_deg=8,10"])  # fmt: skip
 def test_json_is_a_list_in_every_command(asked_for: str, records: Any) -> None:
     assert records(asked_for)
@@ -319,7 +319,7 @@ def test_on_numpy_alone(tmp_path: Path) -> None:
     """Tables, JSON and CSV load nothing else, of a creep too; what needs an extra says which before it computes."""
     (tmp_path / "creep.toml").write_text(CREEP, "utf-8")
     works = [f"run {tmp_path}/creep.toml --csv {tmp_path}/creep.csv", "run vaiont-frozen --verbose", "info", "schema",
-             "run vaiont --json", "plan vaiont", "plan --all", "info --json"]  # fmt: skip
+             "run vaiont --json", "plan vaiont", "info --json"]  # fmt: skip
     missing = {f"run vaiont --plot {tmp_path}/a.png": "plot", f"run vaiont --report {tmp_path}/a.html": "plot",
                "sweep vaiont --samples 9 --uncertain friction.angle_deg=normal:10:1": "scenes",
                "cost polar_moment --json": "derive", f"cost --plot {tmp_path}/a.png": "plot"}  # fmt: skip

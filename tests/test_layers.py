@@ -28,12 +28,12 @@ FORELAND = Soil(18e3, 2e3, 0.4, None, 500.0, 8.0, name="foreland")
 def test_a_layered_mass_accelerates_as_its_weight_and_strength_along_the_arc_say(strength: str, foreland: Any) -> None:
     """With water, pore pressure ratios, cohesion that grows with depth, surcharges, saturated weights; up and down."""
     rng = np.random.default_rng(2)
-    for velocity in [0.0, -5.0] * 5:
+    for velocity in [0.0, -5.0] * 3:
         section = random_section(rng, 0.25, strength=strength, foreland=foreland, crack=rng.choice([0.0, 2.0]))
         scene = Scene(section, effects=TURNING, initial_velocity=velocity, end_time=20.0)
         motion, arc = solve(scene), AlongTheArc(section, section)
         assert motion.energy_error_estimate < 1e-14
-        for time in motion.duration * np.linspace(0.01, 0.99, 30 * motion.moves):
+        for time in motion.duration * np.linspace(0.01, 0.99, 15 * motion.moves):
             state = motion.at(time)
             stress, pressure = arc.means(state)
             assert state.acceleration == pytest.approx(arc.acceleration(state), rel=0, abs=1e-13)
@@ -92,11 +92,6 @@ def test_stretches_carry_the_means_along_the_arc() -> None:
             assert np.all(columns.friction[here] == row.soil.friction)
             computed = np.array([1.0, row.normal_stress, row.pore_pressure, row.strength]) * row.length / arc.radius
             assert [*computed, row.weight_share * above[6].sum()] == pytest.approx(sums, rel=1e-11)
-
-
-MIRRORED = replace(
-    CRACKED, ground=np.asarray(CRACKED.ground)[::-1] * [-1, 1], centre=(-30, 45), surcharge=[(-4.0, 3.0, 3e4, 2e4)]
-)
 
 
 @pytest.mark.parametrize(
@@ -186,15 +181,6 @@ def test_mistakes_are_named(changes: dict[str, Any], message: str) -> None:
 def test_what_soils_say_is_not_said_twice(section: Any, friction: Any, effects: Any, words: str) -> None:
     with pytest.raises(ValueError, match=words):
         Scene(section, friction, effects)
-
-
-@pytest.mark.parametrize("section", [CRACKED, MIRRORED])
-def test_a_cracked_section_has_the_factors_of_its_slope(section: LayeredSection) -> None:
-    level, loads = [(-120, -1.0), (120, -1.0)], section.surcharge
-    slope = Slope(section.ground, layers=section.layers, surcharge=loads, crack=4.0, level=level, k_h=0.1)
-    wet = Scene(replace(section, level=level))
-    for method, factor in at_circle(slope, replace(section, crack=0.0)).factor_of_safety.items():
-        assert factors_of_safety(wet, k_h=0.1)[method] == pytest.approx(factor, rel=1e-9)
 
 
 def test_numbers_of_soils_of_an_odd_size_are_questioned() -> None:

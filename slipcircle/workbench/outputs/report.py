@@ -205,7 +205,6 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
     yield from input_parts(plan, file)
     error = motion.error_estimate
     method = [
-        ["program of", ", ".join(plan.fragments)],
         ["requested relative error", _number(plan.accuracy)],
         ["relative error estimated, of peak, run-out and duration", _data(error, _number(error))],
         ["warnings", "; ".join(warnings_of(motion)) or "none"],

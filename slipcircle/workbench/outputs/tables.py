@@ -5,16 +5,14 @@ import os
 import shutil
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from itertools import chain, combinations, zip_longest
+from itertools import chain, zip_longest
 from textwrap import wrap
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from generated.effects import EFFECTS
 from slipcircle.base.progress import clear_line
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan
-from slipcircle.words import step_operations
 from slipcircle.workbench.common.quantities import (
     OF_MOTION,
     OUTCOMES,
@@ -203,22 +201,10 @@ def plan_part(plan: Plan) -> Part:
         "friction law": plan.law,
         "method": plan.method,
         "because": plan.why,
-        "program of": ", ".join(plan.fragments),
         "foreland": foreland_words(plan.scene.arc),
         "requested accuracy": f"{plan.accuracy:.1e}" + ("" if plan.scene.shape else "; a single scene: to rounding"),
     }
     return Part(["", plan.scene.name], [row for row in rows.items() if row[1]])
-
-
-def combinations_part() -> Part:
-    """Operations of every combination of effects, with a constant friction."""
-    shaken = tuple(p.symbol for p in EFFECTS["shaking"].parameters if p.kind == "series")
-    rows = []
-    for count in range(len(EFFECTS) + 1):
-        for effects in combinations(EFFECTS, count):
-            of_time = shaken if "shaking" in effects else ()
-            rows.append([", ".join(effects) or "none", step_operations(effects, ("constant",), of_time)])
-    return Part(["effects", "operations on series of one step"], rows)
 
 
 def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
@@ -232,13 +218,12 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
             [
                 f"+ {rung.added}" if rung.added else "none",
                 time_text(1e9 * rung.seconds),
-                f"{rung.cost}",
                 *values,
                 end if rung.arrested else "moving",
                 f"{100 * rung.difference:.3g} %",
             ]
         )
-    head = ["effect added", "time", "operations", *(words(q.name) for q in outcomes), "rests", "differs"]
+    head = ["effect added", "time", *(words(q.name) for q in outcomes), "rests", "differs"]
     return Part(head, rows, name)
 
 
