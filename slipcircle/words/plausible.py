@@ -5,7 +5,7 @@ another unit would bring inside. Such a scene is solved all the same; `Motion.wa
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -16,9 +16,18 @@ from slipcircle.derivatives.parameters import possible_parameters
 _STRONG, _STRONGEST = 1e6, 5.0  # Pa, g
 
 
-def questions(scene: Scene) -> Iterator[str]:
-    """A sentence for each number of a scene that was probably meant in another unit."""
+def questions(scene: Scene, written: Callable[[str, float], str] | None = None) -> Iterator[str]:
+    """A sentence for each number of a scene that was probably meant in another unit.
+
+    It begins with the number as its user wrote it: from a name and a value in SI units, by default just these.
+    """
     known = possible_parameters(scene)
+
+    def in_si(name: str, value: float) -> str:
+        unit = known[name].unit if name in known else ""
+        return f"{name} = {value:.6g} {unit}".rstrip()
+
+    in_words = written or in_si
     for name, values in scene.numbers.items():
         unit = known[name].unit if name in known else ""
         words = name.split(".")
@@ -29,15 +38,15 @@ def questions(scene: Scene) -> Iterator[str]:
             if name == "shaking.amplitude" and abs(value) > _STRONGEST:
                 question = f"no ground has shaken with more than {_STRONGEST:g} g; is that in m/s^2 or in %?"
             if unit == "Pa" and value > _STRONG and (words[0] == "surcharge" or words[-1] == "cohesion"):
-                question = f"soils and loads have less; a file takes kPa: was {value / 1e3:g} Pa meant?"
+                question = f"soils and loads have less; was {value / 1e3:g} Pa meant, {value / 1e6:g} kPa?"
             if question:
-                quantity = f"{value:.6g} {unit}".rstrip()
-                yield f"{name} = {quantity}: {question}"
+                yield f"{in_words(name, value)}: {question}"
                 break
         start, _, last = name.rpartition(".")
         residual = scene.numbers.get(f"{start}.residual")
         if last == "peak" and is_friction and residual is not None and np.any(numbers < np.asarray(residual)):
-            yield f"{name} is below the residual friction: the soil strengthens as it slips; were they exchanged?"
+            exchanged = "below the residual friction, so that the soil strengthens as it slips; were they exchanged?"
+            yield f"{in_words(name, float(np.min(numbers)))}: {exchanged}"
 
 
 def _of_unit(value: float, unit: str) -> str:
