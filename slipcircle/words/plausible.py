@@ -32,13 +32,15 @@ def questions(scene: Scene, written: Callable[[str, float], str] | None = None) 
         unit = known[name].unit if name in known else ""
         words = name.split(".")
         is_friction = "friction" in words and "rate" not in words and not unit
+        is_load = words[0] == "surcharge" or words[-1] == "cohesion"
         numbers = np.asarray(values, dtype=np.float64)
         for value in np.unique(numbers).tolist():
             question = _of_friction(value) if is_friction else _of_unit(value, unit)
             if name == "shaking.amplitude" and abs(value) > _STRONGEST:
                 question = f"no ground has shaken with more than {_STRONGEST:g} g; is that in m/s^2 or in %?"
-            if unit == "Pa" and value > _STRONG and (words[0] == "surcharge" or words[-1] == "cohesion"):
-                question = f"soils and loads have less; was {value / 1e3:g} Pa meant, {value / 1e6:g} kPa?"
+            if unit == "Pa" and is_load and value > _STRONG:
+                meant = value / 1e3
+                question = f"soils and loads have less; was {meant:g} Pa meant, {meant / 1e3:g} kPa?"
             if question:
                 yield f"{in_words(name, value)}: {question}"
                 break
@@ -46,7 +48,8 @@ def questions(scene: Scene, written: Callable[[str, float], str] | None = None) 
         residual = scene.numbers.get(f"{start}.residual")
         if last == "peak" and is_friction and residual is not None and np.any(numbers < np.asarray(residual)):
             exchanged = "below the residual friction, so that the soil strengthens as it slips; were they exchanged?"
-            yield f"{in_words(name, float(np.min(numbers)))}: {exchanged}"
+            lowest = float(np.min(numbers))
+            yield f"{in_words(name, lowest)}: {exchanged}"
 
 
 def _of_unit(value: float, unit: str) -> str:
