@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
+from generated import walk as in_numpy
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
 from slipcircle.core.doors import room
@@ -39,6 +40,8 @@ COLUMNS = 20_000  # evaluated at once
 SLOW = 1e-8  # omega* at which the viscous moment is compared with that at rest
 NEXT = 1e-6  # of the rotation left, where the stiffness at the equilibrium is taken; of a time that is to be improved
 LONGEST = 2.0**200  # dimensionless time
+STEPS = 0.145  # explicit ones of a creeping mass, over d t: their length is bounded by stability, not by accuracy
+COMPILED, IN_NUMPY = ix.MOST_STEPS / ix.STIFF_STEP, 200  # so many explicit steps take as long as implicit ones
 
 
 class Now(NamedTuple):
@@ -72,9 +75,13 @@ def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrat
     integrate_lanes : callable
         Integrates all lanes to their end.
     """
-    which, end_time = _candidates(problem, begin)
+    which, end_time, damping = _candidates(problem, begin)
     if not which.size:
         return integrate_lanes(begin, samples)
+    begin = begin.copy()
+    explicit_steps = STEPS * damping * end_time
+    is_stiff = explicit_steps > (IN_NUMPY if engine() is in_numpy else COMPILED)
+    begin[ix.STEPS, which] = np.where(is_stiff, ix.MOST_STEPS, 0.0)  # implicit steps take over after the first one
     creeping = np.zeros(which.size, dtype=bool)
     undecided = ~creeping
     while undecided.any() and end_time.max() < LONGEST:
@@ -119,8 +126,8 @@ def _until(begin: Floats, which: Lanes, end_time: Floats) -> Floats:
     return cells
 
 
-def _candidates(problem: Problem, cells: Floats) -> tuple[Lanes, Floats]:
-    """Lanes without an end that are overdamped at the equilibrium ahead, and the time that their approach takes."""
+def _candidates(problem: Problem, cells: Floats) -> tuple[Lanes, Floats, Floats]:
+    """Lanes without an end that are overdamped at the equilibrium ahead, the time that they approach it for, and d."""
     begins = cells[ix.STATUS] == ix.START
     endless = cells[ix.END_TIME] == np.inf
     (which,) = np.nonzero(begins & endless)
@@ -135,7 +142,7 @@ def _candidates(problem: Problem, cells: Floats) -> tuple[Lanes, Floats]:
     root = np.sqrt(np.maximum(discriminant, 0.0))
     slow_rate = 2.0 * stiffness / (damping + root)
     time_to_arrive = np.log(1.0 / LEFT) / slow_rate
-    return which[creeps], MARGIN * time_to_arrive
+    return which[creeps], MARGIN * time_to_arrive, damping
 
 
 def _direction(towards: Floats) -> Floats:
