@@ -9,8 +9,7 @@ from generated.effects import ALL_EFFECTS
 from slipcircle.base.kinds import Names
 from slipcircle.core.problem.plan import Plan, Recipe
 from slipcircle.core.problem.problem import order, solved_accuracy
-from slipcircle.core.program.build import build_program
-from slipcircle.core.program.program import Program
+from slipcircle.core.program.program import Program, build_program
 from slipcircle.core.scene.effects import OF_SOIL, without_soil
 from slipcircle.core.scene.friction import depends_on
 

@@ -1,17 +1,18 @@
-"""Flow programs: operations on the cells and registers of a lane, and those that the integrator reads.
-
-`slipcircle.core.program.build` makes the program of a scene from the fragments in `generated.flow`.
-"""
+"""Flow programs: operations on the cells and registers of a lane, and those that the integrator reads."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.kinds import Floats
+from generated.flow import FRAGMENTS
+from generated.layout import CELLS
+from slipcircle.base.kinds import Floats, Names
+from slipcircle.core.program.definitions import ZERO, Definitions, OnSeries, definitions_of
+from slipcircle.core.program.linker import EVENTS, Linked, link
 
 Log = list[tuple[int, float, float, float]]  # events: kind, time, rotation, direction
 
@@ -23,8 +24,7 @@ class Samples(NamedTuple):
     states: Floats  # rotation, angular velocity, its rate, slip, then the further states
 
 
-@dataclass(frozen=True)
-class Table:
+class Table(NamedTuple):
     """A piecewise function as a program knows it: what of, the register of its argument (or, of time, of its
     increment), the first of its cells, and the degree of its pieces.
     """
@@ -42,32 +42,25 @@ class Program:
 
     The first ``given`` cells are set at the start of a lane, the next ones computed where a phase begins; then follow
     ``constants``, by name.
-    ``states`` are (cell, register, register of the rate).
+    Operations are a kind, the results, then registers and then cells, or a table; a sum has the cell of its constant,
+    -1 for zero, and its (cell, register). ``states`` are (cell, register, register of the rate).
     """
 
-    cells: tuple[str, ...]
+    cells: Names
     given: int
-    registers: tuple[str, ...]
+    registers: Names
     scalar: tuple[tuple[Any, ...], ...]
     series: tuple[tuple[Any, ...], ...]
     states: tuple[tuple[int, int, int], ...]
     tables: tuple[Table, ...]
     roles: Mapping[str, int]
+    autonomous: bool  # whether d(omega)/dt depends on omega alone between breaks in time
     constants: Mapping[str, float]
 
     @cached_property
     def places(self) -> Mapping[str, int]:
         """Where the cells are, by name."""
         return {name: k for k, name in enumerate(self.cells)}
-
-    @cached_property
-    def autonomous(self) -> bool:
-        """Whether d(omega)/dt depends on omega alone between breaks in time: frozen geometry, friction without slip."""
-        arguments = set[int]()
-        for kind, *names in self.series:
-            if kind != "ramp":
-                arguments |= {r for _, r in names[2]} if kind == "lin" else {*names[1:]}
-        return len(self.states) == 2 and self.roles["x"] not in arguments
 
     def blank(self, lanes: int) -> NDArray[np.float64]:
         """Cells of lanes with the constants of the program, otherwise zero."""
@@ -77,17 +70,98 @@ class Program:
         return cells
 
 
-# Cells that the integrator reads, by role: drive, size of its terms, normal force, components of the weight.
-OUTPUT_CELLS = {
-    "cell_drive": "drive",
-    "cell_drive_scale": "drive_scale",
-    "cell_normal0": "normal_0",
-    "cell_driving_moment": "driving_moment_0",
-    "cell_normal_load": "normal_load_0",
-    "cell_normal_load_slope": "normal_load_slope_0",
-    "cell_driving": "driving_0",
-    "cell_resisting": "resisting_0",
-    "cell_mu": "mu_0",
-    "cell_limit": "limit",
-}
-READ_REGISTERS = ("net", "normal", "upright")  # by the integrator, as events
+@lru_cache(maxsize=256)
+def build_program(effects: Names, laws: Names, moving: Names = (), absent: Names = (), outputs: Names = ()) -> Program:
+    """The program of a scene.
+
+    Parameters
+    ----------
+    effects : tuple of str
+        Names, as in `generated.effects.EFFECTS`.
+    laws : tuple of str
+        The friction law, as in `generated.effects.LAWS` or "callable", or the laws of soils, ``linear#0``; then the law
+        of speed that multiplies it, if any.
+    moving : tuple of str
+        Symbols of parameters that are functions of time, or of the rotation.
+    absent : tuple of str
+        Symbols of optional parameters that a scene does not set; their terms are not included.
+    outputs : tuple of str
+        Further outputs: registers, such as ``mu``, ``pressing`` or ``friction``, and "energy" for the states
+        ``work`` and ``dissipation``.
+
+    Returns
+    -------
+    Program
+    """
+    further = tuple(name for name in outputs if name in FRAGMENTS)
+    asked = tuple(name for name in outputs if name not in FRAGMENTS)
+    definitions = definitions_of(effects, laws, moving, absent, further)
+    given = tuple(dict.fromkeys((*CELLS, *definitions.inputs, *definitions.moving)))  # x and omega are among both
+    linked = link(definitions, given, asked)
+    return _Encoder(definitions, linked, given).program(asked)
+
+
+class _Encoder:
+    """Writes a program with places of cells and registers instead of their names."""
+
+    def __init__(self, definitions: Definitions, linked: Linked, given: Names) -> None:
+        self._definitions = definitions
+        self._linked = linked
+        computed = [result for _, (result,) in linked.scalar]
+        used = {*linked.outputs.values()}
+        for operation, _ in linked.scalar:
+            used.update(operation[1:])
+        for on_series, _ in linked.series:
+            used.update(on_series.cells)
+        self._constants = sorted(name for name in used if name.startswith("="))
+        self._given = given
+        self._cells = {name: k for k, name in enumerate((*given, *computed, *self._constants))}
+        registers = [*definitions.states]
+        for _, results in linked.series:
+            registers += results
+        self._registers = {name: k for k, name in enumerate(registers)}
+
+    def program(self, asked: Names) -> Program:
+        """The whole program; the registers ``asked`` for have roles, too."""
+        states = self._definitions.states
+        scalar = [(kind, self._cells[result], *map(self._cells.get, names))
+                  for (kind, *names), (result,) in self._linked.scalar]  # fmt: skip
+        series = [(operation.kind, *map(self._registers.get, results), *self._operands(operation))
+                  for operation, results in self._linked.series]  # fmt: skip
+        roles = {name: self._register(name) for name in ("x", "omega", "net", *EVENTS, *asked)}
+        roles |= {role: self._cells[name] for role, name in self._linked.outputs.items()}
+        taken = {register for operation, _ in self._linked.series for register in operation.registers}
+        return Program(
+            cells=tuple(self._cells),
+            given=len(self._given),
+            registers=tuple(self._registers),
+            scalar=tuple(scalar),
+            series=tuple(series),
+            states=tuple((self._cells[x], self._registers[x], self._register(rate)) for x, rate in states.items()),
+            tables=tuple(
+                Table(t.name, t.kind, self._register(t.argument), self._cells[t.cells[0]], t.degree)
+                for t in self._definitions.tables
+            ),
+            roles=roles,
+            autonomous=len(states) == 2 and "x" not in taken,
+            constants={name: float(name[1:]) for name in self._constants},
+        )
+
+    def _register(self, name: str) -> int:
+        """The place of the register that holds what is read; -1 if there is none."""
+        register = self._linked.registers[name]
+        return -1 if register is None else self._registers[register]
+
+    def _operands(self, operation: OnSeries) -> list[Any]:
+        """Registers, then cells or the table, that an operation takes."""
+        if operation.kind == "ramp":
+            names = [table.name for table in self._definitions.tables]
+            return [names.index(operation.table)]
+        registers = [self._registers[name] for name in operation.registers]
+        cells = [self._cells.get(name, -1) for name in operation.cells]
+        if operation.kind != "lin":
+            return registers + cells
+        # Terms in the order in which registers are ready, so that a sum waits for the last one only.
+        start = -1 if operation.cells[0] == ZERO else cells[0]
+        in_order = sorted(zip(registers, cells[1:], strict=True))
+        return [start, tuple((cell, register) for register, cell in in_order)]
