@@ -61,7 +61,8 @@ def needed(
     """The operations on which some results depend, in order; ``taken`` says what one takes."""
     pending = set(outputs)
     selected = []
-    for operation, results in reversed(operations.items()):
+    for operation in reversed([*operations]):
+        results = operations[operation]
         if not pending.isdisjoint(results):
             selected.append((operation, results))
             pending.update(taken(operation))

@@ -1,6 +1,6 @@
 """Flow programs: operations on the cells and registers of a lane, and those that the integrator reads."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from generated.flow import FRAGMENTS
 from generated.layout import CELLS
 from slipcircle.base.kinds import Floats, Names
-from slipcircle.core.program.definitions import ZERO, Definitions, OnSeries, definitions_of
+from slipcircle.core.program.definitions import ZERO, DeclaredTable, Definitions, definitions_of
 from slipcircle.core.program.linker import EVENTS, Linked, link
 
 Log = list[tuple[int, float, float, float]]  # events: kind, time, rotation, direction
@@ -107,15 +107,11 @@ class _Encoder:
     def __init__(self, definitions: Definitions, linked: Linked, given: Names) -> None:
         self._definitions = definitions
         self._linked = linked
-        computed = [result for _, (result,) in linked.scalar]
-        used = {*linked.outputs.values()}
-        for operation, _ in linked.scalar:
-            used.update(operation[1:])
-        for on_series, _ in linked.series:
-            used.update(on_series.cells)
-        self._constants = sorted(name for name in used if name.startswith("="))
         self._given = given
-        self._cells = {name: k for k, name in enumerate((*given, *computed, *self._constants))}
+        computed = [result for _, (result,) in linked.scalar]
+        self._constants = sorted(_constants(linked))
+        cells = (*given, *computed, *self._constants)
+        self._cells = {name: k for k, name in enumerate(cells)}
         registers = [*definitions.states]
         for _, results in linked.series:
             registers += results
@@ -123,45 +119,78 @@ class _Encoder:
 
     def program(self, asked: Names) -> Program:
         """The whole program; the registers ``asked`` for have roles, too."""
+        taken = set[str]()
+        for operation, _ in self._linked.series:
+            taken.update(operation.registers)
         states = self._definitions.states
-        scalar = [(kind, self._cells[result], *map(self._cells.get, names))
-                  for (kind, *names), (result,) in self._linked.scalar]  # fmt: skip
-        series = [(operation.kind, *map(self._registers.get, results), *self._operands(operation))
-                  for operation, results in self._linked.series]  # fmt: skip
-        roles = {name: self._register(name) for name in ("x", "omega", "net", *EVENTS, *asked)}
-        roles |= {role: self._cells[name] for role, name in self._linked.outputs.items()}
-        taken = {register for operation, _ in self._linked.series for register in operation.registers}
         return Program(
             cells=tuple(self._cells),
             given=len(self._given),
             registers=tuple(self._registers),
-            scalar=tuple(scalar),
-            series=tuple(series),
-            states=tuple((self._cells[x], self._registers[x], self._register(rate)) for x, rate in states.items()),
-            tables=tuple(
-                Table(t.name, t.kind, self._register(t.argument), self._cells[t.cells[0]], t.degree)
-                for t in self._definitions.tables
+            scalar=tuple(self._on_cells()),
+            series=tuple(self._on_series()),
+            states=tuple(
+                (self._cells[state], self._registers[state], self._read(rate)) for state, rate in states.items()
             ),
-            roles=roles,
+            tables=tuple(map(self._table, self._definitions.tables)),
+            roles=self._roles(asked),
             autonomous=len(states) == 2 and "x" not in taken,
             constants={name: float(name[1:]) for name in self._constants},
         )
 
-    def _register(self, name: str) -> int:
+    def _on_cells(self) -> Iterator[tuple[Any, ...]]:
+        """Operations on cells: their results, then their arguments."""
+        for (kind, *names), (result,) in self._linked.scalar:
+            arguments = [self._cells[name] for name in names]
+            yield kind, self._cells[result], *arguments
+
+    def _on_series(self) -> Iterator[tuple[Any, ...]]:
+        """Operations on series: their results, then registers, then cells or the table."""
+        tables = [table.name for table in self._definitions.tables]
+        for operation, results in self._linked.series:
+            made = [self._registers[name] for name in results]
+            registers = [self._registers[name] for name in operation.registers]
+            if operation.kind == "ramp":
+                number = tables.index(operation.table)
+                yield operation.kind, *made, number
+            elif operation.kind == "lin":
+                yield operation.kind, *made, *self._sum(registers, *operation.cells)
+            else:
+                cells = [self._cells[name] for name in operation.cells]
+                yield operation.kind, *made, *registers, *cells
+
+    def _sum(self, registers: list[int], constant: str, *factors: str) -> tuple[Any, ...]:
+        """The cell of a sum's constant, and its terms in the order in which their registers are ready.
+
+        So a sum waits for the last one only.
+        """
+        start = -1 if constant == ZERO else self._cells[constant]
+        cells = [self._cells[name] for name in factors]
+        in_order = sorted(zip(registers, cells, strict=True))
+        return start, tuple((cell, register) for register, cell in in_order)
+
+    def _roles(self, asked: Names) -> dict[str, int]:
+        """The places of the registers and cells that the integrator reads."""
+        roles = {name: self._read(name) for name in ("x", "omega", "net", *EVENTS, *asked)}
+        for role, name in self._linked.outputs.items():
+            roles[role] = self._cells[name]
+        return roles
+
+    def _table(self, table: DeclaredTable) -> Table:
+        first_cell = self._cells[table.cells[0]]
+        return Table(table.name, table.kind, self._read(table.argument), first_cell, table.degree)
+
+    def _read(self, name: str) -> int:
         """The place of the register that holds what is read; -1 if there is none."""
         register = self._linked.registers[name]
         return -1 if register is None else self._registers[register]
 
-    def _operands(self, operation: OnSeries) -> list[Any]:
-        """Registers, then cells or the table, that an operation takes."""
-        if operation.kind == "ramp":
-            names = [table.name for table in self._definitions.tables]
-            return [names.index(operation.table)]
-        registers = [self._registers[name] for name in operation.registers]
-        cells = [self._cells.get(name, -1) for name in operation.cells]
-        if operation.kind != "lin":
-            return registers + cells
-        # Terms in the order in which registers are ready, so that a sum waits for the last one only.
-        start = -1 if operation.cells[0] == ZERO else cells[0]
-        in_order = sorted(zip(registers, cells[1:], strict=True))
-        return [start, tuple((cell, register) for register, cell in in_order)]
+
+def _constants(linked: Linked) -> set[str]:
+    """The constants that operations take, or that are read."""
+    used = {*linked.outputs.values()}
+    for (_, *arguments), _ in linked.scalar:
+        used.update(arguments)
+    for operation, _ in linked.series:
+        used.update(operation.cells)
+    return {name for name in used if name.startswith("=")}
