@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "39102ccca750017db9f8ca470531d3b3aa04315470784d3b7220d6cbc6bc71eb"
+#define DIGEST "d280d086f1777239d637a2346ac88050ca84a4288cb0735dcc7bf5f0fe3962aa"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -417,9 +417,9 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         if (n == 0) {
             d[0] = a[0] * b[0];
         } else {
-            V part0[2] = {{0}};
-            OVER(0, n + 1, part0[j] += a[k] * b[n - k]);
-            V sum0 = (part0[0] + part0[1]);
+            V sum0_[2] = {{0}};
+            OVER(0, n + 1, sum0_[j] += a[k] * b[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
             d[n] = sum0;
         }
         return at + 4;
@@ -430,9 +430,9 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         if (n == 0) {
             d[0] = a[0] * a[0];
         } else {
-            V part0[2] = {{0}};
-            OVER(0, (n + 1) / 2, part0[j] += a[k] * a[n - k]);
-            V sum0 = 2.0 * (part0[0] + part0[1]);
+            V sum0_[2] = {{0}};
+            OVER(0, (n + 1) / 2, sum0_[j] += a[k] * a[n - k]);
+            V sum0 = 2.0 * (sum0_[0] + sum0_[1]);
             if (n % 2 == 0) sum0 += a[n / 2] * a[n / 2];
             d[n] = sum0;
         }
@@ -447,27 +447,30 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         V *restrict p7 = r + (ptrdiff_t)at[6] * stride;
         const V *x = r + (ptrdiff_t)at[7] * stride;
         if (n == 0) {
-            p2[0] = x[0] * x[0];
-            p3[0] = x[0] * x[0] * x[0];
-            p4[0] = x[0] * x[0] * x[0] * x[0];
-            p5[0] = x[0] * x[0] * x[0] * x[0] * x[0];
-            p6[0] = x[0] * x[0] * x[0] * x[0] * x[0] * x[0];
-            p7[0] = x[0] * x[0] * x[0] * x[0] * x[0] * x[0] * x[0];
+            const V t1 = x[0] * x[0];
+            const V t2 = x[0] * t1;
+            const V t3 = t1 * t1;
+            p2[0] = t1;
+            p3[0] = t2;
+            p4[0] = t3;
+            p5[0] = x[0] * t3;
+            p6[0] = t1 * t3;
+            p7[0] = t2 * t3;
         } else {
-            V part0[2] = {{0}}, part1[2] = {{0}}, part2[2] = {{0}}, part3[2] = {{0}}, part4[2] = {{0}}, part5[2] = {{0}};
-            OVER(1, n + 1, part0[j] += x[k] * p2[n - k]; part1[j] += x[k] * p3[n - k]; part2[j] += x[k] * p4[n - k]; part3[j] += x[k] * p5[n - k]; part4[j] += x[k] * p6[n - k]; part5[j] += x[k] * x[n - k]);
-            V sum0 = (part0[0] + part0[1]);
-            V sum1 = (part1[0] + part1[1]);
-            V sum2 = (part2[0] + part2[1]);
-            V sum3 = (part3[0] + part3[1]);
-            V sum4 = (part4[0] + part4[1]);
-            V sum5 = (part5[0] + part5[1]);
-            p2[n] = (sum5 + x[0] * x[n]);
-            p3[n] = (sum0 + p2[n] * x[0]);
-            p4[n] = (sum1 + p3[n] * x[0]);
-            p5[n] = (sum2 + p4[n] * x[0]);
-            p6[n] = (sum3 + p5[n] * x[0]);
-            p7[n] = (sum4 + p6[n] * x[0]);
+            V sum0_[2] = {{0}}, sum1_[2] = {{0}}, sum2_[2] = {{0}}, sum3_[2] = {{0}}, sum4_[2] = {{0}}, sum5_[2] = {{0}};
+            OVER(1, n + 1, sum0_[j] += x[k] * p2[n - k]; sum1_[j] += x[k] * p3[n - k]; sum2_[j] += x[k] * p4[n - k]; sum3_[j] += x[k] * p5[n - k]; sum4_[j] += x[k] * p6[n - k]; sum5_[j] += x[k] * x[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
+            V sum1 = sum1_[0] + sum1_[1];
+            V sum2 = sum2_[0] + sum2_[1];
+            V sum3 = sum3_[0] + sum3_[1];
+            V sum4 = sum4_[0] + sum4_[1];
+            V sum5 = sum5_[0] + sum5_[1];
+            p2[n] = sum5 + x[0] * x[n];
+            p3[n] = sum0 + p2[n] * x[0];
+            p4[n] = sum1 + p3[n] * x[0];
+            p5[n] = sum2 + p4[n] * x[0];
+            p6[n] = sum3 + p5[n] * x[0];
+            p7[n] = sum4 + p6[n] * x[0];
         }
         return at + 8;
     }
@@ -487,17 +490,16 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         const V *q = r + (ptrdiff_t)at[3] * stride;
         const V *x = r + (ptrdiff_t)at[4] * stride;
         if (n == 0) {
-            const V f0 = IN(map)(sin, x[0]);
-            const V f1 = IN(map)(sin, 0.5 * x[0]);
-            s[0] = f0;
-            v[0] = 2.0 * f1 * f1;
+            const V t1 = IN(map)(sin, 0.5 * x[0]);
+            s[0] = IN(map)(sin, x[0]);
+            v[0] = 2.0 * (t1 * t1);
         } else {
-            V part0[2] = {{0}}, part1[2] = {{0}};
-            OVER(1, n + 1, part0[j] += q[k] * s[n - k]; part1[j] += q[k] * v[n - k]);
-            V sum0 = (part0[0] + part0[1]);
-            V sum1 = (part1[0] + part1[1]);
+            V sum0_[2] = {{0}}, sum1_[2] = {{0}};
+            OVER(1, n + 1, sum0_[j] += q[k] * s[n - k]; sum1_[j] += q[k] * v[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
+            V sum1 = sum1_[0] + sum1_[1];
             s[n] = (q[n] - sum1) * by_n;
-            v[n] = sum0 * by_n;
+            v[n] = by_n * sum0;
         }
         return at + 5;
     }
@@ -507,15 +509,13 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         const V *q = r + (ptrdiff_t)at[3] * stride;
         const V *z = r + (ptrdiff_t)at[4] * stride;
         if (n == 0) {
-            const V f0 = IN(map)(expm1, z[0]);
-            const V f1 = IN(map)(exp, z[0]);
-            e[0] = f1;
-            m[0] = f0;
+            e[0] = IN(map)(exp, z[0]);
+            m[0] = IN(map)(expm1, z[0]);
         } else {
-            V part0[2] = {{0}};
-            OVER(1, n + 1, part0[j] += q[k] * e[n - k]);
-            V sum0 = (part0[0] + part0[1]);
-            e[n] = sum0 * by_n;
+            V sum0_[2] = {{0}};
+            OVER(1, n + 1, sum0_[j] += q[k] * e[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
+            e[n] = by_n * sum0;
             m[n] = e[n];
         }
         return at + 5;
@@ -525,13 +525,14 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         V *restrict m = r + (ptrdiff_t)at[2] * stride;
         const V *z = r + (ptrdiff_t)at[3] * stride;
         if (n == 0) {
-            h[0] = 1.0 / (1.0 + z[0]);
-            m[0] = -z[0] / (1.0 + z[0]);
+            const V t1 = 1.0 + z[0];
+            h[0] = 1.0 / t1;
+            m[0] = -(z[0] / t1);
         } else {
-            V part0[2] = {{0}};
-            OVER(1, n + 1, part0[j] += z[k] * h[n - k]);
-            V sum0 = (part0[0] + part0[1]);
-            h[n] = -sum0 * h[0];
+            V sum0_[2] = {{0}};
+            OVER(1, n + 1, sum0_[j] += z[k] * h[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
+            h[n] = -(h[0] * sum0);
             m[n] = h[n];
         }
         return at + 4;
@@ -540,13 +541,12 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         V *restrict l = r + (ptrdiff_t)at[1] * stride;
         const V *z = r + (ptrdiff_t)at[2] * stride;
         if (n == 0) {
-            const V f0 = IN(map)(log1p, z[0]);
-            l[0] = f0;
+            l[0] = IN(map)(log1p, z[0]);
         } else {
-            V part0[2] = {{0}};
-            OVER(1, n + 0, part0[j] += k * l[k] * z[n - k]);
-            V sum0 = (part0[0] + part0[1]);
-            l[n] = (z[n] - sum0 * by_n) / (1.0 + z[0]);
+            V sum0_[2] = {{0}};
+            OVER(1, n - 1 + 1, sum0_[j] += k * l[k] * z[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
+            l[n] = (z[n] - by_n * sum0) / (1.0 + z[0]);
         }
         return at + 3;
     }
@@ -556,15 +556,14 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         const V *z = r + (ptrdiff_t)at[3] * stride;
         const V power = c[at[4]];
         if (n == 0) {
-            const V f0 = IN(map)(log1p, z[0]);
-            const V f1 = IN(map)(expm1, f0 * power);
-            p[0] = (1.0 + f1);
-            m[0] = f1;
+            const V t1 = IN(map)(expm1, IN(map)(log1p, z[0]) * power);
+            p[0] = 1.0 + t1;
+            m[0] = t1;
         } else {
-            V part0[2] = {{0}};
-            OVER(1, n + 1, part0[j] += (k + k * power - n) * z[k] * p[n - k]);
-            V sum0 = (part0[0] + part0[1]);
-            p[n] = sum0 / (1.0 + z[0]) * by_n;
+            V sum0_[2] = {{0}};
+            OVER(1, n + 1, sum0_[j] += (k + k * power - n) * z[k] * p[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
+            p[n] = by_n / (1.0 + z[0]) * sum0;
             m[n] = p[n];
         }
         return at + 5;
@@ -947,36 +946,45 @@ static double end_of_piece(Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* The end of the piece of a function of time and the increment there: one rounding whatever the steps. */
-static void find_end_of_piece(Batch *b, unsigned lane, int t)
+static void find_end_of_piece(Batch *b, unsigned lane, int t, double now)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    c[job->table[t].cell + UPPER][lane] = end_of_piece(b, lane, t, piece) / c[job->table[t].cell + SCALE][lane];
+    double end = end_of_piece(b, lane, t, piece);
+    c[job->table[t].cell + UPPER][lane] = end / c[job->table[t].cell + SCALE][lane];
     c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + INC][lane];
     if (piece < ((int)job->data[t].pieces - 1)) {
-        double rise = rise_to(b, lane, t, c[job->table[t].cell + UPPER][lane] - c[TIME][lane]);
+        double rise = rise_to(b, lane, t, (end - now) / c[job->table[t].cell + SCALE][lane]);
         c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + LOWER][lane] + rise;
         c[job->table[t].cell + WAY][lane] = c[job->table[t].cell + WAY][lane] + fabs(rise);
     }
 }
 
-/* Begin a phase: increments of a function of time count from now. It may jump where a piece begins. */
+/* Begin a phase: increments of a function of time count from now. It may jump where a piece begins. Within a piece
+ * the value and the rise to its end follow from the increment: on a short ramp the rounding of the time, times the
+ * slope, is much. */
 static void begin_in_time(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    int64_t piece = piece_at(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane], (c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 + (2.0 * EPS)), 1);
-    if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
-        c[SCALE_BEFORE][lane] = INFINITY;
-    }
-    c[job->table[t].cell + PIECE][lane] = (double)piece;
+    c[job->table[t].cell + VALUE][lane] = c[job->table[t].cell + VALUE][lane] + c[job->table[t].cell + INC][lane];
+    c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + LOWER][lane] - c[job->table[t].cell + INC][lane];
     c[job->table[t].cell + INC][lane] = 0.0;
-    c[job->table[t].cell + WAY][lane] = 0.0;
-    double terms[HIGHEST + 2];
-    taylor_about_now(b, lane, t, 1, terms);
-    c[job->table[t].cell + VALUE][lane] = terms[0];
-    find_end_of_piece(b, lane, t);
+    c[job->table[t].cell + WAY][lane] = fabs(c[job->table[t].cell + LOWER][lane]);
+    if (c[job->table[t].cell + UPPER][lane] <= c[TIME][lane]) {
+        double now = c[TIME][lane] * c[job->table[t].cell + SCALE][lane];
+        int64_t piece = piece_at(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane], now * (1.0 + (2.0 * EPS)), 1);
+        if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
+            c[SCALE_BEFORE][lane] = INFINITY;
+        }
+        c[job->table[t].cell + PIECE][lane] = (double)piece;
+        c[job->table[t].cell + WAY][lane] = 0.0;
+        double terms[HIGHEST + 2];
+        taylor_about_now(b, lane, t, 1, terms);
+        c[job->table[t].cell + VALUE][lane] = terms[0];
+        find_end_of_piece(b, lane, t, now);
+    }
 }
 
 /* The value where the phase begins, so far beyond the break, and the coefficients of what is beyond. */
@@ -1096,7 +1104,7 @@ static void pass_break(Batch *b, unsigned lane, int t)
         c[job->table[t].cell + INC][lane] = there - c[job->table[t].cell + VALUE][lane];
         c[job->table[t].cell + WAY][lane] = rounding;
     }
-    find_end_of_piece(b, lane, t);
+    find_end_of_piece(b, lane, t, break_of(b, lane, t, piece));
 }
 
 /* Enter the next piece of each function of time that breaks now. */
@@ -1950,10 +1958,10 @@ static void leave_rest(Batch *b, unsigned lane, double limit, double room)
     const Job *const job = b->job;
     V *const c = b->c;
     double stretch = c[STRETCH][lane];
-    int lifts = (c[LIFT_AHEAD][lane] <= stretch) && (c[LIFT_AHEAD][lane] <= (c[START_AHEAD][lane] * (1.0 + TOGETHER)));
-    int starts = (c[START_AHEAD][lane] <= stretch) && !lifts;
+    int lifts = c[LIFT_AHEAD][lane] <= stretch;
+    int starts = c[START_AHEAD][lane] <= stretch;
     int breaks = (stretch >= room) && !starts && !lifts;
-    double until = breaks ? limit : (c[TIME][lane] + (starts ? c[START_AHEAD][lane] : stretch));
+    double until = breaks ? limit : (c[TIME][lane] + stretch);
     int for_ever = !starts && !(until < INFINITY);
     if (job->samples > 0) {
         read_samples(b, lane, c[TIME][lane], fmin(until, c[END_TIME][lane]), 0, 0);
@@ -2006,6 +2014,9 @@ static void wait(Batch *b, M here)
         begin_phases(b);
         look_ahead(b, both, room);
     }
+    M lifts = c[LIFT_AHEAD] <= (c[START_AHEAD] * (1.0 + TOGETHER));
+    c[START_AHEAD] = pick(here, pick(lifts, broadcast(INFINITY), c[START_AHEAD]), c[START_AHEAD]);
+    c[STRETCH] = pick(here, minimum(c[START_AHEAD], c[STRETCH]), c[STRETCH]);
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind == OF_TIME) {
             c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + increment(b->r + job->table[t].reg, job->order, c[STRETCH]), c[job->table[t].cell + INC]);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7395185344807db516dd021cdbc341b59ea31f417de402d41d977c5d27c5cf90
+# sha256 of the text below: 89184c6f7ab1a1660b6ed9e082615237515f03f09d92809696ac43b452811bfe
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -431,40 +431,49 @@ def end_of_piece(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
     return np.where(piece < last, break_of(lane, i, t, np.fmin(piece + 1, last)), INFINITY)
 
 
-def find_end_of_piece(lane: Lanes, i: Index, t: Table) -> None:
+def find_end_of_piece(lane: Lanes, i: Index, t: Table, now: Floats) -> None:
     """The end of the piece of a function of time and the increment there: one rounding whatever the steps."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
-    c[t.cells + ix.UPPER, i] = end_of_piece(lane, i, t, piece) / c[t.cells + ix.SCALE, i]
+    end = end_of_piece(lane, i, t, piece)
+    c[t.cells + ix.UPPER, i] = end / c[t.cells + ix.SCALE, i]
     c[t.cells + ix.LOWER, i] = c[t.cells + ix.INC, i]
     holds_1 = piece < t.pieces - 1
-    i_1, piece_1 = (i, piece)
-    i, piece = among(holds_1, i_1, piece_1)
+    i_1, now_1, piece_1, end_1 = (i, now, piece, end)
+    i, now, piece, end = among(holds_1, i_1, now_1, piece_1, end_1)
     if i.size:
-        rise = rise_to(lane, i, t, c[t.cells + ix.UPPER, i] - c[ix.TIME, i])
+        rise = rise_to(lane, i, t, (end - now) / c[t.cells + ix.SCALE, i])
         c[t.cells + ix.LOWER, i] = c[t.cells + ix.LOWER, i] + rise
         c[t.cells + ix.WAY, i] = c[t.cells + ix.WAY, i] + np.abs(rise)
-    i, piece = (i_1, piece_1)
+    i, now, piece, end = (i_1, now_1, piece_1, end_1)
 
 
 def begin_in_time(lane: Lanes, i: Index, t: Table) -> None:
     """Begin a phase: increments of a function of time count from now. It may jump where a piece begins."""
     c = lane.cells
-    piece = piece_at(lane, i, t, integer(c[t.cells + ix.PIECE, i]), c[ix.TIME, i] * c[t.cells + ix.SCALE,
-        i] * (1.0 + 2.0 * EPS), True)
-    holds_1 = piece > integer(c[t.cells + ix.PIECE, i])
-    i_1, piece_1 = (i, piece)
-    i, piece = among(holds_1, i_1, piece_1)
-    if i.size:
-        c[ix.SCALE_BEFORE, i] = INFINITY
-    i, piece = (i_1, piece_1)
-    c[t.cells + ix.PIECE, i] = piece
+    c[t.cells + ix.VALUE, i] = c[t.cells + ix.VALUE, i] + c[t.cells + ix.INC, i]
+    c[t.cells + ix.LOWER, i] = c[t.cells + ix.LOWER, i] - c[t.cells + ix.INC, i]
     c[t.cells + ix.INC, i] = 0.0
-    c[t.cells + ix.WAY, i] = 0.0
-    terms = np.zeros((lane.terms, i.size))
-    taylor_about_now(lane, i, t, 1, terms)
-    c[t.cells + ix.VALUE, i] = terms[0]
-    find_end_of_piece(lane, i, t)
+    c[t.cells + ix.WAY, i] = np.abs(c[t.cells + ix.LOWER, i])
+    holds_1 = c[t.cells + ix.UPPER, i] <= c[ix.TIME, i]
+    i_1 = i
+    i, = among(holds_1, i_1)
+    if i.size:
+        now = c[ix.TIME, i] * c[t.cells + ix.SCALE, i]
+        piece = piece_at(lane, i, t, integer(c[t.cells + ix.PIECE, i]), now * (1.0 + 2.0 * EPS), True)
+        holds_2 = piece > integer(c[t.cells + ix.PIECE, i])
+        i_2, now_2, piece_2 = (i, now, piece)
+        i, now, piece = among(holds_2, i_2, now_2, piece_2)
+        if i.size:
+            c[ix.SCALE_BEFORE, i] = INFINITY
+        i, now, piece = (i_2, now_2, piece_2)
+        c[t.cells + ix.PIECE, i] = piece
+        c[t.cells + ix.WAY, i] = 0.0
+        terms = np.zeros((lane.terms, i.size))
+        taylor_about_now(lane, i, t, 1, terms)
+        c[t.cells + ix.VALUE, i] = terms[0]
+        find_end_of_piece(lane, i, t, now)
+    i = i_1
 
 
 def develop(lane: Lanes, i: Index, t: Table, local: Floats, unit: Floats) -> None:
@@ -560,13 +569,13 @@ def pass_break(lane: Lanes, i: Index, t: Table) -> None:
     there = c[t.cells + ix.SCALED_BY, i] * terms[0] * (np.sin(terms[2]) if t.sine else 1.0)
     rounding = np.abs(there) + np.abs(c[t.cells + ix.VALUE, i])
     holds_2 = c[t.cells + ix.WAY, i] > rounding
-    i_2, there_2, rounding_2 = (i, there, rounding)
-    i, there, rounding = among(holds_2, i_2, there_2, rounding_2)
+    i_2, piece_2, there_2, rounding_2 = (i, piece, there, rounding)
+    i, piece, there, rounding = among(holds_2, i_2, piece_2, there_2, rounding_2)
     if i.size:
         c[t.cells + ix.INC, i] = there - c[t.cells + ix.VALUE, i]
         c[t.cells + ix.WAY, i] = rounding
-    i, there, rounding = (i_2, there_2, rounding_2)
-    find_end_of_piece(lane, i, t)
+    i, piece, there, rounding = (i_2, piece_2, there_2, rounding_2)
+    find_end_of_piece(lane, i, t, break_of(lane, i, t, piece))
 
 
 def pass_breaks(lane: Lanes, i: Index) -> None:
@@ -1388,10 +1397,10 @@ def leave_rest(lane: Lanes, i: Index, limit: Floats, room: Floats) -> None:
     """To the first of what lies ahead: start of slip, change of contact, break, end, or nothing yet."""
     c = lane.cells
     stretch = c[ix.STRETCH, i]
-    lifts = (c[ix.LIFT_AHEAD, i] <= stretch) & (c[ix.LIFT_AHEAD, i] <= c[ix.START_AHEAD, i] * (1.0 + TOGETHER))
-    starts = (c[ix.START_AHEAD, i] <= stretch) & np.logical_not(lifts)
+    lifts = c[ix.LIFT_AHEAD, i] <= stretch
+    starts = c[ix.START_AHEAD, i] <= stretch
     breaks = (stretch >= room) & np.logical_not(starts) & np.logical_not(lifts)
-    until = np.where(breaks, limit, c[ix.TIME, i] + np.where(starts, c[ix.START_AHEAD, i], stretch))
+    until = np.where(breaks, limit, c[ix.TIME, i] + stretch)
     for_ever = np.logical_not(starts) & np.logical_not(until < INFINITY)
     if lane.samples:
         read_samples(lane, i, c[ix.TIME, i], np.fmin(until, c[ix.END_TIME, i]), 0, 0)
@@ -1459,6 +1468,9 @@ def wait(s: Lanes, here: Mask) -> None:
             turn_back(s, i)
         begin_phases(s)
         look_ahead(s, both, room)
+    lifts = c[ix.LIFT_AHEAD] <= c[ix.START_AHEAD] * (1.0 + TOGETHER)
+    c[ix.START_AHEAD] = np.where(here, np.where(lifts, INFINITY, c[ix.START_AHEAD]), c[ix.START_AHEAD])
+    c[ix.STRETCH] = np.where(here, np.minimum(c[ix.START_AHEAD], c[ix.STRETCH]), c[ix.STRETCH])
     for t in s.tables:
         if t.kind == ix.OF_TIME:
             c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + increment(s.registers[t.register], s.highest,

@@ -18,6 +18,7 @@ import slipcircle
 from slipcircle.base.progress import heartbeat, hush
 from slipcircle.workbench.commands import COMMANDS
 from slipcircle.workbench.commands.common import check_files
+from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import plain
 from slipcircle.workbench.files.scenefile import shipped
 from slipcircle.workbench.outputs import tables
@@ -42,6 +43,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         check_files(options)
         answer = options.run(options)
+        _write(answer, options)
         hush()
         _print(answer, options.json)
         if sys.stdout is not None:  # closed by the caller
@@ -92,6 +94,17 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
         module.options(added)
         added.set_defaults(run=module.run)
     return parser
+
+
+def _write(answer: Answer, options: argparse.Namespace) -> None:
+    """Write the files that options name; all are complete before the first is written."""
+    contents = {}
+    for option, content in answer.files.items():
+        named = getattr(options, option) or []
+        for path in [named] if isinstance(named, str) else named:
+            contents[path] = content(path)
+    for path, written in contents.items():
+        files.write(path, written)
 
 
 def _print(answer: Answer, as_json: bool) -> None:

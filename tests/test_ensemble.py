@@ -145,7 +145,7 @@ def test_pairs_are_correlated() -> None:
     assert study.linear["reach"].std == pytest.approx(study.std("reach").value, rel=0.1)
     assert not study.sensitivity
     said = f"correlation of {pair[0]} with {pair[1]} -0.6"
-    assert said in study_report(study)
+    assert said in study_report(study, b"", "slipcircle sweep")
     assert study.to_dict()["correlation"] == [{"key": pair[0], "with": pair[1], "value": -0.6}]
     wrongs = {
         "must be between -1 and 1": {pair: 1.5},

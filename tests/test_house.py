@@ -23,7 +23,7 @@ from derive import build
 from slipcircle import Motion, load, solve
 from slipcircle.core import doors
 from slipcircle.core.program.program import build_program
-from slipcircle.derivatives import with_parameters
+from tests.support.layered import of_each_soil
 
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("derive", "generated", "slipcircle")
@@ -181,17 +181,13 @@ def test_the_workbench_uses_public_names_of_the_core_and_its_rooms_alone() -> No
             assert inside is None or names <= {*public[inside]["__all__"]}, path
 
 
-LAYERED = load("layered-slope")
-LATER = with_parameters(
-    LAYERED, {"soils.clay.friction.length": 1.0}
-).arc  # than silt, with which clay has one law otherwise
 CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e9, "thickness": 0.5}}
 # What opens each door: a scene that ships, with what no file can say, and a question about its motion.
 OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "forcing": ("vaiont-shaken", {}, bool),
     "tables": ("newmark-pulse", {}, bool),
     "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),
-    "soils": ("layered-slope", {"arc": LATER}, bool),
+    "soils": ("layered-slope", {"arc": of_each_soil()}, bool),
     "water": ("valley-side", {}, bool),
     "creep": ("vaiont", {"effects": CREEP}, bool),
     "stiff": ("vaiont", {"effects": CREEP, "end_time": 1e6}, bool),

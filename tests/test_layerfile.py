@@ -136,9 +136,9 @@ def test_each_soil_may_have_a_law_of_its_own(write: Write) -> None:
     slip = '[slip]\nstrength = "{}"\n'
     scene = SCENE.replace("friction = { angle_deg = 28 }", table)
     plan = slipcircle.solve(slipcircle.load(write(scene, slip.format("mass")))).plan
-    assert "soil_mu_0 = mu(slip)" in str(plan.equation)
-    assert "soil_mu_1 = residual_1 + (peak_1 - residual_1) exp(-slip/length_1)" in str(plan.equation)
-    latex = r"soil_{\mu,1} &= \mu_{r,1} + \left(\mu_{p,1} - \mu_{r,1}\right) e^{- \frac{S}{L_{1}}}"
+    assert "mu_1 = mu(slip)" in str(plan.equation)
+    assert "mu_2 = residual_2 + (peak_2 - residual_2) exp(-slip/length_2)" in str(plan.equation)
+    latex = r"\mu_{2} &= \mu_{r,2} + \left(\mu_{p,2} - \mu_{r,2}\right) e^{- \frac{S}{L_{2}}}"
     assert latex in plan.equation.latex
     assert plan.law == "tabulated, exponential, constant by soil"
     with pytest.raises(ValueError, match=r"with slip\.strength = 'mass' each may have a law of its own"):

@@ -77,20 +77,42 @@ def earthquake(samples: int = 1500, step: float = 0.01, seed: int = 7) -> Series
     return series(t, 0.35 * values / np.abs(values).max())
 
 
-def test_earthquake_against_an_exact_double_integral() -> None:
-    record = earthquake()
-    motion = shaken(record)
-    gamma, n = factor()
+def of_block(record: Series, mu: float = MU) -> tuple[Any, Any, float]:
+    """Displacements and speeds of the block at the samples, and the time of its last stop."""
+    gamma, n = factor(mu=mu)
     with mp.workdps(30):
         unit = mp.mpf(gamma) * GRAVITY
         xs, vs, stop = exactly(record.time, [unit * (mp.mpf(k) - n) for k in record.values.tolist()], -unit * n)
-    places, speeds = np.array(xs, dtype=float), np.array(vs, dtype=float)
+    return np.array(xs, dtype=float), np.array(vs, dtype=float), float(stop)
+
+
+def test_earthquake_against_an_exact_double_integral() -> None:
+    record = earthquake()
+    motion = shaken(record)
+    places, speeds, stop = of_block(record)
     state = motion.at(np.minimum(record.time, motion.duration))
     assert motion.run_out == pytest.approx(places[-1], rel=1e-13)
     assert np.abs(state.displacement - places[:-1]).max() < 1e-13 * places[-1]
     assert np.abs(state.velocity - speeds).max() < 1e-13 * speeds.max()
-    assert motion.duration == pytest.approx(float(stop), rel=1e-13)
+    assert motion.duration == pytest.approx(stop, rel=1e-13)
     assert len(motion.phases) > 8
+
+
+@pytest.mark.parametrize("ramp", [1e-9, 1e-6])
+@pytest.mark.parametrize("begin", [0.0, 100.0])
+def test_jumps_given_as_short_ramps(ramp: float, begin: float) -> None:
+    """Each slip begins on a ramp, on which rounding of the time alone is up to 1e-5 of the jump."""
+    levels = np.random.default_rng(11).uniform(-0.3, 0.3, 30)
+    times = begin + 0.2 * np.arange(1.0, 31.0)
+    time = np.column_stack([times, times + ramp]).ravel()
+    values = np.column_stack([[0.0, *levels[:-1]], levels]).ravel()
+    record = series([0.0, *time, begin + 7.0], [0.0, *values, levels[-1]])
+    for mu in MU * (1.0 + 1e-7 * np.arange(5)):
+        motion = shaken(record, mu=mu)
+        places, _, stop = of_block(record, mu)
+        assert motion.run_out == pytest.approx(places[-1], rel=1e-13)
+        assert motion.duration == pytest.approx(stop, rel=1e-13)
+        assert len(motion.phases) > 5
 
 
 # --- hard cases ----------------------------------------------------------------------------------------------------

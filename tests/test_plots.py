@@ -384,7 +384,7 @@ def test_stretches_are_in_tables_json_and_reports() -> None:
     assert whole[1:3] == ["66.16", "100.0"]
     mean = sum(r["length"] * r["strength"] for r in found) / sum(r["length"] for r in found)
     assert mean == pytest.approx(1e3 * float(whole[5]), rel=1e-4)
-    page = report([slide])
+    page = report([slide], [b""], "slipcircle run")
     assert "Soils along the slip surface" in page
     assert "Stress along the arc of four layers" in page
     assert stretches_part(motion("vaiont")) is None

@@ -242,17 +242,26 @@ def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
     """Some lanes of a scene: ``select`` takes an array of the scene's shape. They were checked with it."""
     assert isinstance(scene.effects, dict)
     shaking = scene.effects.get("shaking", {})
+
+    def of_lanes(value: Any) -> Any:
+        every_lane = np.broadcast_to(value, scene.shape)
+        lanes = select(every_lane)
+        return plain(lanes)
+
     chosen = {}
     for name, value in scene.numbers.items():
-        if not np.ndim(value):
-            continue
-        every_lane = np.broadcast_to(value, scene.shape)
-        of_lanes = select(every_lane)
-        chosen[name] = plain(of_lanes)
+        if np.ndim(value):
+            chosen[name] = of_lanes(value)
     for name in _OTHER_FACTOR:
         if name not in shaking:  # it stands for the other
             chosen.pop(f"shaking.{name}", None)
     changed = _fields_with(scene, chosen)
+    if "surcharge" in changed["arc"]:  # of which the greater of two pressures is a number
+        loads = []
+        for x1, x2, *pressures in getattr(scene.arc, "surcharge", ()):
+            q1, q2 = map(of_lanes, pressures)
+            loads.append((x1, x2, q1, q2))
+        changed["arc"]["surcharge"] = tuple(loads)
     arc = replace_unchecked(scene.arc, changed["arc"])
     return replace_unchecked(scene, changed | {"arc": arc})
 

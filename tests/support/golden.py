@@ -112,9 +112,9 @@ def chosen() -> Iterator[tuple[str, Data]]:
                 f"{kind} pulse, {where}, stands before and after",
                 scene(0.33, effects | {"shaking": shaking}, 0.0, end),
             )
-    for where, effects in (("frozen", {}), ("turning", TURNING)):
+    for where, effects, velocity in (("frozen", {}, 0.9), ("turning", TURNING, 0.0)):
         shaken = scene(0.36, effects | {"shaking": quake}, 0.0, 7.0)
-        yield f"rests in between, {where}", shaken
+        yield f"rests in between, {where}", shaken | {"initial_velocity": velocity}  # or the waves are equally fast
         both = scene(0.36, effects | {"shaking": quake | {"amplitude": 0.7, "two_way": True}}, 0.0, 7.0)
         yield f"shaken both ways, {where}", both
         yield f"ends in a rest, {where}", shaken | {"end_time": 0.05}

@@ -21,6 +21,7 @@ __all__ = ["Problem", "Program", "RotationTables", "Samples", "build_program", "
 BINARY: Any = compiled.module()  # None where there is none
 BACKENDS = ("C", "NumPy") if BINARY else ("NumPy",)
 needs_binary = pytest.mark.skipif(BINARY is None, reason="no compiled integrator here")
+COUNTED = (ix.STATUS, ix.STEPS, ix.PHASES, ix.TURNS, ix.DIRECTION, ix.LAST_WAY, ix.LIFTED, ix.PASSED)
 RESULTS = slice(0, ix.OMEGA + 1)  # cells that say how a lane ended
 
 

@@ -80,11 +80,10 @@ def turn_back(lane: Lane) -> None:
 def leave_rest(lane: Lane, limit: float, room: float) -> None:
     """To the first of what lies ahead: start of slip, change of contact, break, end, or nothing yet."""
     stretch = lane.stretch
-    # Where both pass zero contact is lost and the mass does not start.
-    lifts = lane.lift_ahead <= stretch and lane.lift_ahead <= lane.start_ahead * (1.0 + TOGETHER)
-    starts = lane.start_ahead <= stretch and not lifts
+    lifts = lane.lift_ahead <= stretch
+    starts = lane.start_ahead <= stretch
     breaks = stretch >= room and not starts and not lifts
-    until = where(breaks, limit, lane.time + where(starts, lane.start_ahead, stretch))
+    until = where(breaks, limit, lane.time + stretch)
     for_ever = not starts and not (until < INFINITY)
     if lane.samples:
         read_samples(lane, lane.time, minimum(until, lane.end_time), 0, 0)
@@ -126,6 +125,9 @@ def wait(s: Lanes, here: M) -> None:
             turn_back(s)
         begin_phases(s)
         look_ahead(s, both, room)
+    lifts = s.lift_ahead <= s.start_ahead * (1.0 + TOGETHER)  # then the mass does not start
+    s.start_ahead = where(lifts, INFINITY, s.start_ahead)
+    s.stretch = minimum(s.start_ahead, s.stretch)
     for t in s.tables:
         if t.kind == Kind.TIME:  # the same for both directions
             t.inc = t.inc + increment(t.series, s.highest, s.stretch)

@@ -99,29 +99,39 @@ def end_of_piece(lane: Lane, t: T, piece: int) -> float:
     return where(piece < last, break_of(lane, t, minimum(piece + 1, last)), INFINITY)
 
 
-def find_end_of_piece(lane: Lane, t: T) -> None:
+def find_end_of_piece(lane: Lane, t: T, now: float) -> None:
     """The end of the piece of a function of time and the increment there: one rounding whatever the steps."""
     piece = integer(t.piece)
-    t.upper = end_of_piece(lane, t, piece) / t.scale
+    end = end_of_piece(lane, t, piece)
+    t.upper = end / t.scale
     t.lower = t.inc
     if piece < t.pieces - 1:
-        rise = rise_to(lane, t, t.upper - lane.time)
+        rise = rise_to(lane, t, (end - now) / t.scale)
         t.lower = t.lower + rise
         t.way = t.way + abs(rise)
 
 
 def begin_in_time(lane: Lane, t: T) -> None:
-    """Begin a phase: increments of a function of time count from now. It may jump where a piece begins."""
-    piece = piece_at(lane, t, integer(t.piece), lane.time * t.scale * (1.0 + 2.0 * EPS), True)
-    if piece > integer(t.piece):
-        lane.scale_before = INFINITY
-    t.piece = number(piece)
+    """Begin a phase: increments of a function of time count from now. It may jump where a piece begins.
+
+    Within a piece the value and the rise to its end follow from the increment: on a short ramp the rounding of the
+    time, times the slope, is much.
+    """
+    t.value = t.value + t.inc
+    t.lower = t.lower - t.inc
     t.inc = 0.0
-    t.way = 0.0
-    terms = numbers()
-    taylor_about_now(lane, t, 1, terms)
-    t.value = terms[0]
-    find_end_of_piece(lane, t)
+    t.way = abs(t.lower)
+    if t.upper <= lane.time:
+        now = lane.time * t.scale
+        piece = piece_at(lane, t, integer(t.piece), now * (1.0 + 2.0 * EPS), True)
+        if piece > integer(t.piece):
+            lane.scale_before = INFINITY
+        t.piece = number(piece)
+        t.way = 0.0
+        terms = numbers()
+        taylor_about_now(lane, t, 1, terms)
+        t.value = terms[0]
+        find_end_of_piece(lane, t, now)
 
 
 def develop(lane: Lane, t: T, local: float, unit: float) -> None:
@@ -212,7 +222,7 @@ def pass_break(lane: Lane, t: T) -> None:
     if t.way > rounding:
         t.inc = there - t.value
         t.way = rounding
-    find_end_of_piece(lane, t)
+    find_end_of_piece(lane, t, break_of(lane, t, piece))
 
 
 def pass_breaks(lane: Lane) -> None:

@@ -1,6 +1,7 @@
 """`slipcircle backanalyse`: numbers of a scene that explain an observed motion, with standard errors."""
 
 import argparse
+from functools import partial
 from itertools import combinations
 from typing import Any
 
@@ -50,12 +51,12 @@ def run(options: argparse.Namespace) -> Answer:
         raise ValueError(f"backanalyse: nothing observed: give one of {', '.join(OPTIONS.values())}")
     bounds = {key: ends for key, ends in fields.items() if ends}
     fit = backanalyse(load(options.scene), field=list(fields) or None, bounds=bounds, **observed)
-    pictures.write(options.plot, "backanalysis", fit)
     name = fit.motion.plan.scene.name
     columns = [_column(fit, solution) for solution in fit.solutions]
     heads = [name] if len(columns) == 1 else [f"solution {k}" for k in range(1, len(columns) + 1)]
     table = Part(["", *heads], beside(columns), note=f"by {fit.method}")
-    return Answer(lambda: [_record(fit)], [table], [f"{name}: {warning}" for warning in fit.warnings])
+    drawn = {"plot": partial(pictures.picture, "backanalysis", fit)}
+    return Answer(lambda: [_record(fit)], [table], [f"{name}: {warning}" for warning in fit.warnings], drawn)
 
 
 def _record(fit: BackAnalysis) -> dict[str, Any]:

@@ -6,7 +6,6 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING
 
 from slipcircle.workbench.commands.common import SCENE, add_files, with_scene_context
-from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import plain, time_text
 from slipcircle.workbench.files.scenefile import find, load
 from slipcircle.workbench.outputs import pictures
@@ -45,12 +44,13 @@ def run(options: argparse.Namespace) -> Answer:
         scene = load(options.name)
         rows = with_scene_context(scene, scenes.of_scene)
         title = scene.name
-    for path in options.plot:
-        picture = pictures.render(lambda figure: costplot.frontier(rows, figure.add_subplot()), costplot.SIZE, path)
-        files.write(path, picture)
     measured_on = machine()
     record = {"name": title, "machine": measured_on, "rows": [plain(asdict(row)) for row in rows]}
-    return Answer(lambda: record, _parts(title, rows, measured_on))
+
+    def drawn(path: str) -> bytes:
+        return pictures.render(lambda figure: costplot.frontier(rows, figure.add_subplot()), costplot.SIZE, path)
+
+    return Answer(lambda: record, _parts(title, rows, measured_on), (), {"plot": drawn})
 
 
 def _parts(title: str, rows: Sequence["Row"], machine: str) -> Iterator[Part]:

@@ -67,10 +67,9 @@ def run(options: argparse.Namespace) -> Answer:
     record = suite.to_dict()
     if options.out:
         write_records({entry.name: entry.record() for entry in suite}, options.out)
-    if options.csv:
-        rows = record["records"]
-        files.write(options.csv, files.table(rows[0], [row.values() for row in rows]))
-    return Answer(lambda: record, [records_part(suite)], suite.not_used)
+    rows = record["records"]
+    written = {"csv": lambda _: files.table(rows[0], [row.values() for row in rows])}
+    return Answer(lambda: record, [records_part(suite)], suite.not_used, written)
 
 
 def _check_folder(options: argparse.Namespace) -> None:

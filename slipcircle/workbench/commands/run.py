@@ -2,18 +2,18 @@
 
 import argparse
 from collections.abc import Iterator, Sequence
+from functools import partial
 
 from slipcircle.base.progress import track
 from slipcircle.core import Motion, solve
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, with_scene_context
-from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import record
-from slipcircle.workbench.files.loaded import stability_of, warnings_of
+from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import find, load
 from slipcircle.workbench.outputs import pictures, tables
-from slipcircle.workbench.outputs.tables import Answer, Part
+from slipcircle.workbench.outputs.tables import Answer, Files, Part
 from slipcircle.workbench.outputs.trace import csv
 
 HELP = "solve scenes and print their motion side by side"
@@ -39,8 +39,13 @@ def run(options: argparse.Namespace) -> Answer:
     scenes = [load(name) for name in options.scenes]
     sources = [find(name).read_bytes() for name in options.scenes] if options.report else []
     motions = [with_scene_context(scene, solve) for scene in track(scenes, "scenes solved")]
-    _write_files(motions, sources, options)
-    return Answer(lambda: [*map(record, motions)], _parts(motions, options.verbose), _warnings(motions))
+    contents: Files = {
+        "csv": lambda _: csv(motions, options.times),
+        "plot": partial(pictures.picture, "motions", motions),
+        "live": lambda _: _live(motions[0], options.vary).encode(),
+        "report": lambda _: _report(motions, sources, options.line).encode(),
+    }
+    return Answer(lambda: [*map(record, motions)], _parts(motions, options.verbose), _warnings(motions), contents)
 
 
 def _parts(motions: Sequence[Motion], verbose: bool) -> Iterator[Part]:
@@ -49,10 +54,10 @@ def _parts(motions: Sequence[Motion], verbose: bool) -> Iterator[Part]:
     tabulate = tables.motion_column if verbose else tables.motion_summary
     columns = [tabulate(motion) for motion in motions]
     notes = [f"{scene.name}: {scene.note}" for scene in scenes if scene.note]
-    for scene in scenes:
-        if critical := stability_of(scene):
-            of_scene = f"{scene.name}: " if len(scenes) > 1 else ""
-            notes.append(of_scene + tables.difference_words(critical))
+    for motion in motions:
+        if difference := tables.difference_words(motion):
+            of_scene = f"{motion.plan.scene.name}: " if len(scenes) > 1 else ""
+            notes.append(of_scene + difference)
     yield Part(["", *(scene.name for scene in scenes)], tables.beside(columns), note="; ".join(notes))
     if verbose:
         yield from filter(None, map(tables.stretches_part, motions))
@@ -68,21 +73,10 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError("run: --live: shows one scene; --report has room for all")
 
 
-def _write_files(motions: Sequence[Motion], sources: Sequence[bytes], options: argparse.Namespace) -> None:
-    """Compute all requested files before the first is written."""
-    contents: dict[str, bytes] = {}
-    if options.csv:
-        contents[options.csv] = csv(motions, options.times)
-    for path in options.plot:
-        contents[path] = pictures.picture("motions", motions, path)
-    if options.live:
-        contents[options.live] = _live(motions[0], options.vary).encode()
-    if options.report:
-        from slipcircle.workbench.outputs.report import report
+def _report(motions: Sequence[Motion], sources: Sequence[bytes], line: str) -> str:
+    from slipcircle.workbench.outputs.report import report
 
-        contents[options.report] = report(motions, sources, options.line).encode()
-    for path, content in contents.items():
-        files.write(path, content)
+    return report(motions, sources, line)
 
 
 def _live(motion: Motion, varied: str | None) -> str:

@@ -1,6 +1,7 @@
 """`slipcircle search`: the circle along which a slope fails first, and its factors of safety."""
 
 import argparse
+from functools import partial
 
 from slipcircle.base.progress import track
 from slipcircle.workbench.commands.common import add_files
@@ -32,7 +33,6 @@ def run(options: argparse.Namespace) -> Answer:
     method = YIELD if options.least == YIELD else options.method
     searched = [critical_of_file(name, method, say) for name in track(options.scenes, "slopes searched")]
     names, notes, circles, warnings = zip(*searched, strict=True)
-    pictures.write(options.plot, "search", circles[0])
     columns = [tables.stability_column(circle) for circle in circles]
     note = "; ".join(f"{name}: {text}" for name, text in zip(names, notes, strict=True) if text)
     table = Part(["", *names], tables.beside(columns), note=note)
@@ -41,4 +41,5 @@ def run(options: argparse.Namespace) -> Answer:
         for name, circle, lines in zip(names, circles, warnings, strict=True)
     ]
     lines = [f"{name}: {line}" for name, of_slope in zip(names, warnings, strict=True) for line in of_slope]
-    return Answer(lambda: records, [table], lines)
+    drawn = {"plot": partial(pictures.picture, "search", circles[0])}
+    return Answer(lambda: records, [table], lines, drawn)

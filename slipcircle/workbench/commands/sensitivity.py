@@ -1,6 +1,7 @@
 """`slipcircle sensitivity`: derivatives of a motion, printed, drawn or as JSON."""
 
 import argparse
+from functools import partial
 
 from slipcircle.core import solve
 from slipcircle.workbench.commands.common import add_files, add_scene
@@ -22,9 +23,9 @@ def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     motion = solve(load(options.scene))
     derivatives, name = motion.sensitivity(), motion.plan.scene.name
-    pictures.write(options.plot, "sensitivity", derivatives)
     known = by_name(motion.plan.scene)
     keys = {parameter: known[parameter].key for parameter in derivatives.parameters}
     record = vars(derivatives) | {"scene": name} | {"keys": keys, "elasticities": derivatives.elasticities}
     warnings = [f"{name}: {warning}" for warning in derivatives.warnings]
-    return Answer(lambda: [record], [tables.sensitivity_part(derivatives, name)], warnings)
+    drawn = {"plot": partial(pictures.picture, "sensitivity", derivatives)}
+    return Answer(lambda: [record], [tables.sensitivity_part(derivatives, name)], warnings, drawn)

@@ -6,7 +6,8 @@ import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError
 from dataclasses import replace
-from typing import Any, NamedTuple, cast
+from functools import partial
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,7 +24,7 @@ from slipcircle.workbench.files.scenefile import find, load
 from slipcircle.workbench.outputs import pictures, studyplots
 from slipcircle.workbench.outputs.report import parts, study_report
 from slipcircle.workbench.outputs.suitereport import suite_report
-from slipcircle.workbench.outputs.tables import Answer, Part
+from slipcircle.workbench.outputs.tables import Answer, Files, Part
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import METHODS
 from slipcircle.workbench.studies.engines import ENGINES, engine
@@ -105,16 +106,15 @@ def run(options: argparse.Namespace) -> Answer:
         raise ValueError(f"--engine {options.engine}: a worker died; {remedy}") from error
     if isinstance(study, SuiteStudy):
         return _answer_of_records(study, options, content)
-    pictures.write(options.plot, "study", study)
-    if options.report:
-        files.write(options.report, study_report(study, content, options.line).encode())
     tables = _of_grid(study) if levels else _of_samples(study)
-    if options.csv:
-        files.write(options.csv, files.table(tables.head, tables.rows))
-    if options.npz:
-        with files.replacing(options.npz) as file:
-            np.savez(file, **cast(dict[str, Any], export.arrays(study)))
-    return Answer(lambda: [tables.record()], tables.parts, [f"{scene.name}: {warning}" for warning in study.warnings])
+    contents: Files = {
+        "plot": partial(pictures.picture, "study", study),
+        "report": lambda _: study_report(study, content, options.line).encode(),
+        "csv": lambda _: files.table(tables.head, tables.rows),
+        "npz": lambda _: files.arrays(export.arrays(study)),
+    }
+    warnings = [f"{scene.name}: {warning}" for warning in study.warnings]
+    return Answer(lambda: [tables.record()], tables.parts, warnings, contents)
 
 
 def _check_options(options: argparse.Namespace) -> None:
@@ -139,24 +139,23 @@ def _check_options(options: argparse.Namespace) -> None:
 
 
 def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_file: bytes) -> Answer:
-    """The tables of a study over records; writes its files."""
-    pictures.write(options.plot, "suite", study)
-    if options.csv:
-        columns = study.columns()
-        files.write(options.csv, files.table(columns, zip(*(c.tolist() for c in columns.values()), strict=True)))
-    if options.npz:
-        with files.replacing(options.npz) as file:
-            np.savez(file, **cast(dict[str, Any], study.arrays()))
-    if options.fragility:
-        exceedance = study.fragility_columns()
-        files.write(options.fragility, files.table(exceedance, zip(*exceedance.values(), strict=True)))
+    """The tables of a study over records, and its files."""
     magnitude = math.nan if options.magnitude is None else options.magnitude
     compared = study.regressions(study.own_scale, magnitude, options.period or 0.0)
     tables = list(suite.parts(study, compared))
     record = study.to_dict() | {"regressions": [c._asdict() for c in compared]}
-    if options.report:
-        files.write(options.report, suite_report(study, tables, record, scene_file, options.line).encode())
-    return Answer(lambda: record, tables, [f"{study.scene.name}: {line}" for line in study.warnings])
+    contents: Files = {
+        "plot": partial(pictures.picture, "suite", study),
+        "csv": lambda _: _table({name: column.tolist() for name, column in study.columns().items()}),
+        "npz": lambda _: files.arrays(study.arrays()),
+        "fragility": lambda _: _table(study.fragility_columns()),
+        "report": lambda _: suite_report(study, tables, record, scene_file, options.line).encode(),
+    }
+    return Answer(lambda: record, tables, [f"{study.scene.name}: {line}" for line in study.warnings], contents)
+
+
+def _table(columns: Mapping[str, Sequence[Any]]) -> bytes:
+    return files.table(columns, zip(*columns.values(), strict=True))
 
 
 def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:

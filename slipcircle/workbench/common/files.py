@@ -95,6 +95,15 @@ def table(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:
     return text.getvalue().encode()
 
 
+def arrays(named: Mapping[str, Any]) -> bytes:
+    """Arrays by name, as `numpy.load` reads them."""
+    import numpy as np
+
+    content = io.BytesIO()
+    np.savez(content, **named)
+    return content.getvalue()
+
+
 def _is_device(name: str | os.PathLike[str]) -> bool:
     """Whether a path cannot be replaced, such as a pipe or /dev/stdout."""
     return os.path.exists(name) and not os.path.isfile(name) and not os.path.isdir(name)

@@ -2,14 +2,13 @@
 
 import io
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from slipcircle.base.progress import track
 from slipcircle.core import Motion
-from slipcircle.workbench.common import files
 from slipcircle.workbench.outputs.plotstyle import described, missing
 
 if TYPE_CHECKING:
@@ -141,9 +140,3 @@ def slide(motion: Motion, seconds: float = 5.0) -> bytes:
     from slipcircle.workbench.outputs.film import film
 
     return render(lambda figure: film(motion, figure, max(2, round(_FRAMES * seconds)), seconds), (7.0, 4.6), ".gif")
-
-
-def write(paths: Iterable[str], what: str, result: Any) -> None:
-    """Write pictures of a result to files."""
-    for path in paths:
-        files.write(path, picture(what, result, path))

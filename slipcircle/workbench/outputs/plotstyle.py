@@ -8,6 +8,7 @@ import numpy as np
 
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
+from slipcircle.words import standing
 from slipcircle.workbench.files.numbers import Number
 
 WIDTH = 8.6  # inches of a picture of several panels, about what a page shows: texts have 8 points and more there
@@ -260,7 +261,7 @@ def work(motion: Motion) -> str:
 
 def still(motion: Motion, ax: Any) -> Any:
     """The axis of a mass that does not move."""
-    return empty(f"does not move\nfactor of safety {number(motion.factor_of_safety)}", ax, "x", "y")
+    return empty(standing(motion).replace(", ", "\n"), ax, "x", "y")
 
 
 def beside(ax: Any, words: str, at: Any, away: Any, **more: Any) -> None:

@@ -8,12 +8,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.effects import EFFECTS, LAWS
-from slipcircle.core import Scene, arc_numbers, law_parts
-from slipcircle.tables import Pulse, Series
+from slipcircle.core import Scene
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.layout import layout_of
-from slipcircle.workbench.files.numbers import by_name, uncertain_numbers
+from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.studies.design import Design
 
@@ -31,20 +29,14 @@ class Input(NamedTuple):
     source: str = ""
 
 
-def inputs(scene: Scene, file: str | None = None) -> list[Input]:
-    """The inputs of a scene: as in its file, with its comments, or without a file in SI units.
-
-    Uncertain inputs are marked.
-    """
-    given = list(_of_scene(scene) if file is None else _of_file(file))
-    uncertain = {}
-    for unknown in uncertain_numbers(scene).values():
-        uncertain[unknown.key] = uncertain[unknown.number.name] = unknown.record
+def inputs(scene: Scene, file: str) -> list[Input]:
+    """The inputs of a scene as in the text of its file, with its comments; uncertain ones are marked."""
+    given = list(_of_file(file))
+    uncertain = {unknown.key: unknown.record for unknown in uncertain_numbers(scene).values()}
     for place, one in enumerate(given):
         if one.path in uncertain:
             distribution = {name: value for name, value in uncertain[one.path].items() if name != "key"}
-            here = f"; here {one.value}" if file is None else ""
-            given[place] = one._replace(value=f"uncertain, {_shown(distribution)}{here}")
+            given[place] = one._replace(value=f"uncertain, {_shown(distribution)}")
     return given
 
 
@@ -104,37 +96,6 @@ def comments(file: str) -> dict[str, str]:
     return found
 
 
-def _of_scene(scene: Scene) -> Iterator[Input]:
-    """Numbers of the section, then parameters of laws and effects by their declarations, and the end time."""
-    keys = by_name(scene)
-    for name in ("initial_velocity", *arc_numbers(scene.arc)):
-        yield Input(name, _shown(scene.numbers[name]), keys[name].si)
-    for name, coefficient in (scene.arc.given or {}).items():
-        yield Input(f"given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given")
-    is_layered = "layered_strength" in scene.called  # then the strength is that of the soils, already listed
-    for place, (name, given) in enumerate(() if is_layered else law_parts(scene.friction)):
-        path = "friction.rate" if place else "friction"
-        if name == "constant":
-            yield Input(path, _shown(given["coefficient"]), "", "friction coefficient, tan(phi)")
-        elif name in LAWS:
-            yield from _declared(path, name, LAWS[name], given)
-        else:
-            yield Input(path, name, "", "Python function of slip")
-    for name, given in scene.called.items():
-        if name in EFFECTS:
-            yield from _declared(name, "yes", EFFECTS[name], given)
-    end = ("when the mass rests", "") if scene.end_time is None else (_shown(scene.end_time), "s")
-    yield Input("end_time", *end, "time of the end")
-
-
-def _declared(path: str, value: str, declaration: Any, given: Mapping[str, Any]) -> Iterator[Input]:
-    """A law or an effect with its parameters."""
-    yield Input(path, value, "", declaration.help)
-    for parameter in declaration.parameters:
-        if parameter.name in given:
-            yield Input(f"{path}.{parameter.name}", _shown(given[parameter.name]), parameter.unit, parameter.help)
-
-
 def _shown(value: Any) -> str:
     """A value in full; for a long list its ends, for a distribution its name and parameters."""
     if isinstance(value, Mapping):
@@ -144,12 +105,8 @@ def _shown(value: Any) -> str:
         return f"{name}: {', '.join(words)}"
     if isinstance(value, str):
         return value
-    if isinstance(value, Series):
-        return f"{len(value.time)} samples from {value.time[0]:g} to {value.time[-1]:g} s"
     if isinstance(value, bool):
         return str(value).lower()
-    if callable(value):  # a pulse, or the water level of a section
-        return repr(value) if isinstance(value, Pulse) else "of the section's water level"
     texts = [repr(x) for x in np.ravel(value).tolist()]
     count = len(texts)
     if count > 12:

@@ -27,6 +27,7 @@ from slipcircle.workbench.common.quantities import (
     prefixed,
     record,
     results,
+    summary,
     words,
 )
 from slipcircle.workbench.files.loaded import warnings_of
@@ -35,7 +36,7 @@ from slipcircle.workbench.outputs import live, pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
 from slipcircle.workbench.outputs.provenance import inputs, uncertain_part
-from slipcircle.workbench.outputs.tables import Part, interval, motion_column, stretches_part
+from slipcircle.workbench.outputs.tables import Part, beside, difference_words, interval, motion_column, stretches_part
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
@@ -54,26 +55,22 @@ PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
 # --- pages -----------------------------------------------------------------------------------------------------------
 
 
-def page(
-    title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes | None]], command: str, script: str = ""
-) -> str:
+def page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes]], command: str, script: str = "") -> str:
     """A page of parts, and how to reproduce it: command, digests of scene files, versions."""
     sources = {}
     for name, content in files:
-        if content is not None:
-            sources[f"scene file of {name}"] = f"sha256 {hashlib.sha256(content).hexdigest()}"
+        sources[f"scene file of {name}"] = f"sha256 {hashlib.sha256(content).hexdigest()}"
     sources |= facts()
     versions = [[key, Raw(f"<code>{escaped(value)}</code>")] for key, value in sources.items()]
     body = [tag("h1", title), *parts, tag("h2", "To repeat it")]
-    if command:
-        body.append(tag("p", "This command, with the versions and files below, writes this report again:"))
-        body.append(tag("pre", command))
+    body.append(tag("p", "This command, with the versions and files below, writes this report again:"))
+    body.append(tag("pre", command))
     body.append(_scrolling(versions))
     return document(title, body, live.style() + live.text("report.css"), script)
 
 
 def chapter(
-    plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], record: Any, unit: str, file: bytes | None
+    plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], record: Any, unit: str, file: bytes
 ) -> Iterable[Raw]:
     """Note and warnings of a scene, its parts, its result as JSON, and its file."""
     if plan.scene.note:
@@ -85,11 +82,10 @@ def chapter(
             yield part
         else:
             yield from _table(part)
-    texts = {f"All numbers, as JSON{unit}": json.dumps(plain(record), indent=2, allow_nan=False)}
-    if file is not None:
-        texts["The scene's file"] = file.decode("utf-8-sig")
-    for summary, text in texts.items():  # folded
-        yield Raw(f"<details><summary>{escaped(summary)}</summary>{tag('pre', text)}</details>")
+    numbers = json.dumps(plain(record), indent=2, allow_nan=False)
+    texts = {f"All numbers, as JSON{unit}": numbers, "The scene's file": file.decode("utf-8-sig")}
+    for heading, text in texts.items():  # folded
+        yield Raw(f"<details><summary>{escaped(heading)}</summary>{tag('pre', text)}</details>")
 
 
 def _table(part: Part) -> Iterator[Raw]:
@@ -136,10 +132,9 @@ def _estimate(e: Estimate) -> Raw:
     return Raw(f"{_data(float(e.value), value)} {ends}".rstrip())
 
 
-def input_parts(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
+def input_parts(plan: Plan, file: bytes) -> Iterable[Part | Raw]:
     """Inputs with units and sources, effects, friction law, equation of motion, and assumptions."""
-    text = None if file is None else file.decode("utf-8-sig")
-    given = [[_path(row.path), *row[1:]] for row in inputs(plan.scene, text)]
+    given = [[_path(row.path), *row[1:]] for row in inputs(plan.scene, file.decode("utf-8-sig"))]
     yield Part(["input", "value", "unit", "what it is", "source"], given, "Inputs")
     effects = []
     for name, effect in EFFECTS.items():
@@ -165,9 +160,8 @@ def input_parts(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
 # --- motions ---------------------------------------------------------------------------------------------------------
 
 
-def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), command: str = "") -> str:
-    """A report on motions as HTML, with the scene files where there are any, and the command that writes it."""
-    files = files or [None] * len(motions)
+def report(motions: Sequence[Motion], files: Sequence[bytes], command: str) -> str:
+    """A report on motions as HTML, with their scene files and the command that writes it."""
     names = [motion.plan.scene.name or f"scene {number}" for number, motion in enumerate(motions, 1)]
     several = len(motions) > 1
     parts = [_overview(motions, names)] if several else []
@@ -187,14 +181,12 @@ def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), comman
 def _overview(motions: Sequence[Motion], names: Sequence[str]) -> Raw:
     """Results of several motions side by side, with links to their chapters."""
     links = [Raw(f'<a href="#scene-{number}">{escaped(name)}</a>') for number, name in enumerate(names, 1)]
-    rows = []
-    for quantity in RESULTS:
-        values = [_value(quantity, motion) for motion in motions]
-        rows.append([quantity.label, *values])
+    columns = [{q.label: _value(q, motion) for q in RESULTS} for motion in motions]
+    rows = beside([summary(motion) | column for motion, column in zip(motions, columns, strict=True)])
     return _scrolling(rows, ["", *links])
 
 
-def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
+def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
     """The chapter of a motion below its slide: pictures, all results, inputs, method and accuracy, energy."""
     plan = motion.plan
     if plan.scene.uncertain:
@@ -207,13 +199,12 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     rows = []
     for label, text in motion_column(motion).items():
         rows.append([label, _value(quantities[label], motion, text) if label in quantities else text])
-    yield Part([], rows, "Results")
+    yield Part([], rows, "Results", difference_words(motion))
     if layered := stretches_part(motion):
         yield layered._replace(title="Soils along the slip surface")
     yield from input_parts(plan, file)
     error = motion.error_estimate
     method = [
-        ["program of", ", ".join(plan.fragments)],
         ["requested relative error", _number(plan.accuracy)],
         ["relative error estimated, of peak, run-out and duration", _data(error, _number(error))],
         ["warnings", "; ".join(warnings_of(motion)) or "none"],
@@ -357,18 +348,18 @@ def _quantile_notes(study: Study) -> Iterator[str]:
         yield f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"
 
 
-def study_report(study: Study, file: bytes | None = None, command: str = "") -> str:
+def study_report(study: Study, file: bytes, command: str) -> str:
     """A report on an ensemble of samples as HTML; the seed is added to the command if missing."""
     name = study.scene.name or "scene"
     way = plan(study.scene, study.design.accuracy)
-    if command and "--seed" not in command:
+    if "--seed" not in command:
         command += f" --seed {study.seed}"
     contents = _of_study(study, way, file)
     of_study = chapter(way, study.warnings, contents, export.record(study), "", file)
     return page(f"Uncertain slide: {name}", of_study, [(name, file)], command)
 
 
-def _of_study(study: Study, way: Plan, file: bytes | None) -> Iterable[Part | Raw]:
+def _of_study(study: Study, way: Plan, file: bytes) -> Iterable[Part | Raw]:
     """The chapter of a study: the picture, its parts, inputs and their distributions, method and accuracy."""
     design = study.design
     caption = "Exceedance probability of greatest displacement and peak velocity"

@@ -26,7 +26,7 @@ _CAPTION = (
 def suite_report(study: SuiteStudy, tables: Iterable[Part], record: Any, file: bytes, command: str) -> str:
     """A report on a suite of records as HTML; the seed is added to the command if missing."""
     name, way = study.scene.name or "scene", plan(study.scene, study.design.sampling.accuracy)
-    if command and "--seed" not in command:
+    if "--seed" not in command:
         command += f" --seed {study.design.sampling.seed}"
     of_suite = chapter(way, study.warnings, _contents(study, [*tables], file), record, "", file)
     return page(f"Shaken slope: {name}", of_suite, [(name, file)], command)
