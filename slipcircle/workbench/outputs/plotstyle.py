@@ -71,7 +71,6 @@ SCENERY: Mapping[str, Mapping[str, Any]] = {
     "depth": {"color": "black", "lw": 1.0, "marker": "_", "zorder": 3},
     "centre": {"color": "black", "marker": "+", "ls": "", "ms": 9, "mew": 1.5, "zorder": 5},
 }
-FORCES: Mapping[str, str] = {"weight": "black", "normal": "#009E73", "tangential": "#CC79A7"}
 
 
 def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
