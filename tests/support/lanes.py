@@ -12,8 +12,7 @@ from generated import walk as in_numpy
 from slipcircle import Motion, Scene, plan
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.program.build import build_program
-from slipcircle.core.program.program import Program, Samples
+from slipcircle.core.program.program import Program, Samples, build_program
 from slipcircle.core.walk import compiled
 from slipcircle.layers.layered import RotationTables
 

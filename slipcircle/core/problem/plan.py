@@ -7,8 +7,7 @@ from generated.effects import ALL_EFFECTS, EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Names
 from slipcircle.core.doors import room
-from slipcircle.core.program.build import build_program
-from slipcircle.core.program.program import Program
+from slipcircle.core.program.program import Program, build_program
 from slipcircle.core.scene.effects import in_order, symbols_of
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
 

@@ -14,7 +14,7 @@ from generated import layout as ix
 from generated import walk as in_numpy
 from generated.series import DIGEST, SCALAR, SERIES
 from slipcircle.base.kinds import Floats
-from slipcircle.core.program.link import RESULTS
+from slipcircle.core.program.definitions import RESULTS
 from slipcircle.core.program.program import Log, Program, Samples
 from slipcircle.core.scene.piecewise import Data
 
