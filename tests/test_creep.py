@@ -12,6 +12,7 @@ import pytest
 from mpmath import mpf
 from scipy.integrate import solve_ivp
 
+from generated import walk as in_numpy
 from slipcircle import Arc, Scene, solve
 from slipcircle.__main__ import main
 from slipcircle.core import Status, numpy_only
@@ -53,6 +54,22 @@ def test_a_mass_creeps_if_it_is_overdamped_at_its_equilibrium(damping: float, ac
         assert motion.run_out == pytest.approx(6.34 * float(EQUILIBRIUM), rel=1e-14)
         assert lanes.run_out == pytest.approx(motion.run_out, rel=1e-14)
         assert accuracy < 1e-9 or damping > 1e4 or motion.error_estimate < 1e-9
+
+
+def test_without_a_binary_many_explicit_steps_are_left_to_implicit_ones(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A damping whose time constant asks for more than 10,000 explicit steps."""
+    rounds: list[int] = []
+    advance = in_numpy.advance
+
+    def counted(lanes: Any, here: Any) -> None:
+        rounds.append(1)
+        advance(lanes, here)
+
+    monkeypatch.setattr(in_numpy, "advance", counted)
+    with numpy_only():
+        motion = solve(scene(1e5))
+    assert 0 < len(rounds) < 500
+    assert motion.settling_time == pytest.approx(solve(scene(1e5)).settling_time, rel=1e-9)
 
 
 @pytest.mark.parametrize("damping", [1.2 * CRITICAL, 4.0, 60.0])
