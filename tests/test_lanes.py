@@ -1,5 +1,6 @@
 """A lane is its scene: circles, grounds, levels, soils, loads and cracks as arrays, beside each scene by itself."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -67,9 +68,34 @@ def test_lanes_are_their_scenes(name: str) -> None:
         one = solve(alone, accuracy=1e-15).to_dict()
         assert one["run_out"] > 0.1
         for number in NUMBERS:
-            assert np.broadcast_to(table[number], many.shape)[at] == pytest.approx(one[number], rel=2e-12), (number, at)
+            assert np.broadcast_to(table[number], many.shape)[at] == pytest.approx(one[number], rel=1e-13), (number, at)
         for method, factor in factors_of_safety(alone).items():
             assert np.broadcast_to(factors[method], many.shape)[at] == pytest.approx(factor, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("load", "line"),
+    [
+        ([(2e4, 3e4), (6e4, 1e4), (0.0, 2e4)], [(12.0, 12.0, 8.0)] * 3),
+        ([(2e4, 3e4)] * 3, [(12.0, 12.0, 8.0), (13.0, 11.0, 9.0), (12.0, 11.5, 9.0)]),
+    ],
+)
+def test_lanes_of_loads_and_lines_are_taken(load: Any, line: Any) -> None:
+    """Also where they differ by more than the numbers that have a name: one end's pressure, a line's first height."""
+    (upper, _), (middle, _), lower = CRACKED.layers
+
+    def section(k: Any) -> LayeredSection:
+        places = np.broadcast_to([-80.0, 0.0, 80.0], np.shape(np.array(line)[k]))
+        points = np.stack([places, np.array(line)[k]], axis=-1)
+        loads = [(-3.0, 4.0, *np.array(load)[k].T)]
+        return replace(CRACKED, surcharge=loads, layers=[(upper, None), (middle, points), lower])
+
+    lanes = solve(Scene(section(slice(None)), effects=TURNING))
+    alone = [solve(Scene(section(k), effects=TURNING)).run_out for k in range(3)]
+    assert lanes.run_out == pytest.approx(alone, rel=1e-9)
+    assert [lanes[k].run_out for k in range(3)] == alone
+    assert lanes[1:].run_out.tolist() == lanes.run_out[1:].tolist()
+    assert solve(lanes[1:].plan.scene).run_out == pytest.approx(alone[1:], rel=1e-9)
 
 
 @pytest.mark.parametrize("name", campaign.SCENES)

@@ -241,20 +241,24 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
 def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
     """Some lanes of a scene: ``select`` takes an array of the scene's shape. They were checked with it."""
     assert isinstance(scene.effects, dict)
+
+    def of_lanes(value: Any, axes: int = 0) -> Any:
+        shape = np.shape(value)
+        if len(shape) <= axes:
+            return value
+        every_lane = np.broadcast_to(value, scene.shape + shape[len(shape) - axes :])
+        return plain(select(every_lane))
+
+    numbers = scene.numbers.items()
+    chosen = {name: of_lanes(value) for name, value in numbers if np.ndim(value)}
     shaking = scene.effects.get("shaking", {})
-    chosen = {}
-    for name, value in scene.numbers.items():
-        if not np.ndim(value):
-            continue
-        every_lane = np.broadcast_to(value, scene.shape)
-        of_lanes = select(every_lane)
-        chosen[name] = plain(of_lanes)
     for name in _OTHER_FACTOR:
         if name not in shaking:  # it stands for the other
             chosen.pop(f"shaking.{name}", None)
-    changed = _fields_with(scene, chosen)
-    arc = replace_unchecked(scene.arc, changed["arc"])
-    return replace_unchecked(scene, changed | {"arc": arc})
+    some = replace_unchecked(scene, {"arc": scene.arc.with_lanes(of_lanes)})
+    changed = _fields_with(some, chosen)
+    arc = replace_unchecked(some.arc, changed["arc"])
+    return replace_unchecked(some, changed | {"arc": arc})
 
 
 def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, Flags]:
