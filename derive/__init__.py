@@ -11,7 +11,7 @@ above it:
 ``algebra``      definition -> closed form -> form without cancellation; balance laws -> motion; each step proved
 ``code``         SymPy expression -> straight-line `Program` -> its text, and its value as every machine rounds it
 ``approximate``  closed form -> best polynomials and rationals -> the kernels' programs for each tier of accuracy
-``flow``         effects, laws and the balance -> operations on Taylor series, in C, in NumPy, and their derivatives
+``flow``         effects, laws and the balance -> operations on Taylor series; the integrator's text -> C and NumPy
 ``generate``     the functions of `generated`, each with its program, domain and docstring -> its files
 ``judge``        what the paper claims, compared with what follows from its definitions; the hard cases
 ``build``        C source -> extension module, here and at install time

@@ -32,7 +32,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     from derive.approximate.programs import variants
     from derive.check.records import read
     from derive.declare.quantities import MOMENTS
-    from derive.flow import operations
+    from derive.flow import linked, recurrences
     from derive.generate import functions, write
 
     for moment in MOMENTS:
@@ -45,7 +45,8 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     _stable_forms()
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", dynamics.prove_forms)
-    timed("flow", "series", "{0} operations proved", operations.prove)
+    timed("flow", "balance", "{0} claims proved", linked.prove)
+    timed("flow", "series", "{0} operations proved", recurrences.prove)
     timed("slopes", "balance", "{0} claims proved", slopes.prove)
     timed("rounded angles", "carried", "{0} claims proved", functions.prove_carried)
     # A recorded certificate is valid as long as its operations are unchanged (`prove` proves it again).
@@ -117,9 +118,7 @@ def _parser() -> argparse.ArgumentParser:
         choice = command.add_mutually_exclusive_group()
         for form, shown in forms.items():
             choice.add_argument(f"--{form}", dest="form", action="store_const", const=form, default="text", help=shown)
-        if name == "verify":
-            command.add_argument("--verbose", action="store_true", help="causes and rules below the table too")
-        elif name == "theorem":
+        if name == "theorem":
             _add_quantities(command)
     return parser
 
@@ -162,14 +161,14 @@ def main(argv: list[str] | None = None) -> int:
     if options.command == "theorem":
         return _prove_motion(options)
     if options.command == "verify":
-        from derive.judge.report import show
+        from derive.judge import report
 
-        show(options.form, options.verbose)
+        print(report.report(options.form, 100 if sys.stdout.isatty() else sys.maxsize))
         return 0
     if options.command == "hard":
-        from derive.judge.hard import report
+        from derive.judge import hard
 
-        print(report(options.form))
+        print(hard.report(options.form))
         return 0
     return generate(options.check, options.search, options.trials)
 

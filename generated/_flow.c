@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "398a25420be8c4936889d7763192e00a41bff94c25371679de799f7492e9916a"
+#define DIGEST "d280d086f1777239d637a2346ac88050ca84a4288cb0735dcc7bf5f0fe3962aa"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -417,9 +417,9 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         if (n == 0) {
             d[0] = a[0] * b[0];
         } else {
-            V part0[2] = {{0}};
-            OVER(0, n + 1, part0[j] += a[k] * b[n - k]);
-            V sum0 = (part0[0] + part0[1]);
+            V sum0_[2] = {{0}};
+            OVER(0, n + 1, sum0_[j] += a[k] * b[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
             d[n] = sum0;
         }
         return at + 4;
@@ -430,9 +430,9 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         if (n == 0) {
             d[0] = a[0] * a[0];
         } else {
-            V part0[2] = {{0}};
-            OVER(0, (n + 1) / 2, part0[j] += a[k] * a[n - k]);
-            V sum0 = 2.0 * (part0[0] + part0[1]);
+            V sum0_[2] = {{0}};
+            OVER(0, (n + 1) / 2, sum0_[j] += a[k] * a[n - k]);
+            V sum0 = 2.0 * (sum0_[0] + sum0_[1]);
             if (n % 2 == 0) sum0 += a[n / 2] * a[n / 2];
             d[n] = sum0;
         }
@@ -447,27 +447,30 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         V *restrict p7 = r + (ptrdiff_t)at[6] * stride;
         const V *x = r + (ptrdiff_t)at[7] * stride;
         if (n == 0) {
-            p2[0] = x[0] * x[0];
-            p3[0] = x[0] * x[0] * x[0];
-            p4[0] = x[0] * x[0] * x[0] * x[0];
-            p5[0] = x[0] * x[0] * x[0] * x[0] * x[0];
-            p6[0] = x[0] * x[0] * x[0] * x[0] * x[0] * x[0];
-            p7[0] = x[0] * x[0] * x[0] * x[0] * x[0] * x[0] * x[0];
+            const V t1 = x[0] * x[0];
+            const V t2 = x[0] * t1;
+            const V t3 = t1 * t1;
+            p2[0] = t1;
+            p3[0] = t2;
+            p4[0] = t3;
+            p5[0] = x[0] * t3;
+            p6[0] = t1 * t3;
+            p7[0] = t2 * t3;
         } else {
-            V part0[2] = {{0}}, part1[2] = {{0}}, part2[2] = {{0}}, part3[2] = {{0}}, part4[2] = {{0}}, part5[2] = {{0}};
-            OVER(1, n + 1, part0[j] += x[k] * p2[n - k]; part1[j] += x[k] * p3[n - k]; part2[j] += x[k] * p4[n - k]; part3[j] += x[k] * p5[n - k]; part4[j] += x[k] * p6[n - k]; part5[j] += x[k] * x[n - k]);
-            V sum0 = (part0[0] + part0[1]);
-            V sum1 = (part1[0] + part1[1]);
-            V sum2 = (part2[0] + part2[1]);
-            V sum3 = (part3[0] + part3[1]);
-            V sum4 = (part4[0] + part4[1]);
-            V sum5 = (part5[0] + part5[1]);
-            p2[n] = (sum5 + x[0] * x[n]);
-            p3[n] = (sum0 + p2[n] * x[0]);
-            p4[n] = (sum1 + p3[n] * x[0]);
-            p5[n] = (sum2 + p4[n] * x[0]);
-            p6[n] = (sum3 + p5[n] * x[0]);
-            p7[n] = (sum4 + p6[n] * x[0]);
+            V sum0_[2] = {{0}}, sum1_[2] = {{0}}, sum2_[2] = {{0}}, sum3_[2] = {{0}}, sum4_[2] = {{0}}, sum5_[2] = {{0}};
+            OVER(1, n + 1, sum0_[j] += x[k] * p2[n - k]; sum1_[j] += x[k] * p3[n - k]; sum2_[j] += x[k] * p4[n - k]; sum3_[j] += x[k] * p5[n - k]; sum4_[j] += x[k] * p6[n - k]; sum5_[j] += x[k] * x[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
+            V sum1 = sum1_[0] + sum1_[1];
+            V sum2 = sum2_[0] + sum2_[1];
+            V sum3 = sum3_[0] + sum3_[1];
+            V sum4 = sum4_[0] + sum4_[1];
+            V sum5 = sum5_[0] + sum5_[1];
+            p2[n] = sum5 + x[0] * x[n];
+            p3[n] = sum0 + p2[n] * x[0];
+            p4[n] = sum1 + p3[n] * x[0];
+            p5[n] = sum2 + p4[n] * x[0];
+            p6[n] = sum3 + p5[n] * x[0];
+            p7[n] = sum4 + p6[n] * x[0];
         }
         return at + 8;
     }
@@ -487,17 +490,16 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         const V *q = r + (ptrdiff_t)at[3] * stride;
         const V *x = r + (ptrdiff_t)at[4] * stride;
         if (n == 0) {
-            const V f0 = IN(map)(sin, x[0]);
-            const V f1 = IN(map)(sin, 0.5 * x[0]);
-            s[0] = f0;
-            v[0] = 2.0 * f1 * f1;
+            const V t1 = IN(map)(sin, 0.5 * x[0]);
+            s[0] = IN(map)(sin, x[0]);
+            v[0] = 2.0 * (t1 * t1);
         } else {
-            V part0[2] = {{0}}, part1[2] = {{0}};
-            OVER(1, n + 1, part0[j] += q[k] * s[n - k]; part1[j] += q[k] * v[n - k]);
-            V sum0 = (part0[0] + part0[1]);
-            V sum1 = (part1[0] + part1[1]);
+            V sum0_[2] = {{0}}, sum1_[2] = {{0}};
+            OVER(1, n + 1, sum0_[j] += q[k] * s[n - k]; sum1_[j] += q[k] * v[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
+            V sum1 = sum1_[0] + sum1_[1];
             s[n] = (q[n] - sum1) * by_n;
-            v[n] = sum0 * by_n;
+            v[n] = by_n * sum0;
         }
         return at + 5;
     }
@@ -507,15 +509,13 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         const V *q = r + (ptrdiff_t)at[3] * stride;
         const V *z = r + (ptrdiff_t)at[4] * stride;
         if (n == 0) {
-            const V f0 = IN(map)(expm1, z[0]);
-            const V f1 = IN(map)(exp, z[0]);
-            e[0] = f1;
-            m[0] = f0;
+            e[0] = IN(map)(exp, z[0]);
+            m[0] = IN(map)(expm1, z[0]);
         } else {
-            V part0[2] = {{0}};
-            OVER(1, n + 1, part0[j] += q[k] * e[n - k]);
-            V sum0 = (part0[0] + part0[1]);
-            e[n] = sum0 * by_n;
+            V sum0_[2] = {{0}};
+            OVER(1, n + 1, sum0_[j] += q[k] * e[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
+            e[n] = by_n * sum0;
             m[n] = e[n];
         }
         return at + 5;
@@ -525,13 +525,14 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         V *restrict m = r + (ptrdiff_t)at[2] * stride;
         const V *z = r + (ptrdiff_t)at[3] * stride;
         if (n == 0) {
-            h[0] = 1.0 / (1.0 + z[0]);
-            m[0] = -z[0] / (1.0 + z[0]);
+            const V t1 = 1.0 + z[0];
+            h[0] = 1.0 / t1;
+            m[0] = -(z[0] / t1);
         } else {
-            V part0[2] = {{0}};
-            OVER(1, n + 1, part0[j] += z[k] * h[n - k]);
-            V sum0 = (part0[0] + part0[1]);
-            h[n] = -sum0 * h[0];
+            V sum0_[2] = {{0}};
+            OVER(1, n + 1, sum0_[j] += z[k] * h[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
+            h[n] = -(h[0] * sum0);
             m[n] = h[n];
         }
         return at + 4;
@@ -540,13 +541,12 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         V *restrict l = r + (ptrdiff_t)at[1] * stride;
         const V *z = r + (ptrdiff_t)at[2] * stride;
         if (n == 0) {
-            const V f0 = IN(map)(log1p, z[0]);
-            l[0] = f0;
+            l[0] = IN(map)(log1p, z[0]);
         } else {
-            V part0[2] = {{0}};
-            OVER(1, n + 0, part0[j] += k * l[k] * z[n - k]);
-            V sum0 = (part0[0] + part0[1]);
-            l[n] = (z[n] - sum0 * by_n) / (1.0 + z[0]);
+            V sum0_[2] = {{0}};
+            OVER(1, n - 1 + 1, sum0_[j] += k * l[k] * z[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
+            l[n] = (z[n] - by_n * sum0) / (1.0 + z[0]);
         }
         return at + 3;
     }
@@ -556,15 +556,14 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         const V *z = r + (ptrdiff_t)at[3] * stride;
         const V power = c[at[4]];
         if (n == 0) {
-            const V f0 = IN(map)(log1p, z[0]);
-            const V f1 = IN(map)(expm1, f0 * power);
-            p[0] = (1.0 + f1);
-            m[0] = f1;
+            const V t1 = IN(map)(expm1, IN(map)(log1p, z[0]) * power);
+            p[0] = 1.0 + t1;
+            m[0] = t1;
         } else {
-            V part0[2] = {{0}};
-            OVER(1, n + 1, part0[j] += (k + k * power - n) * z[k] * p[n - k]);
-            V sum0 = (part0[0] + part0[1]);
-            p[n] = sum0 / (1.0 + z[0]) * by_n;
+            V sum0_[2] = {{0}};
+            OVER(1, n + 1, sum0_[j] += (k + k * power - n) * z[k] * p[n - k]);
+            V sum0 = sum0_[0] + sum0_[1];
+            p[n] = by_n / (1.0 + z[0]) * sum0;
             m[n] = p[n];
         }
         return at + 5;

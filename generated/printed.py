@@ -1,10 +1,10 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8b8d3333c0400c28d1e0ce4ade5dbd2e4209854f1daed6be93b503c8ed9322f2
+# sha256 of the text below: 05d0d3e2b072c7988a398b62eb3879956445c1c900d4ed284cc0abbff263398a
 """The paper's own forms, as printed, for comparison only: they cancel and overflow."""
 
-import numpy as np
+from typing import Any
 
-from generated._evaluate import Array
+import numpy as np
 
 __all__ = [
     "polar_moment",
@@ -15,97 +15,76 @@ __all__ = [
     "dynamic_coefficient",
     "appendix_I",
     "appendix_II",
-    "angular_velocity",
-    "rotation",
 ]
 
 
-def _polar_moment(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def polar_moment(alpha: Any) -> Any:
+    """(2.19), as printed: float64 arrays, no domain check.
+
+    Operations: 6 mul, 1 add, 2 sub, 2 div, 1 abs, 1 cos, 1 log, 1 sin, 1 tan.
+    """
     t1 = np.cos(alpha)
     t2 = np.log(np.abs(np.tan(0.7853981633974483 + 0.5 * alpha))) * (t1 * (t1 * t1))
     return 0.6666666666666666 * alpha - t2 / 3.0 - np.sin(2.0 * alpha) / 6.0
 
 
-def polar_moment(alpha: Array) -> Array:
-    """(2.19), as printed: float64 arrays, no domain check.
-
-    Operations: 6 mul, 1 add, 2 sub, 2 div, 1 abs, 1 cos, 1 log, 1 sin, 1 tan.
-    """
-    with np.errstate(all="ignore"):
-        return _polar_moment(alpha)
-
-
-def _moment_of_inertia(alpha: Array) -> Array:
-    t1 = np.cos(alpha)
-    return 0.5 * alpha - (1.0 + 2.0 * (t1 * t1)) * np.sin(2.0 * alpha) / 12.0
-
-
-def moment_of_inertia(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def moment_of_inertia(alpha: Any) -> Any:
     """(3.15), as printed: float64 arrays, no domain check.
 
     Operations: 5 mul, 1 add, 1 sub, 1 div, 1 cos, 1 sin.
     """
-    with np.errstate(all="ignore"):
-        return _moment_of_inertia(alpha)
+    t1 = np.cos(alpha)
+    return 0.5 * alpha - (1.0 + 2.0 * (t1 * t1)) * np.sin(2.0 * alpha) / 12.0
 
 
-def _radial_weight_amplitude(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def radial_weight_amplitude(alpha: Any) -> Any:
+    """Appendix I in one line, as printed: float64 arrays, no domain check.
+
+    Operations: 2 mul, 1 sub, 1 arctanh, 1 cos, 1 sin.
+    """
     t1 = np.sin(alpha)
     t2 = np.cos(alpha)
     return t1 - t2 * t2 * np.arctanh(t1)
 
 
-def radial_weight_amplitude(alpha: Array) -> Array:
-    """Appendix I in one line, as printed: float64 arrays, no domain check.
+@np.errstate(all="ignore")
+def weight_moment_amplitude(alpha: Any) -> Any:
+    """(3.13), integrated, as printed: float64 arrays, no domain check.
 
-    Operations: 2 mul, 1 sub, 1 arctanh, 1 cos, 1 sin.
+    Operations: 3 mul, 1 sub, 1 cos, 1 sin.
     """
-    with np.errstate(all="ignore"):
-        return _radial_weight_amplitude(alpha)
-
-
-def _weight_moment_amplitude(alpha: Array) -> Array:
     t1 = 0.6666666666666666 * np.sin(alpha)
     t2 = np.cos(alpha)
     return t1 - t1 * (t2 * t2)
 
 
-def weight_moment_amplitude(alpha: Array) -> Array:
-    """(3.13), integrated, as printed: float64 arrays, no domain check.
-
-    Operations: 3 mul, 1 sub, 1 cos, 1 sin.
-    """
-    with np.errstate(all="ignore"):
-        return _weight_moment_amplitude(alpha)
-
-
-def _resistance_factor(alpha: Array) -> Array:
-    return 2.0 * (1.0 - np.cos(alpha)) * alpha
-
-
-def resistance_factor(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def resistance_factor(alpha: Any) -> Any:
     """(3.14), as printed: float64 arrays, no domain check.
 
     Operations: 2 mul, 1 sub, 1 cos.
     """
-    with np.errstate(all="ignore"):
-        return _resistance_factor(alpha)
+    return 2.0 * (1.0 - np.cos(alpha)) * alpha
 
 
-def _dynamic_coefficient(alpha: Array) -> Array:
-    return 0.5 * _polar_moment(alpha) / (alpha * (1.0 - np.cos(alpha)))
-
-
-def dynamic_coefficient(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def dynamic_coefficient(alpha: Any) -> Any:
     """(2.24) with (2.19), as printed: float64 arrays, no domain check.
 
     Operations: 8 mul, 1 add, 3 sub, 3 div, 1 abs, 1 cos, 1 log, 1 sin, 1 tan.
     """
-    with np.errstate(all="ignore"):
-        return _dynamic_coefficient(alpha)
+    return 0.5 * polar_moment(alpha) / (alpha * (1.0 - np.cos(alpha)))
 
 
-def _appendix_I(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def appendix_I(theta_1: Any, theta_2: Any, alpha: Any) -> Any:
+    """Appendix I, brackets repaired, as printed: float64 arrays, no domain check.
+
+    Operations: 83 mul, 14 add, 26 sub, 3 div, 2 arctanh, 3 cos, 3 sin.
+    """
     t1 = np.cos(alpha)
     t2 = np.cos(theta_2)
     t3 = 0.5 * t1
@@ -149,16 +128,12 @@ def _appendix_I(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
     return (t38 - t39 * t19 - t39 * t26 - t40 * t19 - t40 * t26) / (t21 - t22 - t24 - t25)
 
 
-def appendix_I(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
-    """Appendix I, brackets repaired, as printed: float64 arrays, no domain check.
+@np.errstate(all="ignore")
+def appendix_II(theta_1: Any, theta_2: Any, alpha: Any) -> Any:
+    """Appendix II, brackets repaired, as printed: float64 arrays, no domain check.
 
-    Operations: 83 mul, 14 add, 26 sub, 3 div, 2 arctanh, 3 cos, 3 sin.
+    Operations: 86 mul, 19 add, 26 sub, 3 div, 2 arctanh, 3 cos, 3 sin.
     """
-    with np.errstate(all="ignore"):
-        return _appendix_I(theta_1, theta_2, alpha)
-
-
-def _appendix_II(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
     t1 = np.sin(alpha)
     t2 = np.cos(theta_1)
     t3 = 0.5 * t1
@@ -205,38 +180,3 @@ def _appendix_II(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
     t44 = 2.0 * t6 * t13 * t15 * t2
     t45 = t42 - t16 * t13 * t10 * t2 - t43 * t18 - t43 * t27 - t44 * t18 - t44 * t27
     return t45 / (t21 - t23 - t25 - t26)
-
-
-def appendix_II(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
-    """Appendix II, brackets repaired, as printed: float64 arrays, no domain check.
-
-    Operations: 86 mul, 19 add, 26 sub, 3 div, 2 arctanh, 3 cos, 3 sin.
-    """
-    with np.errstate(all="ignore"):
-        return _appendix_II(theta_1, theta_2, alpha)
-
-
-def _angular_velocity(a: Array, b: Array, t: Array) -> Array:
-    return np.sqrt(a / b) * np.tanh(np.sqrt(a * b) * t)
-
-
-def angular_velocity(a: Array, b: Array, t: Array) -> Array:
-    """(3.20), misprint mended, from rest, as printed: float64 arrays, no domain check.
-
-    Operations: 3 mul, 1 div, 2 sqrt, 1 tanh.
-    """
-    with np.errstate(all="ignore"):
-        return _angular_velocity(a, b, t)
-
-
-def _rotation(a: Array, b: Array, t: Array) -> Array:
-    return np.log(np.cosh(np.sqrt(a * b) * t)) / b
-
-
-def rotation(a: Array, b: Array, t: Array) -> Array:
-    """(4.3), from rest, as printed: float64 arrays, no domain check.
-
-    Operations: 2 mul, 1 div, 1 cosh, 1 log, 1 sqrt.
-    """
-    with np.errstate(all="ignore"):
-        return _rotation(a, b, t)

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 50fb3a91aadd52b6cbfc2117c3f5493569c80c8287678244b5bf2e6898918f2a
+# sha256 of the text below: b2796f54eb946cfdbec5a08a02ef2f94603c5d9c53562fc2b2014d955e3b0177
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "398a25420be8c4936889d7763192e00a41bff94c25371679de799f7492e9916a"  # of the compiled integrator's source
+DIGEST = "d280d086f1777239d637a2346ac88050ca84a4288cb0735dcc7bf5f0fe3962aa"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
@@ -81,12 +81,15 @@ def _powers(r: Floats, c: Floats, n: int, p2_: int, p3_: int, p4_: int, p5_: int
     """p2 = x**2, p3 = x**3, p4 = x**4, p5 = x**5, p6 = x**6, p7 = x**7."""
     p2, p3, p4, p5, p6, p7, x = r[p2_], r[p3_], r[p4_], r[p5_], r[p6_], r[p7_], r[x_]
     if n == 0:
-        p2[0] = x[0] * x[0]
-        p3[0] = x[0] * x[0] * x[0]
-        p4[0] = x[0] * x[0] * x[0] * x[0]
-        p5[0] = x[0] * x[0] * x[0] * x[0] * x[0]
-        p6[0] = x[0] * x[0] * x[0] * x[0] * x[0] * x[0]
-        p7[0] = x[0] * x[0] * x[0] * x[0] * x[0] * x[0] * x[0]
+        t1 = x[0] * x[0]
+        t2 = x[0] * t1
+        t3 = t1 * t1
+        p2[0] = t1
+        p3[0] = t2
+        p4[0] = t3
+        p5[0] = x[0] * t3
+        p6[0] = t1 * t3
+        p7[0] = t2 * t3
     else:
         sum0 = _over(x, p2, n, 1, n)
         sum1 = _over(x, p3, n, 1, n)
@@ -94,12 +97,12 @@ def _powers(r: Floats, c: Floats, n: int, p2_: int, p3_: int, p4_: int, p5_: int
         sum3 = _over(x, p5, n, 1, n)
         sum4 = _over(x, p6, n, 1, n)
         sum5 = _over(x, x, n, 1, n)
-        p2[n] = (sum5 + x[0] * x[n])
-        p3[n] = (sum0 + p2[n] * x[0])
-        p4[n] = (sum1 + p3[n] * x[0])
-        p5[n] = (sum2 + p4[n] * x[0])
-        p6[n] = (sum3 + p5[n] * x[0])
-        p7[n] = (sum4 + p6[n] * x[0])
+        p2[n] = sum5 + x[0] * x[n]
+        p3[n] = sum0 + p2[n] * x[0]
+        p4[n] = sum1 + p3[n] * x[0]
+        p5[n] = sum2 + p4[n] * x[0]
+        p6[n] = sum3 + p5[n] * x[0]
+        p7[n] = sum4 + p6[n] * x[0]
 
 
 def _tim(r: Floats, c: Floats, n: int, q_: int, a_: int) -> None:
@@ -115,28 +118,25 @@ def _turn(r: Floats, c: Floats, n: int, s_: int, v_: int, q_: int, x_: int) -> N
     """s = sin(x), v = 1 - cos(x)."""
     s, v, q, x = r[s_], r[v_], r[q_], r[x_]
     if n == 0:
-        f0 = np.sin(x[0])
-        f1 = np.sin(0.5 * x[0])
-        s[0] = f0
-        v[0] = 2.0 * f1 * f1
+        t1 = np.sin(0.5 * x[0])
+        s[0] = np.sin(x[0])
+        v[0] = 2.0 * (t1 * t1)
     else:
         sum0 = _over(q, s, n, 1, n)
         sum1 = _over(q, v, n, 1, n)
         s[n] = (q[n] - sum1) * (1.0 / n)
-        v[n] = sum0 * (1.0 / n)
+        v[n] = (1.0 / n) * sum0
 
 
 def _exp(r: Floats, c: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> None:
     """e = exp(z), m = exp(z) - 1."""
     e, m, q, z = r[e_], r[m_], r[q_], r[z_]
     if n == 0:
-        f0 = np.expm1(z[0])
-        f1 = np.exp(z[0])
-        e[0] = f1
-        m[0] = f0
+        e[0] = np.exp(z[0])
+        m[0] = np.expm1(z[0])
     else:
         sum0 = _over(q, e, n, 1, n)
-        e[n] = sum0 * (1.0 / n)
+        e[n] = (1.0 / n) * sum0
         m[n] = e[n]
 
 
@@ -144,11 +144,12 @@ def _rec(r: Floats, c: Floats, n: int, h_: int, m_: int, z_: int) -> None:
     """h = 1/(z + 1), m = -1 + 1/(z + 1)."""
     h, m, z = r[h_], r[m_], r[z_]
     if n == 0:
-        h[0] = 1.0 / (1.0 + z[0])
-        m[0] = -z[0] / (1.0 + z[0])
+        t1 = 1.0 + z[0]
+        h[0] = 1.0 / t1
+        m[0] = -(z[0] / t1)
     else:
         sum0 = _over(z, h, n, 1, n)
-        h[n] = -sum0 * h[0]
+        h[n] = -(h[0] * sum0)
         m[n] = h[n]
 
 
@@ -156,12 +157,11 @@ def _log(r: Floats, c: Floats, n: int, l_: int, z_: int) -> None:
     """l = log(z + 1)."""
     l, z = r[l_], r[z_]
     if n == 0:
-        f0 = np.log1p(z[0])
-        l[0] = f0
+        l[0] = np.log1p(z[0])
     else:
         k = np.arange(n + 1.0)[:, None]
         sum0 = _over(k * l[: n + 1], z, n, 1, n - 1)
-        l[n] = (z[n] - sum0 * (1.0 / n)) / (1.0 + z[0])
+        l[n] = (z[n] - (1.0 / n) * sum0) / (1.0 + z[0])
 
 
 def _pow(r: Floats, c: Floats, n: int, p_: int, m_: int, z_: int, power_: int) -> None:
@@ -169,16 +169,14 @@ def _pow(r: Floats, c: Floats, n: int, p_: int, m_: int, z_: int, power_: int) -
     p, m, z = r[p_], r[m_], r[z_]
     power = c[power_]
     if n == 0:
-        f0 = np.log1p(z[0])
-        f1 = np.expm1(f0 * power)
-        p[0] = (1.0 + f1)
-        m[0] = f1
+        t1 = np.expm1(np.log1p(z[0]) * power)
+        p[0] = 1.0 + t1
+        m[0] = t1
     else:
         k = np.arange(n + 1.0)[:, None]
         sum0 = _over((k + k * power - n) * z[: n + 1], p, n, 1, n)
-        p[n] = sum0 / (1.0 + z[0]) * (1.0 / n)
+        p[n] = (1.0 / n) / (1.0 + z[0]) * sum0
         m[n] = p[n]
-
 
 
 _SERIES: dict[str, Any] = {"mul": _mul, "sqr": _sqr, "powers": _powers, "tim": _tim, "turn": _turn, "exp": _exp,
@@ -197,7 +195,7 @@ _SCALARS: dict[str, Any] = {
     "log": np.log,
     "log1p": np.log1p,
     "sqrt": np.sqrt,
-    "abs": np.abs,
+    "abs": np.absolute,
     "min": np.minimum,
     "max": np.maximum,
     "less": _less,

@@ -1,10 +1,12 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7c159c2a6ef36ae77f2c6b4947a9764277821a92b6c74dda55d20061e9ce7e1b
+# sha256 of the text below: 2582c041c150d6d159b2c7c2b84ca56003e4238dfd88d686f31d7064cd52c1dc
 """The kernels' forms without cancellation, each proved equal to its closed form, for comparison only."""
+
+from typing import Any
 
 import numpy as np
 
-from generated._evaluate import Array, horner
+from generated._evaluate import horner
 
 __all__ = [
     "polar_moment",
@@ -38,7 +40,12 @@ SERIES_4 = (-0.16666666666666666, 0.008333333333333333, -0.0001984126984126984, 
         -9.183689863795546e-29)
 
 
-def _polar_moment(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def polar_moment(alpha: Any) -> Any:
+    """the stable form: float64 arrays, no domain check.
+
+    Operations: 69 mul, 46 add, 3 sub, 4 div, 1 neg, 3 min, 1 max, 1 less, 2 select, 1 abs, 1 arctanh, 1 cos.
+    """
     alpha_2 = np.minimum(1.5707963267948966, alpha)
     t1 = np.cos(alpha_2)
     alpha_2_2 = alpha_2 * alpha_2
@@ -59,16 +66,12 @@ def _polar_moment(alpha: Array) -> Array:
     return t12 * alpha_2 * alpha_2 * alpha_2
 
 
-def polar_moment(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def moment_of_inertia(alpha: Any) -> Any:
     """the stable form: float64 arrays, no domain check.
 
-    Operations: 69 mul, 46 add, 3 sub, 4 div, 1 neg, 3 min, 1 max, 1 less, 2 select, 1 abs, 1 arctanh, 1 cos.
+    Operations: 35 mul, 25 add, 1 sub, 1 div, 1 min, 1 cos.
     """
-    with np.errstate(all="ignore"):
-        return _polar_moment(alpha)
-
-
-def _moment_of_inertia(alpha: Array) -> Array:
     alpha_2 = np.minimum(1.5707963267948966, alpha)
     alpha_2_2 = alpha_2 * alpha_2
     p1 = horner(alpha_2_2, SERIES_1)
@@ -78,16 +81,12 @@ def _moment_of_inertia(alpha: Array) -> Array:
     return t2 * alpha_2
 
 
-def moment_of_inertia(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def radial_weight_amplitude(alpha: Any) -> Any:
     """the stable form: float64 arrays, no domain check.
 
-    Operations: 35 mul, 25 add, 1 sub, 1 div, 1 min, 1 cos.
+    Operations: 52 mul, 34 add, 2 sub, 4 div, 1 neg, 3 min, 1 max, 1 less, 2 select, 1 abs, 1 arctanh, 1 cos.
     """
-    with np.errstate(all="ignore"):
-        return _moment_of_inertia(alpha)
-
-
-def _radial_weight_amplitude(alpha: Array) -> Array:
     alpha_2 = np.minimum(1.5707963267948966, alpha)
     alpha_2_2 = alpha_2 * alpha_2
     p1 = horner(alpha_2_2, SERIES_1)
@@ -105,48 +104,36 @@ def _radial_weight_amplitude(alpha: Array) -> Array:
     return t10 * alpha_2 * alpha_2
 
 
-def radial_weight_amplitude(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def weight_moment_amplitude(alpha: Any) -> Any:
     """the stable form: float64 arrays, no domain check.
 
-    Operations: 52 mul, 34 add, 2 sub, 4 div, 1 neg, 3 min, 1 max, 1 less, 2 select, 1 abs, 1 arctanh, 1 cos.
+    Operations: 20 mul, 13 add, 1 min.
     """
-    with np.errstate(all="ignore"):
-        return _radial_weight_amplitude(alpha)
-
-
-def _weight_moment_amplitude(alpha: Array) -> Array:
     alpha_2 = np.minimum(1.5707963267948966, alpha)
     alpha_2_2 = alpha_2 * alpha_2
     p1 = horner(alpha_2_2, SERIES_1)
     return 0.6666666666666666 * (p1 * (p1 * p1)) * alpha_2 * alpha_2 * alpha_2
 
 
-def weight_moment_amplitude(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def resistance_factor(alpha: Any) -> Any:
     """the stable form: float64 arrays, no domain check.
 
-    Operations: 20 mul, 13 add, 1 min.
+    Operations: 19 mul, 14 add, 1 div, 1 min, 1 cos.
     """
-    with np.errstate(all="ignore"):
-        return _weight_moment_amplitude(alpha)
-
-
-def _resistance_factor(alpha: Array) -> Array:
     alpha_2 = np.minimum(1.5707963267948966, alpha)
     alpha_2_2 = alpha_2 * alpha_2
     p1 = horner(alpha_2_2, SERIES_1)
     return 2.0 * (p1 * p1) / (1.0 + np.cos(alpha_2)) * alpha_2 * alpha_2 * alpha_2
 
 
-def resistance_factor(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def dynamic_coefficient(alpha: Any) -> Any:
     """the stable form: float64 arrays, no domain check.
 
-    Operations: 19 mul, 14 add, 1 div, 1 min, 1 cos.
+    Operations: 68 mul, 47 add, 3 sub, 5 div, 1 neg, 3 min, 1 max, 1 less, 2 select, 1 abs, 1 arctanh, 1 cos.
     """
-    with np.errstate(all="ignore"):
-        return _resistance_factor(alpha)
-
-
-def _dynamic_coefficient(alpha: Array) -> Array:
     alpha_2 = np.minimum(1.5707963267948966, alpha)
     t1 = np.cos(alpha_2)
     alpha_2_2 = alpha_2 * alpha_2
@@ -168,16 +155,12 @@ def _dynamic_coefficient(alpha: Array) -> Array:
     return (0.5 + 0.5 * t1) * t13 / t2
 
 
-def dynamic_coefficient(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def weight_moment_per_inertia(alpha: Any) -> Any:
     """the stable form: float64 arrays, no domain check.
 
-    Operations: 68 mul, 47 add, 3 sub, 5 div, 1 neg, 3 min, 1 max, 1 less, 2 select, 1 abs, 1 arctanh, 1 cos.
+    Operations: 33 mul, 25 add, 1 sub, 2 div, 1 min, 1 cos.
     """
-    with np.errstate(all="ignore"):
-        return _dynamic_coefficient(alpha)
-
-
-def _weight_moment_per_inertia(alpha: Array) -> Array:
     alpha_2 = np.minimum(1.5707963267948966, alpha)
     alpha_2_2 = alpha_2 * alpha_2
     p1 = horner(alpha_2_2, SERIES_1)
@@ -187,16 +170,12 @@ def _weight_moment_per_inertia(alpha: Array) -> Array:
     return 0.6666666666666666 * t1 / (np.cos(alpha_2) * t1 / 3.0 - 2.0 * p2)
 
 
-def weight_moment_per_inertia(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def radial_weight_per_inertia(alpha: Any) -> Any:
     """the stable form: float64 arrays, no domain check.
 
-    Operations: 33 mul, 25 add, 1 sub, 2 div, 1 min, 1 cos.
+    Operations: 65 mul, 46 add, 3 sub, 6 div, 1 neg, 3 min, 1 max, 1 less, 2 select, 1 abs, 1 arctanh, 1 cos.
     """
-    with np.errstate(all="ignore"):
-        return _weight_moment_per_inertia(alpha)
-
-
-def _radial_weight_per_inertia(alpha: Array) -> Array:
     alpha_2 = np.minimum(1.5707963267948966, alpha)
     alpha_2_2 = alpha_2 * alpha_2
     p1 = horner(alpha_2_2, SERIES_1)
@@ -216,16 +195,12 @@ def _radial_weight_per_inertia(alpha: Array) -> Array:
     return t11 / (t1 * t4 / 3.0 - 2.0 * p3)
 
 
-def radial_weight_per_inertia(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def polar_moment_per_inertia(alpha: Any) -> Any:
     """the stable form: float64 arrays, no domain check.
 
-    Operations: 65 mul, 46 add, 3 sub, 6 div, 1 neg, 3 min, 1 max, 1 less, 2 select, 1 abs, 1 arctanh, 1 cos.
+    Operations: 68 mul, 46 add, 4 sub, 6 div, 1 neg, 3 min, 1 max, 1 less, 2 select, 1 abs, 1 arctanh, 1 cos.
     """
-    with np.errstate(all="ignore"):
-        return _radial_weight_per_inertia(alpha)
-
-
-def _polar_moment_per_inertia(alpha: Array) -> Array:
     alpha_2 = np.minimum(1.5707963267948966, alpha)
     t1 = np.cos(alpha_2)
     alpha_2_2 = alpha_2 * alpha_2
@@ -246,16 +221,12 @@ def _polar_moment_per_inertia(alpha: Array) -> Array:
     return t12 / (t1 * t2 / 3.0 - 2.0 * p3)
 
 
-def polar_moment_per_inertia(alpha: Array) -> Array:
+@np.errstate(all="ignore")
+def weight_moment_per_radial_weight(alpha: Any) -> Any:
     """the stable form: float64 arrays, no domain check.
 
-    Operations: 68 mul, 46 add, 4 sub, 6 div, 1 neg, 3 min, 1 max, 1 less, 2 select, 1 abs, 1 arctanh, 1 cos.
+    Operations: 50 mul, 34 add, 2 sub, 5 div, 1 neg, 3 min, 1 max, 1 less, 2 select, 1 abs, 1 arctanh, 1 cos.
     """
-    with np.errstate(all="ignore"):
-        return _polar_moment_per_inertia(alpha)
-
-
-def _weight_moment_per_radial_weight(alpha: Array) -> Array:
     alpha_2 = np.minimum(1.5707963267948966, alpha)
     alpha_2_2 = alpha_2 * alpha_2
     p1 = horner(alpha_2_2, SERIES_1)
@@ -271,12 +242,3 @@ def _weight_moment_per_radial_weight(alpha: Array) -> Array:
     t9 = 2.0 * (t2 * t2) * t1 * np.where(t7, p2, (np.arctanh(t8) - t8) / (t8 * (t8 * t8)))
     t10 = -(0.5 * (1.0 * (t4 * t4) + -3.0) * t1 / t3) - t9 / (t3 * (t3 * t3))
     return 0.6666666666666666 * t1 / t10
-
-
-def weight_moment_per_radial_weight(alpha: Array) -> Array:
-    """the stable form: float64 arrays, no domain check.
-
-    Operations: 50 mul, 34 add, 2 sub, 5 div, 1 neg, 3 min, 1 max, 1 less, 2 select, 1 abs, 1 arctanh, 1 cos.
-    """
-    with np.errstate(all="ignore"):
-        return _weight_moment_per_radial_weight(alpha)

@@ -18,6 +18,7 @@ from derive import build
 from derive.approximate.programs import variants
 from derive.generate import emit_c, write
 from tests.campaigns import matrix
+from tests.support.golden import SHIPPED
 from tests.support.kernels import COMPILED, FITTED, LEVELS, needs_binary
 from tests.support.lanes import BINARY
 
@@ -192,7 +193,7 @@ def test_every_processor_shows_the_same_digits(name: str) -> None:
     """A sample of what `python -m tests.campaigns.matrix` runs with NumPy's wide loops off, or ours."""
     notebook = "tests/test_notebooks.py::test_outputs_are_those_of_a_fresh_run[6_from_a_slope_to_a_slide]"
     examples = ["tests/test_readme.py::test_python", "tests/test_readme.py::test_the_earthquake_of_the_readme"]
-    tests = [notebook, *examples, "tests/test_golden.py::test_numbers_are_those_kept"]
+    tests = [notebook, *examples, *(f"tests/test_golden.py::test_numbers_are_those_kept[{name}]" for name in SHIPPED)]
     passed, line = matrix.tested(ROOT, sys.executable, matrix.PROCESSORS[name], tests)
     assert passed, line
 

@@ -57,7 +57,7 @@ def test_run_prints_a_table(said: Any) -> None:
         "run-out along the arc",
         "peak velocity",
         "duration",
-        "factor of safety",
+        "factor of safety by the paper's method",
         "estimated error",
     ]
     assert list(cells)[:6] == keys
@@ -77,7 +77,7 @@ def test_json_has_full_precision(records: Any) -> None:
         assert found["dimensionless"] == asdict(motion.plan.scene.arc.dimensionless)
 
 
-@pytest.mark.parametrize("asked_for", ["plan vaiont", "plan --all", "sensitivity vaiont", "search real-slope",
+@pytest.mark.parametrize("asked_for", ["plan vaiont", "sensitivity vaiont", "search real-slope",
                                        "sweep vaiont --grid friction.angle_deg=8,10"])  # fmt: skip
 def test_json_is_a_list_in_every_command(asked_for: str, records: Any) -> None:
     assert records(asked_for)
@@ -110,7 +110,7 @@ def test_times_of_the_rows(tmp_path: Path, said: Any, refused: Any, asked: Any) 
 
 
 def test_slopes_at_the_limits_of_the_method(tmp_path: Path, said: Any, asked: Any) -> None:
-    """An accuracy beyond float64's, a level arc, friction above the limit, uplift, a layer that hardly moves."""
+    """An accuracy beyond float64's, a level arc, friction above the limit, uplift."""
     path = tmp_path / "slope.toml"
 
     def slope(before: str = "", more: str = "", **changed: object) -> Path:
@@ -123,11 +123,10 @@ def test_slopes_at_the_limits_of_the_method(tmp_path: Path, said: Any, asked: An
     warning = asked("run", slope("accuracy = 1e-30\n"))[2]
     assert "float64 does not allow a smaller error" in warning
     assert "friction is next" not in warning
-    assert columns(said("run", slope(theta_1_deg=260)))["factor of safety"] == ["infinite"]
+    assert columns(said("run", slope(theta_1_deg=260)))["factor of safety by the paper's method"] == ["infinite"]
     assert "after 0 s" not in "".join(asked("run", slope(angle_deg=42))[1:])
     status, out, _ = asked("run", slope(more="[pore_pressure]\npressure_kPa = 500\n"))
     assert status == 1 or "still moving" not in out
-    assert "it creeps" in said("run", slope(more="[viscosity]\nviscosity_Pa_s = 1e12\nthickness_m = 0.01\n"))
 
 
 def test_names_are_whole_however_many_scenes(tmp_path: Path, said: Any) -> None:
@@ -320,7 +319,7 @@ def test_on_numpy_alone(tmp_path: Path) -> None:
     """Tables, JSON and CSV load nothing else, of a creep too; what needs an extra says which before it computes."""
     (tmp_path / "creep.toml").write_text(CREEP, "utf-8")
     works = [f"run {tmp_path}/creep.toml --csv {tmp_path}/creep.csv", "run vaiont-frozen --verbose", "info", "schema",
-             "run vaiont --json", "plan vaiont", "plan --all", "info --json"]  # fmt: skip
+             "run vaiont --json", "plan vaiont", "info --json"]  # fmt: skip
     missing = {f"run vaiont --plot {tmp_path}/a.png": "plot", f"run vaiont --report {tmp_path}/a.html": "plot",
                "sweep vaiont --samples 9 --uncertain friction.angle_deg=normal:10:1": "scenes",
                "cost polar_moment --json": "derive", f"cost --plot {tmp_path}/a.png": "plot"}  # fmt: skip

@@ -15,7 +15,6 @@ from flint import arb, ctx
 from slipcircle import Arc, Scene, load, parameters, solve
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support import accuracy, golden, oracle, references, taylor
-from tests.support.differences import check_derivatives
 
 EXACT = ("peak_velocity", "run_out", "duration")  # outputs of which so many digits are known
 
@@ -52,34 +51,6 @@ def test_a_function_has_the_derivatives_of_the_law_that_it_is() -> None:
             error = free.error(output, name) + named.error(output, name)
             near = 1e-10 * abs(named.derivative(output, name)) + 1e-12  # of the table of the function
             assert abs(free.derivative(output, name) - named.derivative(output, name)) <= error + near
-
-
-BESIDE = [name for name in list(golden.rows())[1::9] if "level ground" not in name]  # where down-slope turns over
-
-
-@pytest.mark.parametrize("name", BESIDE)
-def test_derivatives_are_those_of_scenes_beside(name: str) -> None:
-    """By every number, of every output: each law and each effect, what shakes, ends and forces that leap among them."""
-    check_derivatives(golden.built(name, golden.rows()[name]), 1e-5)
-
-
-RATE = {"law": "rate_weakening", "peak": 1.0, "residual": 0.8, "velocity": 1.0}
-CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e10, "thickness": 0.5}}
-OTHERS: dict[str, tuple[Scene, Sequence[str]]] = {
-    "45,000 explicit steps through a viscous layer in a month": (
-        Scene(Arc(60.0, 3.75, 4.83, 2e4), 0.19, CREEP, end_time=30 * 86400.0), ("friction", "viscosity.viscosity")
-    ),
-    "constant friction beside a law of speed": (
-        Scene(Arc(100.0, 3.7, 4.8, 2e4), {"law": "constant", "coefficient": 0.1, "rate": RATE}, ["rotation"]), ()
-    ),
-    "swings back, and reaches further than it rests": (replace(load("vaiont"), friction=0.1), ()),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("which", OTHERS)
-def test_derivatives_of_other_motions_are_those_of_scenes_beside(which: str) -> None:
-    scene, names = OTHERS[which]
-    check_derivatives(scene, 1e-7, names)
 
 
 def test_derivatives_where_a_pulse_ends() -> None:

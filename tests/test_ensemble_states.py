@@ -1,7 +1,6 @@
-"""Scenes of arrays: every field of every lane is that of the scene solved by itself, and no lane knows of another."""
+"""Scenes of arrays: what moves, shapes, and results against references; `test_lanes` has lanes beside their scenes."""
 
 import json
-import math
 from collections import defaultdict
 from dataclasses import replace
 from typing import Any
@@ -10,35 +9,8 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.derivatives import with_parameter_arrays
 from tests.support import accuracy, golden
-from tests.support.ensembles import EFFECTS, LANES, LAWS, lanes, together
-
-
-@pytest.mark.parametrize("effects", EFFECTS)
-@pytest.mark.parametrize("law", LAWS)
-def test_lanes_are_scenes_in_every_field(law: str, effects: str) -> None:
-    rows = lanes(law, effects)
-    found = together(rows)
-    assert found.shape == (LANES,)
-    for k, given in enumerate(rows):
-        alone = solve(golden.built(f"{k}", given))
-        assert (bool(found.moves[k]), bool(found.arrested[k])) == (alone.moves, alone.arrested), k
-        error = 4 * (float(found.error_estimate[k]) + alone.error_estimate) + 1e-13
-        speed, gravity, run_out = abs(float(alone.peak.velocity)), given["arc"]["gravity"], abs(alone.run_out)
-        stress = float(alone.plan.scene.arc.static_normal_stress)
-        assert found.duration[k] == pytest.approx(alone.duration, rel=error)
-        assert found.run_out[k] == pytest.approx(alone.run_out, rel=error)
-        where = 30 * math.sqrt(error)  # a flat top
-        for what, place, force in (("end", error, 300 * error), ("peak", where, where)):
-            one, other = getattr(found, what), getattr(alone, what)
-            bounds = {"time": place * alone.duration, "displacement": place * run_out, "velocity": error * speed,
-                      "acceleration": force * gravity, "normal_stress": force * stress}  # fmt: skip
-            for field, bound in bounds.items():
-                gap = abs(float(getattr(one, field)[k]) - float(getattr(other, field)))
-                assert gap <= bound + 1e-300, (k, what, field)
-        assert float(found.error_estimate[k]) >= (2e-16 if alone.moves else 0.0)
-        assert float(found.error_estimate[k]) <= max(3e3 * alone.error_estimate, 3e-10)
+from tests.support.ensembles import together
 
 
 def arcs(count: int) -> dict[str, Any]:
@@ -115,19 +87,3 @@ def test_references_together() -> None:
             assert found.peak.velocity[k] == pytest.approx(float(wanted["peak_velocity"]), rel=bound)
             seen += bound < 1e-11
     assert seen > 160
-
-
-def test_stresses_over_time_are_those_of_each_lane() -> None:
-    """Where each lane has tables of its own: of a law in pieces, and of the rotation of its own circle."""
-    law: Any = {"law": "linear", "peak": 0.3, "residual": 0.1, "length": np.array([3.0, 4.0, 5.0])}
-    layered: Scene = load("layered-slope")
-    radius = float(np.asarray(layered.arc.radius))
-    moved, invalid = with_parameter_arrays(layered, {"radius": radius * np.array([0.99, 1.0, 1.01])})
-    for scene, bad in (
-        (Scene(golden.built("", golden.scene(0.3, {})).arc, law, golden.TURNING), False),
-        (moved, invalid),
-    ):
-        motion = solve(scene, invalid=bad)
-        times = np.array([0.2, 0.9]) * float(np.min(motion.duration))
-        for k, stress in enumerate(motion.at(times).normal_stress):
-            assert stress == pytest.approx(motion[k].at(times).normal_stress, rel=1e-9)

@@ -89,7 +89,7 @@ def check_scene(plan: str, result: str, law: str, power: int, centripetal: bool)
     """It uses the new law and the new effect."""
     (planned,) = json.loads(plan)
     assert planned["law"] == law
-    assert {law, "suction"} <= set(planned["fragments"])
+    assert {law, "suction"} <= {term["effect"] for term in planned["equation"]["terms"]}
     assert planned["effects"][-1] == "suction"
     (motion,) = json.loads(result)
     effects = {"rotation": {}, "pore_pressure": {"pressure": -SUCTION}} | ({"centripetal": {}} if centripetal else {})

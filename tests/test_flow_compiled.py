@@ -1,6 +1,5 @@
 """The compiled integrator beside the one in NumPy: the same lanes, whatever their neighbours, wherever interrupted."""
 
-import math
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -9,59 +8,21 @@ import pytest
 
 import slipcircle
 from generated import layout as ix
-from slipcircle import Scene
-from slipcircle.tables import Pulse, Series
-from tests.support.lanes import BACKENDS, BINARY, Problem, Samples, compiled, integrate, needs_binary, posed
+from tests.support.lanes import BACKENDS, BINARY, COUNTED, Samples, compiled, integrate, needs_binary
+from tests.support.walks import LANES, SCENES, problem
 
 pytestmark = needs_binary
-
-LANES = 37
-TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
-MU = np.tan(np.radians(np.linspace(12.0, 31.0, LANES)))
-_RNG = np.random.default_rng(20240229)
-PUSHED = np.where(np.arange(LANES) % 3 == 0, _RNG.normal(size=LANES) * 3.0, 0.0)
-
-
-def _record(size: float) -> Series:
-    values = np.convolve(_RNG.normal(size=180), np.exp(-np.arange(21) / 5.0), "valid") * size
-    return Series(np.linspace(0.0, 7.95, 160), values, held=False)
-
-
-SHAKEN = {"horizontal": _record(0.08), "vertical": _record(0.2)}
-SCENES: dict[str, tuple[dict[str, Any], Any, float]] = {
-    "constant": (TURNING, MU, math.inf),
-    "softening": (TURNING, {"law": "exponential", "peak": MU, "residual": 0.7 * MU, "length": 20.0}, math.inf),
-    "hyperbolic": (TURNING, {"law": "hyperbolic", "peak": MU, "residual": 0.7 * MU, "length": 20.0}, math.inf),
-    "kinks": (TURNING, {"law": "tabulated", "slip": [0.0, 10.0, 30.0], "coefficient": [0.3, 0.2, 0.15]}, math.inf),
-    "rates": (TURNING, {"law": "rate_tabulated", "speed": [1e-3, 0.1, 1.0], "coefficient": [0.2, 0.18, 0.15]}, 300.0),
-    "water": (TURNING | {"pore_pressure": {"pressure": Series(np.array([0.0, 30, 60]), np.array([0.0, 2e6, 1e5]))}},
-              MU, 200.0),
-    "record": (TURNING | {"shaking": SHAKEN}, MU, math.inf),
-    "two ways": (TURNING | {"shaking": SHAKEN | {"two_way": True}}, MU + 0.2, 15.0),
-    "pulse": (TURNING | {"shaking": {"horizontal": Pulse("sine", 0.3, 0.5, 12.0, 6.0)}}, MU, math.inf),
-    "heat": (TURNING | {"thermal_pressurisation": {"pressurisation": 1e3, "heat_capacity": 2.7e6, "thickness": 0.1}},
-             MU, 200.0),
-}  # fmt: skip
-
-
-def lanes(name: str, accuracy: float = 1e-11) -> Problem:
-    called, friction, end = SCENES[name]
-    until = None if math.isinf(end) else end
-    return posed(Scene(slipcircle.load("vaiont").arc, friction, called, PUSHED, until), accuracy)
 
 
 @pytest.mark.parametrize("name", SCENES)
 def test_a_lane_is_the_same_alone_in_any_order_and_when_interrupted(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    bound = lanes(name)
+    bound = problem(name)
     whole, order = integrate(bound), np.random.default_rng(1).permutation(LANES)
     assert np.array_equal(integrate(bound, order), whole[:, order], equal_nan=True)
     alone = [integrate(bound, [k])[:, 0] for k in range(LANES)]
     assert np.array_equal(np.array(alone).T, whole, equal_nan=True)
     monkeypatch.setattr(compiled, "ROUNDS", 2)
     assert np.array_equal(integrate(bound), whole, equal_nan=True)
-
-
-COUNTED = (ix.STATUS, ix.STEPS, ix.PHASES, ix.TURNS, ix.DIRECTION, ix.LAST_WAY, ix.LIFTED, ix.PASSED)
 
 
 def alike(one: Any, other: Any, within: float) -> None:
@@ -76,19 +37,19 @@ def alike(one: Any, other: Any, within: float) -> None:
 
 @pytest.mark.parametrize("name", SCENES)
 def test_the_integrator_in_numpy_is_the_same(name: str) -> None:
-    bound = lanes(name)
+    bound = problem(name)
     alike(integrate(bound), integrate(bound, name="NumPy"), 1e-11)
 
 
 @pytest.mark.parametrize("name", SCENES)
 def test_every_kind_of_processor_gives_the_same(name: str) -> None:
-    bound = lanes(name)
+    bound = problem(name)
     for level in BINARY.LEVELS:
         alike(integrate(bound), integrate(bound, level=level), 1e-12)
 
 
 def test_samples_and_notes_are_those_of_numpy() -> None:
-    bound = lanes("record")
+    bound = problem("record")
     unit = float(np.asarray(slipcircle.load("vaiont").arc.time_scale))
     times = np.tile(np.linspace(0.0, 30.0, 61)[:, None] / unit, (1, LANES))
     states, notes = [], []
@@ -106,14 +67,14 @@ def test_samples_and_notes_are_those_of_numpy() -> None:
 
 
 def test_threads_walk_side_by_side() -> None:
-    bound = lanes("softening")
+    bound = problem("softening")
     with ThreadPoolExecutor(2) as pool:
         halves = list(pool.map(lambda half: integrate(bound, half), (slice(18), slice(18, None))))
     assert np.array_equal(np.concatenate(halves, axis=1), integrate(bound), equal_nan=True)
 
 
 def test_what_does_not_fit_is_refused() -> None:
-    bound = lanes("constant")
+    bound = problem("constant")
     code, cells, nothing = compiled.encoded(bound.program), bound.cells(), np.empty(0)
     for bad in (code[:-4], code + code[:4]):
         with pytest.raises(ValueError, match="do not fit"):

@@ -2,6 +2,7 @@
 
 import random
 from collections.abc import Iterator
+from dataclasses import replace
 
 import mpmath
 import numpy as np
@@ -11,7 +12,7 @@ import sympy as sp
 from derive.check.proof import ProofError
 from derive.declare import effects as declared
 from derive.declare.effects import EFFECTS, SLIP, THETA, VALUE, Effect, Parameter
-from derive.flow import fragments, operations
+from derive.flow import fragments, linked, recurrences
 from generated import series
 from tests.campaigns import flow_oracle
 from tests.support.lanes import Program, build_program
@@ -28,15 +29,15 @@ def fresh() -> Iterator[None]:
 # --- operations ------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", operations.OPERATIONS)
+@pytest.mark.parametrize("name", recurrences.OPERATIONS)
 def test_a_wrong_recurrence_is_no_theorem(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    right = operations.OPERATIONS[name]
-    wrong = operations.Operation(**{**right.__dict__, "step": (right.step[0] * sp.Rational(9, 8), *right.step[1:])})
-    monkeypatch.setattr(operations, "OPERATIONS", {name: right})
-    assert operations.prove(3) == [f"{name}: {4 - 2 * len(right.numbers)} coefficients"]
-    monkeypatch.setattr(operations, "OPERATIONS", {name: wrong})
+    right = recurrences.OPERATIONS[name]
+    wrong = recurrences.Operation(**{**right.__dict__, "step": (right.step[0] * sp.Rational(9, 8), *right.step[1:])})
+    monkeypatch.setattr(recurrences, "OPERATIONS", {name: right})
+    assert recurrences.prove(3) == [f"{name}: {4 - 2 * len(right.numbers)} coefficients"]
+    monkeypatch.setattr(recurrences, "OPERATIONS", {name: wrong})
     with pytest.raises(ProofError, match=name):
-        operations.prove(3)
+        recurrences.prove(3)
 
 
 @pytest.mark.parametrize(
@@ -47,10 +48,19 @@ def test_increments_keep_their_digits(name: str, wanted: float) -> None:
     """Order 0 of 1 - cos, exp - 1, 1/(1 + z) - 1 and (1 + z)^0.5 - 1 at a small argument."""
     r = np.zeros((5, 1, 1))
     r[-1] = 1e-9
-    o = operations.OPERATIONS[name]
-    places = [0, 1, *([3] if operations.Q in o.arguments else []), 4]
+    o = recurrences.OPERATIONS[name]
+    places = [0, 1, *([3] if recurrences.Q in o.arguments else []), 4]
     series.series_ops(((name, *places, *(0 for _ in o.numbers)),), r, np.full((1, 1), 0.5), 0)
     assert r[1, 0, 0] == pytest.approx(wanted, rel=1e-15)
+
+
+def test_a_wrong_sign_is_not_the_equation_of_motion(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is linked is proved to be (3.11), which is derived elsewhere from the balance laws."""
+    assert len(linked.prove()) == 4
+    centripetal = next(e for e in EFFECTS if e.name == "centripetal")
+    monkeypatch.setattr(linked, "EFFECTS", (replace(centripetal, stress=-centripetal.stress),))
+    with pytest.raises(ProofError, match=r"\(3.11\), direction 1, at the start"):
+        linked.prove()
 
 
 # --- programs --------------------------------------------------------------------------------------------------------

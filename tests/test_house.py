@@ -22,6 +22,8 @@ import pytest
 from derive import build
 from slipcircle import Motion, load, solve
 from slipcircle.core import doors
+from slipcircle.core.program.program import build_program
+from tests.support.layered import of_each_soil
 
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("derive", "generated", "slipcircle")
@@ -185,6 +187,7 @@ OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "forcing": ("vaiont-shaken", {}, bool),
     "tables": ("newmark-pulse", {}, bool),
     "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),
+    "soils": ("layered-slope", {"arc": of_each_soil()}, bool),
     "water": ("valley-side", {}, bool),
     "creep": ("vaiont", {"effects": CREEP}, bool),
     "stiff": ("vaiont", {"effects": CREEP, "end_time": 1e6}, bool),
@@ -203,6 +206,7 @@ def test_each_door_is_opened_by_a_scene(door: str, monkeypatch: pytest.MonkeyPat
     name, fields, question = OPENED[door]
     opening = Mock(wraps=import_module)
     monkeypatch.setattr(doors, "import_module", opening)
+    build_program.cache_clear()
     question(solve(replace(load(name), **fields)))
     opening.assert_any_call(doors.DOORS[door].module)
 

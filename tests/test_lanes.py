@@ -12,65 +12,34 @@ from slipcircle.layers import LayeredSection, Soil
 from slipcircle.tables.interpolation import between_kinks
 from slipcircle.workbench.stability.stability import factors_of_safety
 from tests.campaigns import lanes as campaign
-from tests.support.grounds import GROUND, LEVEL
-from tests.support.layered import BELOW_GROUND, CRACKED, TURNING, of_each_soil, profile, tangent
+from tests.support.ensembles import SCENES
+from tests.support.layered import CRACKED, TURNING
 
-RAISED = np.array(GROUND) + np.array([0.0, 0.2, -0.1])[:, None, None] * [[0, 0], [0, 0], [0, 1], [0, 1], [0, 1]]
-SECTIONS: dict[str, dict[str, Any]] = {
-    "radius": {"radius": np.array([28.3, 28.5, 28.4])},
-    "circles": {"centre": [[30.5, 53.6], [30.4, 53.5], [30.6, 53.4]], "radius": np.array([28.4, 28.35, 28.3])},
-    "grounds": {"ground": RAISED},
-    "a grid of circles": {"centre": [[[30.5, 53.6]], [[30.4, 53.7]]], "radius": np.array([28.3, 28.5, 28.4])},
-    "levels": {"level": np.array(LEVEL) - np.array([0.5, 1.0, 2.0])[:, None, None] * [0, 1], "centre": [33.0, 56.0],
-               "radius": 28.0},
-    "circles under a level": {"centre": [[33.0, 56.0], [33.05, 55.97], [32.94, 56.02]], "level": LEVEL,
-                              "radius": np.array([28.0, 28.03, 27.96])},
-    "soils": {"unit_weight": np.array([19e3, 20e3])},
-}  # fmt: skip
-SOILS = {"soils.soil 2.friction.peak": tangent([9.0, 8.0]), "soils.soil 1.unit_weight": [19e3, 18e3]}
-LAYERED: dict[str, tuple[LayeredSection, dict[str, Any]]] = {
-    "the base": (profile("softening", "base"), SOILS),
-    "the mass": (profile("softening", "mass"), SOILS),
-    "laws of soils": (of_each_soil(level=BELOW_GROUND), {"soils.a.friction.length": [0.3, 0.302]}),
-    "circles and boundaries": (profile("constant friction"), {"radius": [48.0, 47.5], "layers.3.top": [2.0, 2.4]}),
-    "cracks, loads and cohesion": (
-        CRACKED,
-        {"crack": [4.0, 3.5], "surcharge.1.pressure": [3e4, 5e4], "layers.3.top": [3.0, 5.0]},
-    ),
-}
+FIELDS = ("time", "displacement", "velocity", "acceleration", "normal_stress")
 NUMBERS = ("run_out", "duration", "factor_of_safety", "toe_x", "toe_y", "travel_angle", "exit_x", "area")
 
 
-COHESIVE: Any = {"rotation": {}, "centripetal": {}, "cohesion": {"cohesion": 3e3}}
+def factors_of(scene: Scene) -> dict[str, Any]:
+    return factors_of_safety(scene) if isinstance(scene.arc, Section) else {}
 
 
-def lanes_of(name: str) -> tuple[Scene, dict[tuple[int, ...], Scene]]:
-    """A scene of arrays, and the scene of each lane."""
-    if name in SECTIONS:
-        slope: dict[str, Any] = {"ground": GROUND, "centre": [30.5, 53.6], "radius": 28.4, "unit_weight": 20e3}
-        lanes = Scene(Section(**slope | SECTIONS[name]), 0.25, COHESIVE)
-        return lanes, {at: solve(lanes)[at].plan.scene for at in np.ndindex(lanes.shape)}
-    section, values = LAYERED[name]
-    scene = Scene(section, effects=TURNING)
-    lanes, invalid = with_parameter_arrays(scene, {number: np.array(value) for number, value in values.items()})
-    assert not invalid.any()
-    rows = [{number: float(value[k]) for number, value in values.items()} for k in (0, 1)]
-    return lanes, {(k,): with_parameters(scene, row) for k, row in enumerate(rows)}
-
-
-@pytest.mark.parametrize("name", [*SECTIONS, *LAYERED])
+@pytest.mark.parametrize("name", SCENES)
 def test_lanes_are_their_scenes(name: str) -> None:
-    lanes, scenes = lanes_of(name)
-    many = solve(lanes, accuracy=1e-15)
-    assert {*np.ndindex(many.shape)} == {*scenes}
-    table, factors = many.to_dict(), factors_of_safety(lanes)
-    for at, alone in scenes.items():
-        one = solve(alone, accuracy=1e-15).to_dict()
-        assert one["run_out"] > 0.1
-        for number in NUMBERS:
-            assert np.broadcast_to(table[number], many.shape)[at] == pytest.approx(one[number], rel=1e-13), (number, at)
-        for method, factor in factors_of_safety(alone).items():
-            assert np.broadcast_to(factors[method], many.shape)[at] == pytest.approx(factor, rel=1e-9)
+    """In results, factors of safety, and states at any time, at the end and where fastest."""
+    many = solve(SCENES[name], accuracy=1e-14)
+    table, factors = many.to_dict(), factors_of(many.plan.scene)
+    time = 0.4 * float(np.min(many.duration))
+    assert np.any(many.moves)
+    for at in np.ndindex(many.shape):
+        alone = many[at].plan.scene
+        one = solve(alone)
+        assert (many.status[at], many.moves[at], many.arrested[at]) == (one.status, one.moves, one.arrested)
+        pairs = [(table[number], one.to_dict()[number]) for number in NUMBERS if number in table]
+        pairs += [(factors[method], factor) for method, factor in factors_of(alone).items()]
+        for state, other in ((many.at(time), one.at(time)), (many.end, one.end), (many.peak, one.peak)):
+            pairs += [(getattr(state, field), getattr(other, field)) for field in FIELDS]
+        for found, expected in pairs:
+            assert np.broadcast_to(found, many.shape)[at] == pytest.approx(expected, rel=1e-9, abs=1e-12)
 
 
 @pytest.mark.parametrize(

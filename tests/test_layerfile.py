@@ -136,9 +136,9 @@ def test_each_soil_may_have_a_law_of_its_own(write: Write) -> None:
     slip = '[slip]\nstrength = "{}"\n'
     scene = SCENE.replace("friction = { angle_deg = 28 }", table)
     plan = slipcircle.solve(slipcircle.load(write(scene, slip.format("mass")))).plan
-    assert "soil_mu_0 = mu(slip)" in str(plan.equation)
-    assert "soil_mu_1 = residual_1 + (peak_1 - residual_1) exp(-slip/length_1)" in str(plan.equation)
-    latex = r"soil_{\mu,1} &= \mu_{r,1} + \left(\mu_{p,1} - \mu_{r,1}\right) e^{- \frac{S}{L_{1}}}"
+    assert "mu_1 = mu(slip)" in str(plan.equation)
+    assert "mu_2 = residual_2 + (peak_2 - residual_2) exp(-slip/length_2)" in str(plan.equation)
+    latex = r"\mu_{2} &= \mu_{r,2} + \left(\mu_{p,2} - \mu_{r,2}\right) e^{- \frac{S}{L_{2}}}"
     assert latex in plan.equation.latex
     assert plan.law == "tabulated, exponential, constant by soil"
     with pytest.raises(ValueError, match=r"with slip\.strength = 'mass' each may have a law of its own"):
@@ -248,7 +248,7 @@ def test_every_mistake_between_tables_is_listed(write: Write) -> None:
         ("[rotation]", "[tension_crack]\ndepth_m = 30", "tension_crack.depth_m = 30: is deeper than the mass"),
         ("[rotation]", '[slip]\nstrength = "mass"\nforeland = "sand"', "slip.foreland: cannot be combined"),
         ("[rotation]", "[slip]\nstrenght = 'mass'", "did you mean strength"),
-        ("saturated_unit_weight_kN_m3 = 20", "saturated_unit_weight_kN_m3 = 20000", "is that in N/m3"),
+        ("saturated_unit_weight_kN_m3 = 20", "saturated_unit_weight_kN_m3 = 20000", "at most 1000; was 20 kN/m3 meant"),
     ],
 )  # fmt: skip
 def test_one_mistake_names_the_key_as_it_is_typed(write: Write, old: str, new: str, message: str) -> None:
@@ -267,16 +267,29 @@ def test_one_soil_takes_cracks_loads_and_ponds_in_statics(write: Write, refused:
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "words"),
+    ("name", "old", "new", "words"),
     [
-        ("amplitude_g = 0.4", "amplitude_g = 35", "no ground has shaken with more than 5 g"),
-        ("peak_deg = 30", "peak_deg = 20", "friction.peak is below the residual friction"),
-        ("cohesion_kPa = 3", "cohesion_kPa = 3000", "a file takes kPa: was 3000 Pa meant?"),
+        ("shaken-slope", "amplitude_g = 0.4", "amplitude_g = 35", "no ground has shaken with more than 5 g"),
+        ("shaken-slope", "peak_deg = 30", "peak_deg = 20", "friction.peak_deg = 20 deg: below the residual friction"),
+        (
+            "layered-slope",
+            "angle_deg = 30",
+            "angle_deg = 0.52",
+            "soils.sand.friction.angle_deg = 0.52 deg: an angle of",
+        ),
+        ("layered-slope", "[rotation]", f"{LOAD.replace('[20, 40]', '20000')}[rotation]", "pressure_kPa = 20000 kPa: "),
+        (
+            "shaken-slope",
+            "cohesion_kPa = 3",
+            "cohesion_kPa = 3000",
+            "cohesion_kPa = 3000 kPa: soils and loads have less; was 3000 Pa",
+        ),
     ],
 )
-def test_odd_numbers_are_questioned(tmp_path: Path, old: str, new: str, words: str, asked: Any) -> None:
+def test_odd_numbers_are_questioned(tmp_path: Path, name: str, old: str, new: str, words: str, asked: Any) -> None:
+    """By the keys and in the units of the file."""
     path = tmp_path / "scene.toml"
-    path.write_text(find("shaken-slope").read_text("utf-8").replace(old, new), "utf-8")
+    path.write_text(find(name).read_text("utf-8").replace(old, new), "utf-8")
     assert words in asked("run", path)[2]
 
 

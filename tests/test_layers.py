@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, Section, load, solve
-from slipcircle.derivatives.parameters import with_parameter_arrays, with_parameters
+from slipcircle.derivatives.parameters import with_parameter_arrays
 from slipcircle.layers import LayeredSection, Soil, stretches
 from slipcircle.layers.strength import Needs
 from slipcircle.tables import Series
 from slipcircle.workbench.common.quantities import foreland_words
-from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.tables import difference_words, plan_part, stretches_part
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
@@ -29,12 +28,12 @@ FORELAND = Soil(18e3, 2e3, 0.4, None, 500.0, 8.0, name="foreland")
 def test_a_layered_mass_accelerates_as_its_weight_and_strength_along_the_arc_say(strength: str, foreland: Any) -> None:
     """With water, pore pressure ratios, cohesion that grows with depth, surcharges, saturated weights; up and down."""
     rng = np.random.default_rng(2)
-    for velocity in [0.0, -5.0] * 5:
+    for velocity in [0.0, -5.0] * 3:
         section = random_section(rng, 0.25, strength=strength, foreland=foreland, crack=rng.choice([0.0, 2.0]))
         scene = Scene(section, effects=TURNING, initial_velocity=velocity, end_time=20.0)
         motion, arc = solve(scene), AlongTheArc(section, section)
         assert motion.energy_error_estimate < 1e-14
-        for time in motion.duration * np.linspace(0.01, 0.99, 30 * motion.moves):
+        for time in motion.duration * np.linspace(0.01, 0.99, 15 * motion.moves):
             state = motion.at(time)
             stress, pressure = arc.means(state)
             assert state.acceleration == pytest.approx(arc.acceleration(state), rel=0, abs=1e-13)
@@ -93,50 +92,6 @@ def test_stretches_carry_the_means_along_the_arc() -> None:
             assert np.all(columns.friction[here] == row.soil.friction)
             computed = np.array([1.0, row.normal_stress, row.pore_pressure, row.strength]) * row.length / arc.radius
             assert [*computed, row.weight_share * above[6].sum()] == pytest.approx(sums, rel=1e-11)
-
-
-EVERYTHING: dict[str, Any] = {
-    "soils": RICH, "tops": (None, 18.5, [(-20, 4), (20, 2.5), (60, 1)], -1.0), "level": BELOW_GROUND,
-    "surcharge": [(-3.0, 4.0, 2e4, 3e4)],
-}  # fmt: skip
-MIRRORED = replace(
-    CRACKED, ground=np.asarray(CRACKED.ground)[::-1] * [-1, 1], centre=(-30, 45), surcharge=[(-4.0, 3.0, 3e4, 2e4)]
-)
-
-
-@pytest.mark.parametrize(
-    ("section", "steps"),
-    [
-        (sloping(**EVERYTHING), {
-            "layers.3.top": 2e-3, "level.1.y": 2e-3, "centre.y": 5e-3, "soils.a.friction.length": 1e-3,
-            "soils.c.friction.residual": 1e-3, "soils.c.saturated_unit_weight": 10.0, "soils.d.cohesion": 10.0}),
-        (sloping(**EVERYTHING, strength="mass"), {
-            "layers.4.top": 2e-3, "ground.2.x": 5e-3, "radius": 5e-3, "soils.b.pore_ratio": 1e-3,
-            "soils.c.cohesion_gradient": 1.0, "soils.d.friction": 1e-3, "gravity": 1e-2}),
-        (CRACKED, {"crack": 5e-3, "centre.y": 5e-3, "ground.0.y": 5e-3, "ground.1.y": 5e-3,
-                   "surcharge.1.pressure": 20.0, "layers.3.top": 2e-3}),
-        (MIRRORED, {"crack": 5e-3, "radius": 5e-3, "ground.2.y": 5e-3, "layers.2.top": 2e-3, "layers.3.top": 2e-3,
-                    "soils.d.cohesion_gradient": 1.0}),
-        (of_each_soil(level=BELOW_GROUND), {
-            "soils.a.friction.length": 1e-3, "soils.c.friction.velocity": 2e-3, "soils.d.friction.peak": 1e-3,
-            "soils.b.unit_weight": 10.0, "radius": 5e-3}),
-        (sloping([*of_each_soil().soils[:3], RICH[3]], strength="mass"), {"soils.d.friction": 1e-3}),
-    ],
-    ids=["everything, the base", "everything, the mass", "cracked", "cracked, to the left", "laws", "and a constant"],
-)  # fmt: skip
-def test_derivatives_of_layered_motions_are_those_of_other_motions(section: Any, steps: dict[str, float]) -> None:
-    """By central differences of fourth order; of a number that is 0, of one side."""
-    scene = Scene(section, effects=TURNING)
-    sensitivity = solve(scene).sensitivity()
-    for name, step in steps.items():
-        value = sensitivity.at[name]
-        weights = {1: 8.0, -1: -8.0, 2: -1.0, -2: 1.0} if value else {0: -25.0, 1: 48.0, 2: -36.0, 3: 16.0, 4: -3.0}
-        expected = np.zeros(3)
-        for steps_away, weight in weights.items():
-            motion = solve(with_parameters(scene, {name: value + steps_away * step}))
-            expected += weight / (12.0 * step) * np.array([motion.peak.velocity, motion.run_out, motion.duration])
-        computed = [sensitivity.derivative(output, name) for output in ("peak_velocity", "run_out", "duration")]
-        np.testing.assert_allclose(computed, expected, rtol=2e-6, atol=2e-7 * np.abs(expected).max(), err_msg=name)
 
 
 @pytest.mark.parametrize(
@@ -228,15 +183,6 @@ def test_what_soils_say_is_not_said_twice(section: Any, friction: Any, effects: 
         Scene(section, friction, effects)
 
 
-@pytest.mark.parametrize("section", [CRACKED, MIRRORED])
-def test_a_cracked_section_has_the_factors_of_its_slope(section: LayeredSection) -> None:
-    level, loads = [(-120, -1.0), (120, -1.0)], section.surcharge
-    slope = Slope(section.ground, layers=section.layers, surcharge=loads, crack=4.0, level=level, k_h=0.1)
-    wet = Scene(replace(section, level=level))
-    for method, factor in at_circle(slope, replace(section, crack=0.0)).factor_of_safety.items():
-        assert factors_of_safety(wet, k_h=0.1)[method] == pytest.approx(factor, rel=1e-9)
-
-
 def test_numbers_of_soils_of_an_odd_size_are_questioned() -> None:
     soils = [Soil(19.0, 5e3, 0.3, name="light"), Soil(19e3, 5e3, 30.0, name="rough")]
     warnings = " ".join(solve(Scene(sloping(soils, (None, 2.0)))).warnings)
@@ -318,9 +264,7 @@ def test_plans_and_tables_say_what_layered_scenes_do() -> None:
     layered = stretches_part(motion)
     assert layered is not None
     assert "strength of clay" in layered.note
-    critical = stability_of(chosen.scene)
-    assert critical is not None
     factors = factors_of_safety(chosen.scene)
-    assert f"{100 * (1 - factors['paper'] / factors['bishop']):.1f} % lower here" in difference_words(critical)
+    assert f"{100 * (1 - factors['paper'] / factors['bishop']):.1f} % lower here" in difference_words(motion)
     assert foreland_words(replace(chosen.scene.arc, foreland=FORELAND)) == "the strength of foreland, as given"
     assert foreland_words(replace(chosen.scene.arc, strength="mass")) == foreland_words(load("vaiont").arc) == ""

@@ -1,7 +1,6 @@
 """The slide that one can drag: it shows the numbers of `Motion.at`, to scale, and needs nothing else."""
 
 import base64
-import hashlib
 import json
 import math
 import re
@@ -119,22 +118,6 @@ def test_a_browser_shows_every_case_at_every_time(tmp_path: Path) -> None:
 # --- what a page holds -----------------------------------------------------------------------------------------------
 
 
-def test_it_needs_nothing_else_and_is_small() -> None:
-    page = varied()
-    root = tree(page)
-    assert len(page.encode()) < 300_000
-    assert not {e.tag for e in root.iter()} & {"link", "iframe", "object", "embed", "base", "img"}
-    assert not [key for e in root.iter() for key in e.attrib if key in ("src", "href", "style") or key.startswith("on")]
-    assert not re.search(r"url\((?!#)|@import|https?://(?!www.w3.org/2000/svg')", page)
-    (policy,) = (e.get("content") for e in root.iter("meta") if e.get("http-equiv") == "Content-Security-Policy")
-    assert policy.startswith("default-src 'none';")
-    assert "unsafe" not in policy
-    allowed = re.findall(r"<(?:style|script)>(.*?)</(?:style|script)>", page, re.S)
-    assert len(allowed) == 2
-    for text in allowed:
-        assert base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() in policy
-
-
 def test_many_cases_of_a_record_share_the_room_of_a_page_which_says_their_error() -> None:
     """Noise of 2,000 samples: fifteen cases need more points than there is room for; the greatest error is stated."""
     angles = np.linspace(22.0, 26.0, 15)
@@ -151,13 +134,6 @@ def error_between_points(case: Any, angle: float) -> float:
     times = np.sort(np.random.default_rng(5).uniform(0.0, t[-1], 1000))
     wanted = solve(replace(recorded(), friction=math.tan(math.radians(angle))))
     return float(np.abs(hermite(t, v, a, times) - wanted.at(times).velocity).max() / wanted.peak.velocity)
-
-
-def test_hostile_names_are_text() -> None:
-    hostile = solve(replace(load("vaiont"), name="</script><script>alert(1)</script>&]]>", note="<b>"))
-    page = live.page([hostile], "</script><b>", ["<i>"])
-    assert [e.tag for e in tree(page).iter() if e.tag in ("script", "b", "i")] == ["script", "script"]
-    assert data(page)["cases"][0]["label"] == "<i>"
 
 
 def decoded(columns: list[str], units: list[float]) -> list[Any]:

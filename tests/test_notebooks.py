@@ -32,7 +32,7 @@ from matplotlib.figure import Figure
 from traitlets.config import Config
 
 from derive import progress
-from derive.flow.operations import OPERATIONS as SERIES
+from derive.flow.recurrences import OPERATIONS as SERIES
 from derive.judge.paper import CLAIMS
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Motion, Status, load, solve

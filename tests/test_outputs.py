@@ -107,7 +107,7 @@ def test_the_table_of_a_motion(name: str) -> None:
     m = golden.solved(name)
     cells, found = motion_column(m), record(m)
     wanted: dict[str, float] = {
-        "factor of safety": m.factor_of_safety, "yield coefficient k_y": m.yield_coefficient,
+        "factor of safety by the paper's method": m.factor_of_safety, "yield coefficient k_y": m.yield_coefficient,
         "limit friction angle": math.degrees(math.atan(m.limit_friction)), "velocity at the end": m.end.velocity,
         "friction angle": math.degrees(math.atan(found["friction"])), "run-out along the arc": m.run_out,
         "mean normal stress at the start": m.plan.scene.arc.static_normal_stress, "duration": m.duration,

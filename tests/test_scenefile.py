@@ -215,7 +215,7 @@ MISTAKES = [
     (ARC + "[friction]\ncoefficient = 10\n",
      "friction.coefficient = 10: must be a number at least 0: friction coefficient, tan(phi); an angle? say angle_deg"),
     (ARC.replace("= 20\n", "= 19500\n") + FRICTION,
-     "arc.unit_weight_kN_m3 = 19500: must be a number above 0 (kN/m3): unit weight; is that in N/m3?"),
+     "arc.unit_weight_kN_m3 = 19500: must be a number above 0 (kN/m3): unit weight, at most 1000; was 19.5 kN"),
     (ARC + FRICTION + "[cohesion]\ncohesion_kPa = 1e307\n",
      "cohesion.cohesion_kPa = 1e+307: must be a number at least 0 (kPa): "),
     ("accuracy = 1\n" + ARC + FRICTION, "accuracy = 1: must be a number above 0 and below 1: requested relative error"),

@@ -8,35 +8,14 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from slipcircle import Arc, Motion, Scene, Section, load, solve
-from slipcircle.workbench.stability.factors import circle_factors
-from slipcircle.workbench.stability.stability import Slope
+from slipcircle import Arc, Scene, Section, load, solve
 from tests.support.grounds import GROUND
 
 CENTRE, RADIUS = [29.5, 53.6], 28.6
-WHOLE: Any = {"rotation": {}, "centripetal": {}, "cohesion": {"cohesion": 3e3}, "drag": {"xi": 500.0}}
 
 
 def body(**more: Any) -> Section:
     return Section(GROUND, CENTRE, RADIUS, 20e3, between=(29.0, 60.0), **more)
-
-
-def outcomes(motion: Motion) -> list[float]:
-    names = ("peak_velocity", "run_out", "duration", "factor_of_safety", "yield_coefficient")
-    return [*(motion.to_dict()[name] for name in names), motion.peak.normal_stress, motion.energy.dissipation]
-
-
-@pytest.mark.parametrize("effects", [{}, WHOLE])
-@pytest.mark.parametrize("velocity", [0.0, 2.0])
-def test_one_chord_moves_as_its_arc(effects: Any, velocity: float) -> None:
-    angles = np.radians([215.0, 280.0])
-    first, second = 60.0 * np.transpose([np.cos(angles), np.sin(angles)])
-    section = Section(
-        [first - [200, 0], first, second, second + [200, 0]], [0.0, 0.0], 60.0, 19e3, between=(first[0], second[0])
-    )
-    arc = Arc(60.0, float(angles[0]), float(angles[1]), 19e3)
-    one, other = (solve(Scene(a, 0.15, effects, velocity, None if effects else 5.0)) for a in (section, arc))
-    assert outcomes(one) == pytest.approx(outcomes(other), rel=1e-11)
 
 
 def test_cohesion_alone_stops_it_where_energy_says() -> None:
@@ -54,20 +33,6 @@ def test_cohesion_alone_stops_it_where_energy_says() -> None:
     assert motion.end.rotation == pytest.approx(rest, rel=1e-10)
     assert motion.journey.fall == pytest.approx(cohesion * arc * radius * rest / weight, rel=1e-10)
     assert abs(motion.energy.residual) < 1e-12 * motion.energy.work
-
-
-@pytest.mark.parametrize("ratio", [0.0, 0.25])
-def test_the_factor_is_that_of_the_paper_along_the_circle(ratio: float) -> None:
-    """By integrals over slices, which share nothing with the moments of the section."""
-    section = body()
-    effects = {"cohesion": {"cohesion": 3e3}, "pore_pressure": {"ratio": ratio}, "rotation": {}}
-    motion = solve(Scene(section, 0.3, effects))
-    slope = Slope(GROUND, 3e3, 0.3, 20e3, pore_ratio=ratio)
-    centre, radius = np.array([CENTRE]), np.array([RADIUS])
-    found = circle_factors(slope.arrays(), centre, radius, section.exit[None], section.entry[None])
-    assert motion.factor_of_safety == pytest.approx(float(found["paper"][0]), rel=1e-9)
-    assert motion.pore_pressure_at(0.0) == pytest.approx(ratio * 20e3 * section.mean_cover, rel=1e-12)
-    assert abs(motion.energy.residual) < 1e-11 * motion.energy.work
 
 
 def test_what_is_not_solved_is_told() -> None:

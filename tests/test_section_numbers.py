@@ -12,9 +12,9 @@ from slipcircle import Scene, Section, backanalyse, load, solve
 from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.derivatives import with_parameters
+from slipcircle.layers import LayeredSection, Soil
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support import section_references, taylor
-from tests.support.differences import check_derivatives
 from tests.support.grounds import GROUND, LEVEL
 
 TURNING: Any = {"rotation": {}, "centripetal": {}, "cohesion": {"cohesion": 3e3}}
@@ -82,11 +82,22 @@ def outputs(given: Any, name: str, to: float) -> list[arb]:
     return [abs(found.peak()[1]) * found.p.unit, found.run_out * found.p.radius, found.duration * found.p.scale]
 
 
-@pytest.mark.parametrize("index", [0, 1, 4])
-def test_derivatives_against_thirty_digits(index: int) -> None:
+def in_two_layers(scene: Scene) -> Scene:
+    """The same mass, cut by a boundary between two soils that are alike."""
+    arc = scene.arc
+    assert isinstance(arc, Section)
+    soils = [Soil(float(np.asarray(arc.unit_weight)), 0.0, scene.friction, name=name) for name in "ab"]
+    layers = list(zip(soils, (None, float(arc.centroid[1])), strict=True))
+    return replace(scene, arc=LayeredSection(arc.ground, arc.centre, arc.radius, level=arc.level, layers=layers),
+                   friction=None)  # fmt: skip
+
+
+@pytest.mark.parametrize(("index", "layered"), [(0, False), (1, False), (1, True), (4, False)])
+def test_derivatives_against_thirty_digits(index: int, layered: bool) -> None:
     """Differences of series solutions in ball arithmetic of random scenes: softening, a level, pushed up, shaken."""
     given = section_references.row(index)["scene"]
-    motion = solve(section_references.scene(given))
+    scene = section_references.scene(given)
+    motion = solve(in_two_layers(scene) if layered else scene)
     found, own = motion.sensitivity(), arc_numbers(motion.plan.scene.arc)
     sign = np.array([np.sign(motion.peak.velocity), 1.0, 1.0])
     size = np.abs(found.values).max(axis=1)[:3]
@@ -103,23 +114,12 @@ def test_derivatives_against_thirty_digits(index: int) -> None:
         off, error = np.abs(found.values[:3, column] - sign * slopes), found.errors[:3, column]
         assert np.all(off <= error), (name, off, error)
         assert np.all(error <= 1e-8 * size), (name, error)
-
-
-SCENES = {
-    "valley": VALLEY,
-    "dry": Scene(body(), {"law": "linear", "peak": 0.33, "residual": 0.2, "length": 2.0}, TURNING),
-    "its own share of water": Scene(body(), 0.2, TURNING | {"pore_pressure": {"ratio": 0.15}, "drag": {"xi": 500.0}}),
-    "frozen": replace(VALLEY, effects={"centripetal": {}}, end_time=3.0),
-    "a scarp": Scene(body(ground=[*GROUND[:2], [38.0, 29.0], [38.0, 31.0], *GROUND[3:]]), 0.2, TURNING),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("which", SCENES)
-def test_derivatives_are_those_of_lanes_beside(which: str) -> None:
-    """By all numbers of its section and coordinates of its ground."""
-    scene = SCENES[which]
-    skew = ("ground.2.x", "ground.3.x") if which == "a scarp" else ()  # moved to one side it overhangs
-    check_derivatives(scene, 1e-7, [name for name in arc_numbers(scene.arc) if name not in skew], step=1e-5)
+    if layered:
+        whole = solve(scene).sensitivity()
+        of_soils = [found.derivative("run_out", f"soils.{soil}.friction") for soil in "ab"]
+        assert sum(of_soils) == pytest.approx(whole.derivative("run_out", "friction"), rel=1e-9)
+        assert min(map(abs, of_soils)) > 0.0
+        assert abs(found.derivative("run_out", "layers.2.top")) <= found.error("run_out", "layers.2.top") < 1e-9
 
 
 def test_sensitivity_of_a_circle_through_a_vertex(asked: Any) -> None:

@@ -1,16 +1,22 @@
 """What SECURITY.md promises of files that somebody else made: each is one sentence, soon, or a text like any other."""
 
+import base64
+import hashlib
 import os
+import re
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from slipcircle import LayeredSection, Scene, load, solve
 from slipcircle.workbench.files.scenefile import find
+from slipcircle.workbench.outputs import live
+from slipcircle.workbench.outputs.report import report
 from tests.support.outputs import tree
 
-LAYERED = find("layered-slope").read_text("utf-8")
 SHAKEN = find("shaken-slope").read_text("utf-8")
 NESTED = {
     "lists": "a = " + 10_000 * "[" + 10_000 * "]",
@@ -58,19 +64,48 @@ def test_a_record_is_a_file_of_some_size(tmp_path: Path, refused: Any) -> None:
     assert time.monotonic() - start < 10.0
 
 
+def sealed(page: str) -> Any:
+    """The page as XML: it loads nothing, runs and styles nothing but what its policy knows, and is small."""
+    root = tree(page)
+    attributes = [(name, value) for e in root.iter() for name, value in e.attrib.items()]
+    assert not {e.tag for e in root.iter()} & {"link", "iframe", "object", "embed", "base"}
+    assert not [name for name, _ in attributes if name.startswith("on") or name == "style"]
+    assert all(v.startswith(("data:image/svg+xml;base64,", "#")) for k, v in attributes if k in ("src", "href"))
+    assert not re.search(r"url\((?!#)|@import|https?://(?!www.w3.org/2000/svg')", page)
+    (policy,) = (e.get("content") for e in root.iter("meta") if e.get("http-equiv") == "Content-Security-Policy")
+    assert policy.startswith("default-src 'none';")
+    assert "unsafe" not in policy
+    for text in re.findall(r"<(?:style|script)>(.*?)</(?:style|script)>", page, re.S):
+        assert base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() in policy
+    assert len(page.encode()) < 300_000
+    return root
+
+
+HOSTILE = "</title></script><script>alert(1)</script><b> \"'& \x08 \ud800 ]]> \N{SNOWMAN}"
+
+
 @pytest.mark.usefixtures("unseen")
-def test_names_are_texts_on_a_page(tmp_path: Path, said: Any) -> None:
-    script = "<script>alert(1)</script>"
-    text = LAYERED.replace("[soils.clay", f'[soils."{script}"').replace('soil = "clay"', f'soil = "{script}"')
-    path = tmp_path / "scene.toml"
-    path.write_text(text.replace('name = "layered-slope"', f'name = "{script}"'), "utf-8")
-    pages = [tmp_path / "live.html", tmp_path / "report.html"]
-    before = {*tmp_path.iterdir()}
-    said("run", path, "--live", pages[0], "--report", pages[1])
-    assert {*tmp_path.iterdir()} == before | {*pages}
-    for page in pages:
-        html = page.read_text("utf-8")
-        assert "alert(1)" in html
-        assert script not in html
-        assert len(list(tree(html).iter("script"))) == 2  # the slide's data and its program
-        assert "default-src 'none'" in html
+def test_pages_need_nothing_else_and_names_are_texts_on_them() -> None:
+    """Of scenes, soils, cases and commands; also of a mass that stays where it is."""
+    layered = load("layered-slope")
+    assert isinstance(layered.arc, LayeredSection)
+    layers = [(replace(soil, name=HOSTILE + soil.name), top) for soil, top in layered.arc.layers]
+    slides = solve(replace(layered, arc=replace(layered.arc, layers=layers), name=HOSTILE, note=HOSTILE))
+    stays = solve(Scene(load("vaiont").arc, 0.9, ["rotation"], name=HOSTILE))
+    clean = HOSTILE.replace("\x08", "\ufffd").replace("\ud800", "\ufffd")
+    file = "# " + HOSTILE.replace("\x08", "").replace("\ud800", "") + "\n"
+    root = sealed(report([slides, stays], [file.encode(), b""], f"run {HOSTILE}"))
+    assert [h.text for h in root.iter("h2")] == [clean, clean, "To repeat it"]
+    assert {f"run {clean}", file} <= {pre.text for pre in root.iter("pre")}
+    assert "does not move" in [cell.text for cell in root.iter("td")]
+    shown = sealed(live.page([slides], HOSTILE, [HOSTILE]))
+    assert clean in "".join(shown.itertext())
+    for page, scripts in ((root, 3), (shown, 2)):  # the data of each slide, and their program
+        assert len(list(page.iter("script"))) == scripts
+        assert not list(page.iter("b"))
+
+
+def test_pages_are_all_that_is_written(tmp_path: Path, said: Any) -> None:
+    pages = {tmp_path / "live.html", tmp_path / "report.html"}
+    said("run layered-slope", *(part for page in sorted(pages) for part in (f"--{page.stem}", page)))
+    assert {*tmp_path.iterdir()} == pages

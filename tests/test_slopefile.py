@@ -1,7 +1,9 @@
 """A slope from its file to circle, factors and picture; and what a file with mistakes is told."""
 
+import html
 import json
 import math
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -91,13 +93,15 @@ FIXED = SCENE.replace('[circle]\ncritical = "bishop"\n', CIRCLE)
 def test_the_motion_has_the_factors_of_its_circle(write: Write, tmp_path: Path, said: Any, records: Any) -> None:
     path, page = write(SCENE), tmp_path / "slide.html"
     table = columns(said("run --verbose", path, "--report", page))
-    assert table["factor of safety by Bishop's simplified method"] == ["0.9850"]
-    assert table["factor of safety by the ordinary method (Fellenius)"] == ["0.9502"]  # of Bishop's circle
+    assert table["factor of safety by Bishop's method"] == ["0.985"]
+    assert table["factor of safety by the ordinary method"] == ["0.9502"]  # of Bishop's circle
     assert table["circle"] == ["least factor by bishop"]
     assert "circles evaluated, invalid" in page.read_text("utf-8")
     (motion,), (alone,) = records("run", path), records("search", path)
     assert alone == {"scene": "my-slope", "warnings": []} | motion["stability"]
-    assert motion["factor_of_safety"] == pytest.approx(alone["factor_of_safety"]["paper"], rel=1e-9)
+    assert motion["factor_of_safety"] == pytest.approx(
+        alone["factor_of_safety"][motion["factor_of_safety_method"]], rel=1e-9
+    )
 
 
 def test_a_slide_along_an_arc_in_tension_is_told_of(write: Write, asked: Any) -> None:
@@ -188,8 +192,9 @@ def test_what_a_file_says(write: Write) -> None:
     ("old", "new", "words"),
     [
         ("[friction]\nangle_deg = 19.6", "", "friction: is missing: friction on the slip surface, a table"),
-        ("cohesion_kPa = 3", "cohesion_kPa = 300000", "is that in Pa"),
-        ("kN_m3 = 20", "kN_m3 = 19500", "is that in N/m3"),
+        ("cohesion_kPa = 3", "cohesion_kPa = 300000", "at most 100000; was 300 kPa meant, which are 300000 Pa"),
+        ("kN_m3 = 20", "kN_m3 = 19500", r"and below 100 \(kN/m3\): unit weight of the soil; was 19.5 kN/m3 meant"),
+        ("points_m = [[0, 25], [30, 25], [50, 35], [90, 35]]", "height_m = 10\nangle_deg = 95", "and at most 90"),
         ("[30, 25]", "[30]", "a list of two points or more"),
         ("[[0, 25], [30, 25], [50, 35], [90, 35]]", "[[0, 25]]", "a list of two points or more"),
         ("base_m = 20", "base_m = 35", "ground.base_m = 35: must lie below the highest point of the ground"),
@@ -268,33 +273,42 @@ def test_the_limits_of_a_file_hold(write: Write, said: Any, records: Any) -> Non
     assert 20 <= record["exit"][0] <= 24 + 1e-6
     assert record["factor_of_safety_without_k_h"]["bishop"] > record["factor_of_safety"]["bishop"]
     table = columns(said("run --verbose", write(SCENE + limits)))
-    assert "factor of safety" not in table  # the motion's own is the paper's among those without k_h
-    for words in ("k_h = 0.1", "without k_h"):
-        assert f"factor of safety by Bishop's simplified method, {words}" in table
-    assert table["motion starts from"] == ["that without k_h by the paper's method"]
+    for words in ("", ", k_h = 0.1"):  # a motion starts from that without k_h
+        assert f"factor of safety by Bishop's method{words}" in table
 
 
 @pytest.mark.usefixtures("unseen")
-def test_the_first_lines_name_each_factor_of_safety(write: Write, said: Any) -> None:
+def test_every_factor_of_safety_names_its_method(write: Write, said: Any, tmp_path: Path) -> None:
+    """In the first lines, the live page and the report; Bishop's beside the paper's, with where they disagree."""
     between = FIXED.replace("cohesion_kPa = 3", "cohesion_kPa = 3.4") + "[search]\nk_h = 0.05\n"
     stability = stability_of(slipcircle.load(write(between)))
     assert stability is not None
     still, shaken = (
-        [f"{(factors or {})[method]:.4f}" for method in ("paper", "bishop")]
+        [f"{(factors or {})[method]:.4g}" for method in ("paper", "bishop")]
         for factors in (stability.factor_of_safety_without_k_h, stability.factor_of_safety)
     )
     assert still[0] < "1" < still[1]  # so that the methods disagree
-    out = said("run", write(between))
-    rows = {
-        "factor of safety": [f"{still[0]} by the paper's method, without k_h; the motion starts from it"],
-        "factor by Bishop's method": [f"{still[1]}, without k_h"],
-        "factor with k_h = 0.05": [f"{shaken[0]} by the paper's method, {shaken[1]} by Bishop's"],
-        "at the start": ["stable by Bishop, moves by the paper's method"],
-    }
+    page, report = tmp_path / "live.html", tmp_path / "report.html"
+    out = said("run", write(between), "--live", page, "--report", report)
+    paper, bishop = "factor of safety by the paper's method", "factor of safety by Bishop's method"
+    rows = {paper: [still[0]], bishop: [still[1]], "at the start": ["stable by Bishop, moves by the paper's method"]}
     assert rows.items() <= columns(out).items()
-    table = columns(said("run", write(FIXED)))
-    assert "at the start" not in table  # as it moves by both
-    assert table["factor of safety"][0].endswith("by the paper's method; the motion starts from it")
+    assert {f"{paper}, k_h = 0.05": [shaken[0]], f"{bishop}, k_h = 0.05": [shaken[1]]}.items() <= columns(out).items()
+    for file in (page, report):
+        text = html.unescape(file.read_text("utf-8"))
+        assert all(f"<dt>{label}</dt><dd>{cell}</dd>" in text for label, (cell,) in rows.items())
+    assert '"factor_of_safety_method": "paper"' in text
+    assert re.search(r"the paper's method uses the mean normal stress .* \d+\.\d % lower here", text)
+    assert "at the start" not in columns(said("run", write(FIXED)))  # as it moves by both
+
+
+@pytest.mark.usefixtures("unseen")
+def test_a_page_of_several_values_has_the_factors_of_each(write: Write, said: Any, tmp_path: Path) -> None:
+    page = tmp_path / "live.html"
+    said("run", write(FIXED), "--live", page, "--vary", "friction.peak_deg=18,24")
+    found = re.findall(r"Bishop's method\",\"([\d.]+)\"", page.read_text("utf-8"))
+    expected = [found_in(write(FIXED.replace("19.6", x))).factor_of_safety["bishop"] for x in ("18", "24")]
+    assert found == [f"{factor:.4g}" for factor in expected]
 
 
 @pytest.mark.parametrize(("text", "command"), [(ACADS, "search"), (SCENE, "run")])

@@ -17,6 +17,7 @@ from slipcircle.workbench.stability.search import at_circle, critical
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 from tests.campaigns import peers_slopes
 from tests.support.along_the_arc import AlongTheArc, random_section
+from tests.support.layered import CRACKED
 
 
 def tangent(degrees: float) -> float:
@@ -113,18 +114,6 @@ def test_factors_are_those_of_slices_along_the_arc(pressure: float, on_surcharge
     computed, factors = zip(*compared, strict=True)
     assert len(factors) > 10
     assert computed == pytest.approx(factors, rel=1e-12)
-
-
-def test_factors_of_an_ensemble_are_those_of_its_scenes() -> None:
-    cohesion, friction, weight, drop = np.array([[0.0, 9e3], [0.5, 0.3], [18e3, 21e3], [0.5, 2.0]])
-    level = np.array(LEVEL) - drop[:, None, None] * [0.0, 1.0]
-    section = Section(GROUND, (-6.0, 24.0), 25.0, weight, level=level)
-    effects = {"cohesion": {"cohesion": cohesion}, "pore_pressure": {"pressure": 2e3}}
-    lanes = factors_of_safety(Scene(section, friction, effects), k_h=0.05)
-    for k in (0, 1):
-        slope = Slope(GROUND, cohesion[k], friction[k], weight[k], level=level[k], pressure=2e3, k_h=0.05)
-        for method, factor in at_circle(slope, Section(GROUND, (-6.0, 24.0), 25.0, 1.0)).factor_of_safety.items():
-            assert factor == pytest.approx(lanes[method][k], rel=1e-9)  # cut into pieces
 
 
 @pytest.mark.parametrize(("cohesion", "friction"), [(3e3, ACADS.friction), (30e3, 0.0)])
@@ -327,16 +316,39 @@ def test_the_least_yield_coefficient_is_the_k_h_that_makes_the_least_paper_facto
     assert critical(shaken, "paper").factor_of_safety["paper"] == pytest.approx(1.0, rel=1e-4)
 
 
-def test_the_yield_coefficient_of_a_circle_is_that_of_its_motion() -> None:
-    circle: dict[str, Any] = {"centre": (-6.0, 22.0), "radius": 24.0}
-    level = [(-60, 4), (-20, 4), (0, -1), (60, -1)]
-    scenes: list[tuple[Any, Slope]] = [
-        (Scene(Section(GENTLE, **circle, unit_weight=19e3, level=level), 0.4, {"cohesion": {"cohesion": 12e3}}),
-         Slope(GENTLE, 12e3, 0.4, 19e3, level=level)),
-        (Scene(LayeredSection(GENTLE, **circle, layers=LAYERED, surcharge=SHAKEN[1].surcharge)),
-         replace(SHAKEN[1], k_h_on_surcharge=False)),
-    ]  # fmt: skip
-    for scene, slope in scenes:
-        found, motion = at_circle(slope, scene.arc), solve(scene)
-        assert found.yield_coefficient == pytest.approx(motion.yield_coefficient, rel=1e-9)
-        assert found.factor_of_safety["paper"] == pytest.approx(motion.factor_of_safety, rel=1e-9)
+CIRCLE: dict[str, Any] = {"centre": (-6.0, 22.0), "radius": 24.0}
+LEVEL_BELOW = [(-60, 4), (-20, 4), (0, -1), (60, -1)]
+COHESION: Any = {"rotation": {}, "cohesion": {"cohesion": 12e3}}
+
+
+def cracked(section: LayeredSection) -> tuple[Scene, Slope]:
+    slope = Slope(section.ground, layers=section.layers, crack=section.crack, surcharge=section.surcharge)
+    return Scene(section, effects=["rotation"]), slope
+
+
+SLIDES: dict[str, tuple[Scene, Slope]] = {
+    "under water": (Scene(Section(GENTLE, **CIRCLE, unit_weight=19e3, level=LEVEL_BELOW), 0.4, COHESION),
+                    Slope(GENTLE, 12e3, 0.4, 19e3, level=LEVEL_BELOW)),
+    "a pore pressure ratio": (
+        Scene(Section(GENTLE, **CIRCLE, unit_weight=19e3), 0.4, COHESION | {"pore_pressure": {"ratio": 0.25}}),
+        Slope(GENTLE, 12e3, 0.4, 19e3, pore_ratio=0.25)),
+    "layers": (Scene(LayeredSection(GENTLE, **CIRCLE, layers=LAYERED, surcharge=SHAKEN[1].surcharge)),
+               replace(SHAKEN[1], k_h_on_surcharge=False)),
+    "cracked, to the right": cracked(CRACKED),
+    "cracked, to the left": cracked(replace(
+        CRACKED, ground=np.asarray(CRACKED.ground)[::-1] * [-1, 1], centre=(-30, 45), surcharge=[(-4.0, 3.0, 3e4, 2e4)]
+    )),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SLIDES)
+def test_a_circle_has_the_factors_of_its_motion_and_scene(name: str) -> None:
+    scene, slope = SLIDES[name]
+    assert isinstance(scene.arc, Section)
+    circle = replace(scene.arc, crack=0.0) if isinstance(scene.arc, LayeredSection) else scene.arc  # of the slope
+    found, motion = at_circle(slope, circle), solve(scene)
+    assert found.yield_coefficient == pytest.approx(motion.yield_coefficient, rel=1e-9)
+    assert found.factor_of_safety["paper"] == pytest.approx(motion.factor_of_safety, rel=1e-9)
+    shaken = factors_of_safety(scene, k_h=0.1)
+    for method, factor in at_circle(replace(slope, k_h=0.1), circle).factor_of_safety.items():
+        assert shaken[method] == pytest.approx(factor, rel=1e-9)

@@ -39,6 +39,15 @@ PROCESSOR = (TEMPLATES / "_processor.h").read_text(encoding="utf-8").strip()  # 
 HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
 
+def filled(name: str, marks: Mapping[str, str] | None = None) -> str:
+    """The text of a template, with what its marks stand for; one that stands for lines has a line of its own."""
+    text = (TEMPLATES / name).read_text("utf-8")
+    for mark, value in (marks or {}).items():
+        line = "\n" * value.endswith("\n")
+        text = text.replace(f"@{mark}@{line}", value)
+    return text
+
+
 class PythonText:
     """The private functions of a module; each is read back after it is written, and may call those before it."""
 
@@ -179,29 +188,26 @@ def module(docstring: str, functions: Sequence[Function]) -> str:
 
 
 def raw_module(docstring: str, programs: Sequence[tuple[Program, str]]) -> str:
-    """A module of bare formulas: no domain, no types, no checks, and no warnings."""
-    text = PythonText()
-    code = ""
+    """A module of bare formulas, each with its source: no domain, no types, no checks, and no warnings."""
+    documented = []
     for p, source in programs:
-        typed = ", ".join(f"{x}: Array" for x in p.inputs)
-        names = ", ".join(p.inputs)
-        code += (
-            f"\n\n{text.body(p)}\n\ndef {p.name}({typed}) -> Array:\n"
-            f'    """{source}: float64 arrays, no domain check.\n\n'
-            f'    Operations: {operations(p.operations())}.\n    """\n'
-            f'    with np.errstate(all="ignore"):\n        return _{p.name}({names})\n'
+        cost = operations(p.operations())
+        documented.append(
+            (p, f'    """{source}: float64 arrays, no domain check.\n\n    Operations: {cost}.\n    """\n')
         )
-    return _module(docstring, [p.name for p, _ in programs], code)
+    return plain_module(docstring, documented, before='@np.errstate(all="ignore")\n')
 
 
-def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: str = "") -> str:
+def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: str = "", before: str = "") -> str:
     """A module of functions for callers that know the domain: arrays or floats in, no checks; each with its docstring.
 
-    ``code`` comes before them.
+    ``code`` comes before them, and a decorator ``before`` each.
     """
+    text = PythonText()
     for p, doc in programs:
-        signature, body = PythonText().body(p).replace("Array", "Any").replace("def _", "def ", 1).split("\n", 1)
-        code += f"\n\n{signature}\n{doc}{body}"
+        public = re.sub(r"\b_(\w+\()", r"\1", text.body(p).replace("Array", "Any"))
+        signature, body = public.split("\n", 1)
+        code += f"\n\n{before}{signature}\n{doc}{body}"
     return _module(docstring, [p.name for p, _ in programs], code)
 
 
@@ -246,12 +252,6 @@ def _imports(code: str) -> str:
         elif not line:
             imports.append("")
     return re.sub(r"\n{3,}", "\n\n", "\n".join(imports).strip())
-
-
-def sentence(words: str) -> str:
-    """A sentence with a capital and a full stop; an initial symbol stays as it is."""
-    first = words.split(maxsplit=1)[0].strip(":,")
-    return f"{words[0].upper() if first.isalpha() and first.islower() else words[0]}{words[1:]}."
 
 
 _ITEM = re.compile(r"""(?:'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|[^'",]|,(?! ))+(?:, ?|$)""")

@@ -1,9 +1,10 @@
 """The operations of programs: one table says how each is written in Python and in C, and what it means exactly.
 
-In a template ``{0}`` is the first operand. ``binds`` says how tightly the text holds together (a comparison 0, a sum 1,
-a product 2, a sign 3, a call 9) and ``needs`` how tightly each operand has to. What has no template in a language has
-no place there. What it means is done on whole arrays, as every machine rounds it: NumPy's own operations are those of
-IEEE, and the fused multiply-add, which NumPy lacks, is made of them without error.
+In a template ``{0}`` is the first operand; C is written of one number, and of vectors of lanes. ``binds`` says how
+tightly the text holds together (a comparison 0, a sum 1, a product 2, a sign 3, a call 9) and ``needs`` how tightly
+each operand has to. What has no template in a language has no place there. What it means is done on whole arrays,
+as every machine rounds it: NumPy's own operations are those of IEEE, and the fused multiply-add, which NumPy lacks,
+is made of them without error.
 """
 
 from collections.abc import Callable
@@ -13,6 +14,9 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from sympy import Abs, Max, Min, atan, atanh, cos, cosh, exp, log, sign, sin, sinh, tan, tanh
+
+from derive.algebra.remainders import Select, expm1, log1p
 
 Floats = NDArray[np.float64]
 
@@ -86,18 +90,24 @@ def significand(x: Floats) -> Floats:
 
 @dataclass(frozen=True)
 class Operation:
-    """One kind of operation, or one function that is called."""
+    """One kind of operation, or one function that is called; ``symbol`` is SymPy's class."""
 
     python: str
     c: str
+    vector: str
     meaning: Callable[..., Any]
+    symbol: Any = None
     binds: int = 9
     needs: tuple[int, ...] = (0, 0, 0)
 
 
 def _infix(sign: str, meaning: Callable[..., Any], binds: int, right: int) -> Operation:
     text = f"{{0}} {sign} {{1}}"
-    return Operation(text, text, meaning, binds, (binds, right))
+    return Operation(text, text, text, meaning, None, binds, (binds, right))
+
+
+def _call(name: str, symbol: Any, c: str = "", vector: str = "") -> Operation:
+    return Operation(f"{{space}}.{name}({{0}})", c, vector, getattr(np, name), symbol)
 
 
 OPERATIONS = {
@@ -105,17 +115,26 @@ OPERATIONS = {
     "sub": _infix("-", np.subtract, 1, 2),
     "mul": _infix("*", np.multiply, 2, 3),
     "div": _infix("/", np.divide, 2, 3),
-    "neg": Operation("-{0}", "-{0}", np.negative, 3, (4,)),
-    "less": Operation("{0} < {1}", "{0} < {1}", np.less, 0, (1, 1)),
-    "select": Operation("{space}.where({0}, {1}, {2})", "SELECT({0}, {1}, {2})", np.where),
-    "min": Operation("{space}.minimum({0}, {1})", "SMALLER({0}, {1})", np.minimum),
-    "max": Operation("{space}.maximum({0}, {1})", "LARGER({0}, {1})", np.maximum),
-    "fma": Operation("", "FMA({0}, {1}, {2})", fma),
-    "sqrt": Operation("{space}.sqrt({0})", "sqrt({0})", np.sqrt),
-    "abs": Operation("{space}.abs({0})", "fabs({0})", np.abs),
-    "exponent": Operation("", "exponent_of({0})", exponent),
-    "significand": Operation("", "significand_of({0})", significand),
-} | {
-    x: Operation(f"{{space}}.{x}({{0}})", "", getattr(np, x))
-    for x in ("sin", "cos", "tan", "exp", "expm1", "log", "log1p", "arctan", "arctanh", "tanh", "cosh", "sinh", "sign")
+    "neg": Operation("-{0}", "-{0}", "-{0}", np.negative, None, 3, (4,)),
+    **{str(x): _call(str(x), x, vector=f"IN(map)({x}, {{0}})") for x in (sin, cos, tan, exp, expm1, log, log1p)},
+    "sqrt": _call("sqrt", None, "sqrt({0})", "IN(map)(sqrt, {0})"),
+    "abs": _call("abs", Abs, "fabs({0})", "IN(choose)({0} < 0.0, -{0}, {0})"),
+    "min": Operation(
+        "{space}.minimum({0}, {1})", "SMALLER({0}, {1})", "IN(choose)({0} < {1}, {0}, {1})", np.minimum, Min
+    ),
+    "max": Operation(
+        "{space}.maximum({0}, {1})", "LARGER({0}, {1})", "IN(choose)({0} < {1}, {1}, {0})", np.maximum, Max
+    ),
+    "less": Operation(
+        "{0} < {1}", "{0} < {1}", "IN(choose)({0} < {1}, (V){{0}} + 1.0, (V){{0}})", np.less, None, 0, (1, 1)
+    ),
+    "select": Operation(
+        "{space}.where({0}, {1}, {2})", "SELECT({0}, {1}, {2})", "IN(choose)({0} > 0.0, {1}, {2})", np.where, Select
+    ),
+    "fma": Operation("", "FMA({0}, {1}, {2})", "", fma),
+    "exponent": Operation("", "exponent_of({0})", "", exponent),
+    "significand": Operation("", "significand_of({0})", "", significand),
+    "arctan": _call("arctan", atan),
+    "arctanh": _call("arctanh", atanh),
+    **{str(x): _call(str(x), x) for x in (tanh, cosh, sinh, sign)},
 }

@@ -14,53 +14,13 @@ from typing import Any, TypeVar
 import mpmath
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
-from sympy import (
-    Abs,
-    Add,
-    Basic,
-    Expr,
-    Function,
-    Integer,
-    Max,
-    Min,
-    Mul,
-    N,
-    Symbol,
-    atan,
-    atanh,
-    cos,
-    cosh,
-    default_sort_key,
-    exp,
-    log,
-    nan,
-    sign,
-    sin,
-    sinh,
-    tan,
-    tanh,
-)
+from sympy import Add, Basic, Expr, Function, Integer, Mul, N, Symbol, default_sort_key, nan
 
-from derive.algebra.remainders import Exp, Horner, Primitive, RoundingError, Select, expm1, log1p
+from derive.algebra.remainders import Exp, Horner, Primitive, RoundingError, Select
 from derive.code.operations import OPERATIONS, two_sum
 
-CALLS = {
-    sin: "sin",
-    cos: "cos",
-    tan: "tan",
-    exp: "exp",
-    log: "log",
-    atan: "arctan",
-    atanh: "arctanh",
-    tanh: "tanh",
-    cosh: "cosh",
-    sinh: "sinh",
-    Abs: "abs",
-    sign: "sign",
-    log1p: "log1p",
-    expm1: "expm1",
-    Exp: "exp",
-}
+_NAMES = {operation.meaning: name for name, operation in OPERATIONS.items()}
+_SYMBOLS = {operation.symbol: name for name, operation in OPERATIONS.items()} | {Exp: "exp"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,9 +103,6 @@ class Builder:
         return walk(p, inputs, lambda op, operands: self.put(op.kind, *operands, value=op.value))
 
 
-_NAMES = {operation.meaning: name for name, operation in OPERATIONS.items()}
-
-
 @dataclass(frozen=True, eq=False)
 class Value(NDArrayOperatorsMixin):
     """The result of an operation; Python's operators and NumPy's functions of it append further operations."""
@@ -204,10 +161,9 @@ class _Lowering(Builder):
         if isinstance(e, Select):
             smaller, larger, *chosen = map(self.add, e.args)
             return self.put("select", smaller < larger, *chosen)
-        if isinstance(e, (Min, Max)):
-            return self._joined(type(e).__name__.lower(), sorted(e.args, key=default_sort_key))
-        if type(e) in CALLS:
-            return self.put(CALLS[type(e)], self.add(e.args[0]))
+        if kind := _SYMBOLS.get(type(e)):
+            first, *others = [self.add(x) for x in sorted(e.args, key=default_sort_key)]
+            return reduce(partial(self.put, kind), others, first) if others else self.put(kind, first)
         raise ValueError(f"no operation for {type(e).__name__}: {e}")
 
     def _sum(self, e: Add) -> Value:

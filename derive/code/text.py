@@ -145,7 +145,7 @@ def _known(program: Program) -> dict[int, str]:
             if (ops[first].kind, ops[second].kind) == ("const", "input"):
                 names[i] = "b"  # pi/2 - alpha
         elif first == second:
-            if ops[first].kind == "input":
+            if ops[first].kind == "input" and str(ops[first].value).isidentifier():
                 names[i] = _squared(names.get(first, str(ops[first].value)))
             elif first in names:
                 names[i] = _squared(names[first])

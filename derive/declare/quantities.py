@@ -104,3 +104,9 @@ QUOTIENTS = (
     Quotient("weight_moment_per_radial_weight", "C_theta/C_r", "3.21", "weight_moment_amplitude",
              "radial_weight_amplitude", "limit friction over tan(psi)"),
 )  # fmt: skip
+
+# Closed forms as the paper prints them.
+PRINTED = {
+    "polar_moment": "(2*alpha - sin(2*alpha)/2 - log(Abs(tan(pi/4 + alpha/2)))*cos(alpha)**3)/3",
+    "moment_of_inertia": "(alpha - sin(2*alpha)*(1 + 2*cos(alpha)**2)/6)/2",
+}

@@ -1,26 +1,22 @@
 """The equation of motion in plain symbols and in LaTeX, term by term, from the declarations of effects and laws."""
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
 
 import sympy as sp
 from sympy import Expr, Max, Symbol, cos, sin
 
 from derive.declare import effects as declared
-from derive.declare.effects import ALL_EFFECTS, BY_PSI, EFFECTS, LAMBDA, LAWS, MU, OMEGA, OMEGA_2, THETA
+from derive.declare.effects import BY_PSI, EFFECTS, LAMBDA, LAWS, MU, OMEGA, OMEGA_2, THETA
 from derive.declare.symbols import in_words
 
 
 class Term(NamedTuple):
-    """A term of a quantity in the equation of motion, or its definition, in plain symbols and in LaTeX.
-
-    ``symbols`` are those of the formula.
-    """
+    """A term of a quantity in the equation of motion, or its definition, in plain symbols and in LaTeX."""
 
     quantity: str
     formula: str
     latex: str
-    symbols: tuple[str, ...]
 
 
 PHI, DIRECTION = sp.symbols("phi s", real=True)
@@ -28,11 +24,26 @@ DRIVE, STRESS, PRESSURE, RESISTANCE = sp.symbols("M sigma u T", real=True)
 # Quantities of the equation: what they are, and their LaTeX.
 QUANTITIES = {
     "M": ("moment that drives", "M"),
-    "sigma": ("mean normal stress on the slip surface", r"\sigma"),
-    "u": ("mean pore pressure on it", "u"),
+    "sigma": ("mean normal stress on the slip surface, over sigma_ref", r"\sigma"),
+    "u": ("mean pore pressure on it, over sigma_ref", "u"),
     "mu": ("friction coefficient", r"\mu"),
     "T": ("moment that resists beside friction", "T"),
 }
+# Of a slip surface in several soils: the same of each soil i, and what stands for a number of the whole surface.
+_FRICTION = Symbol("max(0, sum l_i mu_i (sigma_i - u_i))")
+SOIL_QUANTITIES = {
+    "M": QUANTITIES["M"],
+    "sigma_i": ("mean normal stress on the slip surface in soil i, over sigma_ref", r"\sigma_i"),
+    "u_i": ("mean pore pressure on it, over sigma_ref", "u_i"),
+    "mu_i": ("friction coefficient of soil i", r"\mu_i"),
+    "T": QUANTITIES["T"],
+}
+_SHARE, _SHARE_OF_WEIGHT = sp.symbols("l_i n_i")
+_OF_SOIL = {name: Symbol(by_soil) for name, by_soil in {
+    "sigma": "sigma_i", "u": "u_i", "A": "A_i",
+    "J_r": "J_ri", "J_r'": "J_ri'", "J_r0": "J_r0i", "J_r0'": "J_r0i'"}.items()}  # fmt: skip
+_OF_SOIL["lambda"] = LAMBDA * _SHARE
+_OF_SOIL["excess"] = Symbol("excess") * _SHARE_OF_WEIGHT / _SHARE
 # Components of the weight in the balance, at any rotation and at the start.
 COMPONENTS = {
     declared.DRIVING_MOMENT: "J_theta",
@@ -49,6 +60,16 @@ COEFFICIENTS = {
     "J_r0": "weight along the radius at the start (2.23)",
     "J_theta0'": "derivative of J_theta by the dip, at the start",
     "J_r0'": "derivative of J_r by the dip, at the start",
+    "sigma_ref": "reference stress (2.13), Pa",
+}
+SOIL_COEFFICIENTS = {
+    "l_i": "share of the slip surface that is in soil i",
+    "J_r0i": "weight above it along the radius (2.23), at the start",
+    "J_r0i'": "derivative of J_ri by the dip, at the start",
+    "A_i": "dynamic coefficient (2.24) of this weight",
+    "c_i": "mean cohesion along it, over sigma_ref",
+    "p_i": "mean water pressure on it, over sigma_ref",
+    "n_i": "share of J_r0 that is J_r0i, before the mass moves",
 }
 _LATEX = {
     "J_theta": r"J_\theta", "J_theta'": r"J_\theta'", "J_r'": "J_r'", "J_theta0": r"J_{\theta 0}",
@@ -56,55 +77,59 @@ _LATEX = {
     "pore_ratio": "r_u", "pore_pressure": "p", "water": "w", "drag": "d", "viscosity": "e", "excess": r"u_T",
     "max(0, sigma - u)": r"\max(0, \sigma - u)", "peak": r"\mu_p", "residual": r"\mu_r", "length": "L",
     "velocity": "V", "slip": "S", "speed": "v", "coefficient": r"\mu_0",
+    "J_ri": "J_{r,i}", "J_ri'": "J_{r,i}'", "J_r0i": "J_{r0,i}", "J_r0i'": "J_{r0,i}'",
+    "sum l_i c_i": r"\sum_i l_i c_i",
+    _FRICTION.name: r"\max\left(0, \sum_i l_i \mu_i \left(\sigma_i - u_i\right)\right)",
 }  # fmt: skip
 
 
-def term(quantity: str, e: Expr) -> Term:
-    """A term from its expression."""
+def term(quantity: str, e: Expr, by_soil: bool = False) -> Term:
+    """A term from its expression; of one of several soils, by its symbols."""
     slopes = {
         THETA * declared.DRIVING_MOMENT_SLOPE: Symbol("J_theta'"),
         THETA * declared.NORMAL_LOAD_SLOPE: Symbol("J_r'"),
     }
     effective = Symbol("max(0, sigma - u)")
     shown = e.subs(slopes | {OMEGA_2: OMEGA**2, declared.EFFECTIVE: effective})
+    if by_soil:
+        indexed = {x: _OF_SOIL[x.name] for x in shown.free_symbols if x.name in _OF_SOIL}
+        shown = shown.subs({MU * effective: _FRICTION} | indexed)
+        quantity = str(_OF_SOIL.get(quantity, quantity))
     names = {x: _LATEX[x.name] for x in shown.free_symbols if x.name in _LATEX}
-    symbols = tuple(sorted(x.name for x in shown.free_symbols))
-    return Term(quantity, in_words(shown).replace("Min(", "min("), sp.latex(shown, symbol_names=names), symbols)
+    return Term(quantity, in_words(shown).replace("Min(", "min("), sp.latex(shown, symbol_names=names))
 
 
-def balance() -> Term:
+def balance(by_soil: bool = False) -> Term:
     """(3.11) with (2.20): the rate of the angular velocity, where s is the sign of omega, in the time t sqrt(g/R)."""
     normal = Max(0, STRESS - PRESSURE, evaluate=False)
-    shown = DRIVE - DIRECTION * (LAMBDA * MU * normal + RESISTANCE)
-    formula = in_words(shown).replace("Max(", "max(")
-    return Term("Theta domega/dt", formula, sp.latex(shown), tuple(sorted(x.name for x in shown.free_symbols)))
+    friction = _FRICTION if by_soil else MU * normal
+    shown = term("Theta domega/dt", DRIVE - DIRECTION * (LAMBDA * friction + RESISTANCE))
+    return shown._replace(formula=shown.formula.replace("Max(", "max("))
 
 
-def gravity() -> tuple[Term, ...]:
-    """Terms of the weight alone."""
-    return term("M", declared.J_THETA), term("sigma", declared.J_R / LAMBDA)
+Terms = tuple[tuple[str, Expr], ...]  # of quantities, before they are words
+GRAVITY: Terms = (("M", declared.J_THETA), ("sigma", declared.J_R / LAMBDA))
+# Cohesion and water of soils.
+SOILS: Terms = (("u_i", Symbol("p_i")), ("T", LAMBDA * Symbol("sum l_i c_i")))
 
 
-def position(rotates: bool) -> tuple[Term, ...]:
+def position(rotates: bool) -> Terms:
     """The components of the weight after a rotation, q(psi_0 - phi) = q cos phi - q' sin phi, or the initial ones."""
     start = {q: Symbol(f"{name.rstrip(chr(39))}0{chr(39) * name.count(chr(39))}") for q, name in COMPONENTS.items()}
     angle = PHI if rotates else sp.Integer(0)
-    return tuple(
-        term(name, start[q] * cos(angle) - BY_PSI[q].subs(start) * sin(angle)) for q, name in COMPONENTS.items()
-    )
+    return tuple((name, start[q] * cos(angle) - BY_PSI[q].subs(start) * sin(angle)) for q, name in COMPONENTS.items())
 
 
-def of_effect(effect: declared.Effect) -> tuple[Term, ...]:
+def of_effect(effect: declared.Effect) -> Terms:
     """Terms that an effect adds to each quantity, one by one, and the rates of its states."""
     adds = {
         "M": effect.driving_moment,
         "sigma": effect.stress + effect.normal_load / LAMBDA,
         "u": effect.pressure,
         "T": effect.resistance,
-        "mu": effect.friction,
     }
-    terms = [term(q, x) for q, e in adds.items() if e != 0 for x in sp.Add.make_args(sp.expand(e))]
-    terms += [term(f"d{x}/dphi", effect.growth) for x in effect.states]
+    terms = [(q, x) for q, e in adds.items() if e != 0 for x in sp.Add.make_args(sp.expand(e))]
+    terms += [(f"d{x}/dphi", effect.growth) for x in effect.states]
     return (*(position(True) if effect.turns else ()), *terms)
 
 
@@ -113,25 +138,29 @@ def of_law(law: declared.Law) -> tuple[Term, ...]:
     if law.coefficient is not None or not law.depends_on:
         return (term("mu", sp.sympify(law.coefficient or Symbol("coefficient"))),)
     argument = law.depends_on[0]
-    return (Term("mu", f"mu({argument})", rf"\mu(\mathrm{{{argument}}})", (argument,)),)
+    return (Term("mu", f"mu({argument})", rf"\mu(\mathrm{{{argument}}})"),)
 
 
-def terms(
-    effects: Sequence[declared.Effect] = ALL_EFFECTS, laws: Sequence[declared.Law] = LAWS
-) -> dict[str, tuple[Term, ...]]:
-    """All terms, by the effect or law to which they belong; "frozen" is the position without rotation."""
-    every = {"gravity": gravity(), "frozen": position(False)}
-    every |= {effect.name: of_effect(effect) for effect in effects}
-    every |= {law.name: of_law(law) for law in laws}
-    return every | {"callable": (Term("mu", "mu(slip)", r"\mu(\mathrm{slip})", ("slip",)),)}
+def terms(by_soil: bool = False) -> dict[str, tuple[Term, ...]]:
+    """What gravity and each effect add; "frozen" is the position without rotation."""
+    every = {"gravity": GRAVITY, "frozen": position(False)}
+    every |= {effect.name: of_effect(effect) for effect in EFFECTS}
+    shown = {name: tuple(term(q, e, by_soil) for q, e in added) for name, added in every.items()}
+    return shown | ({"soils": tuple(term(q, e) for q, e in SOILS)} if by_soil else {})
+
+
+def laws() -> dict[str, tuple[Term, ...]]:
+    """The friction coefficient of each law."""
+    every = {law.name: of_law(law) for law in LAWS}
+    return every | {"callable": (Term("mu", "mu(slip)", r"\mu(\mathrm{slip})"),)}
 
 
 def in_plain_text() -> str:
     """The balance and what each effect adds to it, as lines."""
     equation, lines = balance(), []
     lines.append(f"    {equation.quantity} = {equation.formula},  s = sgn(omega)")
-    for name, added in {"gravity": gravity(), **{e.name: of_effect(e) for e in EFFECTS}}.items():
-        for row in added:
+    for name, added in terms().items():
+        for row in added if name != "frozen" else ():
             sign = "+=" if row.quantity in QUANTITIES else "="
             lines.append(f"    {row.quantity:12} {sign:2} {row.formula:40} {name}".rstrip())
     return "\n".join(lines)
@@ -139,17 +168,25 @@ def in_plain_text() -> str:
 
 def text() -> str:
     """The block of `generated/flow.py`."""
-    rows = "".join(f"    {name!r}: {(*map(tuple, added),)!r},\n" for name, added in terms().items())
-    quantities = "".join(f"    {name!r}: {words!r},\n" for name, words in QUANTITIES.items())
-    numbers = "".join(f"    {name!r}: {words!r},\n" for name, words in COEFFICIENTS.items())
+    typed = "dict[str, tuple[tuple[str, str, str], ...]]"
     return (
-        "# The equation of motion: quantity, formula, LaTeX, and the symbols of the formula.\n"
+        "# The equation of motion: quantity, formula and LaTeX.\n"
         f"BALANCE = {tuple(balance())!r}\n"
-        "# Its quantities: what they are, and their LaTeX.\n"
-        f"EQUATION_QUANTITIES = {{\n{quantities}}}\n"
-        "# Its numbers that every scene has.\n"
-        f"COEFFICIENTS = {{\n{numbers}}}\n"
+        f"# Its quantities: what they are, and their LaTeX.\n{_table('EQUATION_QUANTITIES', QUANTITIES)}"
+        f"# Its numbers that every scene has.\n{_table('COEFFICIENTS', COEFFICIENTS)}"
         "# What gravity, each effect and each law add to it.\n"
-        f"TERMS: dict[str, tuple[tuple[str, str, str, tuple[str, ...]], ...]] = {{\n{rows}}}\n"
-        "LATEX = {\n" + "".join(f"    {name!r}: {latex!r},\n" for name, latex in _LATEX.items()) + "}\n\n"
+        f"{_table(f'TERMS: {typed}', _as_tuples(terms() | laws()))}"
+        "# The same where several soils lie along the slip surface.\n"
+        f"SOIL_BALANCE = {tuple(balance(True))!r}\n{_table('SOIL_QUANTITIES', SOIL_QUANTITIES)}"
+        f"{_table('SOIL_COEFFICIENTS', SOIL_COEFFICIENTS)}{_table(f'SOIL_TERMS: {typed}', _as_tuples(terms(True)))}"
+        f"{_table('LATEX', _LATEX)}\n"
     )
+
+
+def _as_tuples(terms: Mapping[str, Sequence[Term]]) -> dict[str, tuple[Any, ...]]:
+    return {name: tuple(map(tuple, added)) for name, added in terms.items()}
+
+
+def _table(name: str, rows: Mapping[str, Any]) -> str:
+    """A dictionary as text, a row a line."""
+    return f"{name} = {{\n" + "".join(f"    {key!r}: {value!r},\n" for key, value in rows.items()) + "}\n"

@@ -360,8 +360,8 @@ def fragments(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAW
     for law in (*laws, CALLABLE):
         every[law.name] = of_law(law)
     factors = {cell(x): varying(x) for x in ("slip_mu", "rate_mu")}
-    product = Lowering("product", factors)
-    every["product"] = product.fragment({"mu": Mul(*factors)})
+    both = Lowering("product", factors)
+    every["product"] = both.fragment({"mu": Mul(*factors)})
     soils = Lowering("soils", {cell(x): varying(x) for x in (*SOIL_SUMS.values(), "slip_mu")})
     every["soils"] = soils.fragment({x: cell(y) / SLIP_MU for x, y in SOIL_SUMS.items()})
     return every | {"balance": balance(), "energy": energy()}

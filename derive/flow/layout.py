@@ -131,32 +131,32 @@ SHARES = {"STIFF_CHANGE": 1e-3, "CARRIED": 1e-3, "SETTLED": 2.0**-46}
 
 
 class Numbered(NamedTuple):
-    """An enumeration: its name in the text of the integrator, in words, the prefix of its members, the first number."""
+    """An enumeration in words, the prefix of its members, and the first number."""
 
-    name: str
     words: str
     prefix: str
     first: int
     members: Mapping[str, str]
 
 
-NUMBERED = (
-    Numbered("Cell", "Cells of a lane, first in every program", "", 0, {x.upper(): CELLS[x] for x in CELLS}),
-    Numbered("Working", "Cells of a lane while it is integrated, in front of these", "", -len(WORKING), WORKING),
-    Numbered("Part", "Cells of a table", "", 0, TABLE),
-    Numbered("Kind", "Arguments of tables", "OF_", 0, {x.upper(): f"a function of {x}" for x in KINDS}),
-    Numbered("Status", "What a lane is doing", "", 0, STATUS),
-    Numbered("Passed", "What its phase began by passing", "", 0, PASSED),
-    Numbered("Pending", "What it waits for before its next step", "", 0, PENDING),
-    Numbered("Event", "Events that end a step", "EVENT_", -1, EVENTS),
-    Numbered("Note", "What is noted of the first lane", "NOTE_", 1, NOTES),
-)
+# By their names in the text of the integrator.
+NUMBERED = {
+    "Cell": Numbered("Cells of a lane, first in every program", "", 0, {x.upper(): CELLS[x] for x in CELLS}),
+    "Working": Numbered("Cells of a lane while it is integrated, in front of these", "", -len(WORKING), WORKING),
+    "Part": Numbered("Cells of a table", "", 0, TABLE),
+    "Kind": Numbered("Arguments of tables", "OF_", 0, {x.upper(): f"a function of {x}" for x in KINDS}),
+    "Status": Numbered("What a lane is doing", "", 0, STATUS),
+    "Passed": Numbered("What its phase began by passing", "", 0, PASSED),
+    "Pending": Numbered("What it waits for before its next step", "", 0, PENDING),
+    "Event": Numbered("Events that end a step", "EVENT_", -1, EVENTS),
+    "Note": Numbered("What is noted of the first lane", "NOTE_", 1, NOTES),
+}
 
 
 def python() -> str:
     """The module `generated.layout`."""
     parts = ['"""Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""\n\n']
-    for _, words, prefix, start, names in NUMBERED:
+    for words, prefix, start, names in NUMBERED.values():
         rows = "".join(f"{prefix}{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
         parts.append(f"# {words}.\n{rows}\n")
     given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | LIMITS | SHARES
@@ -167,7 +167,7 @@ def c() -> dict[str, str]:
     """The same for the compiled integrator, and the members of the struct of a program's roles, as marked there."""
     rows = [
         [f"{prefix}{x}{f' = {start}' * (start != 0 and not k)}" for k, x in enumerate(names)]
-        for _, _, prefix, start, names in NUMBERED
+        for _, prefix, start, names in NUMBERED.values()
     ]
     rows += [[f"{x} = {y}" for x, y in LIMITS.items()]]
     enums = (f"enum {{ {', '.join(row)} }};\n" for row in rows)

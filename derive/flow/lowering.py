@@ -15,7 +15,7 @@ from sympy import Add, Expr, Integer, Min, Mul, Rational, Symbol, Tuple, cos, ex
 
 from derive.algebra.remainders import Exp, Select
 from derive.code.program import program
-from derive.flow.operations import OPERATIONS, Q, first
+from derive.flow.recurrences import OPERATIONS, Q, first
 
 # An increment: the coefficient, a number, of each product of registers, which are named in order.
 Increment = Mapping[tuple[str, ...], Expr]

@@ -34,10 +34,9 @@ SIGNS = {
     ast.Eq: "==",
     ast.NotEq: "!=",
 }
-CODES: dict[str, tuple[str, Mapping[str, Any]]] = {row.name: (row.prefix, row.members) for row in layout.NUMBERED} | {
-    "Limit": ("", layout.LIMITS),
-    "Share": ("", layout.SHARES),
-}
+CODES: dict[str, tuple[str, Mapping[str, Any]]] = {
+    x: (row.prefix, row.members) for x, row in layout.NUMBERED.items()
+} | {"Limit": ("", layout.LIMITS), "Share": ("", layout.SHARES)}
 # Entries of lanes, of one lane, of tables and of states, by the kind of what has them: what they are, and their kind.
 _OF_LANES = {
     **{x.lower(): ("CELL", "V") for x in (*layout.CELLS, *layout.WORKING)},

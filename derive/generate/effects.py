@@ -4,6 +4,7 @@ import re
 
 import sympy as sp
 
+from derive.code.emit import filled
 from derive.declare.effects import (
     EFFECTS,
     LAWS,
@@ -22,37 +23,20 @@ from derive.declare.effects import (
 
 def module() -> str:
     """The runtime half of the effects: plain data."""
-    return _EFFECTS_HEAD + "\n".join(
-        [
-            f"LIMITS = {LIMITS!r}  # between which what has a unit lies",
-            f"USUAL = {USUAL!r}  # ranges that soils have",
-            f"OTHER_UNITS = {OTHER_UNITS!r}",
-            f"USUAL_FRICTION = {USUAL_FRICTION!r}",
-            "",
-            "LAWS = {",
-            *(f"    {law.name!r}: {_effect(law, 'Law')}," for law in LAWS),
-            "}",
-            "",
-            "EFFECTS = {",
-            *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in EFFECTS),
-            "}",
-            "",
-            "ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself",
-            *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in SECTION_EFFECTS),
-            "}",
-            "",
-        ]
-    )
+    marks = {"LIMITS": LIMITS, "USUAL": USUAL, "OTHER_UNITS": OTHER_UNITS, "USUAL_FRICTION": USUAL_FRICTION}
+    rows: dict[str, tuple[Effect | Law, ...]] = {"LAWS": LAWS, "EFFECTS": EFFECTS, "SECTION_EFFECTS": SECTION_EFFECTS}
+    texts = {mark: "".join(f"    {e.name!r}: {_effect(e)},\n" for e in entries) for mark, entries in rows.items()}
+    return filled("_effects.py.in", {mark: repr(value) for mark, value in marks.items()} | texts)
 
 
-def _effect(e: Effect | Law, kind: str) -> str:
+def _effect(e: Effect | Law) -> str:
     parameters = "".join(f"\n        {_parameter(p)}," for p in e.parameters)
     parameters += "\n    " if parameters else ""
     if isinstance(e, Effect):
         more = f"{e.turns!r}, {e.any_of!r}, {formulas(e)!r}"
     else:
         more = f"{e.scale!r}, {e.kinks!r}"
-    return f"{kind}({e.name!r}, {e.equation!r}, ({parameters}), {e.depends_on!r}, {e.help!r}, {more})"
+    return f"{type(e).__name__}({e.name!r}, {e.equation!r}, ({parameters}), {e.depends_on!r}, {e.help!r}, {more})"
 
 
 def _parameter(p: Parameter) -> str:
@@ -64,63 +48,3 @@ def _parameter(p: Parameter) -> str:
     bounds = f"{p.lower!r}, {p.upper!r}".replace("inf", "INFINITY")
     words = f"{p.name!r}, {p.unit!r}, {bounds}, {p.help!r}, {p.key!r}, {p.per_unit!r}"
     return f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r})"
-
-
-_EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for."""
-
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-
-from numpy import sqrt
-
-INFINITY = float("inf")
-
-
-@dataclass(frozen=True, slots=True)
-class Parameter:
-    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it."""
-
-    name: str
-    unit: str
-    lower: float
-    upper: float
-    help: str
-    key: str
-    per_unit: float
-    symbol: str
-    dimensionless: Callable[[float, Mapping[str, float]], float]
-    optional: bool
-    kind: str
-
-
-@dataclass(frozen=True, slots=True)
-class Law:
-    """A friction law: equation, parameters, what it depends on, help; its length scale, and the slips of its kinks."""
-
-    name: str
-    equation: str
-    parameters: tuple[Parameter, ...]
-    depends_on: tuple[str, ...]
-    help: str
-    scale: str
-    kinks: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Effect:
-    """A term of the equation of motion: equation, parameters, what it depends on, help, whether the mass turns.
-
-    At least one parameter of ``any_of`` is needed. ``formulas`` say what it adds to the balance.
-    """
-
-    name: str
-    equation: str
-    parameters: tuple[Parameter, ...]
-    depends_on: tuple[str, ...]
-    help: str
-    turns: bool
-    any_of: tuple[str, ...] = ()
-    formulas: tuple[str, ...] = ()
-
-
-'''

@@ -17,7 +17,6 @@ from derive.code.operations import OPERATIONS
 from derive.code.program import Program, without_dead
 from derive.code.text import Language, Part, Reader, seam, statements
 
-TEMPLATE = emit.TEMPLATES / "_kernels.c"
 HALF_PI = float.fromhex("0x1.921fb54442d18p+0")
 # The largest alpha that is inside: half discs given in degrees land a little above pi/2.
 END = {name: HALF_PI * (1.0 + 4.0 * eps) for name, eps in (("double", 2.0**-52), ("float", 2.0**-23))}
@@ -125,10 +124,7 @@ def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str
         "LOOPS": _macro("LOOPS", loops),
         "UFUNCS": _macro("UFUNCS", table),
     }
-    text = TEMPLATE.read_text(encoding="utf-8")
-    for mark, value in marks.items():
-        text = text.replace(f"@{mark}@", value)
-    return text
+    return emit.filled("_kernels.c", marks)
 
 
 def _loops_and_table(tiers: Sequence[tuple[str, str]]) -> tuple[list[str], list[str]]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
-from sympy import Abs, Expr, Integer, Min, N, Rational, atanh, cos, cosh, diff, pi, sin, sqrt, tan, tanh
+from sympy import Expr, Integer, Min, N, Rational, atanh, cos, diff, pi, sin
 
 from derive.algebra import dynamics
 from derive.algebra.appendices import APPENDICES, parse
@@ -15,8 +15,8 @@ from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
 from derive.code.program import Program, program
-from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
-from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
+from derive.declare.quantities import MOMENTS, PRINTED, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
+from derive.declare.symbols import alpha, theta_1, theta_2, theta_m
 
 HALF_PI = repr(float(N(pi / 2, 40)))
 PAPER = "the paper"
@@ -239,16 +239,13 @@ def printed() -> list[tuple[Program, str]]:
     return [
         *((program(name, ("alpha",), form), source) for name, form, source in _printed_kernels()),
         *((program(f"appendix_{x.name}", ends, parse(x)), f"Appendix {x.name}, brackets repaired") for x in APPENDICES),
-        *((program(name, ("a", "b", "t"), form), source) for name, form, source in _printed_motion()),
     ]
 
 
 def _printed_kernels() -> list[tuple[str, Expr, str]]:
     c = cos(alpha)
     s = sin(alpha)
-    log = sp.log(Abs(tan(pi / 4 + alpha / 2)))
-    moment = (2 * alpha - sin(2 * alpha) / 2 - log * c**3) / 3
-    inertia = (alpha - sin(2 * alpha) * (1 + 2 * c**2) / 6) / 2
+    moment, inertia = (sp.parse_expr(PRINTED[name], {"alpha": alpha}) for name in ("polar_moment", "moment_of_inertia"))
     resistance = RESISTANCE.form
     return [
         ("polar_moment", moment, "(2.19)"),
@@ -257,14 +254,4 @@ def _printed_kernels() -> list[tuple[str, Expr, str]]:
         ("weight_moment_amplitude", Rational(2, 3) * (s - s * c**2), "(3.13), integrated"),
         ("resistance_factor", resistance, "(3.14)"),
         ("dynamic_coefficient", moment / resistance, "(2.24) with (2.19)"),
-    ]
-
-
-def _printed_motion() -> list[tuple[str, Expr, str]]:
-    with sp.evaluate(False):
-        velocity = sqrt(a / b) * tanh(sqrt(a * b) * t)
-        rotation = sp.log(cosh(sqrt(a * b) * t)) / b
-    return [
-        ("angular_velocity", velocity, "(3.20), misprint mended, from rest"),
-        ("rotation", rotation, "(4.3), from rest"),
     ]

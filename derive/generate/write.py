@@ -17,8 +17,7 @@ from derive.check.records import Record
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
-from derive.flow import emit as flow
-from derive.flow import layout, restricted, restricted_c, restricted_numpy, series
+from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series
 from derive.generate import effects, emit_c, functions, slopes
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -31,24 +30,22 @@ def files(proved: list[Record]) -> dict[str, str]:
     kernels = functions.kernels(proved)
     closed = closed_forms()
     c_kernels = emit_c.source(variants(), functions.comments(kernels, proved))
-    c_flow = _template("_flow.c").replace("@PROCESSOR@", emit.PROCESSOR)
     integrator = restricted.integrator()
-    walk = {"WALK": restricted_c.functions(integrator)}
-    for mark, lines in (layout.c() | series.c() | walk).items():
-        c_flow = c_flow.replace(f"@{mark}@\n", lines)
+    walk = {"WALK": restricted_c.functions(integrator), "PROCESSOR": emit.PROCESSOR}
+    c_flow = emit.filled("_flow.c", layout.c() | series.c() | walk)
     texts = {
-        "_compiled.py": _template("_compiled.py"),
+        "_compiled.py": emit.filled("_compiled.py"),
         "layout.py": layout.python(),
         "definitions.py": definitions_module(closed),
-        "_evaluate.py": _template("_evaluate.py"),
+        "_evaluate.py": emit.filled("_evaluate.py"),
         "effects.py": effects.module(),
-        "flow.py": flow.module(),
+        "flow.py": module.module(),
         "kernels.py": emit.module("Moments, weights and quotients of the arc, from their definitions.", kernels),
         "_flow.c": c_flow,
         "_kernels.c": c_kernels,
         "series.py": series.numpy_text(digest_of(c_flow)),
         "slopes.py": slopes.module(),
-        "walk.py": _template("_walk.py.in").replace("# @WALK@\n", restricted_numpy.functions(integrator)),
+        "walk.py": emit.filled("_walk.py.in", {"WALK": restricted_numpy.functions(integrator)}),
         "tiers.py": tiers_module(proved, digest_of(c_kernels)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
@@ -58,10 +55,6 @@ def files(proved: list[Record]) -> dict[str, str]:
         if name.endswith(".py"):
             texts[name] = emit.wrapped(text)
     return {name: header(name, text) + text for name, text in sorted(texts.items())}
-
-
-def _template(name: str) -> str:
-    return (emit.TEMPLATES / name).read_text(encoding="utf-8")
 
 
 def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:

@@ -8,7 +8,7 @@ import json
 import math
 import shutil
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache, partial
 from typing import Any, Literal, NamedTuple
 
@@ -19,11 +19,11 @@ from sympy import Expr, atan, atanh, cos, cosh, lambdify, log, pi, sin, sinh, sq
 
 from derive.algebra.integrate import PSI, closed_forms, derive
 from derive.algebra.prove import trig_normal
-from derive.code.operations import OPERATIONS
 from derive.code.program import Program, program
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import a, alpha, b, omega_0, t, theta_1, theta_2, theta_m
 from derive.flow.fragments import balance
+from derive.flow.recurrences import numbers
 from derive.generate import functions
 from derive.progress import track
 
@@ -124,17 +124,11 @@ def _of_ends(terms: Mapping[str, Expr]) -> dict[str, Form]:
 _NORMAL_LOAD, _MU, _LIMIT = sp.symbols("normal_load mu limit", real=True)
 
 
-def drive(rows: Iterable[tuple[str, ...]], normal_load: Any, mu: Any, limit: Any) -> Any:
+def drive(rows: Sequence[Sequence[str]], normal_load: Any, mu: Any, limit: Any) -> Any:
     """The net moment at the start, by the balance's operations on cells, given the limit friction; all else is 0."""
-    cells = {"pressing_0": normal_load, "normal_load_0": normal_load, "mu_0": mu, "LIMIT": limit}
-    cells |= dict.fromkeys(("driving_0", "driving_moment_0"), normal_load * limit)
-    for operation, name, *operands in rows:
-        values = []
-        for x in operands:
-            number = np.float64(x[1:]) if x[0] == "=" else cells.get(x, np.float64(0))
-            values.append(number)
-        cells[name] = OPERATIONS[operation].meaning(*values)
-    return cells["drive"]
+    cells = {x: np.float64(x[1:] if x[0] == "=" else 0) for _, _, *operands in rows for x in operands}
+    cells |= {"pressing_0": normal_load, "normal_load_0": normal_load, "mu_0": mu, "LIMIT": limit}
+    return numbers(rows, cells | dict.fromkeys(("driving_0", "driving_moment_0"), normal_load * limit))["drive"]
 
 
 HALF_PI = math.pi / 2

@@ -15,6 +15,7 @@ from sympy import Eq, Symbol, cos, diff, expand, simplify, sin, solve, sqrt, sym
 
 from derive.algebra.appendices import APPENDIX_I, APPENDIX_II
 from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, solution, theta_star
+from derive.declare.quantities import PRINTED
 from derive.declare.symbols import alpha, omega_0, r, t, theta, theta_1, theta_2
 from derive.judge import postulates
 from derive.judge import section as s
@@ -184,8 +185,7 @@ CLAIMS = (
     Claim("(2.18)", "chord over R", "R_1* = cos(alpha)/cos(theta - theta_1 - alpha)",
           "cos(alpha)/cos(theta - theta_1 - alpha)", lambda: chord() / R),
     Claim("(2.19)", "polar moment, closed form", "(2 alpha - sin(2 alpha)/2 - ln|tan(pi/4 + alpha/2)| cos(alpha)^3)/3",
-          "(2*alpha - sin(2*alpha)/2 - log(Abs(tan(pi/4 + alpha/2)))*cos(alpha)**3)/3",
-          lambda: derivation("polar_moment").amplitude, weight=r**2),
+          PRINTED["polar_moment"], lambda: derivation("polar_moment").amplitude, weight=r**2),
     _figure("Fig. 2-1", "polar moment over alpha", "I_p* = {} here, {} at 2 alpha", _over_angle("polar_moment"),
             "its curve is (2.19)"),
     Claim("(2.20)", "mean normal stress", "sigma_st* + A omega*^2", "J_r/lam + A*omega_star**2",
@@ -270,8 +270,7 @@ CLAIMS = (
           "2*alpha*sigma_ref/(gamma*R); 2*alpha*f/R; 2*alpha*(1 - cos(alpha))", lambda: (lever(),) * 3,
           shows="coefficient of mu sigma*: {}"),
     Claim("(3.15)", "moment of inertia, closed form", "(alpha - sin(2 alpha) (1 + 2 cos(alpha)^2)/6)/2",
-          "(alpha - sin(2*alpha)*(1 + 2*cos(alpha)**2)/6)/2", lambda: derivation("moment_of_inertia").amplitude,
-          weight=r**3),
+          PRINTED["moment_of_inertia"], lambda: derivation("moment_of_inertia").amplitude, weight=r**3),
     _figure("Fig. 3-1", "moment of inertia over alpha", "Theta* = {} here, {} at 2 alpha",
             _over_angle("moment_of_inertia"), "its curve is (3.15)"),
     Claim("Fig. 3-2", "J_theta within 10 %", "practically constant", "-1/10; 1/10",

@@ -15,6 +15,7 @@ DOORS = {
     "forcing": Door("shaking, or water that changes with time", "slipcircle.tables.forcing"),
     "tables": Door("a function of time, or a law in pieces or by a list", "slipcircle.tables.tables"),
     "functions": Door("friction as a function of slip in Python", "slipcircle.tables.functions"),
+    "soils": Door("soils have friction laws of their own", "slipcircle.layers.fragments"),
     "water": Door("a section has a water level", "slipcircle.ground.water"),
     "creep": Door("a viscous layer, and no end time", "slipcircle.stiff.creep"),
     "stiff": Door("explicit steps were too many", "slipcircle.stiff.implicit"),

@@ -246,18 +246,23 @@ def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
         shape = np.shape(value)
         if len(shape) <= axes:
             return value
-        every_lane = np.broadcast_to(value, scene.shape + shape[len(shape) - axes :])
-        return plain(select(every_lane))
+        own_axes = shape[len(shape) - axes :]
+        every_lane = np.broadcast_to(value, scene.shape + own_axes)
+        lanes = select(every_lane)
+        return plain(lanes)
 
-    numbers = scene.numbers.items()
-    chosen = {name: of_lanes(value) for name, value in numbers if np.ndim(value)}
+    chosen = {}
+    for name, value in scene.numbers.items():
+        if np.ndim(value):
+            chosen[name] = of_lanes(value)
     shaking = scene.effects.get("shaking", {})
     for name in _OTHER_FACTOR:
         if name not in shaking:  # it stands for the other
             chosen.pop(f"shaking.{name}", None)
-    some = replace_unchecked(scene, {"arc": scene.arc.with_lanes(of_lanes)})
+    of_lane = scene.arc.with_lanes(of_lanes)
+    some = replace_unchecked(scene, {"arc": of_lane})
     changed = _fields_with(some, chosen)
-    arc = replace_unchecked(some.arc, changed["arc"])
+    arc = replace_unchecked(of_lane, changed["arc"])
     return replace_unchecked(some, changed | {"arc": arc})
 
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats, Names, Parameters
 from slipcircle.core.scene.effects import OF_SOIL
-from slipcircle.layers.soils import distinct, share_one_law
+from slipcircle.layers.soils import Soil, distinct, share_one_law
 from slipcircle.layers.stretches import StretchIntegrals
 
 
@@ -178,7 +178,7 @@ class ArcStrength(StretchIntegrals):
         peak = self.section._shaped(self.mean_peak)
         rate = {} if self.section.rate is None else {"rate": self.section.rate}
         if self._own_laws:
-            by_soil = {soil.name: soil.friction for soil in self._distinct_soils}
+            by_soil = {soil.name: soil.friction for soil in self.distinct_soils}
             return MeanFriction(law="of each soil", coefficient=peak, soils=by_soil, **rate)
         if not self._laws:
             return MeanFriction(law="constant", coefficient=peak, **rate)
@@ -224,8 +224,23 @@ class ArcStrength(StretchIntegrals):
         return not share_one_law(self.section.soils)
 
     @property
-    def _distinct_soils(self) -> list[Any]:
+    def distinct_soils(self) -> list[Soil]:
+        """Each soil of the layers and of the foreland once."""
         return distinct(self.section.soils)
+
+    def _is_soil(self, soil: Soil) -> Floats:
+        """1 for a soil and 0 for the others, (soils, 1)."""
+        return np.array([[float(other is soil)] for other in self.section.soils])
+
+    def of_soil(self, soil: Soil) -> dict[str, Any]:
+        """What a soil adds to the sums of the balance at the start, over Theta*, and the angle of its stretches."""
+        along = self._is_soil(soil)
+        at_start = Needs(rotates=False)
+        added = self._gripping(("", "normal", "inertia"), along, at_start)
+        added["lift"] = self._lift(along, at_start)
+        added["cohesion"] = self._cohesion(at_start, along)
+        added["angle"] = self._function({"space": self._by_direction(along)}, False)
+        return added
 
     def soil_terms(self, needs: Needs) -> dict[str, dict[str, Any]]:
         """What each soil with a friction law of its own adds to the balance, over Theta*, by the name of its effect.
@@ -236,9 +251,8 @@ class ArcStrength(StretchIntegrals):
         if not self._own_laws:
             return {}
         terms = {}
-        for k, soil in enumerate(self._distinct_soils):
-            is_soil = [[float(other is soil)] for other in self.section.soils]
-            along = np.array(is_soil)
+        for k, soil in enumerate(self.distinct_soils):
+            along = self._is_soil(soil)
             share = self._mean(along)
             names = ("", "turning", "inertia")
             excess = self._gripping(names, along - share, needs)
@@ -282,11 +296,11 @@ class ArcStrength(StretchIntegrals):
             f"{base}_slope": tilt,  # for the yield coefficient too
         }
 
-    def _cohesion(self, needs: Needs) -> Any:
-        """Strength without normal stress, over Theta*."""
+    def _cohesion(self, needs: Needs, share: Any = 1.0) -> Any:
+        """Strength without normal stress, over Theta*, or a share of it by soil."""
         section = self.section
-        cohesion = section.of_soils("cohesion")
-        growth = section.of_soils("cohesion_gradient")
+        cohesion = share * section.of_soils("cohesion")
+        growth = share * section.of_soils("cohesion_gradient")
         coefficients = {}
         if np.any(cohesion):
             _, _, radius = section._circle

@@ -1,5 +1,6 @@
 """What is said of a scene and its motion: equation, warnings, summary, error estimate."""
 
-from slipcircle.words.choice import step_operations
+from slipcircle.words.summary import standing
+from slipcircle.words.warnings import collect_warnings
 
-__all__ = ["step_operations"]
+__all__ = ["collect_warnings", "standing"]

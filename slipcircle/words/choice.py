@@ -1,22 +1,18 @@
-"""A plan in words: the law, the method and the reason for it, and what a step costs."""
+"""A plan in words: the law, the method and the reason for it."""
 
 from collections.abc import Iterator
 from functools import cache
-from math import prod
 from typing import NamedTuple
 
 from generated.effects import ALL_EFFECTS
 from slipcircle.base.kinds import Names
 from slipcircle.core.problem.plan import Plan, Recipe
-from slipcircle.core.problem.problem import order, solved_accuracy
-from slipcircle.core.program.build import build_program
-from slipcircle.core.program.program import Program
 from slipcircle.core.scene.effects import OF_SOIL, without_soil
 from slipcircle.core.scene.friction import depends_on
 
 FLOW = "Taylor series in time, events as their roots"
-WORDS = {"speed": "the speed"}
-STEPS = 8  # that a motion typically takes
+_SOILS = "the strength of the soils"
+WORDS = {"speed": "the speed", "layered_strength": _SOILS, "soil_friction": _SOILS}
 
 
 class PlanWords(NamedTuple):
@@ -25,19 +21,16 @@ class PlanWords(NamedTuple):
     law: str
     method: str
     why: str
-    operations: str
-    cost: int
 
 
 def words_of(plan: Plan) -> PlanWords:
     """What a plan says in words."""
-    terms = order(solved_accuracy(plan.accuracy, prod(plan.scene.shape)))
-    return _words(plan.recipe, plan.effects, terms)
+    return _words(plan.recipe)
 
 
 @cache
-def _words(recipe: Recipe, effects: Names, terms: int) -> PlanWords:
-    program = build_program(*recipe)
+def _words(recipe: Recipe) -> PlanWords:
+    effects = tuple(dict.fromkeys(map(without_soil, recipe.effects)))
     symbols = {*map(without_soil, recipe.moving)}
     of_rotation = list[str]()
     of_time = dict[str, None]()
@@ -46,7 +39,7 @@ def _words(recipe: Recipe, effects: Names, terms: int) -> PlanWords:
             if p.symbol not in symbols:
                 continue
             if p.kind == "rotation":
-                of_rotation.append(effect)
+                of_rotation.append(WORDS.get(effect, effect))
             elif p.kind == "series":
                 of_time[effect] = None
     reasons = list[str]()
@@ -56,7 +49,7 @@ def _words(recipe: Recipe, effects: Names, terms: int) -> PlanWords:
     reasons += [f"{e} depends on the rotation" for e in dict.fromkeys(of_rotation)]
     reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends_on(recipe.laws)]
     law = _law_in_words(recipe.laws)
-    return PlanWords(law, FLOW, "; ".join(reasons), counted(program), STEPS * flops(program, terms))
+    return PlanWords(law, FLOW, "; ".join(reasons))
 
 
 def _law_in_words(laws: Names) -> str:
@@ -75,27 +68,3 @@ def _reasons(effect: str, in_time: bool) -> Iterator[str]:
         if variable == "speed squared" or (variable == "time" and not in_time):
             continue
         yield f"{effect} turns the mass" if declared.turns else f"{effect} depends on {WORDS.get(variable, variable)}"
-
-
-def step_operations(effects: Names, laws: Names, moving: Names) -> str:
-    """The operations on series of one step under effects and laws by name; ``moving`` symbols change in time."""
-    return counted(build_program(effects, laws, moving))
-
-
-def counted(program: Program) -> str:
-    """The operations on series of one step, by kind."""
-    kinds = [op[0] for op in program.series]
-    return ", ".join(f"{kinds.count(k)} {k}" for k in sorted(set(kinds)))
-
-
-def flops(program: Program, order: int) -> int:
-    """Floating-point operations of one step: products take as many terms as their coefficient has factors."""
-    per_order = {"sqr": order, "turn": 4 * order, "tim": 1, "ramp": 0}
-    total = 0
-    for kind, *names in program.series:
-        if kind == "lin":
-            terms = names[-1]
-            total += (order + 1) * 2 * len(terms)
-        else:
-            total += (order + 1) * per_order.get(kind, 2 * order)
-    return total

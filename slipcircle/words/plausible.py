@@ -5,7 +5,7 @@ another unit would bring inside. Such a scene is solved all the same; `Motion.wa
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -16,28 +16,49 @@ from slipcircle.derivatives.parameters import possible_parameters
 _STRONG, _STRONGEST = 1e6, 5.0  # Pa, g
 
 
-def questions(scene: Scene) -> Iterator[str]:
-    """A sentence for each number of a scene that was probably meant in another unit."""
+def questions(scene: Scene, written: Callable[[str, float], str] | None = None) -> Iterator[str]:
+    """A sentence for each number of a scene that was probably meant in another unit.
+
+    It begins with the number as its user wrote it: from a name and a value in SI units, by default just these.
+    """
     known = possible_parameters(scene)
+    units = {name: parameter.unit for name, parameter in known.items()}
+
+    def in_si(name: str, value: float) -> str:
+        unit = units.get(name, "")
+        return f"{name} = {value:.6g} {unit}".rstrip()
+
+    in_words = written or in_si
     for name, values in scene.numbers.items():
-        unit = known[name].unit if name in known else ""
-        words = name.split(".")
-        is_friction = "friction" in words and "rate" not in words and not unit
-        numbers = np.asarray(values, dtype=np.float64)
-        for value in np.unique(numbers).tolist():
-            question = _of_friction(value) if is_friction else _of_unit(value, unit)
-            if name == "shaking.amplitude" and abs(value) > _STRONGEST:
-                question = f"no ground has shaken with more than {_STRONGEST:g} g; is that in m/s^2 or in %?"
-            if unit == "Pa" and value > _STRONG and (words[0] == "surcharge" or words[-1] == "cohesion"):
-                question = f"soils and loads have less; a file takes kPa: was {value / 1e3:g} Pa meant?"
+        unit = units.get(name, "")
+        numbers = np.unique(values).tolist()
+        for value in numbers:
+            question = _question(name, value, unit)
             if question:
-                quantity = f"{value:.6g} {unit}".rstrip()
-                yield f"{name} = {quantity}: {question}"
+                yield f"{in_words(name, value)}: {question}"
                 break
         start, _, last = name.rpartition(".")
-        residual = scene.numbers.get(f"{start}.residual")
-        if last == "peak" and is_friction and residual is not None and np.any(numbers < np.asarray(residual)):
-            yield f"{name} is below the residual friction: the soil strengthens as it slips; were they exchanged?"
+        residual = scene.numbers.get(f"{start}.residual", -math.inf)
+        is_weaker = np.any(np.asarray(values) < np.asarray(residual))
+        if last == "peak" and is_weaker and _is_friction(name, unit):
+            exchanged = "below the residual friction: the soil strengthens as it slips; were they exchanged?"
+            yield f"{in_words(name, numbers[0])}: {exchanged}"
+
+
+def _is_friction(name: str, unit: str) -> bool:
+    words = name.split(".")
+    return "friction" in words and "rate" not in words and not unit
+
+
+def _question(name: str, value: float, unit: str) -> str:
+    """What to ask about a number; empty where it is a usual one."""
+    if name == "shaking.amplitude" and abs(value) > _STRONGEST:
+        return f"no ground has shaken with more than {_STRONGEST:g} g; is that in m/s^2 or in %?"
+    is_strength = name.startswith("surcharge.") or name.endswith("cohesion")
+    if is_strength and unit == "Pa" and value > _STRONG:
+        meant = value / 1e3
+        return f"soils and loads have less; was {meant:g} Pa meant, {meant / 1e3:g} kPa?"
+    return _of_friction(value) if _is_friction(name, unit) else _of_unit(value, unit)
 
 
 def _of_unit(value: float, unit: str) -> str:

@@ -8,10 +8,15 @@ from slipcircle.base.text import digits_left, shown
 from slipcircle.core.motion.states import Status
 
 
+def standing(motion: Any) -> str:
+    """That a single mass does not move, with its factor of safety."""
+    return f"does not move, factor of safety {shown(float(motion.factor_of_safety))} by the paper's method"
+
+
 def summary(motion: Any) -> str:
     """What happened to a single mass, in half a sentence."""
     if not motion.moves:
-        return f"does not move, factor of safety {shown(motion.factor_of_safety)} by the paper's method"
+        return standing(motion)
     digits = digits_left(motion.error_estimate)
     velocity = shown(motion.outcomes["peak_velocity"], digits)
     run_out = shown(motion.run_out, digits)

@@ -1,6 +1,6 @@
 """What a user should know of a single motion beside its numbers."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -14,9 +14,11 @@ SUBMERGED = 1e-6  # of the radius, beyond which ground below the water level is 
 LISTED, MANY_PHASES = 3, 100  # lift-offs named one by one; phases that many times of turning back make
 
 
-def collect_warnings(motion: Any) -> tuple[str, ...]:
-    """Sentences about odd input, lift-off, conditioning, water and swinging back; empty where all is well."""
-    odd_input = questions(motion.plan.scene)
+def collect_warnings(motion: Any, written: Callable[[str, float], str] | None = None) -> tuple[str, ...]:
+    """Sentences about odd input as it was written, lift-off, conditioning, water and swinging back; empty where all is
+    well.
+    """
+    odd_input = questions(motion.plan.scene, written)
     return (*odd_input, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *_swing(motion))
 
 

@@ -59,9 +59,9 @@ DERIVE = """
 import sys
 from derive.__main__ import main
 from derive.algebra import appendices, dynamics, slopes
-from derive.flow import operations
+from derive.flow import recurrences
 from derive.generate import functions
-for module, proof in ((dynamics, "prove_forms"), (operations, "prove"), (slopes, "prove"),
+for module, proof in ((dynamics, "prove_forms"), (recurrences, "prove"), (slopes, "prove"),
                       (functions, "prove_carried")):
     setattr(module, proof, lambda *_: ())
 appendices.APPENDICES = ()

@@ -49,16 +49,16 @@ run none | schema --text"""
 
 def answers() -> Iterator[tuple[str, Any]]:
     """Numbers and texts by a name, as the packages on the path give them."""
+    from slipcircle import solve
     from slipcircle.__main__ import main
     from tests.support import ensembles, golden
 
     for name in golden.rows():
         motion = golden.solved(name)
         yield name, golden.numbers(motion, golden.times(motion))
-    for law in ensembles.LAWS[:5]:
-        for effects in ensembles.EFFECTS[:8]:
-            motion = ensembles.together(ensembles.lanes(law, effects))
-            yield f"lanes {law} {effects}", [getattr(motion.end, part).tolist() for part in golden.STATE]
+    for name, scene in ensembles.SCENES.items():
+        motion = solve(scene)
+        yield f"lanes {name}", [getattr(motion.end, part).tolist() for part in golden.STATE]
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         for line in re.split(r" \| |\n", COMMANDS):

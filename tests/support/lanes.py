@@ -12,8 +12,7 @@ from generated import walk as in_numpy
 from slipcircle import Motion, Scene, plan
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.program.build import build_program
-from slipcircle.core.program.program import Program, Samples
+from slipcircle.core.program.program import Program, Samples, build_program
 from slipcircle.core.walk import compiled
 from slipcircle.layers.layered import RotationTables
 
@@ -22,6 +21,7 @@ __all__ = ["Problem", "Program", "RotationTables", "Samples", "build_program", "
 BINARY: Any = compiled.module()  # None where there is none
 BACKENDS = ("C", "NumPy") if BINARY else ("NumPy",)
 needs_binary = pytest.mark.skipif(BINARY is None, reason="no compiled integrator here")
+COUNTED = (ix.STATUS, ix.STEPS, ix.PHASES, ix.TURNS, ix.DIRECTION, ix.LAST_WAY, ix.LIFTED, ix.PASSED)
 RESULTS = slice(0, ix.OMEGA + 1)  # cells that say how a lane ended
 
 

@@ -13,7 +13,7 @@ from typing import Any
 import mpmath
 from sympy import Expr, Indexed, Sum
 
-from derive.flow.operations import OPERATIONS
+from derive.flow.recurrences import OPERATIONS
 from derive.flow.walk import phases, rest
 from generated import layout as ix
 from tests.support.lanes import Problem

@@ -21,34 +21,42 @@ CHEAPEST_FIRST = ("1e-6", "1e-10", "best")
 HALF_PI = np.pi / 2
 
 
+def binary(name: str, digest: str) -> Any:
+    """A compiled module of this package; None if there is none, if NumPy is asked for, or if it does not fit.
+
+    One that was made from another source, or with float flags under which the proofs do not hold, is refused with a
+    warning.
+    """
+    if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
+        return None
+    try:
+        found = import_module(f"generated.{name}")
+    except ModuleNotFoundError:
+        return None
+    except ImportError as error:
+        fault = f"it cannot be loaded ({error})"
+    else:
+        if digest != found.DIGEST:
+            fault = "it was built from another source"
+        elif unsafe := getattr(found, "UNSAFE", None):
+            fault = f"it was built with unsafe float flags ({unsafe})"
+        else:
+            return found
+    warnings.warn(
+        f"generated.{name} is refused, NumPy serves: {fault}; run `python -m derive.build` or install again",
+        RuntimeWarning,
+        stacklevel=3,
+    )
+    return None
+
+
 def load(digest: str = DIGEST) -> dict[str, tuple[str, Mapping[str, Mapping[str, Any]]]]:
     """The levels that can run here, the fastest first: level -> (form of its programs, tier -> kernel -> ufunc).
 
-    NumPy comes last and has no ufuncs. A binary that was made from another source, or with float flags under which
-    the proofs do not hold, is refused with one warning.
+    NumPy comes last and has no ufuncs.
     """
-    levels: dict[str, tuple[str, Mapping[str, Mapping[str, Any]]]] = {"numpy": ("numpy", {})}
-    if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
-        return levels
-    try:
-        binary = import_module("generated._kernels")
-    except ModuleNotFoundError:
-        return levels
-    except ImportError as error:
-        fault = f"they cannot be loaded ({error})"
-    else:
-        if digest != binary.DIGEST:
-            fault = "they were built from another source"
-        elif binary.UNSAFE:
-            fault = f"they were built with unsafe float flags ({binary.UNSAFE})"
-        else:
-            return binary.LEVELS | levels
-    warnings.warn(
-        f"the compiled kernels are refused, NumPy serves: {fault}; run `python -m derive.build` or install again",
-        RuntimeWarning,
-        stacklevel=2,
-    )
-    return levels
+    found = binary("_kernels", digest)
+    return (found.LEVELS if found else {}) | {"numpy": ("numpy", {})}
 
 
 LEVELS = load()

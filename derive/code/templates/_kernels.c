@@ -85,7 +85,9 @@ INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 5
 /* A polynomial by Horner's scheme; its coefficients come lowest first. */
 #define POLY1(x, c0, c1) FMA(c1, x, c0)
 @POLYNOMIALS@
+
 @BODIES@
+
 /* A block of numbers is looked at first, as integers: patterns of floats from 0 on are ordered as the floats are, and a
  * negative difference has its sign bit set. If all lie in [0, pi/2], as a rule, the program runs bare; if all lie below
  * its seam, its first piece alone. Else `refused` has the bits of NaN for what is outside the domain, which make a NaN
@@ -141,6 +143,7 @@ INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 5
     }
 
 @LOOPS@
+
 /* The first unsafe float flag that this was compiled with, or NULL. */
 INLINE const char *unsafe(void)
 {
@@ -202,6 +205,7 @@ static const char types[] = {NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE};
 typedef struct { const char *kernel, *tier; void *loops[2]; } Ufunc;
 
 @UFUNCS@
+
 static PyObject *ufuncs(Ufunc *table)
 {
     PyObject *tiers = PyDict_New();

@@ -29,7 +29,7 @@ HIGHEST = 40  # order of a series
 
 def _codes(name: str) -> Any:
     """The members of an enumeration of the layout."""
-    (row,) = (row for row in layout.NUMBERED if row.name == name)
+    row = layout.NUMBERED[name]
     return SimpleNamespace(**{x: k for k, x in enumerate(row.members, row.first)})
 
 

@@ -7,9 +7,8 @@ from generated.effects import ALL_EFFECTS, EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Names
 from slipcircle.core.doors import room
-from slipcircle.core.program.build import build_program
-from slipcircle.core.program.program import Program
-from slipcircle.core.scene.effects import in_order, symbols_of, without_soil
+from slipcircle.core.program.program import Program, build_program
+from slipcircle.core.scene.effects import in_order, symbols_of
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
 
 DEFAULT_ACCURACY = 1e-9
@@ -43,10 +42,6 @@ class Plan:
         The method, in words, and the reason for it.
     fragments : tuple of str
         Parts of `generated.flow` from which the program is assembled.
-    operations : str
-        Operations on series in one step, by kind.
-    cost : int
-        Typical number of floating-point operations of a solution.
     """
 
     scene: Scene
@@ -60,7 +55,7 @@ class Plan:
 
     @property
     def effects(self) -> Names:
-        return tuple(dict.fromkeys(map(without_soil, self.recipe.effects)))
+        return tuple(effect for effect in self.recipe.effects if effect in EFFECTS)
 
     @property
     def left_out(self) -> Names:
@@ -87,14 +82,6 @@ class Plan:
     @property
     def why(self) -> str:
         return str(self._words.why)
-
-    @property
-    def operations(self) -> str:
-        return str(self._words.operations)
-
-    @property
-    def cost(self) -> int:
-        return int(self._words.cost)
 
     @property
     def _words(self) -> Any:

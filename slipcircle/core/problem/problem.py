@@ -18,8 +18,7 @@ from slipcircle.base.checks import choose, plain
 from slipcircle.base.kinds import Floats, Names, Parameters
 from slipcircle.core.doors import room
 from slipcircle.core.problem.plan import Plan, Recipe
-from slipcircle.core.program.build import build_program
-from slipcircle.core.program.program import Program
+from slipcircle.core.program.program import Program, build_program
 from slipcircle.core.scene.effects import in_order, symbols_of, without_soil
 from slipcircle.core.scene.friction import depends_on
 from slipcircle.core.scene.mass import Farther, Mass

@@ -2,20 +2,19 @@
 
 import os
 import sys
-import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import cache, lru_cache
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
+from generated import _compiled
 from generated import layout as ix
 from generated import walk as in_numpy
 from generated.series import DIGEST, SCALAR, SERIES
 from slipcircle.base.kinds import Floats
-from slipcircle.core.program.link import RESULTS
+from slipcircle.core.program.definitions import RESULTS
 from slipcircle.core.program.program import Log, Program, Samples
 from slipcircle.core.scene.piecewise import Data
 
@@ -29,24 +28,7 @@ _NOTHING = np.empty(0)
 @cache
 def module() -> Any:
     """The compiled module; None if there is none, or if it is disabled."""
-    if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
-        return None
-    try:
-        binary = import_module("generated._flow")
-    except ModuleNotFoundError:
-        return None
-    except ImportError as error:
-        fault = f"it cannot be loaded ({error})"
-    else:
-        if binary.DIGEST == DIGEST:
-            return binary
-        fault = "it was built from another source"
-    warnings.warn(
-        f"the compiled integrator is not used, NumPy is: {fault}; run `python -m derive.build` or install again",
-        RuntimeWarning,
-        stacklevel=2,
-    )
-    return None
+    return _compiled.binary("_flow", DIGEST)
 
 
 @cache

@@ -1,4 +1,4 @@
-"""`slipcircle plan`: how a scene will be solved and what that costs, without solving it."""
+"""`slipcircle plan`: the equation of motion of a scene and how it will be solved, without solving it."""
 
 import argparse
 from dataclasses import asdict
@@ -10,24 +10,19 @@ from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import pictures, tables
 from slipcircle.workbench.outputs.tables import Answer
 
-HELP = "how a scene will be solved, and what that costs"
-FIELDS = ("effects", "left_out", "law", "method", "why", "fragments", "operations", "cost", "accuracy")  # in JSON
+HELP = "equation of motion of a scene, and how it will be solved"
+FIELDS = ("effects", "left_out", "law", "method", "why", "accuracy")  # in JSON
 
 
 def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    subject = parser.add_mutually_exclusive_group(required=True)
-    subject.add_argument("scene", nargs="?", metavar="SCENE", help=SCENE)
-    subject.add_argument("--all", action="store_true", help="operation counts of every combination of effects")
+    parser.add_argument("scene", metavar="SCENE", help=SCENE)
     parser.add_argument("--ladder", action="store_true", help="solve with the effects added one by one")
     add_files(parser, "the ladder")
 
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
-    if options.all:
-        table = tables.combinations_part()
-        return Answer(lambda: [dict(zip(table.head, row, strict=True)) for row in table.rows], [table])
     if options.plot and not options.ladder:
         raise ValueError("plan: --plot: draws the ladder; give --ladder as well")
     chosen = plan(load(options.scene))

@@ -9,7 +9,7 @@ from slipcircle.core import Motion, solve
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, with_scene_context
 from slipcircle.workbench.common.quantities import record
-from slipcircle.workbench.files.loaded import stability_of, warnings_of
+from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import find, load
 from slipcircle.workbench.outputs import pictures, tables
@@ -54,10 +54,10 @@ def _parts(motions: Sequence[Motion], verbose: bool) -> Iterator[Part]:
     tabulate = tables.motion_column if verbose else tables.motion_summary
     columns = [tabulate(motion) for motion in motions]
     notes = [f"{scene.name}: {scene.note}" for scene in scenes if scene.note]
-    for scene in scenes:
-        if critical := stability_of(scene):
-            of_scene = f"{scene.name}: " if len(scenes) > 1 else ""
-            notes.append(of_scene + tables.difference_words(critical))
+    for motion in motions:
+        if difference := tables.difference_words(motion):
+            of_scene = f"{motion.plan.scene.name}: " if len(scenes) > 1 else ""
+            notes.append(of_scene + difference)
     yield Part(["", *(scene.name for scene in scenes)], tables.beside(columns), note="; ".join(notes))
     if verbose:
         yield from filter(None, map(tables.stretches_part, motions))

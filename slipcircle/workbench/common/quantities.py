@@ -16,6 +16,7 @@ from slipcircle.base.text import DIGITS, digits_left, shown
 from slipcircle.core import Status
 from slipcircle.layers import LayeredSection, stretches
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
+from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
 
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
 
@@ -78,6 +79,14 @@ class Quantity:
         return "_".join(filter(None, (self.name, self.unit.replace("/", "_").replace("^", ""))))
 
 
+OF_MOTION = "paper"  # of `METHODS`, that whose factor of safety a motion starts from
+
+
+def factor_label(method: str) -> str:
+    """A factor of safety with its method."""
+    return f"factor of safety by {METHODS[method][0]}"
+
+
 RESULTS: tuple[Quantity, ...] = (
     Quantity("moves", "", "moves", "moves"),
     Quantity("arrested", "", "comes to rest", "arrested", key=True),
@@ -87,7 +96,7 @@ RESULTS: tuple[Quantity, ...] = (
     Quantity("peak_velocity", "m/s", "peak velocity", "peak.velocity", solved=True, key=True),
     Quantity("peak_time", "s", "time of the peak velocity", "peak.time", solved=True),
     Quantity("duration", "s", "duration", "duration", solved=True, key=True),
-    Quantity("factor_of_safety", "", "factor of safety", "factor_of_safety", key=True),
+    Quantity("factor_of_safety", "", factor_label(OF_MOTION), "factor_of_safety", key=True),
     Quantity("yield_coefficient", "", "yield coefficient k_y", "yield_coefficient"),
     Quantity("friction", "", "friction angle", "friction", degrees=True),
     Quantity("limit_friction", "", "limit friction angle", "limit_friction", degrees=True),
@@ -135,9 +144,28 @@ def end_words(motion: Any) -> dict[str, str]:
     return {"comes to rest": "no", "duration": f"still moving at {time}"}
 
 
+def factors(motion: Any) -> dict[str, Any]:
+    """Factors of safety at the start by method: the paper's, and on a ground the others where the strength is known."""
+    found, scene = {OF_MOTION: motion.factor_of_safety}, motion.plan.scene
+    if "ground" in scene.arc.quantities and soil(scene.friction, scene.called):
+        by_method = factors_of_safety(scene)
+        found |= {method: by_method[method] for method in METHODS if method not in found}
+    return found
+
+
 def summary(motion: Any) -> dict[str, str]:
-    """Key results of a single motion by label."""
-    return {q.label: q.text(motion) for q in RESULTS if q.key} | end_words(motion)
+    """Key results of a single motion by label, with the factors of safety by every method that is possible."""
+    column = {q.label: q.text(motion) for q in RESULTS if q.key} | end_words(motion)
+    known = factors(motion)
+    column |= {factor_label(method): factor_text(factor) for method, factor in known.items()}
+    if known[OF_MOTION] < 1.0 <= known.get("bishop", 0.0):
+        column["at the start"] = "stable by Bishop, moves by the paper's method"
+    return column
+
+
+def factor_text(factor: float | None) -> str:
+    """A factor of safety, or that its method refuses the circle."""
+    return "refused" if factor is None or math.isnan(factor) else shown(factor)
 
 
 # What an ensemble is drawn for, a derivative taken of, and a back-analysis is given: `Motion` has them of every scene.
@@ -181,6 +209,7 @@ def record(motion: Any) -> dict[str, Any]:
             "dimensionless": scene.arc.dimensionless,
         }
         | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q in JOURNEY}
+        | {"factor_of_safety_method": OF_MOTION}
         | states
         | ({"stability": stability.record()} if stability else {})
         | ({"stretches": stretch_records(motion)} if isinstance(scene.arc, LayeredSection) else {})

@@ -204,8 +204,9 @@ def _question(key: Key, entry: Any, table: Table) -> str:
     low = number.limits.get("gt", 0.0)
     high = number.high
     if entry > high and number.per_unit == 1e3:
-        question = f"{title}; is that in {number.si}? 1 {number.unit} is 1000 {number.si}"
-        return question.replace("^", "")
+        meant = f"was {entry / 1e3:g} {number.unit} meant, which are {entry:g} {number.si}?"
+        bound = "" if f"{high:g}" in key.allowed else f", at most {high:g}"
+        return f"{title}{bound}; {meant}".replace("^", "")
     angles = [k for k, other in table.keys.items() if other.number.tangent and other.name == key.name]
     if entry >= high and angles and not number.tangent:
         return f"{title}; an angle? say {angles[0]}"

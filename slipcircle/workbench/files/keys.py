@@ -195,11 +195,12 @@ def _bounds_in_words(p: Parameter, number: Number) -> str:
     most = min(most, _MOST.get(p.unit, INFINITY))
     bounds = dict(number.limits)
     if p.lower in (least, -most):
-        bounds = {"gt": 0.0} if p.lower > 0.0 else {}
+        bounds = {"gt": 0.0} if p.lower >= 0.0 else {}
     bounds.pop("lt", None)
     if p.upper < most or number.tangent:
         bounds["lt"] = number.high
-    comparisons = {"gt": "above", "ge": "at least", "lt": "below"}
+    is_allowed = number.high > float(f"{number.high:g}")  # the bound in words: open ones lie a bit above it
+    comparisons = {"gt": "above", "ge": "at least", "lt": "at most" if is_allowed else "below"}
     return " and ".join(f"{comparisons[k]} {v:g}" for k, v in bounds.items())
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from slipcircle.base.text import shown
 from slipcircle.core import ANSWERED, Arc, Motion, Scene
 from slipcircle.derivatives import parameter_value, with_parameters
+from slipcircle.words import standing
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
 from slipcircle.workbench.common.quantities import OUTCOMES, end_words, summary
 from slipcircle.workbench.files.loaded import warnings_of
@@ -183,7 +184,7 @@ def headline(motion: Motion) -> str:
     if motion.status not in ANSWERED:
         return f"no result: {motion.reason}"
     if not motion.moves:
-        return f"does not move, factor of safety {shown(motion.factor_of_safety)} by the paper's method"
+        return standing(motion)
     run_out, duration = (OUTCOMES[name].text(motion) for name in ("run_out", "duration"))
     return f"{run_out} in {duration}, {ending(motion)}"
 

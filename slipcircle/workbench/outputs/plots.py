@@ -16,6 +16,7 @@ from slipcircle.base.text import shown
 from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection
 from slipcircle.tables import in_time
+from slipcircle.words import standing
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
 from slipcircle.workbench.outputs.comparison import ladder
 from slipcircle.workbench.outputs.film import animate
@@ -330,7 +331,7 @@ def _panels(motion: Motion) -> list[Callable[..., Any]]:
 def title(motion: Motion) -> str:
     """A scene's name and what happened, to three digits."""
     name = shorten(motion.plan.scene.name, 80)
-    outcome = f"does not move, factor of safety {shown(float(motion.factor_of_safety), 3)} by the paper's method"
+    outcome = standing(motion)
     if motion.moves:
         outcome = f"{shown(motion.run_out, 3)} m in {shown(motion.settling_time, 3)} s, {ending(motion)}"
     return ": ".join(filter(None, (name[:1].upper() + name[1:], outcome)))

@@ -8,6 +8,7 @@ import numpy as np
 
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
+from slipcircle.words import standing
 from slipcircle.workbench.files.numbers import Number
 
 WIDTH = 8.6  # inches of a picture of several panels, about what a page shows: texts have 8 points and more there
@@ -70,7 +71,6 @@ SCENERY: Mapping[str, Mapping[str, Any]] = {
     "depth": {"color": "black", "lw": 1.0, "marker": "_", "zorder": 3},
     "centre": {"color": "black", "marker": "+", "ls": "", "ms": 9, "mew": 1.5, "zorder": 5},
 }
-FORCES: Mapping[str, str] = {"weight": "black", "normal": "#009E73", "tangential": "#CC79A7"}
 
 
 def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
@@ -260,7 +260,7 @@ def work(motion: Motion) -> str:
 
 def still(motion: Motion, ax: Any) -> Any:
     """The axis of a mass that does not move."""
-    return empty(f"does not move\nfactor of safety {number(motion.factor_of_safety)}", ax, "x", "y")
+    return empty(standing(motion).replace(", ", "\n"), ax, "x", "y")
 
 
 def beside(ax: Any, words: str, at: Any, away: Any, **more: Any) -> None:

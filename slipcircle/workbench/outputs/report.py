@@ -27,6 +27,7 @@ from slipcircle.workbench.common.quantities import (
     prefixed,
     record,
     results,
+    summary,
     words,
 )
 from slipcircle.workbench.files.loaded import warnings_of
@@ -35,7 +36,7 @@ from slipcircle.workbench.outputs import live, pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
 from slipcircle.workbench.outputs.provenance import inputs, uncertain_part
-from slipcircle.workbench.outputs.tables import Part, interval, motion_column, stretches_part
+from slipcircle.workbench.outputs.tables import Part, beside, difference_words, interval, motion_column, stretches_part
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
@@ -83,8 +84,8 @@ def chapter(
             yield from _table(part)
     numbers = json.dumps(plain(record), indent=2, allow_nan=False)
     texts = {f"All numbers, as JSON{unit}": numbers, "The scene's file": file.decode("utf-8-sig")}
-    for summary, text in texts.items():  # folded
-        yield Raw(f"<details><summary>{escaped(summary)}</summary>{tag('pre', text)}</details>")
+    for heading, text in texts.items():  # folded
+        yield Raw(f"<details><summary>{escaped(heading)}</summary>{tag('pre', text)}</details>")
 
 
 def _table(part: Part) -> Iterator[Raw]:
@@ -180,10 +181,8 @@ def report(motions: Sequence[Motion], files: Sequence[bytes], command: str) -> s
 def _overview(motions: Sequence[Motion], names: Sequence[str]) -> Raw:
     """Results of several motions side by side, with links to their chapters."""
     links = [Raw(f'<a href="#scene-{number}">{escaped(name)}</a>') for number, name in enumerate(names, 1)]
-    rows = []
-    for quantity in RESULTS:
-        values = [_value(quantity, motion) for motion in motions]
-        rows.append([quantity.label, *values])
+    columns = [{q.label: _value(q, motion) for q in RESULTS} for motion in motions]
+    rows = beside([summary(motion) | column for motion, column in zip(motions, columns, strict=True)])
     return _scrolling(rows, ["", *links])
 
 
@@ -200,13 +199,12 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
     rows = []
     for label, text in motion_column(motion).items():
         rows.append([label, _value(quantities[label], motion, text) if label in quantities else text])
-    yield Part([], rows, "Results")
+    yield Part([], rows, "Results", difference_words(motion))
     if layered := stretches_part(motion):
         yield layered._replace(title="Soils along the slip surface")
     yield from input_parts(plan, file)
     error = motion.error_estimate
     method = [
-        ["program of", ", ".join(plan.fragments)],
         ["requested relative error", _number(plan.accuracy)],
         ["relative error estimated, of peak, run-out and duration", _data(error, _number(error))],
         ["warnings", "; ".join(warnings_of(motion)) or "none"],

@@ -1,4 +1,4 @@
-"""The section as a picture to scale, after Figure 1-1: ground, slip circle, mass, water, and the forces on an arc."""
+"""The section as a picture to scale, after Figure 1-1: ground, slip circle, mass and water."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -11,7 +11,6 @@ from slipcircle.core import Arc, Motion
 from slipcircle.ground import Section
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.loaded import stability_of
-from slipcircle.workbench.outputs.forces import draw_forces
 from slipcircle.workbench.outputs.layerplot import draw_stretches
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
@@ -19,7 +18,6 @@ from slipcircle.workbench.outputs.plotstyle import (
     SCENERY,
     SOILS,
     axis,
-    beside,
     ending,
     label,
     mark,
@@ -31,8 +29,9 @@ from slipcircle.workbench.outputs.scenery import lines
 from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.stability import METHODS
 
-_SMALL = 0.12  # chord over view, below which the mass is drawn as a mark, without forces
+_SMALL = 0.12  # chord over view, below which the mass is drawn as a mark
 _SEEN = 0.02  # least displacement over chord that is drawn to scale
 _WIDE = 0.1  # magnified displacement over chord
 _MARGIN = 0.1  # of the view
@@ -51,7 +50,7 @@ class Pose(NamedTuple):
 # --- the section of a motion -----------------------------------------------------------------------------------------
 
 
-def section(motion: Motion, ax: Any = None, forces: bool = False) -> Any:
+def section(motion: Motion, ax: Any = None) -> Any:
     """The section to scale: the mass at the start, at the peak velocity and at the end.
 
     The mass is drawn turned by s/R (1.2), also where the geometry is frozen; that of an arc by more if the displacement
@@ -61,11 +60,9 @@ def section(motion: Motion, ax: Any = None, forces: bool = False) -> Any:
     ----------
     motion : Motion
     ax : matplotlib axis, optional
-    forces : bool
-        Whether the centre, the radii and the forces at the start are drawn as well; for an arc only.
     """
     ax = axis(ax, (8.0, 5.0))
-    stage = set_stage(motion, ax, forces)
+    stage = set_stage(motion, ax)
     soil, turns, view = motion.plan.scene.arc, stage.turns, stage.view
     farthest = max(turns, key=abs)
     if farthest:
@@ -74,11 +71,6 @@ def section(motion: Motion, ax: Any = None, forces: bool = False) -> Any:
     _draw_poses(ax, stage.poses, stage.outlines, rightwards, stage.is_small)
     if isinstance(soil, LayeredSection):
         draw_stretches(ax, stage.mass, soil, turns[1:2])
-    if forces and isinstance(soil, Arc):
-        _radii(ax, stage.mass, stage.is_small)
-        if not stage.is_small:
-            lowest = draw_forces(ax, motion, stage.mass, view.size)
-            view = view._replace(bottom=min(view.bottom, lowest))
     name_circle(ax, stage.mass, soil)
     view.show(ax)
     note(ax, _notes(motion, stage.magnification))
@@ -97,7 +89,7 @@ class Stage(NamedTuple):
     is_small: bool  # the mass in the view
 
 
-def set_stage(motion: Motion, ax: Any, with_centre: bool = False) -> Stage:
+def set_stage(motion: Motion, ax: Any) -> Stage:
     """Draw slope and circle of a motion to scale, with room for all positions of the mass."""
     soil = motion.plan.scene.arc
     mass = mass_of(soil, soil)
@@ -107,8 +99,7 @@ def set_stage(motion: Motion, ax: Any, with_centre: bool = False) -> Stage:
     poses = _poses(motion)
     turns = [magnification * pose.rotation * facing for pose in poses]
     outlines = [mass.outline(turn) for turn in turns]
-    to_show = [*outlines, mass.centre] if is_arc and with_centre else outlines
-    view = View.around(*to_show)
+    view = View.around(*outlines)
     first, last = mass.on_circle(mass.ends)
     chord = math.dist(first, last)
     is_small = chord < _SMALL * view.size
@@ -203,9 +194,8 @@ def factors_in_words(critical: Critical | None) -> str:
     """Factors of safety with the names of their methods."""
     if critical is None:
         return ""
-    names = {"paper": "the paper's method", "ordinary": "the ordinary method", "bishop": "Bishop's method"}
     factors = critical.factor_of_safety.items()
-    known = [f"{value:.3f} by {names[method]}" for method, value in factors if value is not None]
+    known = [f"{value:.3f} by {METHODS[method][0]}" for method, value in factors if value is not None]
     return "\n".join(["factor of safety", *known]) if known else ""
 
 
@@ -253,21 +243,3 @@ def name_circle(ax: Any, mass: Mass, soil: Any) -> None:
     shares = np.linspace(0.2, 0.8, 7)
     along_chord = left + shares[:, None] * (right - left)
     label(ax, words, along_chord)
-
-
-# --- centre, radii and forces of an arc ------------------------------------------------------------------------------
-
-
-def _radii(ax: Any, mass: Mass, small: bool) -> None:
-    """Centre, radii to both ends with their labels, and depth."""
-    one, two = mass.on_circle(mass.ends)
-    bottom = mass.on_circle(mass.ends.mean())
-    depth = np.stack([(one + two) / 2, bottom])
-    ax.plot(*depth.T, **SCENERY["depth"])
-    if not small:
-        beside(ax, "$P_1$", one, one)
-        beside(ax, "$P_2$", two, two)
-    radii = np.stack([one, mass.centre, two])
-    ax.plot(*radii.T, zorder=1, **LINES["radius"])
-    ax.plot(*mass.centre, **SCENERY["centre"])
-    beside(ax, "K", mass.centre, -bottom, fontweight="bold")

@@ -5,19 +5,20 @@ import os
 import shutil
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from itertools import chain, combinations, zip_longest
+from itertools import chain, zip_longest
 from textwrap import wrap
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from generated.effects import EFFECTS
 from slipcircle.base.progress import clear_line
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan
-from slipcircle.words import step_operations
 from slipcircle.workbench.common.quantities import (
+    OF_MOTION,
     OUTCOMES,
-    end_words,
+    factor_label,
+    factor_text,
+    factors,
     foreland_words,
     results,
     stretch_records,
@@ -30,7 +31,7 @@ from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
-from slipcircle.workbench.stability.stability import METHODS, least_of
+from slipcircle.workbench.stability.stability import least_of
 from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 
@@ -80,62 +81,39 @@ COEFFICIENTS = {
 
 DIFFERENCE = (
     "Bishop's method includes horizontal forces between slices, which increase the normal stress on steep bases; the "
-    "paper's method uses the mean normal stress under the weight"
+    "paper's method uses the mean normal stress under the weight; its factor, from which the motion starts, is"
 )
 
 
 def motion_summary(motion: Motion) -> dict[str, str]:
-    """The `summary`, with the factors of safety by their methods on a known ground, and the estimated error."""
+    """The `summary`, with the factors of safety under the k_h of a search, and the estimated error."""
     column = summary(motion)
     critical = stability_of(motion.plan.scene)
     if critical is not None:
-        column |= _starting_factors(critical, motion.factor_of_safety, column["factor of safety"])
+        if critical.slope.k_h:
+            column |= _factors(critical.factor_of_safety, critical.slope.k_h)
         if critical.slope.surcharge and "shaking" in motion.plan.scene.called:
             column["loads at the start"] = "those of the motion, also for k_y: surcharges are shaken with the mass"
     return column | {"estimated error": f"{motion.error_estimate:.1e}"}
 
 
-def difference_words(critical: Critical) -> str:
-    """How far the paper's factor of safety of a circle is from Bishop's, and why."""
-    factors = critical.factor_of_safety_without_k_h or critical.factor_of_safety
-    paper = factors["paper"]
-    bishop = factors["bishop"]
-    if paper is None or bishop is None:
-        return DIFFERENCE
-    gap = 100.0 * (paper / bishop - 1.0)
+def difference_words(motion: Motion) -> str:
+    """How far the factor of safety of a motion is from Bishop's, and why; empty where Bishop's is not known."""
+    known = factors(motion)
+    gap = 100.0 * (known[OF_MOTION] / known.get("bishop", math.nan) - 1.0)
     side = "lower" if gap < 0.0 else "higher"
-    return f"{DIFFERENCE}; its factor is {abs(gap):.1f} % {side} here"
-
-
-def _starting_factors(critical: Critical, paper: float, shown_paper: str) -> dict[str, str]:
-    """The paper's factor, from which the motion starts, and Bishop's, without and with k_h."""
-    with_k_h = critical.factor_of_safety
-    without = critical.factor_of_safety_without_k_h
-    bishop = (without or with_k_h)["bishop"]
-    condition = ", without k_h" if without else ""
-    column = {
-        "factor of safety": f"{shown_paper} by the paper's method{condition}; the motion starts from it",
-        "factor by Bishop's method": f"{_factor(bishop)}{condition}",
-    }
-    if without:
-        both = f"{_factor(with_k_h['paper'])} by the paper's method, {_factor(with_k_h['bishop'])} by Bishop's"
-        column[f"factor with k_h = {shown(critical.slope.k_h)}"] = both
-    if bishop is not None and paper < 1.0 <= bishop:
-        column["at the start"] = "stable by Bishop, moves by the paper's method"
-    return column
+    return f"{DIFFERENCE} {abs(gap):.1f} % {side} here" if math.isfinite(gap) else ""
 
 
 def motion_column(motion: Motion) -> dict[str, str]:
     """All results of a motion by their labels, key results first."""
     plan, critical = motion.plan, stability_of(motion.plan.scene)
-    column = {q.label: q.text(motion) for q in results(motion)} | end_words(motion)
+    column = motion_summary(motion)
+    column |= {q.label: q.text(motion) for q in results(motion) if q.label not in column}
     if height := toe_words(motion):
         column["toe at the end"] = f"{height}: the method continues the circle there"
     if critical is not None:
-        if (critical.factor_of_safety_without_k_h or critical.factor_of_safety)["paper"] is not None:
-            del column["factor of safety"]  # the same as that of the paper's method below
-        of_circle = stability_column(critical)
-        column |= {label: text for label, text in of_circle.items() if label not in ("entry", "exit")}
+        column |= _circle(critical)
     if plan.law != "constant":
         column["friction angle"] += f", {plan.law}"
     coefficients = plan.scene.arc.dimensionless
@@ -143,7 +121,6 @@ def motion_column(motion: Motion) -> dict[str, str]:
         "effects": ", ".join(plan.effects) or "none",
         "not included": ", ".join(plan.left_out) or "none",
         "method": plan.method,
-        "estimated error": f"{motion.error_estimate:.1e}",
         **{symbol: f"{float(getattr(coefficients, name)):z.5f}" for symbol, name in COEFFICIENTS.items()},
     }
 
@@ -179,17 +156,19 @@ def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
 
 def stability_column(critical: Critical) -> dict[str, str]:
     """A slip circle of a slope with its factors of safety, by labels."""
-    k_h = critical.slope.k_h
-    column = _factors(critical.factor_of_safety, f", k_h = {shown(k_h)}" if k_h else "")
-    if critical.factor_of_safety_without_k_h:
-        column |= _factors(critical.factor_of_safety_without_k_h, ", without k_h")
-        column["motion starts from"] = "that without k_h by the paper's method"
-    column |= {
+    column = _factors(critical.factor_of_safety, critical.slope.k_h)
+    without = critical.factor_of_safety_without_k_h or {}
+    column |= {f"{label}, without k_h": text for label, text in _factors(without).items()}
+    entry_and_exit = {"entry": _point(critical.entry), "exit": _point(critical.exit)}
+    return column | entry_and_exit | _circle(critical)
+
+
+def _circle(critical: Critical) -> dict[str, str]:
+    """A slip circle of a slope, and how it was found, by labels."""
+    column = {
         "circle": least_of(critical.method) if critical.method else "as given",
         "centre": _point(critical.centre),
         "radius": f"{shown(critical.radius)} m",
-        "entry": _point(critical.entry),
-        "exit": _point(critical.exit),
         "circles evaluated, invalid": f"{critical.tried}, {critical.refused}",
     }
     if critical.yield_coefficient is not None:
@@ -201,13 +180,10 @@ def stability_column(critical: Critical) -> dict[str, str]:
     return column
 
 
-def _factors(by_method: Mapping[str, float | None], condition: str) -> dict[str, str]:
-    """Factors of safety by labels that name the method."""
-    return {f"factor of safety by {METHODS[method][0]}{condition}": _factor(by_method[method]) for method in by_method}
-
-
-def _factor(factor: float | None) -> str:
-    return "refused" if factor is None else f"{factor:.4f}"
+def _factors(by_method: Mapping[str, float | None], k_h: float = 0.0) -> dict[str, str]:
+    """Factors of safety by labels that name the method, and k_h where there is one."""
+    condition = f", k_h = {shown(k_h)}" if k_h else ""
+    return {f"{factor_label(method)}{condition}": factor_text(factor) for method, factor in by_method.items()}
 
 
 def _point(xy: Sequence[float]) -> str:
@@ -225,22 +201,10 @@ def plan_part(plan: Plan) -> Part:
         "friction law": plan.law,
         "method": plan.method,
         "because": plan.why,
-        "program of": ", ".join(plan.fragments),
         "foreland": foreland_words(plan.scene.arc),
         "requested accuracy": f"{plan.accuracy:.1e}" + ("" if plan.scene.shape else "; a single scene: to rounding"),
     }
     return Part(["", plan.scene.name], [row for row in rows.items() if row[1]])
-
-
-def combinations_part() -> Part:
-    """Operations of every combination of effects, with a constant friction."""
-    shaken = tuple(p.symbol for p in EFFECTS["shaking"].parameters if p.kind == "series")
-    rows = []
-    for count in range(len(EFFECTS) + 1):
-        for effects in combinations(EFFECTS, count):
-            of_time = shaken if "shaking" in effects else ()
-            rows.append([", ".join(effects) or "none", step_operations(effects, ("constant",), of_time)])
-    return Part(["effects", "operations on series of one step"], rows)
 
 
 def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
@@ -254,13 +218,12 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
             [
                 f"+ {rung.added}" if rung.added else "none",
                 time_text(1e9 * rung.seconds),
-                f"{rung.cost}",
                 *values,
                 end if rung.arrested else "moving",
                 f"{100 * rung.difference:.3g} %",
             ]
         )
-    head = ["effect added", "time", "operations", *(words(q.name) for q in outcomes), "rests", "differs"]
+    head = ["effect added", "time", *(words(q.name) for q in outcomes), "rests", "differs"]
     return Part(head, rows, name)
 
 

@@ -24,19 +24,19 @@ from slipcircle.workbench.stability.factors import YIELD, circle_factors
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
     "paper": (
-        "the paper's method (mean normal stress)",
+        "the paper's method",
         "c + mu max(0, s), s the mean of the effective normal stress "
         "over the arc: every point of the mass contributes its weight times the cosine of its direction "
         "from the centre (2.23)",
     ),
     "ordinary": (
-        "the ordinary method (Fellenius)",
-        "c + mu (W cos a - k_h W sin a - u l)/l: a is the dip of the "
+        "the ordinary method",
+        "by Fellenius, c + mu (W cos a - k_h W sin a - u l)/l: a is the dip of the "
         "base below the point, so that the cosine is the larger one",
     ),
     "bishop": (
-        "Bishop's simplified method",
-        "[c + mu (W/b - u)] cos a/m_alpha, m_alpha = cos a + sin a mu/F: horizontal "
+        "Bishop's method",
+        "simplified, [c + mu (W/b - u)] cos a/m_alpha, m_alpha = cos a + sin a mu/F: horizontal "
         "forces between slices increase the normal stress on steep bases",
     ),
 }

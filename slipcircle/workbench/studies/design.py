@@ -13,12 +13,9 @@ from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Floats
 from slipcircle.core import ANSWERED, Motion, Scene, Status
-from slipcircle.ground import Section
 from slipcircle.workbench.common.distributions import statistics
-from slipcircle.workbench.common.quantities import OUTCOMES
+from slipcircle.workbench.common.quantities import OUTCOMES, factors
 from slipcircle.workbench.files.numbers import Number, Uncertain
-from slipcircle.workbench.stability.stability import METHODS as STABILITY_METHODS
-from slipcircle.workbench.stability.stability import factors_of_safety, soil
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.sampling import monte_carlo, sobol
 from slipcircle.workbench.studies.searched import searched_factors
@@ -136,16 +133,16 @@ class Design:
         result: Result = {"status": np.bincount(status, minlength=len(Status))}
         for name, outcome in solved.outcomes.items():
             result |= {f"{name}.{part}": value for part, value in counted(outcome[valid]).items()}
-        factors = _factors(solved.motion)
+        by_method = factors(solved.motion)
         if self.search_each:
-            factors |= searched_factors(self.scene, solved.si, valid)
-        result |= _counted_factors({method: factor[valid] for method, factor in factors.items()})
+            by_method |= searched_factors(self.scene, solved.si, valid)
+        result |= _counted_factors({method: factor[valid] for method, factor in by_method.items()})
         if self.keep:
             for number, value in zip(self.inputs.values(), values, strict=True):
                 result[f"sample.{number.key}"] = value
             for name, outcome in solved.outcomes.items():
                 result[f"sample.{name}"] = np.where(np.isinf(outcome), np.nan, outcome)
-            for method, factor in factors.items() if self.method == "grid" else ():
+            for method, factor in by_method.items() if self.method == "grid" else ():
                 result[f"sample.factor of safety, {method}"] = np.where(np.isinf(factor), np.nan, factor)
             result["sample.status"] = status
         return result
@@ -197,15 +194,6 @@ def _solve(design: Design, values: list[Floats]) -> _Solved:
         magnitude = np.abs(motion.outcomes[name])
         outcomes[name] = np.where(no_result, np.inf, magnitude)
     return _Solved(motion, moves, si, outcomes)
-
-
-def _factors(motion: Motion) -> dict[str, Floats]:
-    """Factors of safety at the start by method: the paper's, and on a ground the others where the strength is known."""
-    factors, scene = {"paper": motion.factor_of_safety}, motion.plan.scene
-    if isinstance(scene.arc, Section) and soil(scene.friction, scene.called):
-        by_method = factors_of_safety(scene)
-        factors |= {method: by_method[method] for method in STABILITY_METHODS if method not in factors}
-    return factors
 
 
 def _counted_factors(factors: Mapping[str, Floats]) -> Result:

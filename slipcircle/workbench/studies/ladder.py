@@ -7,7 +7,7 @@ from statistics import median
 from time import process_time
 from timeit import timeit
 
-from slipcircle.core import Motion, Scene, plan, solve
+from slipcircle.core import Motion, Scene, solve
 from slipcircle.ground import Section
 
 _PATIENCE = 0.5  # seconds for the solutions of one rung that are timed, five at most
@@ -21,7 +21,6 @@ class Rung:
     effects: tuple[str, ...]  # all of this step
     method: str  # how it was solved
     seconds: float  # that a solution took here, the median
-    cost: int  # floating-point operations that a solution typically takes
     peak_velocity: float  # m/s
     run_out: float  # m
     duration: float  # s
@@ -52,7 +51,7 @@ def ladder(scene: Scene) -> list[Rung]:
 def _solved(scene: Scene, effects: tuple[str, ...], full: Motion) -> Motion:
     """The motion with some of the effects; where it never rests, or turns over, as long as the fullest takes."""
     arc = scene.arc
-    if isinstance(arc, Section) and "pore_pressure" not in effects:
+    if isinstance(arc, Section) and "pore_pressure" in {*full.plan.effects} - {*effects}:
         arc = replace(arc, level=None)  # the water level is what calls for it
     given = {e: scene.called[e] for e in effects if e in scene.effects}
     part = replace(scene, arc=arc, effects=given, uncertain={})
@@ -83,7 +82,6 @@ def _rung(added: str, effects: tuple[str, ...], motion: Motion, full: Motion) ->
         effects,
         motion.plan.method,
         median(taken),
-        plan(motion.plan.scene).cost,
         float(motion.peak.velocity),
         motion.run_out,
         motion.duration,

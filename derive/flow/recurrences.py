@@ -24,15 +24,15 @@ from sympy import (
     expand,
     log,
     sin,
-    sqrt,
     symbols,
-    tan,
 )
 
 from derive.algebra.prove import prove_zero
-from derive.algebra.remainders import Select, expm1, log1p, unfold
+from derive.algebra.remainders import expm1, log1p, unfold
+from derive.code import operations
 from derive.declare.effects import DEGREE
 
+CELLS = {name: o for name, o in operations.OPERATIONS.items() if o.vector}  # operations on numbers of lanes
 n, k = symbols("n k", integer=True)
 A, B, Q, X, Z, E, H, P, S, V, L = (IndexedBase(x) for x in "abqxzehpsvl")
 POWER = Symbol("power", real=True)
@@ -173,20 +173,30 @@ def at(e: Expr, coefficients: Mapping[IndexedBase, Sequence[Any]]) -> Expr:
     return e.xreplace(named)
 
 
+def number(name: str, cells: Mapping[str, Any]) -> Any:
+    """A cell by its name; ``=1.0`` is a constant, and what is not known a symbol."""
+    if name in cells:
+        return cells[name]
+    return Float(name[1:]) if name.startswith("=") else Symbol(name, real=True)
+
+
+def numbers(rows: Iterable[Sequence[str]], known: Mapping[str, Any]) -> dict[str, Any]:
+    """The cells that operations on numbers make of known ones."""
+    cells = dict(known)
+    for kind, name, *operands in rows:
+        values = [number(x, cells) for x in operands]
+        cells[name] = values[0] if kind == "set" else CELLS[kind].meaning(*values)
+    return cells
+
+
 def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Mapping[str, Expr]) -> dict[str, Expr]:
     """Order 0 of every register that operations on series make, from that of the given registers."""
     registers = dict(values)
-
-    def number(name: str) -> Expr:
-        if name.startswith("="):
-            return Float(name[1:])
-        return cells.get(name, Symbol(name, real=True))
-
     for name, *names in series:
         if name == "lin":
             result, constant, terms = names
-            base = number(constant) if constant else 0
-            registers[result] = Add(base, *(number(c) * registers[r] for c, r in terms))
+            base = number(constant, cells) if constant else 0
+            registers[result] = Add(base, *(number(c, cells) * registers[r] for c, r in terms))
             continue
         o = OPERATIONS[name]
         places = (*o.results, *o.arguments, *o.numbers)
@@ -195,25 +205,7 @@ def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Ma
             if place in o.arguments:
                 known[place[0]] = registers[operand]
             elif place in o.numbers:
-                known[place] = number(operand)
+                known[place] = number(operand, cells)
         for result, start in zip(names, o.start, strict=False):
             registers[result] = start.subs(known)
     return registers
-
-
-# Operations on cells: what they make of a, b and e, in C over vectors of lanes, and in NumPy.
-_a, _b, _e = symbols("a b e", real=True)
-_CALLS = {"sin": sin, "cos": cos, "tan": tan, "exp": exp, "expm1": expm1, "log": log, "log1p": log1p, "sqrt": sqrt}
-SCALARS: dict[str, tuple[Expr, str, str]] = {
-    "add": (_a + _b, "a + b", "np.add"),
-    "sub": (_a - _b, "a - b", "np.subtract"),
-    "mul": (_a * _b, "a * b", "np.multiply"),
-    "div": (_a / _b, "a / b", "np.divide"),
-    "neg": (-_a, "-a", "np.negative"),
-    **{x: (call(_a), f"IN(map)({x}, a)", f"np.{x}") for x, call in _CALLS.items()},
-    "abs": (Select(_a, 0, -_a, _a), "IN(choose)(a < 0.0, -a, a)", "np.abs"),
-    "min": (Select(_a, _b, _a, _b), "IN(choose)(a < b, a, b)", "np.minimum"),
-    "max": (Select(_a, _b, _b, _a), "IN(choose)(a < b, b, a)", "np.maximum"),
-    "less": (Select(_a, _b, 1, 0), "IN(choose)(a < b, (V){0} + 1.0, (V){0})", "_less"),
-    "select": (Select(0, _a, _b, _e), "IN(choose)(a > 0.0, b, e)", "_select"),
-}

@@ -5,49 +5,23 @@ from collections.abc import Sequence
 
 from sympy import Float, sstr
 
+from derive.code.emit import filled
 from derive.declare.effects import ALL_EFFECTS, LAWS, Effect, Law
 from derive.flow import equation
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
 from derive.flow.lowering import Fragment
 
-_HEAD = '''"""The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
-
-In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref:
-
-{equation}
-
-Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
-began and ``d...`` the series of its increment since; ``=1.0`` is a constant.
-"""
-
-from collections.abc import Callable
-from typing import Any, NamedTuple
-
-
-{fragment}
-
-'''
-
 
 def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> str:
     """The module's text."""
-    inputs = {name: repr(meaning) for name, meaning in INPUTS.items()}
-    kinked = {law.name: _pieces(law) for law in laws if law.kinks}
-    parts = {name: _fragment(f) for name, f in fragments(effects, laws).items()}
-    blocks = (
-        ("Numbers that every scene gives", "INPUTS", inputs),
-        (
-            "Laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond",
-            "PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]]",
-            kinked,
-        ),
-        ("Parts of programs", "FRAGMENTS: dict[str, Fragment]", parts),
-    )
-    text = _HEAD.format(fragment=inspect.getsource(Fragment), equation=equation.in_plain_text())
-    for comment, name, rows in blocks:
-        lines = "".join(f"    {x!r}: {row},\n" for x, row in rows.items())
-        text += f"# {comment}.\n{name} = {{\n{lines}}}\n\n"
-    return text + f"QUANTITIES = {QUANTITIES!r}  # what fragments add to\n\n{equation.text()}"
+    blocks = {
+        "INPUTS": {name: repr(meaning) for name, meaning in INPUTS.items()},
+        "PIECES": {law.name: _pieces(law) for law in laws if law.kinks},
+        "FRAGMENTS": {name: _fragment(f) for name, f in fragments(effects, laws).items()},
+    }
+    marks = {mark: "".join(f"    {x!r}: {row},\n" for x, row in rows.items()) for mark, rows in blocks.items()}
+    marks |= {"EQUATION": equation.in_plain_text(), "FRAGMENT": inspect.getsource(Fragment), "TERMS": equation.text()}
+    return filled("_flow.py.in", marks | {"QUANTITIES": repr(QUANTITIES)})
 
 
 def _pieces(law: Law) -> str:

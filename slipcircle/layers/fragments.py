@@ -1,4 +1,4 @@
-"""Fragments of programs by name: those of `generated.flow`, and the same with the names of one soil.
+"""Fragments of programs of single soils: those of `generated.flow` with the names of one soil.
 
 Each soil with a friction law of its own has an instance of the law and of the effect ``soil_friction``; its number,
 ``#0``, marks the names that are not shared.
@@ -8,19 +8,27 @@ from typing import Any
 
 from generated.effects import ALL_EFFECTS
 from generated.flow import FRAGMENTS, Fragment
-from slipcircle.core.program.link import RESULTS
+from slipcircle.core.program.definitions import RESULTS
 from slipcircle.core.scene.effects import soil_number, without_soil
 
 _OF_ONE_SOIL = {str(p.symbol) for p in ALL_EFFECTS["soil_friction"].parameters} | {"soil_mu"}
 
 
-def fragment_of(name: str) -> Fragment:
-    """A fragment by name; of one soil, ``soil_friction#0``, its names are those of that soil: ``dsoil_mu#0``."""
-    shared_name = without_soil(name)
+def fragments_of(name: str, turns: bool) -> list[Fragment]:
+    """The fragments of a soil's law, ``linear#0``, or effect, ``soil_friction#0``; with its weight, which may turn."""
+    shared_name, number = without_soil(name), soil_number(name)
+    own = _numbered(shared_name, number)
+    if shared_name not in ALL_EFFECTS:  # a law, of which the effect takes the coefficient
+        adds = own.adds.copy()
+        adds[f"soil_mu{number}"] = adds.pop("mu")
+        return [own._replace(adds=adds)]
+    weights = ["gravity", "rotation"] if turns else ["gravity"]
+    return [own, *(_numbered(weight, number)._replace(adds={}, series=()) for weight in weights)]
+
+
+def _numbered(shared_name: str, number: str) -> Fragment:
+    """A fragment with the names of one soil: ``dsoil_mu#0``."""
     fragment = FRAGMENTS[shared_name]
-    number = soil_number(name)
-    if not number:
-        return fragment
     tables = {table for table, *_ in fragment.tables}
     numbered = tables | _results(fragment)
 

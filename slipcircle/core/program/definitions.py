@@ -1,0 +1,218 @@
+"""What the fragments of a scene's effects and friction laws define, and the sums of the balance.
+
+Names that fragments share: ``q_0`` is quantity q of the balance where a phase begins, ``q_size`` the size of its terms,
+``dq`` its increment since; ``t.VALUE`` is a cell of table t; ``=1.0`` is a constant.
+"""
+
+from collections.abc import Collection
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+from generated.flow import FRAGMENTS, INPUTS, QUANTITIES, Fragment
+from generated.layout import TABLE
+from slipcircle.base.kinds import Names
+from slipcircle.core.doors import room
+from slipcircle.core.scene.effects import OF_SOIL
+
+OnCells = tuple[str, ...]  # the kind of an operation on cells, then its arguments
+ZERO, ONE = "=0.0", "=1.0"
+RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2, "powers": 6}  # of operations on series; the others have one
+
+
+class OnSeries(NamedTuple):
+    """An operation on series: its kind, the registers and the cells that it takes, and of a ramp its table.
+
+    A sum takes the cell of its constant, then one for each register, by which that is multiplied.
+    """
+
+    kind: str
+    registers: Names
+    cells: Names
+    table: str = ""
+
+
+Computed = tuple[OnSeries, Names]  # with its results
+
+
+class DeclaredTable(NamedTuple):
+    """A piecewise function: its name, what it is of, the register of its argument, and the degree of its pieces."""
+
+    name: str
+    kind: str
+    argument: str
+    degree: int
+
+    @property
+    def coefficients(self) -> list[str]:
+        """The cells of a piece's coefficients beyond its value."""
+        return [f"{self.name}.Q{k + 1}" for k in range(self.degree)]
+
+    @property
+    def cells(self) -> list[str]:
+        """All its cells, in order; Q1, the last of `TABLE`, is the first coefficient."""
+        before = [f"{self.name}.{cell}" for cell in TABLE[:-1]]
+        return before + self.coefficients
+
+
+@dataclass
+class Definitions:
+    """What names mean: cells are numbers where a phase begins, registers series in time since.
+
+    Attributes
+    ----------
+    cells, series : dict
+        What computes each cell, and each register.
+    inputs : list of str
+        Cells that a scene gives.
+    states : dict of str
+        Registers of the states, with those of their rates.
+    tables : list of DeclaredTable
+    addends : dict of list
+        What fragments add to each quantity of the balance: base, size, and terms of the increment.
+    """
+
+    cells: dict[str, OnCells] = field(default_factory=dict)
+    series: dict[str, Computed] = field(default_factory=dict)
+    inputs: list[str] = field(default_factory=lambda: list(INPUTS))
+    states: dict[str, str] = field(default_factory=lambda: {"x": "omega", "omega": "net"})
+    tables: list[DeclaredTable] = field(default_factory=list)
+    addends: dict[str, list[Any]] = field(default_factory=dict)
+
+    @property
+    def moving(self) -> list[str]:
+        """Cells that change from phase to phase as the states and the pieces of tables do."""
+        return [*self.states, *(cell for table in self.tables for cell in table.cells)]
+
+
+def definitions_of(effects: Names, laws: Names, moving: Names, absent: Names, further: Names) -> Definitions:
+    """All definitions of a scene's effects, laws and ``further`` fragments; see `build_program`."""
+    made = Definitions()
+    slip_factor = _take_laws(made, laws)
+    for effect in ("gravity", *effects, "balance", *further):
+        for fragment in _fragments(effect, "rotation" in effects):
+            _take(made, fragment, moving, slip_factor)
+    _define_functions_of_time(made, moving)
+    not_shaken = () if "shaking" in effects else ("k_h", "k_v")  # which terms of other effects contain
+    made.cells |= dict.fromkeys((*absent, *not_shaken), ("set", ZERO))
+    for quantity in dict.fromkeys((*QUANTITIES, "mu", *made.addends)):
+        _define_quantity(made, quantity)
+    if slip_factor == "mu":  # without a law of speed the factor that depends on slip is the coefficient
+        made.cells["slip_mu_0"] = ("set", "mu_0")
+        made.series["dslip_mu"] = (OnSeries("lin", ("dmu",), (ZERO, ONE)), ("dslip_mu",))
+    given = dict.fromkeys(made.inputs)
+    made.inputs = [name for name in given if name not in made.cells]
+    made.cells["departed"] = _departed(made)
+    return made
+
+
+def _fragments(name: str, turns: bool) -> list[Fragment]:
+    """The fragments of an effect or a law; those of single soils are made where soils are."""
+    if OF_SOIL not in name:
+        return [FRAGMENTS[name]]
+    of_soil: list[Fragment] = room("soils").fragments_of(name, turns)
+    return of_soil
+
+
+def _take_laws(made: Definitions, laws: Names) -> str:
+    """Take the friction laws; returns the quantity that the friction of slip adds to.
+
+    That is the friction coefficient, or with a law of speed one of two factors. It may be a sum over soils.
+    """
+    of_soils = [law for law in laws if OF_SOIL in law]
+    shared = [law for law in laws if law not in of_soils]
+    factors = ["mu"]
+    if len(shared) > (0 if of_soils else 1):
+        factors = ["slip_mu", "rate_mu"]
+        _take(made, FRAGMENTS["product"])
+    if of_soils:
+        _take(made, FRAGMENTS["soils"])
+    quantities = [*(factors[0] for _ in of_soils), *factors[-len(shared) :]]
+    for law, quantity in zip((*of_soils, *shared), quantities, strict=False):
+        for fragment in _fragments(law, False):
+            tables = [name for name, *_ in fragment.tables]
+            _take(made, fragment, tables, quantity)
+    return factors[0]
+
+
+def _take(made: Definitions, fragment: Fragment, moving: Collection[str] = (), friction: str = "mu") -> None:
+    """Take a fragment's definitions; ``friction`` is the quantity to which it adds a friction coefficient."""
+    for kind, result, *arguments in fragment.scalar:
+        made.cells[result] = (kind, *arguments)
+    for operation in fragment.series:
+        computed = _on_series(*operation)
+        made.series |= dict.fromkeys(computed[1], computed)
+    for quantity, added in fragment.adds.items():
+        name = friction if quantity == "mu" else quantity
+        made.addends.setdefault(name, []).append(added)
+    made.inputs += fragment.inputs
+    made.states.update(fragment.states)
+    for declared in fragment.tables:
+        table = DeclaredTable(*declared)
+        if table.name in moving:
+            made.tables.append(table)
+        else:  # what could be a function is one number, or absent
+            made.inputs.append(table.name)
+            made.cells |= dict.fromkeys(table.coefficients, ("set", ZERO))
+
+
+def _on_series(kind: Any, *names: Any) -> Computed:
+    """An operation on series of a fragment: its results, then its arguments."""
+    count = RESULTS.get(kind, 1)
+    results, arguments = names[:count], names[count:]
+    if kind == "lin":
+        constant, terms = arguments
+        cells = [cell for cell, _ in terms]
+        registers = tuple(register for _, register in terms)
+        return OnSeries(kind, registers, (constant or ZERO, *cells)), results
+    taken = len(arguments) - (kind == "pow")  # whose exponent is a cell
+    return OnSeries(kind, arguments[:taken], arguments[taken:]), results
+
+
+def _define_functions_of_time(made: Definitions, moving: Names) -> None:
+    """A parameter that changes with time is its value where the phase begins and an increment, a ramp."""
+    known = [table.name for table in made.tables]
+    for symbol in moving:
+        made.cells[symbol] = ("set", f"{symbol}.VALUE")
+        if symbol not in known:
+            made.tables.append(DeclaredTable(symbol, "time", f"d{symbol}", 0))
+    for table in made.tables:
+        if table.kind == "time":
+            made.series[table.argument] = (OnSeries("ramp", (), (), table.name), (table.argument,))
+
+
+def _define_quantity(made: Definitions, quantity: str) -> None:
+    """Sum what fragments add to a quantity: value where the phase begins, size of its terms, and increment."""
+    addends = made.addends.get(quantity, [])
+    _define_sum(made, f"{quantity}_0", [base for base, _, _ in addends])
+    _define_sum(made, f"{quantity}_size", [size for _, size, _ in addends])
+    terms = [term for _, _, increment in addends for term in increment]
+    register = f"d{quantity}"
+    made.series[register] = _on_series("lin", register, "", terms)
+
+
+def _define_sum(made: Definitions, name: str, addends: list[str]) -> None:
+    """Define a cell as the sum of others, added in their order."""
+    total = ZERO
+    for k, addend in enumerate(addends):
+        part = f"{name}.{k}"
+        made.cells[part] = ("add", total, addend)
+        total = part
+    made.cells[name] = ("set", total)
+
+
+def _departed(made: Definitions) -> OnCells:
+    """The cell that is zero as long as the limit friction is the initial one, as its arguments have not changed.
+
+    It is the time, the slip or the rotation, whichever suffices.
+    """
+    taken = dict.fromkeys(("driving_0", "resisting_0", "normal_0"))
+    pending = list(taken)
+    while pending:
+        _, *arguments = made.cells.get(pending.pop(), ("set",))
+        pending += [name for name in arguments if name not in taken]
+        taken |= dict.fromkeys(arguments)
+    if not taken.keys().isdisjoint(made.moving):
+        return ("set", "TIME")
+    if "SLIP" in taken:
+        return ("set", "SLIP")
+    return ("abs", "ROTATION") if "ROTATION" in taken else ("set", ZERO)

@@ -1,0 +1,225 @@
+"""From definitions by name to ordered operations, each done once, without those that are identically zero.
+
+Equal operations are computed once, and sums of sums are flattened.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any, NamedTuple
+
+from slipcircle.base.kinds import Names
+from slipcircle.core.program.definitions import ONE, ZERO, Computed, Definitions, OnCells, OnSeries
+
+EVENTS = ("normal", "upright")  # registers whose roots are lift-off, and a chord that stands upright
+# Cells that the integrator reads, by role: drive, size of its terms, normal force, components of the weight.
+OUTPUT_CELLS = {
+    "cell_drive": "drive",
+    "cell_drive_scale": "drive_scale",
+    "cell_normal0": "normal_0",
+    "cell_driving_moment": "driving_moment_0",
+    "cell_normal_load": "normal_load_0",
+    "cell_normal_load_slope": "normal_load_slope_0",
+    "cell_driving": "driving_0",
+    "cell_resisting": "resisting_0",
+    "cell_mu": "mu_0",
+    "cell_limit": "limit",
+}
+
+
+class Linked(NamedTuple):
+    """The operations that a program needs, in order, with their results, and where it has what is read."""
+
+    scalar: list[tuple[OnCells, Names]]
+    series: list[tuple[OnSeries, Names]]
+    registers: Mapping[str, str | None]  # of what is read, by name; None for an event that never happens
+    outputs: Mapping[str, str]  # cells by role
+
+
+def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked:
+    """The operations that compute what the integrator reads, and further registers, from cells that are given."""
+    linker = Linker(definitions, given)
+    arguments = [table.argument for table in definitions.tables]
+    read = dict.fromkeys((*definitions.states, *definitions.states.values(), *EVENTS, *arguments, *asked))
+    linker.mark_shared(read)
+    registers = {name: linker.register(name) for name in read}
+    for name in registers:
+        if name in EVENTS and name not in asked:
+            registers[name] = linker.event(registers[name])
+        elif registers[name] is None:  # it is read, although it is zero
+            registers[name] = linker.zero(name)
+    outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items()}
+    series = needed(linker.series, {*definitions.states, *registers.values()}, lambda operation: operation.registers)
+    lasting = set(outputs.values())
+    for operation, _ in series:
+        lasting.update(operation.cells)
+    scalar = needed(linker.scalar, lasting, lambda operation: operation[1:])
+    return Linked(scalar, series, registers, outputs)
+
+
+def needed(
+    operations: Mapping[Any, Names], outputs: Iterable[str | None], taken: Callable[[Any], Iterable[str]]
+) -> list[tuple[Any, Names]]:
+    """The operations on which some results depend, in order; ``taken`` says what one takes."""
+    pending = set(outputs)
+    selected = []
+    for operation in reversed([*operations]):
+        results = operations[operation]
+        if not pending.isdisjoint(results):
+            selected.append((operation, results))
+            pending.update(taken(operation))
+    return selected[::-1]
+
+
+class Linker:
+    """Finds the operations that compute cells and registers.
+
+    Attributes
+    ----------
+    scalar, series : dict
+        Operations on cells, and on series, with the names of their results.
+    """
+
+    def __init__(self, definitions: Definitions, given: Iterable[str]) -> None:
+        self.scalar: dict[OnCells, Names] = {}
+        self.series: dict[OnSeries, Names] = {}
+        self._definitions = definitions
+        self._shared: set[str] = set()  # registers that more than sums take
+        # The names under which they are computed; None for a register that is zero.
+        self._cells = {name: name for name in given}
+        self._registers: dict[str, str | None] = {name: name for name in definitions.states}
+
+    # --- cells -------------------------------------------------------------------------------------------------------
+
+    def cell(self, name: str) -> str:
+        """The cell that a name stands for, computed if necessary."""
+        if name.startswith("="):
+            return name
+        if name not in self._cells:
+            kind, *arguments = self._definitions.cells[name]
+            operands = [self.cell(argument) for argument in arguments]
+            self._cells[name] = self._result(kind, operands, name)
+        return self._cells[name]
+
+    def _result(self, kind: str, operands: list[str], name: str = "") -> str:
+        """The cell of an operation's result: one that holds it already, or a new one."""
+        known = _simplified(kind, operands)
+        if known is not None:
+            return known
+        number = len(self.scalar)
+        (cell,) = self.scalar.setdefault((kind, *operands), (name or f"cell{number}",))
+        return cell
+
+    # --- registers ---------------------------------------------------------------------------------------------------
+
+    def _definition(self, name: str) -> Computed:
+        """What computes a register; without a definition it is an empty sum."""
+        return self._definitions.series.get(name, (OnSeries("lin", (), (ZERO,)), (name,)))
+
+    def mark_shared(self, read: Iterable[str]) -> None:
+        """Note registers that are read, or that more than sums take: sums among them are computed, not flattened."""
+        pending = list(read)
+        self._shared.update(pending)
+        seen = set(self._registers)
+        while pending:
+            name = pending.pop()
+            if name in seen or self._is_zero(name):
+                continue
+            seen.add(name)
+            operation, _ = self._definition(name)
+            pending += operation.registers
+            if operation.kind != "lin":
+                self._shared.update(operation.registers)
+
+    def _is_zero(self, name: str) -> bool:
+        """Whether a register is identically zero: an operation on zero, or a sum of zeros."""
+        if name in self._registers:
+            return self._registers[name] is None
+        (kind, registers, cells, _), _ = self._definition(name)
+        if kind == "lin":
+            constant, *factors = cells
+            terms = zip(factors, registers, strict=True)
+            zero = all(self.cell(cell) == ZERO or self._is_zero(register) for cell, register in terms)
+            zero = zero and self.cell(constant) == ZERO
+        else:
+            zero = any(map(self._is_zero, registers))
+        if zero:
+            self._registers[name] = None
+        return zero
+
+    def register(self, name: str) -> str | None:
+        """The register that a name stands for, computed if necessary; None where it is zero."""
+        if not self._is_zero(name) and name not in self._registers:
+            operation, results = self._definition(name)
+            if operation.kind == "lin":
+                self._registers[name] = self._sum(name, operation)
+            else:
+                registers = tuple(str(self.register(operand)) for operand in operation.registers)
+                cells = tuple(map(self.cell, operation.cells))
+                linked = operation._replace(registers=registers, cells=cells)
+                computed = self.series.setdefault(linked, results)
+                self._registers[name] = computed[results.index(name)]
+        return self._registers[name]
+
+    def event(self, register: str | None) -> str | None:
+        """A register whose roots are events; None where it is constant during a phase."""
+        constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
+        return None if (register,) in constant else register
+
+    def zero(self, name: str) -> str:
+        """A register that holds zero."""
+        (zero,) = self.series.setdefault(OnSeries("lin", (), (ZERO,)), (name,))
+        return zero
+
+    def _sum(self, name: str, operation: OnSeries) -> str:
+        """The register of a sum, in which each register occurs once."""
+        start = self.cell(operation.cells[0])
+        factors: dict[str, str] = {}
+        for cell, register in self._flat(operation, ONE):
+            before = factors.get(register, ZERO)
+            factors[register] = self._result("add", [before, cell])
+        if start == ZERO and list(factors.values()) == [ONE]:
+            (register,) = factors
+            return register
+        in_order = sorted(factors)  # equal sums are one, whatever the order of their terms
+        cells = (start, *(factors[register] for register in in_order))
+        (result,) = self.series.setdefault(OnSeries("lin", tuple(in_order), cells), (name,))
+        return result
+
+    def _flat(self, operation: OnSeries, factor: str) -> Iterator[tuple[str, str]]:
+        """A sum's terms that are not zero, times a factor; a sum that only sums take is replaced by its terms."""
+        for cell, register in zip(operation.cells[1:], operation.registers, strict=True):
+            scaled = self._result("mul", [factor, self.cell(cell)])
+            if scaled == ZERO or self._is_zero(register):
+                continue
+            inner, _ = self._definition(register)
+            kept = register in self._shared or register in self._registers
+            if inner.kind == "lin" and inner.cells[0] == ZERO and not kept:  # a constant is no term
+                yield from self._flat(inner, scaled)
+            else:
+                yield scaled, str(self.register(register))
+
+
+def _simplified(kind: str, operands: list[str]) -> str | None:
+    """The cell that the result of an operation on cells equals; None where it has to be computed."""
+    first, last = operands[0], operands[-1]
+    match kind:
+        case "set":
+            return first
+        case "add" if ZERO in operands:
+            return last if first == ZERO else first
+        case "sub" if last == ZERO:
+            return first
+        case "mul" if ZERO in operands:
+            return ZERO
+        case "mul" if ONE in operands:
+            return last if first == ONE else first
+        case "sub" | "less" if first == last:
+            return ZERO
+        case "div" | "neg" | "abs" if first == ZERO:
+            return ZERO
+        case "div" if last == ONE:
+            return first
+        case "select" if first == ZERO:
+            return last
+        case "select" if operands[1] == last == ZERO:
+            return ZERO
+    return None

@@ -1,0 +1,230 @@
+"""Terms of the equation of motion of one scene, and the numbers in them."""
+
+import re
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from generated.effects import EFFECTS, LAWS, Parameter
+from generated.flow import COEFFICIENTS, EQUATION_QUANTITIES, SOIL_COEFFICIENTS, SOIL_TERMS, TERMS
+from slipcircle.base.kinds import Names, Parameters
+from slipcircle.core.problem.plan import Plan
+from slipcircle.core.problem.problem import Problem
+from slipcircle.core.scene.effects import rotates, soil_number, without_soil
+from slipcircle.core.scene.friction import law_parts, law_paths
+from slipcircle.core.scene.mass import Mass
+from slipcircle.core.scene.scene import Scene
+
+
+class EquationTerm(NamedTuple):
+    """A term of the equation of motion, or a number in it.
+
+    Attributes
+    ----------
+    symbol : str
+        Of the quantity that the term belongs to ("M", "sigma", "u", "mu", "T", "J_theta", ...), or of the number.
+    formula : str
+        The term; of a number what it is.
+    effect : str
+        What asks for it: "gravity", an effect, a friction law, or "frozen" geometry.
+    value : float, ndarray, tuple or None
+        Of a number; of a number of each soil a tuple; None of a term, and of what changes with time or the rotation.
+    unit : str
+        SI; "" where dimensionless.
+    latex : str
+    """
+
+    symbol: str
+    formula: str
+    effect: str
+    value: Any = None
+    unit: str = ""
+    latex: str = ""
+
+
+def terms_of_effects(plan: Plan, soils: tuple[Any, ...], absent: set[str]) -> list[EquationTerm]:
+    """What gravity and effects add, without those of absent parameters, and how the weight turns or does not."""
+    names = ["gravity", *plan.effects]
+    if not rotates(plan.effects):
+        names.append("frozen")
+    if soils:
+        names.append("soils")
+    table = SOIL_TERMS if soils else TERMS
+    missing = absent.union(plan.recipe.absent)
+    terms = list[EquationTerm]()
+    for name in names:
+        for quantity, formula, latex in table[name]:
+            if missing.isdisjoint(symbols_in(formula)):
+                terms.append(EquationTerm(quantity, formula, name, latex=latex))
+    return terms
+
+
+def _indexed(term: EquationTerm, index: str) -> EquationTerm:
+    """A term of one soil, whose symbols end on its number, ``peak_1``; of all soils on ``i``, with one length."""
+    if not index:
+        return term
+    effect = without_soil(term.effect)
+    law = LAWS.get(effect)
+    names = ["mu", "mu_slip"]
+    names += [p.name for p in law.parameters if p.kind == "number" and (index != "i" or not p.unit)] if law else []
+    any_name = "|".join(names)
+    symbol = re.sub(rf"^({any_name})$", rf"\1_{index}", term.symbol)
+    if term.value is not None:  # of a number the formula is what it is, in words
+        return term._replace(symbol=symbol, effect=effect)
+    formula = re.sub(rf"\b({any_name})\b(?!\()", rf"\1_{index}", term.formula)
+    latex = re.sub(r"\\mu_([pr0])", rf"\\mu_{{\1,{index}}}", term.latex)
+    if index != "i":
+        latex = re.sub(r"\b([LV])\b", rf"\1_{{{index}}}", latex)
+    return term._replace(symbol=symbol, formula=formula, effect=effect, latex=latex)
+
+
+def terms_of_friction(laws: Names, index: str) -> list[EquationTerm]:
+    """The friction coefficient of a law, or the product of a law of slip and one of speed; of soils with an index."""
+    of_soils = [law for law in laws if soil_number(law)]
+    shared = laws[len(of_soils) :]
+    with_rate = len(shared) > (not of_soils)
+    name = "mu_slip" if with_rate else "mu"
+    slip = [_indexed(_term_of_law(name, law), f"{k}") for k, law in enumerate(of_soils, 1)]
+    if not of_soils:
+        slip = [_indexed(_term_of_law(name, shared[0]), index)]
+    if not with_rate:
+        return slip
+    factor = _indexed(EquationTerm("mu", "mu_slip mu_rate", "friction", latex=r"\mu_{slip} \mu_{rate}"), index)
+    rate_law = shared[-1]
+    rate = _term_of_law("mu_rate", rate_law)
+    if rate_law in LAWS:
+        names = "|".join(p.name for p in LAWS[rate_law].parameters)
+        formula = re.sub(rf"\b({names})\b", r"rate_\1", rate.formula)
+        rate = rate._replace(formula=formula)
+    return [factor, *slip, rate]
+
+
+def _term_of_law(symbol: str, law: str) -> EquationTerm:
+    """A friction coefficient by a law."""
+    (term,) = TERMS[without_soil(law)]
+    _, formula, latex = term
+    return EquationTerm(symbol, formula, law, latex=latex)
+
+
+def symbols_in(formula: str) -> list[str]:
+    return re.findall(r"[A-Za-z_]\w*'?", formula)
+
+
+def used(terms: list[EquationTerm]) -> list[EquationTerm]:
+    """Without components of the weight that no other term takes."""
+    taken = set[str]()
+    of_weight = set[str]()
+    for term in terms:
+        if term.symbol.startswith("J_"):
+            of_weight.add(term.symbol)
+        else:
+            taken.update(symbols_in(term.formula))
+    unused = of_weight - taken
+    return [term for term in terms if term.symbol not in unused]
+
+
+def place(term: EquationTerm) -> int:
+    """Terms in the order of the quantities, then what they are made of."""
+    order = [*EQUATION_QUANTITIES]
+    if term.symbol.startswith(("mu_slip", "mu_rate")):
+        return len(order)
+    quantity, _, _ = term.symbol.partition("_")
+    return order.index(quantity) if quantity in order else len(order) + 1
+
+
+def numbers_of(plan: Plan, problem: Problem, soils: tuple[Any, ...]) -> Iterator[EquationTerm]:
+    """Every number that a formula may name, with its value."""
+    scene = plan.scene
+    of_arc = {symbol: _per_lane(value, scene) for symbol, value in _of_the_arc(scene.arc).items()}
+    for symbol, value in of_arc.items():
+        yield EquationTerm(symbol, COEFFICIENTS[symbol], "gravity", value)
+    for symbol, values in _of_the_soils(scene, soils, of_arc).items():
+        yield EquationTerm(symbol, SOIL_COEFFICIENTS[symbol], "soils", values)
+    for effect in plan.effects:
+        yield from _numbers_of_effect(effect, scene, problem)
+    paths = law_paths(scene.friction)
+    laws = law_parts(scene.friction)
+    for k, (path, (name, parameters)) in enumerate(zip(paths, laws, strict=True), 1):
+        law = LAWS.get(without_soil(name))
+        if law is None:
+            continue
+        is_rate = path == "friction.rate"
+        index = f"{k}" if soil_number(name) else "i" if soils and not is_rate else ""
+        prefix = "rate_" if is_rate else ""
+        for p in law.parameters:
+            if p.kind == "number":
+                value = parameters[p.name]
+                if index == "i" and not p.unit:
+                    value = tuple(soil.residual if p.name == "residual" else soil.peak for soil in soils)
+                yield _indexed(EquationTerm(prefix + p.name, p.help, name, value, p.unit), index)
+
+
+def _of_the_soils(scene: Scene, soils: tuple[Any, ...], of_arc: Parameters) -> dict[str, tuple[Any, ...]]:
+    """The numbers in `SOIL_COEFFICIENTS`, each of every soil."""
+    if not soils:
+        return {}
+    arc: Any = scene.arc
+    theta = of_arc["Theta"]
+    added = []
+    for soil in soils:
+        of_soil = arc.arc_strength.of_soil(soil)
+        added.append({name: _per_lane(value, scene) for name, value in of_soil.items()})
+    whole = sum(of_soil["angle"] for of_soil in added)
+    rows = []
+    for of_soil in added:
+        share = of_soil["angle"] / whole
+        resistance = of_arc["lambda"] * np.where(share > 0.0, share, np.inf)
+        load = theta * of_soil["normal"]
+        row = {"l_i": share, "J_r0i": load, "J_r0i'": theta * of_soil["normal_slope"], "n_i": load / of_arc["J_r0"]}
+        for symbol, name in {"A_i": "inertia", "c_i": "cohesion", "p_i": "lift"}.items():
+            row[symbol] = theta * of_soil[name] / resistance
+        rows.append(row)
+    return {symbol: tuple(row[symbol] for row in rows) for symbol in SOIL_COEFFICIENTS}
+
+
+def _numbers_of_effect(effect: str, scene: Scene, problem: Problem) -> Iterator[EquationTerm]:
+    """The numbers of an effect, and what it gives as functions of time or the rotation."""
+    for p in EFFECTS[effect].parameters:
+        if p.symbol in problem.recipe.moving:
+            argument = "the rotation" if p.kind == "rotation" else "time"
+            meaning, _, _ = p.help.partition(",")
+            yield EquationTerm(p.symbol, f"{meaning}, a function of {argument}", effect)
+        elif p.symbol in problem.program.places:
+            value = _per_lane(problem.start.get(p.symbol, 0.0), scene)
+            yield EquationTerm(p.symbol, _definition(effect, p), effect, value)
+
+
+def _definition(effect: str, p: Parameter) -> str:
+    """How a number is made of the scene's, or what it is."""
+    start = f"{p.symbol}* = "
+    for formula in EFFECTS[effect].formulas:
+        if formula.startswith(start):
+            return formula.removeprefix(start)
+    meaning, _, _ = p.help.partition(",")
+    return meaning
+
+
+def _of_the_arc(arc: Mass) -> Parameters:
+    """The numbers in `COEFFICIENTS`, from what the integrator takes, whose coefficients are over Theta."""
+    coefficients = arc.moment_coefficients
+    theta = arc.dimensionless.moment_of_inertia
+    return {
+        "Theta": theta,
+        "lambda": coefficients.resistance_factor * theta,
+        "A": coefficients.polar_moment / coefficients.resistance_factor,
+        "J_theta0": coefficients.driving_moment * theta,
+        "J_r0": coefficients.normal_load * theta,
+        "J_theta0'": coefficients.driving_moment_slope * theta,
+        "J_r0'": coefficients.normal_load_slope * theta,
+        "sigma_ref": arc.reference_stress,
+    }
+
+
+def _per_lane(value: Any, scene: Scene) -> Any:
+    """A number of a single scene; an array of the scene's shape where it has one."""
+    if not scene.shape:
+        return float(np.ravel(value)[0])
+    if np.ndim(value) == 1 and np.size(value) == np.prod(scene.shape):  # one a lane
+        return np.reshape(value, scene.shape)
+    return np.broadcast_to(value, scene.shape)
