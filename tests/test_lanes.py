@@ -1,5 +1,6 @@
 """A lane is its scene: circles, grounds, levels, soils, loads and cracks as arrays, beside each scene by itself."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,7 @@ from slipcircle.tables.interpolation import between_kinks
 from slipcircle.workbench.stability.stability import factors_of_safety
 from tests.campaigns import lanes as campaign
 from tests.support.ensembles import SCENES
-from tests.support.layered import TURNING
+from tests.support.layered import CRACKED, TURNING
 
 FIELDS = ("time", "displacement", "velocity", "acceleration", "normal_stress")
 NUMBERS = ("run_out", "duration", "factor_of_safety", "toe_x", "toe_y", "travel_angle", "exit_x", "area")
@@ -39,6 +40,31 @@ def test_lanes_are_their_scenes(name: str) -> None:
             pairs += [(getattr(state, field), getattr(other, field)) for field in FIELDS]
         for found, expected in pairs:
             assert np.broadcast_to(found, many.shape)[at] == pytest.approx(expected, rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("load", "line"),
+    [
+        ([(2e4, 3e4), (6e4, 1e4), (0.0, 2e4)], [(12.0, 12.0, 8.0)] * 3),
+        ([(2e4, 3e4)] * 3, [(12.0, 12.0, 8.0), (13.0, 11.0, 9.0), (12.0, 11.5, 9.0)]),
+    ],
+)
+def test_lanes_of_loads_and_lines_are_taken(load: Any, line: Any) -> None:
+    """Also where they differ by more than the numbers that have a name: one end's pressure, a line's first height."""
+    (upper, _), (middle, _), lower = CRACKED.layers
+
+    def section(k: Any) -> LayeredSection:
+        places = np.broadcast_to([-80.0, 0.0, 80.0], np.shape(np.array(line)[k]))
+        points = np.stack([places, np.array(line)[k]], axis=-1)
+        loads = [(-3.0, 4.0, *np.array(load)[k].T)]
+        return replace(CRACKED, surcharge=loads, layers=[(upper, None), (middle, points), lower])
+
+    lanes = solve(Scene(section(slice(None)), effects=TURNING))
+    alone = [solve(Scene(section(k), effects=TURNING)).run_out for k in range(3)]
+    assert lanes.run_out == pytest.approx(alone, rel=1e-9)
+    assert [lanes[k].run_out for k in range(3)] == alone
+    assert lanes[1:].run_out.tolist() == lanes.run_out[1:].tolist()
+    assert solve(lanes[1:].plan.scene).run_out == pytest.approx(alone[1:], rel=1e-9)
 
 
 @pytest.mark.parametrize("name", campaign.SCENES)

@@ -241,10 +241,13 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
 def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
     """Some lanes of a scene: ``select`` takes an array of the scene's shape. They were checked with it."""
     assert isinstance(scene.effects, dict)
-    shaking = scene.effects.get("shaking", {})
 
-    def of_lanes(value: Any) -> Any:
-        every_lane = np.broadcast_to(value, scene.shape)
+    def of_lanes(value: Any, axes: int = 0) -> Any:
+        shape = np.shape(value)
+        if len(shape) <= axes:
+            return value
+        own_axes = shape[len(shape) - axes :]
+        every_lane = np.broadcast_to(value, scene.shape + own_axes)
         lanes = select(every_lane)
         return plain(lanes)
 
@@ -252,18 +255,15 @@ def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
     for name, value in scene.numbers.items():
         if np.ndim(value):
             chosen[name] = of_lanes(value)
+    shaking = scene.effects.get("shaking", {})
     for name in _OTHER_FACTOR:
         if name not in shaking:  # it stands for the other
             chosen.pop(f"shaking.{name}", None)
-    changed = _fields_with(scene, chosen)
-    if "surcharge" in changed["arc"]:  # of which the greater of two pressures is a number
-        loads = []
-        for x1, x2, *pressures in getattr(scene.arc, "surcharge", ()):
-            q1, q2 = map(of_lanes, pressures)
-            loads.append((x1, x2, q1, q2))
-        changed["arc"]["surcharge"] = tuple(loads)
-    arc = replace_unchecked(scene.arc, changed["arc"])
-    return replace_unchecked(scene, changed | {"arc": arc})
+    of_lane = scene.arc.with_lanes(of_lanes)
+    some = replace_unchecked(scene, {"arc": of_lane})
+    changed = _fields_with(some, chosen)
+    arc = replace_unchecked(of_lane, changed["arc"])
+    return replace_unchecked(some, changed | {"arc": arc})
 
 
 def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, Flags]:

@@ -4,7 +4,7 @@ Names are ``soils.NAME.cohesion``, ``soils.NAME.friction.peak``, ...; ``layers.2
 first point; ``surcharge.1.pressure``, the greater one of both ends; ``crack``; ``rate.peak``, ...
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -69,9 +69,9 @@ class LayeredNumbers:
             layers.append((soils[id(soil)], top))
         loads = []
         for k, load in enumerate(self.surcharge, 1):
-            greatest = changed.get(f"surcharge.{k}.pressure")
-            if greatest is not None:
-                load = _scaled(load, greatest)
+            name = f"surcharge.{k}.pressure"
+            if name in changed and not np.array_equal(changed[name], known[name]):
+                load = _scaled(load, changed[name])
             loads.append(load)
         rate = _within("rate.", changed)
         return {
@@ -81,6 +81,12 @@ class LayeredNumbers:
             "surcharge": tuple(loads),
             "crack": changed.get("crack", self.crack),
         }
+
+    def with_lanes(self, of_lanes: Callable[..., Any]) -> Any:
+        """The same with some lanes of both pressures of surcharges, and of lines below the ground."""
+        loads = [(first, last, of_lanes(left), of_lanes(right)) for first, last, left, right in self.surcharge]
+        layers = [(soil, of_lanes(top, 2) if np.ndim(top) > 2 else top) for soil, top in self.layers]
+        return replace_unchecked(self, {"surcharge": loads, "layers": layers})
 
 
 def _numbers_of_soil(soil: Soil) -> dict[str, Any]:
@@ -161,10 +167,6 @@ def _moved(top: Any, height: Any) -> Any:
     if np.ndim(top) < 2:
         return height
     line = np.asarray(top)
-    if line.ndim > 2:  # lanes of one line
-        lines = line.reshape(-1, *line.shape[-2:])
-        line = lines[0]
-    first_height = line[0, 1]
-    rise = np.asarray(height - first_height)[..., None]
+    rise = np.asarray(height - _height(line))[..., None]
     shift = np.broadcast_arrays(0.0, rise)
     return line + np.stack(shift, axis=-1)

@@ -4,7 +4,6 @@ A section's ground, water level and centre are arrays of points. Each coordinate
 the field, the point from 0, and x or y; a centre is one point: ``centre.x``.
 """
 
-from collections.abc import Callable
 from dataclasses import fields
 from functools import lru_cache
 from typing import Any
@@ -80,16 +79,6 @@ def changed_fields(arc: Any, values: Values) -> dict[str, Any]:
     known = arc.other_numbers()
     others = {name: values[name] for name in values if name in known}
     return changed | arc.fields_with(others)
-
-
-def by_lanes(arc: Any, select: Callable[[Any, int], Any]) -> Any:
-    """An arc or a section with other lanes: each of its numbers is ``select(value, axes of one section)``."""
-    changed = {}
-    for name, axes in arc.quantities.items():
-        changed[name] = select(getattr(arc, name), axes)
-    others = {name: select(value, 0) for name, value in arc.other_numbers().items()}
-    changed |= arc.fields_with(others)
-    return replace_unchecked(arc, changed)
 
 
 def _with_coordinates(points: Any, axes: int, replaced: Indices, values: Values) -> Any:

@@ -134,6 +134,10 @@ class Mass:
         """The fields that differ once some of these have other values."""
         return {}
 
+    def with_lanes(self, of_lanes: Callable[..., Any]) -> Any:
+        """The same with some lanes of what its numbers do not tell; ``of_lanes(value, axes of one)`` selects them."""
+        return self
+
     def journey(self, rotation: Any) -> Any:
         """Where a rotation brings it."""
         raise AttributeError("journey: needs a Section, as an Arc has no position")
