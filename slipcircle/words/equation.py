@@ -32,6 +32,8 @@ VARIABLES = {
     "slip": "path travelled, m",
     "speed": "in m/s",
     "time": "in s",
+    "excess": "pore pressure that heating adds, over sigma_ref",
+    "mu_rate": "factor by which friction changes with the speed",
 }
 
 
