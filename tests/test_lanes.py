@@ -39,7 +39,7 @@ def test_lanes_are_their_scenes(name: str) -> None:
         for state, other in ((many.at(time), one.at(time)), (many.end, one.end), (many.peak, one.peak)):
             pairs += [(getattr(state, field), getattr(other, field)) for field in FIELDS]
         for found, expected in pairs:
-            assert np.broadcast_to(found, many.shape)[at] == pytest.approx(expected, rel=1e-9, abs=1e-12)
+            assert np.broadcast_to(found, many.shape)[at] == pytest.approx(expected, rel=1e-12, abs=1e-13)
 
 
 @pytest.mark.parametrize(
