@@ -211,15 +211,15 @@ def test_each_door_is_opened_by_a_scene(door: str, monkeypatch: pytest.MonkeyPat
     opening.assert_any_call(doors.DOORS[door].module)
 
 
-def loaded(scene: str) -> set[str]:
-    """The folders of `slipcircle` that solving a scene loads."""
+def loaded(scene: str, question: str = "") -> set[str]:
+    """The folders of `slipcircle` that solving a scene and a question about its motion load."""
     code = f"""
 import sys
 import numpy as np
 import slipcircle as s
 arc = s.Arc(100.0, 3.7, 4.8, 20e3)
 ground = [[-100, 20], [0, 20], [40, 0], [100, 0]]
-s.solve(s.Scene({scene}))
+s.solve(s.Scene({scene})){question}
 print(*(name.split(".")[1] for name in sys.modules if name.startswith("slipcircle.")))
 """
     return {*python(code).split()} - {"base", "core", "kernels"}
@@ -232,6 +232,7 @@ def test_a_plain_scene_enters_no_room_and_a_plain_section_only_the_ground() -> N
     assert loaded(f"arc, {softening}, {effects}, np.array([0.0, 1.0])") == set()
     section = "s.Section(ground, centre=[22, 38], radius=38.0, unit_weight=20e3)"
     assert loaded(f'{section}, 0.2, ["rotation"]') == {"ground"}
+    assert loaded('arc, 0.1, ["rotation"]', ".error_estimate") == {"words"}
 
 
 def test_import_of_the_core_loads_no_workbench() -> None:

@@ -16,10 +16,10 @@ from slipcircle.derivatives.parameters import possible_parameters
 _STRONG, _STRONGEST = 1e6, 5.0  # Pa, g
 
 
-def questions(scene: Scene, written: Callable[[str, float], str] | None = None) -> Iterator[str]:
+def questions(scene: Scene, written: Callable[[str, float], str] | None) -> Iterator[str]:
     """A sentence for each number of a scene that was probably meant in another unit.
 
-    It begins with the number as its user wrote it: from a name and a value in SI units, by default just these.
+    It begins with the number as its user wrote it: from a name and a value in SI units, without ``written`` just these.
     """
     known = possible_parameters(scene)
     units = {name: parameter.unit for name, parameter in known.items()}

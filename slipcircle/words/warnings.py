@@ -14,7 +14,7 @@ SUBMERGED = 1e-6  # of the radius, beyond which ground below the water level is 
 LISTED, MANY_PHASES = 3, 100  # lift-offs named one by one; phases that many times of turning back make
 
 
-def collect_warnings(motion: Any, written: Callable[[str, float], str] | None = None) -> tuple[str, ...]:
+def collect_warnings(motion: Any, written: Callable[[str, float], str] | None) -> tuple[str, ...]:
     """Sentences about odd input as it was written, lift-off, conditioning, water and swinging back; empty where all is
     well.
     """

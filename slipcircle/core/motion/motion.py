@@ -4,7 +4,7 @@ Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
 """
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cached_property, partial
 from math import prod
@@ -287,7 +287,11 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        sentences: tuple[str, ...] = room("warnings").collect_warnings(self)
+        return self.warnings_with(None)
+
+    def warnings_with(self, written: Callable[[str, float], str] | None) -> tuple[str, ...]:
+        """The warnings, with numbers as ``written`` words them from their names and values in SI units."""
+        sentences: tuple[str, ...] = room("warnings").collect_warnings(self, written)
         return sentences
 
     def sensitivity(self) -> Any:

@@ -47,16 +47,6 @@ class Data(NamedTuple):
         begins = self.breaks[piece, lane]
         return np.asarray(begins)
 
-    def entered(self, places: Floats, upwards: Any) -> Integers:
-        """The number of the piece at each place; at a break, of the piece ahead in the direction of travel."""
-        breaks = self.breaks
-        if breaks.ndim == 1:
-            breaks = breaks[:, None]
-        below = breaks < places
-        passed = below | (breaks == places) & upwards
-        begun = np.count_nonzero(passed, axis=0)
-        return np.maximum(begun - 1, 0)
-
     def polynomial(self, piece: Integers) -> Floats:
         """Coefficients of each lane's piece, (terms, lanes)."""
         if self.coefficients.ndim == 2:

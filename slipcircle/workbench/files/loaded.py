@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from slipcircle.base.kinds import Numbers
 from slipcircle.core import Motion, Scene
-from slipcircle.words import collect_warnings
 from slipcircle.workbench.files.numbers import by_name
 
 if TYPE_CHECKING:
@@ -38,13 +37,12 @@ def stability_of(scene: Scene) -> Critical | None:
 def warnings_of(motion: Motion) -> tuple[str, ...]:
     """Warnings about a single motion, whose numbers have the keys and units of files, and about its circle."""
     scene = motion.plan.scene
-    numbers = by_name(scene)
 
     def written(name: str, value: float) -> str:
-        number = numbers[name]
+        number = by_name(scene)[name]
         return f"{number.key} = {float(number.from_si(value)):.6g} {number.unit}".rstrip()
 
     stability = stability_of(scene)
     of_circle = [stability.warning] if stability and stability.warning else []
     of_file = scene.remarks if isinstance(scene, SlopeScene) else ()
-    return (*of_file, *of_circle, *collect_warnings(motion, written))
+    return (*of_file, *of_circle, *motion.warnings_with(written))

@@ -19,7 +19,6 @@ LINES: Mapping[str, Mapping[str, Any]] = {
     "main": {"color": "#0072B2", "ls": "-", "lw": 2.0},
     "other": {"color": "#D55E00", "ls": (0, (5, 2)), "lw": 1.6},
     "total": {"color": "black", "ls": (0, (1, 1.2)), "lw": 1.8},
-    "radius": {"color": "0.45", "ls": (0, (6, 1.5, 1, 1.5)), "lw": 0.8},
     "help": {"color": "0.45", "ls": (0, (1, 2)), "lw": 1.0, "zorder": 1},
 }
 MARKS: Mapping[str, Mapping[str, Any]] = {
@@ -68,7 +67,6 @@ SCENERY: Mapping[str, Mapping[str, Any]] = {
     "firm": {"color": "0.3", "lw": 2.5, "zorder": 3},
     "surcharge": {"color": "0.25", "lw": 1.0, "zorder": 3},
     "boundary": {"color": "0.55", "lw": 0.8, "zorder": 1.1},
-    "depth": {"color": "black", "lw": 1.0, "marker": "_", "zorder": 3},
     "centre": {"color": "black", "marker": "+", "ls": "", "ms": 9, "mew": 1.5, "zorder": 5},
 }
 
@@ -261,9 +259,3 @@ def work(motion: Motion) -> str:
 def still(motion: Motion, ax: Any) -> Any:
     """The axis of a mass that does not move."""
     return empty(standing(motion).replace(", ", "\n"), ax, "x", "y")
-
-
-def beside(ax: Any, words: str, at: Any, away: Any, **more: Any) -> None:
-    """Text beside a point, in a direction from it."""
-    offset = 12 * np.divide(away, np.hypot(*away))
-    ax.annotate(words, at, offset, textcoords="offset points", ha="center", va="center", fontsize="small", **more)
