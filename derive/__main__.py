@@ -3,8 +3,10 @@
 import argparse
 import sys
 import time
+import traceback
 from collections.abc import Callable
 from importlib.util import find_spec
+from pathlib import Path
 from typing import NamedTuple, TypeVar
 
 from derive.check.proof import ProofError
@@ -52,6 +54,17 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     # A recorded certificate is valid as long as its operations are unchanged (`prove` proves it again).
     proved = timed("kernels", "certify", "", certificates.records, variants(), read())
     return timed("generated", "emit", "", write.files, proved)
+
+
+def _declarations() -> int:
+    """Read the declarations and look for faults; one that Python finds is a `ProofError` with its place."""
+    try:
+        from derive import guards
+    except Exception as error:
+        (*_, place) = traceback.extract_tb(error.__traceback__)
+        where = f"{Path(place.filename).name}, line {getattr(error, 'lineno', place.lineno)}"
+        raise ProofError(f"declarations, {where}", f"{type(error).__name__}: {error}", "what Python can read") from None
+    return guards.check()
 
 
 def _stable_forms() -> None:
@@ -175,13 +188,15 @@ def main(argv: list[str] | None = None) -> int:
 
 def generate(check: bool, search: bool, trials: int | None) -> int:
     """Derive everything, and write `generated` and the records of shapes, or compare them with the files there."""
-    from derive.approximate import shapes
-    from derive.build import build_all
-    from derive.generate import write
-
     start = time.perf_counter()
     try:
+        timed("declarations", "check", "{0} of laws, effects and moments", _declarations)
+        from derive.approximate import shapes
+        from derive.build import build_all
+        from derive.generate import write
+
         texts = derive_all(search, trials)
+        timed("generated", "import", "{0} files differ", write.try_out, texts)
     except ProofError as fault:
         say(f"{fault}; nothing is written")
         return 1

@@ -118,11 +118,13 @@ def test_binaries_and_caches_do_not_count(copy: Path) -> None:
     assert all(path.exists() for path in kept)
 
 
-@pytest.mark.parametrize("step", ["fdopen", "replace"])
-def test_a_write_that_fails_leaves_whole_files(copy: Path, step: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Every file is the old one or the new one, and nothing else is left behind."""
+@pytest.mark.parametrize(("module", "step", "replaced"), [(Path, "write_text", 0), (os, "replace", 2)])
+def test_a_write_that_fails_leaves_whole_files(
+    copy: Path, module: Any, step: str, replaced: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Every file is the old one or the new one, all of them old until the last is written; nothing else is left."""
     wanted = {name: text + "# later\n" for name, text in texts().items()}
-    before, calls, real = bytes_of(copy), iter(range(99)), getattr(os, step)
+    before, calls, real = bytes_of(copy), iter(range(99)), getattr(module, step)
 
     def fails(*args: Any, **options: Any) -> Any:
         if next(calls) == 2:
@@ -130,13 +132,14 @@ def test_a_write_that_fails_leaves_whole_files(copy: Path, step: str, monkeypatc
         return real(*args, **options)
 
     with monkeypatch.context() as m:
-        m.setattr(os, step, fails)
+        m.setattr(module, step, fails)
         with pytest.raises(OSError, match="disk full"):
             write.write(wanted, copy)
     after = bytes_of(copy)
     assert set(after) == set(before)
     new = {name for name in after if after[name] != before[name]}
-    assert len(new) == 2
+    assert len(new) == replaced
+    assert [*copy.parent.iterdir()] == [copy]
     assert all(after[name] == wanted[name].encode() for name in new)
 
 
