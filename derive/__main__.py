@@ -196,16 +196,15 @@ def generate(check: bool, search: bool, trials: int | None) -> int:
         from derive.generate import write
 
         texts = derive_all(search, trials)
-        timed("generated", "import", "{0} files differ", write.try_out, texts)
+        records = {shapes.RECORDS.name: shapes.text()}
+        if check:
+            diff = write.difference(texts) + write.difference(records, shapes.RECORDS.parent)
+            print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
+            return 1 if diff else 0
+        changed = write.write(texts, tried=write.importable) + write.write(records, shapes.RECORDS.parent)
     except ProofError as fault:
         say(f"{fault}; nothing is written")
         return 1
-    records = {shapes.RECORDS.name: shapes.text()}
-    if check:
-        diff = write.difference(texts) + write.difference(records, shapes.RECORDS.parent)
-        print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
-        return 1 if diff else 0
-    changed = write.write(texts) + write.write(records, shapes.RECORDS.parent)
     timed("kernels", "compile", "{0}", build_all)
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")

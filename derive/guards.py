@@ -3,123 +3,121 @@
 import builtins
 import keyword
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 import sympy as sp
 
 from derive.build import FOLDER
 from derive.check.proof import ProofError
+from derive.declare import domain, quantities
 from derive.declare import effects as declared
-from derive.declare import quantities
-from derive.declare.domain import Box, outside
-from derive.declare.effects import Effect, Law, Parameter
+from derive.declare.effects import GRAVITY, RADIUS, VALUE, Effect, Law, Parameter
 from derive.declare.quantities import Moment
-from derive.declare.units import ONE, dimension, of_unit, shown
+from derive.declare.units import Units, dimension, of_unit, shown
 from derive.flow import fragments
 
 Declaration = Effect | Law | Moment
-NAME = re.compile("[a-z][a-z0-9_]*")
-# Of the paper: how many numbered equations its chapters have, and its figure of laws of friction.
-EQUATIONS = {"1": 14, "2": 27, "3": 21, "4": 5}
-FIGURE = "Fig. 4-1"
-# Other tables and keys of scene files; keys of a law beside its parameters; the package's other functions.
-TABLES = {"accuracy", "arc", "circle", "end_time_s", "friction", "ground", "initial_velocity_m_s", "layers", "name",
-          "note", "pond", "search", "slip", "soils", "surcharge", "tension_crack", "water"}  # fmt: skip
-KEYS = {"law", "rate", "soils", "function"}
-FUNCTIONS = {"backanalyse", "critical", "ensemble", "grid", "load", "parameters", "plan", "read_suite", "solve",
-             "synthetic_records"}  # fmt: skip
-OF_KERNELS = {"alpha", "theta_1", "theta_2", "out", "where", "accuracy", "horner", "evaluate", "kernel", "generated"}
-KINDS = ("number", "list", "series", "rotation", "text", "flag")
-# Dimensions of the symbols in formulas: of laws, of what makes a parameter dimensionless, and of the balance. In the
-# balance all are numbers, but slip, speed and the parameters that are made so by R and g as they are.
+# Equations of the paper, and its figure of laws of friction.
+PAPER = re.compile(r"1\.([1-9]|1[0-4])|2\.([1-9]|1\d|2[0-7])|3\.([1-9]|1\d|2[01])|4\.[1-5]|Fig\. 4-1")
+# Other tables and keys of scene files; the package's other functions; words of the texts that hold the kernels; keys of
+# a law beside its parameters, and words of the text that holds these.
+TABLES = (
+    "accuracy arc circle end_time_s friction ground initial_velocity_m_s layers name note pond search slip soils "
+    "surcharge tension_crack water"
+)
+FUNCTIONS = "backanalyse critical ensemble grid load parameters plan read_suite solve synthetic_records"
+IN_KERNELS = "alpha theta_1 theta_2 out where accuracy horner evaluate kernel generated"
+KEYS = "law rate soils function value scales half_angle gravity radius density reference_stress cover"
 UNITS_OF_LAWS = ("", "m", "m/s", "s")
-OF_LAWS = {declared.SLIP: of_unit("m"), declared.SPEED: of_unit("m/s")}
-SCALES = {
-    **dict.fromkeys((declared.ALPHA, declared.COVER, declared.THETA), ONE),
-    declared.GRAVITY: of_unit("m/s^2"),
-    declared.RADIUS: of_unit("m"),
-    declared.DENSITY: of_unit("kg/m^3"),
-    declared.REFERENCE: of_unit("Pa"),
-}
-NATURAL = {
-    declared.VALUE / declared.RADIUS: of_unit("m"),
-    declared.VALUE / sp.sqrt(declared.GRAVITY * declared.RADIUS): of_unit("m/s"),
-}
-OF_TERMS = {
-    *(declared.THETA, declared.J_R, declared.J_THETA, declared.LAMBDA, declared.A, declared.OMEGA, declared.OMEGA_2),
-    *(declared.DRIVING_MOMENT, declared.DRIVING_MOMENT_SLOPE, declared.NORMAL_LOAD, declared.NORMAL_LOAD_SLOPE),
-    *(declared.K_H, declared.K_V, *OF_LAWS),
-}
-OF_SECTIONS = {*declared.BY_PSI, declared.SLIP_MU, declared.SOIL_MU}
-OF_GROWTH = {declared.MU, declared.EFFECTIVE, declared.OMEGA}
+ARGUMENTS = ("slip", "speed", "time")  # of laws that are tables
+KINDS = ("number", "list", "series", "rotation", "text", "flag")
 FARTHEST = 1e6  # slip and speed, over the law's own
 STEEPEST = 10.0  # coefficient
 
 
+def _units(by_name: Mapping[str, str]) -> dict[sp.Symbol, sp.Expr]:
+    return {sp.Symbol(name, real=True): of_unit(unit) for names, unit in by_name.items() for name in names.split()}
+
+
+# Units of symbols in the formulas of laws, in those that make a parameter a number, and in the balance, where all are
+# numbers but slip, speed, and what is made a number as these are.
+MOTION = _units({"slip": "m", "speed": "m/s"})
+OF_ARC = {
+    "half_angle cover Theta": "",
+    "radius": "m",
+    "gravity": "m/s^2",
+    "density": "kg/m^3",
+    "reference_stress": "Pa",
+}
+SCALES = _units(OF_ARC)
+LIKE_MOTION = {VALUE / RADIUS: of_unit("m"), VALUE / sp.sqrt(GRAVITY * RADIUS): of_unit("m/s")}
+OF_WEIGHT = "Theta J_r J_theta lambda A driving_moment driving_moment_slope normal_load normal_load_slope k_h k_v"
+BALANCE = MOTION | _units({OF_WEIGHT: "", "omega omega_2": ""})
+OF_SECTIONS = dict.fromkeys((*declared.BY_PSI, declared.SLIP_MU, declared.SOIL_MU), of_unit(""))
+OF_GROWTH = dict.fromkeys((declared.MU, declared.EFFECTIVE), of_unit(""))
+
+
 def check() -> int:
     """Raise `ProofError` at the first fault; how many declarations there are."""
-    laws, effects, moments = declared.LAWS, declared.ALL_EFFECTS, quantities.MOMENTS
-    own = fragments.fragments((), ()).keys() | {"frozen"}
-    _names([*laws, *effects], own | TABLES)
-    functions = {quantities.RESISTANCE.name, "limit_friction", *(q.name for q in quantities.QUOTIENTS)}
-    functions |= {m.kernel[0] for m in moments if m.amplitude}
+    laws = declared.LAWS
+    effects = declared.ALL_EFFECTS
+    moments = quantities.MOMENTS
+    balance = fragments.fragments((), ())
+    others = (quantities.RESISTANCE, *quantities.QUOTIENTS)
+    functions = {"limit_friction", *(q.name for q in others), *(m.kernel[0] for m in moments if m.amplitude)}
     modules = {path.stem for path in FOLDER.glob("*.py")}
-    _names(moments, {*dir(builtins), *dir(np), *FUNCTIONS, *OF_KERNELS, *functions, *modules})
-    for e in (*laws, *effects, *moments):
-        _check_source(e)
+    words = {*FUNCTIONS.split(), *IN_KERNELS.split(), *dir(builtins), *dir(np)}
+    _check_names((*laws, *effects), {*balance, "frozen", *TABLES.split()})
+    _check_names(moments, functions | modules | words)
     for law in laws:
         _check_law(law)
     for effect in effects:
         _check_effect(effect)
-    _check_cells(effects)
+    cells = set[str]()
+    for fragment in balance.values():
+        for row in (*fragment.scalar, *fragment.series):
+            cells |= set(map(str, row))
+    _check_cells(effects, cells)
     for moment in moments:
         _ = moment.definition
     return len(laws) + len(effects) + len(moments)
 
 
-def _claim(of: Declaration, what: str) -> str:
-    return f"{type(of).__name__}({of.name!r}), {what}"
+def _claim(e: Declaration, what: str) -> str:
+    return f"{type(e).__name__}({e.name!r}), {what}"
 
 
-def _names(entries: Sequence[Declaration], taken: Collection[str]) -> None:
-    """Names are new, and may stand in Python, in scene files and in what is generated."""
-    seen = set[str]()
+def _check_names(entries: Sequence[Declaration], taken: set[str]) -> None:
+    """Names that are new and may stand in Python and scene files; help; an equation of the paper or a source."""
     for e in entries:
         _check_name(_claim(e, "name"), e.name, taken)
-        if e.name in seen:
-            raise ProofError(_claim(e, "name"), "a declaration of this name before it", "a name of its own")
-        seen.add(e.name)
+        taken = taken | {e.name}
+        if not e.help.strip():
+            raise ProofError(_claim(e, "help"), repr(e.help), "a line on what it is")
+        if not e.equation:
+            continue
+        claim = _claim(e, "equation")
+        if not PAPER.fullmatch(e.equation):
+            raise ProofError(claim, repr(e.equation), "one of the paper, 1.1 to 4.5, or source= in its place")
+        if e.source:
+            raise ProofError(claim, f"{e.equation!r} beside source={e.source!r}", "one of them")
 
 
 def _check_name(claim: str, name: str, taken: Collection[str]) -> None:
-    if not isinstance(name, str) or not NAME.fullmatch(name):
+    plain = isinstance(name, str) and re.fullmatch("[a-z][a-z0-9_]*", name)
+    if not plain:
         raise ProofError(claim, repr(name), "small letters, digits and _, a letter first")
     if keyword.iskeyword(name):
-        raise ProofError(claim, "a keyword of Python", "another name")
+        raise ProofError(claim, f"{name!r}, a keyword of Python", "another name")
     if name in taken:
-        raise ProofError(claim, "a name that something else has", "another name")
-
-
-def _check_source(e: Declaration) -> None:
-    """Help, and where it is from: an equation of the paper, or a source of one's own, or neither."""
-    if not e.help.strip():
-        raise ProofError(_claim(e, "help"), repr(e.help), "a line on what it is")
-    chapter, _, number = e.equation.partition(".")
-    known = number.isdecimal() and 1 <= int(number) <= EQUATIONS.get(chapter, 0)
-    if e.equation and not known and e.equation != FIGURE:
-        raise ProofError(_claim(e, "equation"), repr(e.equation), "an equation of the paper, or source= in its place")
-    if e.equation and e.source:
-        raise ProofError(_claim(e, "source"), repr(e.source), f"none beside equation {e.equation} of the paper")
+        raise ProofError(claim, f"{name!r}, what something else is called", "another name")
 
 
 def _check_parameters(e: Law | Effect, units: Collection[str]) -> None:
     """Names, kinds, bounds, units and keys."""
-    for attribute in ("name", "key"):
-        listed = [getattr(p, attribute) for p in e.parameters if getattr(p, attribute)]
-        if twice := {x for x in listed if listed.count(x) > 1}:
-            raise ProofError(_claim(e, f"parameter {attribute}"), f"{min(twice)!r} twice", "each once")
-    taken = KEYS | {x.name for x in SCALES} | {"value", "scales"}
+    taken = {*KEYS.split()}
+    keys = set[str]()
     for p in e.parameters:
         claim = _claim(e, f"parameter {p.name!r}")
         _check_name(claim, p.name, taken)
@@ -129,23 +127,30 @@ def _check_parameters(e: Law | Effect, units: Collection[str]) -> None:
             raise ProofError(f"{claim}, unit", repr(p.unit), f"one of {', '.join(map(repr, units))}")
         if not p.lower < p.upper:
             raise ProofError(f"{claim}, bounds", f"{p.lower} and {p.upper}", "a lower one below an upper one")
-        if p.key and not p.key.endswith(tuple(p.keys)):
-            raise ProofError(f"{claim}, key", repr(p.key), f"what ends in {' or '.join(p.keys)}")
-        if p.key and not re.fullmatch("[A-Za-z][A-Za-z0-9_]*", p.key):
-            raise ProofError(f"{claim}, key", repr(p.key), "letters, digits and _, a letter first")
+        taken |= {p.name}
+        if not p.key:
+            continue
+        ends = tuple(p.keys)
+        if not (re.fullmatch("[A-Za-z][A-Za-z0-9_]*", p.key) and p.key.endswith(ends)):
+            raise ProofError(f"{claim}, key", repr(p.key), f"letters, digits and _, at the end {' or '.join(ends)}")
+        if p.key in keys:
+            raise ProofError(f"{claim}, key", f"{p.key!r} twice", "a key of its own")
+        keys |= {p.key}
 
 
-def _check_symbols(claim: str, e: sp.Expr, known: Collection[sp.Symbol]) -> set[sp.Symbol]:
-    """The symbols of a formula, all of them known."""
+def _check_formula(claim: str, e: sp.Expr, units: Units) -> set[sp.Symbol]:
+    """The symbols of a formula that is a number without a dimension."""
     if not isinstance(e, sp.Expr):
         raise ProofError(claim, repr(e), "an expression of SymPy")
-    if unknown := e.free_symbols - set(known):
-        first = min(unknown, key=str)
-        wanted = "of " + ", ".join(sorted(map(str, known)))
-        if str(first) in map(str, known):
-            wanted = f"sp.Symbol({str(first)!r}, real=True)"
-        raise ProofError(claim, f"the symbol {first}, which is not declared", wanted)
-    return set(e.free_symbols)
+    found = dimension(e, units, claim)
+    if found != 1:
+        raise ProofError(claim, f"{e}, in {shown(found)}", "a number without a dimension")
+    return e.free_symbols
+
+
+def _check_used(e: Declaration, unused: Sequence[str]) -> None:
+    if unused:
+        raise ProofError(_claim(e, "parameters"), f"{', '.join(unused)} in no formula", "a use of each")
 
 
 def _check_law(law: Law) -> None:
@@ -153,100 +158,81 @@ def _check_law(law: Law) -> None:
     claim = _claim(law, "coefficient")
     if law.coefficient is None:
         kinds = [p.kind for p in law.parameters]
-        if kinds != ["list"] * 2 or law.parameters[0].name not in ("slip", "speed", "time"):
+        if kinds != ["list", "list"] or law.parameters[0].name not in ARGUMENTS:
             raise ProofError(claim, "none", "a formula, or two lists: of slip, speed or time, and of coefficients")
         return
-    of = {sp.Symbol(p.name, real=True): p for p in law.parameters}
-    used = _check_symbols(claim, law.coefficient, {*OF_LAWS, *of})
-    _check_used(law, [p.name for x, p in of.items() if x not in used])
-    if set(OF_LAWS) <= used:
-        raise ProofError(claim, "slip and speed", "one of them: a law of speed multiplies one of slip in a scene")
-    units = OF_LAWS | {x: of_unit(p.unit) for x, p in of.items()}
-    _check_number(claim, law.coefficient, units)
-    if strange := [x for x in law.kinks if x not in of]:
-        raise ProofError(claim, f"a branch that changes at slip = {strange[0]}", "at slips that are parameters")
-    _check_operations(claim, lambda: fragments.of_law(law))
-    _check_domain(law, used, of)
+    by_symbol = _by_symbol(law)
+    units = _units({p.name: p.unit for p in law.parameters})
+    used = _check_formula(claim, law.coefficient, MOTION | units)
+    _check_used(law, [p.name for x, p in by_symbol.items() if x not in used])
+    if MOTION.keys() <= used:
+        raise ProofError(claim, "slip and speed", "one: in a scene a law of speed multiplies one of slip")
+    for kink in law.kinks:
+        if kink not in by_symbol:
+            raise ProofError(claim, f"a branch that changes at a slip of {kink}", "at a parameter")
+    fragments.of_law(law)
+    linear_in = [x for x, p in by_symbol.items() if not p.unit]
+    place = domain.fault(sp.collect(sp.expand(law.coefficient), linear_in), _box(law))
+    if place:
+        raise ProofError(claim, place, "numbers that are not negative")
 
 
-def _check_used(e: Law | Effect, unused: Sequence[str]) -> None:
-    if unused:
-        claim = _claim(e, f"parameter {unused[0]!r}")
-        raise ProofError(claim, "no formula that uses it", "a use, or no such parameter")
+def _by_symbol(e: Law | Effect) -> dict[sp.Symbol, Parameter]:
+    """Parameters by the symbols of their names."""
+    return {sp.Symbol(p.name, real=True): p for p in e.parameters}
 
 
-def _check_number(claim: str, e: sp.Expr, units: Mapping[sp.Symbol, sp.Expr]) -> None:
-    if (found := dimension(e, units, claim)) != 1:
-        raise ProofError(claim, f"{e}, in {shown(found)}", "a number without a dimension")
-
-
-def _check_operations(claim: str, lower: Callable[[], object]) -> None:
-    """Each function has an operation on series."""
-    try:
-        lower()
-    except (ValueError, sp.PolynomialError) as error:
-        known = "sums, products, powers, exp, log, sin and cos, and min and max of straight lines"
-        raise ProofError(claim, error, known) from None
-
-
-def _check_domain(law: Law, used: set[sp.Symbol], of: Mapping[sp.Symbol, Parameter]) -> None:
-    """No pole, and neither negative nor complex numbers, at slips and speeds from 0 over those of the law."""
-    box: Box = dict.fromkeys(used & set(OF_LAWS), (0.0, FARTHEST))
-    scaled = set[str]()
-    for x, p in of.items():
-        low, high = (0.0 if p.lower > -1e-300 else max(p.lower, -STEEPEST)), min(p.upper, STEEPEST)
-        if p.unit and p.lower >= 0.0:  # the first of a unit is 1
-            low, high = (0.01, 100.0) if p.unit in scaled else (1.0, 1.0)
-            scaled.add(p.unit)
-        box[x] = (low, high)
-    of_numbers = [x for x, p in of.items() if not p.unit]
-    if place := outside(sp.collect(sp.expand(law.coefficient), of_numbers), box):
-        raise ProofError(_claim(law, "coefficient"), place, "a number that is not negative on the whole domain")
+def _box(law: Law) -> dict[sp.Symbol, tuple[float, float]]:
+    """The domain of a law, within what may be expected; parameters with a unit are about 1."""
+    box = {x: (0.0, FARTHEST) for x in MOTION if str(x) in law.depends_on}
+    for x, p in _by_symbol(law).items():
+        lower = max(p.lower, -STEEPEST) if p.lower < -1e-300 else 0.0
+        upper = min(p.upper, STEEPEST)
+        box[x] = (0.1, 10.0) if p.unit and p.lower >= 0.0 else (lower, upper)
+    return box
 
 
 def _check_effect(effect: Effect) -> None:
     _check_parameters(effect, declared.LIMITS)
+    names = {p.name for p in effect.parameters}
+    for name in effect.any_of:
+        if name not in names:
+            raise ProofError(_claim(effect, "any_of"), repr(name), "names of its parameters")
     symbols = {p.symbol: p for p in effect.parameters if p.symbol is not None}
-    by_name = {sp.Symbol(p.name, real=True): of_unit(p.unit) for p in effect.parameters}
-    in_scales = set[sp.Symbol]()
+    values = _units({p.name: p.unit for p in effect.parameters})
+    used = set[sp.Symbol]()
     for p in symbols.values():
         claim = _claim(effect, f"parameter {p.name!r}, dimensionless")
-        units = by_name | SCALES | {declared.VALUE: of_unit(p.unit)}
-        in_scales |= _check_symbols(claim, p.dimensionless, units)
-        _check_number(claim, p.dimensionless, units)
-    of_terms = OF_TERMS | set(effect.states) | set(symbols)
-    if effect in declared.SECTION_EFFECTS:
-        of_terms |= OF_SECTIONS
-    units = dict.fromkeys(of_terms | OF_GROWTH, ONE) | OF_LAWS
-    units |= {x: NATURAL.get(p.dimensionless, ONE) for x, p in symbols.items()}
-    used = set[sp.Symbol]()
-    for quantity, term in (effect.terms | {"growth": effect.growth}).items():
-        claim = _claim(effect, quantity)
-        known = of_terms | OF_GROWTH if quantity == "growth" else of_terms
-        used |= _check_symbols(claim, term, known)
-        _check_number(claim, term, units)
+        used |= _check_formula(claim, p.dimensionless, values | SCALES | {VALUE: of_unit(p.unit)})
+    used |= _check_terms(effect, symbols)
     if not (used or effect.turns):
-        raise ProofError(_claim(effect, "terms"), "none", "at least one term of the balance")
-    _check_used(effect, [p.name for x, p in symbols.items() if x not in used])
-    if not any(p.kind == "series" for p in effect.parameters):  # others say how such a function is made
-        _check_used(effect, [p.name for x, p in zip(by_name, effect.parameters, strict=True)
-                             if p.symbol is None and x not in in_scales])  # fmt: skip
-    if strange := set(effect.any_of) - {p.name for p in effect.parameters}:
-        raise ProofError(_claim(effect, "any_of"), min(strange), "names of its parameters")
-    _check_operations(_claim(effect, "terms"), lambda: fragments.of_effect(effect))
+        raise ProofError(_claim(effect, "terms"), "none", "what it adds to the balance")
+    unused = [p.name for x, p in symbols.items() if x not in used]
+    if "series" not in (p.kind for p in effect.parameters):  # beside one stands how it is made
+        unused += [p.name for x, p in _by_symbol(effect).items() if p.symbol is None and x not in used]
+    _check_used(effect, unused)
+    fragments.of_effect(effect)
 
 
-def _check_cells(effects: Sequence[Effect]) -> None:
+def _check_terms(effect: Effect, symbols: Mapping[sp.Symbol, Parameter]) -> set[sp.Symbol]:
+    """The symbols of what an effect adds to the balance."""
+    units = BALANCE | dict.fromkeys(effect.states, of_unit(""))
+    for x, p in symbols.items():
+        units[x] = LIKE_MOTION.get(p.dimensionless, of_unit(""))
+    if effect in declared.SECTION_EFFECTS:
+        units |= OF_SECTIONS
+    used = _check_formula(_claim(effect, "growth"), effect.growth, units | OF_GROWTH)
+    for quantity, term in effect.terms.items():
+        used |= _check_formula(_claim(effect, quantity), term, units)
+    return used
+
+
+def _check_cells(effects: Sequence[Effect], taken: set[str]) -> None:
     """A symbol stands for one number of a program: of one effect, and of nothing in the balance."""
-    taken = set[str]()
-    for fragment in fragments.fragments((), ()).values():
-        rows = (*fragment.scalar, *fragment.series)
-        taken |= {name for row in rows for name in row if isinstance(name, str)}
     for effect in effects:
-        for p in effect.parameters:
-            if p.symbol is None or p.symbol in declared.BY_PSI:
-                continue
-            names = {str(p.symbol), f"{p.symbol}_0", f"d{p.symbol}"}
-            if names & taken:
-                raise ProofError(_claim(effect, f"symbol of {p.name!r}"), p.symbol, "one that no other quantity has")
+        symbols = [p.symbol for p in effect.parameters if p.symbol is not None]
+        for x in (*symbols, *effect.states):
+            names = {str(x), f"{x}_0", f"d{x}"}
+            if x not in declared.BY_PSI and names & taken:
+                raise ProofError(_claim(effect, "symbols"), x, "each for one quantity of one effect")
             taken |= names

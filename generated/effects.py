@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0b25ef05de756e789b34d0ee15b0450d37cabe0c7c7eba34f7da8be52bf73b1d
+# sha256 of the text below: bc1420845290352adcbcf393d26ba911d0651f6fd5e7afdbf49e3d2bf2ff1835
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -238,7 +238,8 @@ EFFECTS = {
         'friction heats a thin layer, whose pore water expands and reduces its strength; undrained and adiabatic '
         '(neither water nor heat leaves the layer), as in slides of seconds to minutes on some millimetres of clay; '
         'one mean pressure and temperature, constant Lambda, and all work of friction is heat', False, (),
-        ('adds excess to u', "dexcess/dphi = kappa* mu sigma'", 'kappa* = R pressurisation/(heat_capacity thickness)')),
+        ('adds excess to u', 'dexcess/dphi = kappa* max(0, sigma - u) mu',
+        'kappa* = R pressurisation/(heat_capacity thickness)')),
 }
 
 ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself

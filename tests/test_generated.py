@@ -103,7 +103,7 @@ def run_main(argv: list[str], folder: Path, monkeypatch: pytest.MonkeyPatch) -> 
     with monkeypatch.context() as m:
         m.setattr("derive.__main__.derive_all", lambda *_: texts())
         m.setattr(write, "difference", lambda texts, other=folder: difference(texts, other))
-        m.setattr(write, "write", lambda texts, other=folder: write_files(texts, other))
+        m.setattr(write, "write", lambda texts, other=folder, **_: write_files(texts, other))
         return main(argv)
 
 

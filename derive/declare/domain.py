@@ -3,82 +3,53 @@
 import heapq
 import math
 from collections.abc import Mapping
-from itertools import count
-from typing import NamedTuple
+from functools import reduce
 
 import sympy as sp
-from flint import arb, fmpq
+from flint import arb
 
 from derive.check.truth import ball
 
-Box = dict[sp.Symbol, tuple[float, float]]
-BOXES = 300  # to look at
+BOXES = 400  # to look at
 SMALL = 1e-3  # of a box that is not bisected further, over its distance from 0 where that is above 1
 BELOW = -1e-9  # what rounding may make of 0
+Ends = tuple[float, float]
+_ARITHMETIC = {name: getattr(arb, name) for name in ("exp", "log", "sin", "cos", "sqrt")} | {
+    "min": lambda *x: reduce(arb.min, map(arb, x)),
+    "max": lambda *x: reduce(arb.max, map(arb, x)),
+}
 
 
-class Place(NamedTuple):
-    """Where a formula leaves its range, and how."""
-
-    why: str
-    at: Mapping[sp.Symbol, float]
-
-    def __str__(self) -> str:
-        return f"{self.why} at {', '.join(f'{x} = {self.at[x]:.3g}' for x in sorted(self.at, key=str))}"
-
-
-def enclosed(e: sp.Expr, at: Mapping[sp.Symbol, arb]) -> arb:
-    """A ball around all values of an expression over balls; not finite where it may be singular or complex."""
-    if e in at:
-        return at[e]
-    if e.is_Rational:
-        return arb(fmpq(int(e.p), int(e.q)))
-    if e.is_number:
-        return arb(str(sp.N(e, 20)))
-    parts = [enclosed(x, at) for x in e.args]
-    if e.is_Add:
-        return sum(parts, arb(0))
-    if e.is_Mul:
-        return math.prod(parts, start=arb(1))
-    if e.is_Pow:
-        return parts[0] ** int(e.exp) if e.exp.is_Integer else (parts[0].log() * parts[1]).exp()
-    if isinstance(e, sp.Min | sp.Max):
-        first, *others = parts
-        for other in others:
-            first = first.min(other) if isinstance(e, sp.Min) else first.max(other)
-        return first
-    return getattr(parts[0], type(e).__name__)()
-
-
-def outside(e: sp.Expr, domain: Box) -> Place | None:
-    """Where an expression has a pole, is complex or is negative; None if it is shown, or is likely, to be neither.
+def fault(e: sp.Expr, domain: Mapping[sp.Symbol, Ends]) -> str:
+    """Where an expression has a pole, is complex or is negative; empty if it is shown, or is likely, to be neither.
 
     Boxes that may hold a pole come first, and one that is small and may still hold it does. Of the others those come
-    first that reach far.
+    first that are large.
     """
-    order = count()
-    boxes = [(0, next(order), domain)]
-    for _ in range(BOXES):
+    value = sp.lambdify([*domain], e, [_ARITHMETIC])
+    boxes = [(0, [*domain.values()])]
+    for count in range(1, BOXES):
         if not boxes:
-            return None
-        _, _, box = heapq.heappop(boxes)
-        value = enclosed(e, {x: ball(*ends) for x, ends in box.items()})
-        finite = value.is_finite()
-        if finite and value.lower() > BELOW:
+            break
+        _, box = heapq.heappop(boxes)
+        enclosed = arb(value(*(ball(*ends) for ends in box)))
+        if enclosed.lower() > BELOW:
             continue
-        inside = {x: _middle(*ends) for x, ends in box.items()}
-        at_point = enclosed(e, {x: arb(place) for x, place in inside.items()})
-        if at_point.upper() < BELOW:
-            return Place(f"{float(at_point.mid()):.3g}", inside)
-        widest = max(box, key=lambda x: _width(*box[x]))
+        middle = [_middle(*ends) for ends in box]
+        here = arb(value(*map(arb, middle)))
+        places = ", ".join(f"{x} = {at:.3g}" for x, at in zip(domain, middle, strict=True))
+        if here.upper() < BELOW:
+            return f"{float(here.mid()):.3g} at {places}"
+        widest = max(range(len(box)), key=lambda k: _width(*box[k]))
+        if _width(*box[widest]) < SMALL:
+            if enclosed.is_finite():
+                continue
+            return f"a pole or a complex number next to {places}"
+        rank = count if enclosed.is_finite() else -count
         low, high = box[widest]
-        if _width(low, high) < SMALL:
-            if not finite:
-                return Place("a pole or a complex number", inside)
-            continue
-        for half in ((low, inside[widest]), (inside[widest], high)):
-            heapq.heappush(boxes, (int(finite), next(order) if finite else -next(order), box | {widest: half}))
-    return None
+        for half in ((low, middle[widest]), (middle[widest], high)):
+            heapq.heappush(boxes, (rank, [*box[:widest], half, *box[widest + 1 :]]))
+    return ""
 
 
 def _width(low: float, high: float) -> float:

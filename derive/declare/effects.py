@@ -29,6 +29,7 @@ SLIP, SPEED = sp.symbols("slip speed", real=True)
 DEGREE = 7  # of the pieces of tabulated functions
 
 
+_ZERO = sp.Integer(0)
 _INFINITY = float("inf")
 _BELOW_0 = -5e-324  # bounds are open, and zero is allowed
 # Limits of plausible numbers by unit: values beyond are in a wrong unit or mistyped.
@@ -66,13 +67,9 @@ class Parameter:
     kind: str = "number"
 
     @property
-    def numeric(self) -> bool:
-        return self.kind in ("number", "list", "series", "rotation")
-
-    @property
     def bounds(self) -> tuple[float, float]:
         """Open bounds; those of its unit, `LIMITS`, where declared ones say no more than its sign."""
-        if not self.key or not self.numeric:
+        if not self.key or self.kind not in ("number", "list", "series"):
             return self.lower, self.upper
         least, most = LIMITS[self.unit]
         return least if self.lower == 0.0 else max(self.lower, -most), min(self.upper, most)
@@ -108,15 +105,15 @@ class Effect:
     parameters: tuple[Parameter, ...] = ()
     equation: str = ""
     source: str = ""
-    stress: sp.Expr = sp.Integer(0)
-    pressure: sp.Expr = sp.Integer(0)
-    resistance: sp.Expr = sp.Integer(0)
+    stress: sp.Expr = _ZERO
+    pressure: sp.Expr = _ZERO
+    resistance: sp.Expr = _ZERO
     turns: bool = False
-    driving_moment: sp.Expr = sp.Integer(0)
-    normal_load: sp.Expr = sp.Integer(0)
-    friction: sp.Expr = sp.Integer(0)
+    driving_moment: sp.Expr = _ZERO
+    normal_load: sp.Expr = _ZERO
+    friction: sp.Expr = _ZERO
     states: tuple[sp.Symbol, ...] = ()
-    growth: sp.Expr = sp.Integer(0)
+    growth: sp.Expr = _ZERO
     any_of: tuple[str, ...] = ()
 
     @property
@@ -137,9 +134,9 @@ class Effect:
         free = set().union(*(e.free_symbols for e in self.terms.values()))
         every = {
             "slip": self.turns or SLIP in free,
-            "speed": bool({OMEGA, SPEED} & free),
-            "time": any(p.kind == "series" for p in self.parameters),
-            "history": bool(self.states),
+            "speed": {OMEGA, SPEED} & free,
+            "time": "series" in (p.kind for p in self.parameters),
+            "history": self.states,
         }
         return tuple(variable for variable, depends in every.items() if depends)
 
@@ -172,7 +169,7 @@ class Law:
     @property
     def kinks(self) -> tuple[sp.Symbol, ...]:
         """Slips at which it is not smooth."""
-        branches = (self.coefficient or sp.Integer(0)).atoms(sp.Min, sp.Max)
+        branches = (self.coefficient or _ZERO).atoms(sp.Min, sp.Max)
         return tuple(x for e in sorted(branches, key=str) for x in sp.solve(sp.Eq(*e.args), SLIP))
 
 

@@ -1,6 +1,7 @@
 """Dimensions of declared formulas: each symbol has one, and sums, powers and functions must agree with them."""
 
 from collections.abc import Mapping
+from functools import cache
 
 import sympy as sp
 
@@ -8,18 +9,16 @@ from derive.check.proof import ProofError
 
 M, S, KG, K = sp.symbols("m s kg K", positive=True)
 _PASCAL = KG / (M * S**2)
-_UNITS = {"m": M, "s": S, "kg": KG, "K": K, "N": _PASCAL * M**2, "Pa": _PASCAL, "J": _PASCAL * M**3}
-ONE = sp.Integer(1)
+_DERIVED = {"N": _PASCAL * M**2, "Pa": _PASCAL, "J": _PASCAL * M**3}
+_UNITS = {x.name: x for x in (M, S, KG, K)} | _DERIVED
+Units = Mapping[sp.Symbol, sp.Expr]
 
 
+@cache
 def of_unit(unit: str) -> sp.Expr:
     """The dimension of a unit as it is declared: what follows the stroke is below it, J/m^3 K."""
-    above, _, below = unit.partition("/")
-    dimension = ONE
-    for part, exponent in (*((x, 1) for x in above.split()), *((x, -1) for x in below.split())):
-        base, _, power = part.partition("^")
-        dimension *= _UNITS[base] ** (exponent * int(power or 1))
-    return dimension
+    above, _, below = unit.replace("^", "**").replace(" ", "*").partition("/")
+    return sp.sympify(f"({above or 1})/({below or 1})", locals=_UNITS)
 
 
 def shown(dimension: sp.Expr) -> str:
@@ -27,29 +26,32 @@ def shown(dimension: sp.Expr) -> str:
     return "numbers" if dimension == 1 else str(dimension).replace("**", "^")
 
 
-def dimension(e: sp.Expr, of: Mapping[sp.Symbol, sp.Expr], claim: str) -> sp.Expr:
+def dimension(e: sp.Expr, of: Units, claim: str) -> sp.Expr:
     """Dimension of an expression by those of its symbols, a product of powers of m, s, kg and K.
 
     Raises
     ------
     ProofError
-        If unlike quantities are added, or if an exponent or the argument of a function has a dimension.
+        If a symbol has none, if unlike quantities are added, or if an exponent or the argument of a function has one.
     """
     if e in of:
         return of[e]
-    if e.is_number:
-        return ONE
+    if e.is_Symbol:
+        known = sorted(map(str, of))
+        allowed = f"sp.Symbol('{e}', real=True)" if str(e) in known else ", ".join(known)
+        raise ProofError(claim, f"the symbol {e}, which is not declared", allowed)
     parts = [dimension(x, of, claim) for x in e.args]
     if e.is_Mul:
         return sp.Mul(*parts)
     if e.is_Add or isinstance(e, sp.Min | sp.Max):
         if len({*parts}) > 1:
-            raise ProofError(claim, f"{e}, of terms in {' and '.join(map(shown, parts))}", "terms of one dimension")
+            listed = " and ".join(map(shown, parts))
+            raise ProofError(claim, f"{e}, of terms in {listed}", "terms of one dimension")
         return parts[0]
-    base, *others = parts
-    if e.is_Pow and others == [ONE] and e.exp.is_number:
-        return base**e.exp
+    if e.is_Pow and e.exp.is_number:
+        return parts[0] ** e.exp
     for x, part in zip(e.args, parts, strict=True):
         if part != 1:
-            raise ProofError(claim, f"{e}, where {x} is in {shown(part)}", f"{x} over a parameter in {shown(part)}")
-    return ONE
+            unit = shown(part)
+            raise ProofError(claim, f"{e}, where {x} is in {unit}", f"{x} over a parameter in {unit}")
+    return sp.Integer(1)

@@ -7,6 +7,7 @@ from itertools import chain, combinations
 from sympy import Expr, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin, sympify
 
 from derive.algebra.remainders import Select
+from derive.check.proof import ProofError
 from derive.declare.effects import (
     ALL_EFFECTS,
     BY_PSI,
@@ -120,13 +121,13 @@ def quantities(effect: Effect) -> dict[str, Expr]:
 
 
 def odd(effect: Effect) -> set[Symbol]:
-    """Parameters that change sign in a mirror image in which only the drive does; ValueError if there are none."""
+    """Parameters that change sign in a mirror image in which only the drive does; `ProofError` if there are none."""
     symbols = {p.symbol for p in effect.parameters if p.symbol is not None}
     free = sorted(symbols - ODD, key=str)
     for chosen in chain.from_iterable(combinations(free, n) for n in range(len(free) + 1)):
         if _symmetric(effect, chosen):
             return symbols & ODD | {*chosen}
-    raise ValueError(f"{effect.name}: no signs of its parameters make its terms the same in a mirror")
+    raise ProofError(f"{effect.name}: signs of its parameters", "none", "some that make its terms the same in a mirror")
 
 
 def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
@@ -261,7 +262,10 @@ def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
             return next(x for x in e.args if x.subs(s, middle) == there)
 
         piece = coefficient.replace(lambda e: isinstance(e, (Min, Max)), branch)
-        polynomial = Poly(expand(piece.subs(s, start + y)), y)
+        of_distance = expand(piece.subs(s, start + y))
+        if not of_distance.is_polynomial(y):
+            raise ProofError(f"{law.name}: piece between branches", of_distance, "a polynomial of the slip")
+        polynomial = Poly(of_distance, y)
         beyond = polynomial.all_coeffs()[::-1]
         zeros = [ZERO] * (law.degree + 1 - len(beyond))
         polynomials.append(beyond + zeros)

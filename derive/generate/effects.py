@@ -8,20 +8,14 @@ from derive.code.emit import filled
 from derive.declare.effects import (
     ALPHA,
     DENSITY,
-    DRIVING_MOMENT_SLOPE,
-    EFFECTIVE,
     EFFECTS,
     GRAVITY,
     LAWS,
     LIMITS,
-    NORMAL_LOAD_SLOPE,
-    OMEGA,
-    OMEGA_2,
     OTHER_UNITS,
     RADIUS,
     REFERENCE,
     SECTION_EFFECTS,
-    THETA,
     USUAL,
     USUAL_FRICTION,
     VALUE,
@@ -30,6 +24,7 @@ from derive.declare.effects import (
     Parameter,
 )
 from derive.declare.symbols import in_words
+from derive.flow.equation import term
 
 
 def module() -> str:
@@ -62,31 +57,22 @@ def _parameter(p: Parameter) -> str:
     return f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r})"
 
 
+# What the guide writes for the scales of an arc.
+_NOTATION = {ALPHA: "alpha", GRAVITY: "g", RADIUS: "R", DENSITY: "rho", REFERENCE: "sigma_ref"}
+
+
 def formulas(effect: Effect) -> tuple[str, ...]:
     """What an effect adds to the balance, and what makes its parameters dimensionless (these get a star)."""
     starred = {p.symbol: p for p in effect.parameters if p.symbol is not None and p.dimensionless != VALUE}
-    notation: dict[sp.Expr, str] = {
-        THETA * DRIVING_MOMENT_SLOPE: "dJ_theta/dpsi",
-        THETA * NORMAL_LOAD_SLOPE: "dJ_r/dpsi",
-        ALPHA: "alpha",
-        GRAVITY: "g",
-        RADIUS: "R",
-        DENSITY: "rho",
-        REFERENCE: "sigma_ref",
-        EFFECTIVE: "sigma'",
-    }
-    notation |= {symbol: f"{symbol}_star" for symbol in starred}
-    symbols = {e: sp.Symbol(name) for e, name in notation.items()}
+    stars = {symbol: sp.Symbol(f"{symbol}_star") for symbol in starred}
 
     def shown(e: sp.Expr) -> str:
-        return in_words(e.subs({OMEGA_2: OMEGA**2} | symbols))
+        return term("", e.subs(stars)).formula.replace("J_theta'", "dJ_theta/dpsi").replace("J_r'", "dJ_r/dpsi")
 
     lines = ["psi = psi_0 - phi"] if effect.turns else []
-    for quantity, term in effect.terms.items():
-        if term != 0:
-            lines.append(f"adds {shown(term)} to {quantity}")
-    for x in effect.states:
-        lines.append(f"d{x}/dphi = {shown(effect.growth)}")
+    lines += [f"adds {shown(added)} to {quantity}" for quantity, added in effect.terms.items() if added != 0]
+    lines += [f"d{x}/dphi = {shown(effect.growth)}" for x in effect.states]
     for symbol, p in starred.items():
-        lines.append(f"{symbol}* = {shown(p.dimensionless.subs(VALUE, sp.Symbol(p.name)))}")
+        scales = p.dimensionless.subs(_NOTATION | {VALUE: sp.Symbol(p.name)})
+        lines.append(f"{symbol}* = {in_words(scales)}")
     return tuple(lines)

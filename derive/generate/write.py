@@ -7,7 +7,7 @@ import re
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 from sympy import Expr, __version__, degree
@@ -150,7 +150,7 @@ def present(folder: Path = FOLDER) -> dict[str, str]:
     }
 
 
-# What a process of its own does with a new tree: import every module, and the package that reads it.
+# What a process of its own does with a new tree: import every module, and what reads it.
 _IMPORT = """
 import importlib, pathlib, sys
 sys.path[:0] = sys.argv[1:]
@@ -160,43 +160,32 @@ import slipcircle.workbench.files.keys
 """
 
 
-def try_out(texts: dict[str, str], folder: Path = FOLDER) -> int:
-    """Import what is new in a process of its own, from a copy beside the folder; the number of files that differ.
-
-    Raises
-    ------
-    ProofError
-        If it cannot be imported, or the package not with it.
-    """
-    old = present(folder)
-    differ = sum(texts.get(name) != old.get(name) for name in texts.keys() | old.keys())
-    if not differ:
-        return 0
-    with tempfile.TemporaryDirectory(dir=folder.parent, prefix=".") as beside:
-        write(texts, Path(beside) / folder.name)
-        command = [sys.executable, "-I", "-B", "-c", _IMPORT, beside, str(folder.parent)]
-        alone = os.environ | {"SLIPCIRCLE_COMPILED": "0"}
-        done = subprocess.run(command, env=alone, capture_output=True, text=True, check=False)
+def importable(parent: Path) -> None:
+    """Import the `generated` in a folder in a process of its own; `ProofError` with what Python says."""
+    command = [sys.executable, "-I", "-B", "-c", _IMPORT, str(parent), str(ROOT)]
+    alone = os.environ | {"SLIPCIRCLE_COMPILED": "0"}
+    done = subprocess.run(command, env=alone, capture_output=True, text=True, check=False)
     if done.returncode:
         raise ProofError("generated: import", done.stderr.strip().splitlines()[-1], "no error")
-    return differ
 
 
-def write(texts: dict[str, str], folder: Path = FOLDER) -> list[str]:
-    """Write the files that differ, each complete before it replaces the old, and remove the others; names of both."""
+def write(texts: dict[str, str], folder: Path = FOLDER, tried: Callable[[Path], None] = lambda _: None) -> list[str]:
+    """Write a new tree beside the folder, which is ``tried``, then replace the files that differ; their names."""
     folder.mkdir(exist_ok=True)
     old = present(folder)
     changed = [name for name in sorted(texts.keys() | old.keys()) if texts.get(name) != old.get(name)]
+    if not changed:
+        return []
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=".") as beside:
+        tree = Path(beside) / folder.name
+        for name, text in texts.items():
+            (tree / name).parent.mkdir(parents=True, exist_ok=True)
+            (tree / name).write_text(text, encoding="utf-8", newline="\n")
+        tried(tree.parent)
         for name in changed:
+            (folder / name).parent.mkdir(exist_ok=True)
             if name in texts:
-                written = Path(beside) / name
-                written.parent.mkdir(exist_ok=True)
-                written.write_text(texts[name], encoding="utf-8", newline="\n")
-        for name in changed:
-            if name in texts:
-                (folder / name).parent.mkdir(exist_ok=True)
-                os.replace(Path(beside) / name, folder / name)
+                os.replace(tree / name, folder / name)
             else:
                 (folder / name).unlink()
     return changed
