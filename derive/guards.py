@@ -42,20 +42,16 @@ def _units(by_name: Mapping[str, str]) -> dict[sp.Symbol, sp.Expr]:
 
 # Units of symbols in the formulas of laws, in those that make a parameter a number, and in the balance, where all are
 # numbers but slip, speed, and what is made a number as these are.
+NUMBER = of_unit("")
 MOTION = _units({"slip": "m", "speed": "m/s"})
-OF_ARC = {
-    "half_angle cover Theta": "",
-    "radius": "m",
-    "gravity": "m/s^2",
-    "density": "kg/m^3",
-    "reference_stress": "Pa",
-}
-SCALES = _units(OF_ARC)
+SCALES = _units(
+    {"half_angle cover Theta": "", "radius": "m", "gravity": "m/s^2", "density": "kg/m^3", "reference_stress": "Pa"}
+)
 LIKE_MOTION = {VALUE / RADIUS: of_unit("m"), VALUE / sp.sqrt(GRAVITY * RADIUS): of_unit("m/s")}
 OF_WEIGHT = "Theta J_r J_theta lambda A driving_moment driving_moment_slope normal_load normal_load_slope k_h k_v"
 BALANCE = MOTION | _units({OF_WEIGHT: "", "omega omega_2": ""})
-OF_SECTIONS = dict.fromkeys((*declared.BY_PSI, declared.SLIP_MU, declared.SOIL_MU), of_unit(""))
-OF_GROWTH = dict.fromkeys((declared.MU, declared.EFFECTIVE), of_unit(""))
+OF_SECTIONS = dict.fromkeys((*declared.BY_PSI, declared.SLIP_MU, declared.SOIL_MU), NUMBER)
+OF_GROWTH = dict.fromkeys((declared.MU, declared.EFFECTIVE), NUMBER)
 
 
 def check() -> int:
@@ -64,8 +60,8 @@ def check() -> int:
     effects = declared.ALL_EFFECTS
     moments = quantities.MOMENTS
     balance = fragments.fragments((), ())
-    others = (quantities.RESISTANCE, *quantities.QUOTIENTS)
-    functions = {"limit_friction", *(q.name for q in others), *(m.kernel[0] for m in moments if m.amplitude)}
+    functions = {"limit_friction", *(x.name for x in (quantities.RESISTANCE, *quantities.QUOTIENTS))}
+    functions |= {m.kernel[0] for m in moments if m.amplitude}
     modules = {path.stem for path in FOLDER.glob("*.py")}
     words = {*FUNCTIONS.split(), *IN_KERNELS.split(), *dir(builtins), *dir(np)}
     _check_names((*laws, *effects), {*balance, "frozen", *TABLES.split()})
@@ -117,7 +113,6 @@ def _check_name(claim: str, name: str, taken: Collection[str]) -> None:
 def _check_parameters(e: Law | Effect, units: Collection[str]) -> None:
     """Names, kinds, bounds, units and keys."""
     taken = {*KEYS.split()}
-    keys = set[str]()
     for p in e.parameters:
         claim = _claim(e, f"parameter {p.name!r}")
         _check_name(claim, p.name, taken)
@@ -127,15 +122,18 @@ def _check_parameters(e: Law | Effect, units: Collection[str]) -> None:
             raise ProofError(f"{claim}, unit", repr(p.unit), f"one of {', '.join(map(repr, units))}")
         if not p.lower < p.upper:
             raise ProofError(f"{claim}, bounds", f"{p.lower} and {p.upper}", "a lower one below an upper one")
-        taken |= {p.name}
-        if not p.key:
-            continue
-        ends = tuple(p.keys)
-        if not (re.fullmatch("[A-Za-z][A-Za-z0-9_]*", p.key) and p.key.endswith(ends)):
-            raise ProofError(f"{claim}, key", repr(p.key), f"letters, digits and _, at the end {' or '.join(ends)}")
-        if p.key in keys:
-            raise ProofError(f"{claim}, key", f"{p.key!r} twice", "a key of its own")
-        keys |= {p.key}
+        if p.key:
+            _check_key(claim, p, taken)
+        taken |= {p.name, p.key}
+
+
+def _check_key(claim: str, p: Parameter, taken: Collection[str]) -> None:
+    plain = re.fullmatch("[A-Za-z][A-Za-z0-9_]*", p.key)
+    ends = tuple(p.keys)
+    if not plain or not p.key.endswith(ends):
+        raise ProofError(f"{claim}, key", repr(p.key), f"letters, digits and _, at the end {' or '.join(ends)}")
+    if p.key in taken:
+        raise ProofError(f"{claim}, key", f"{p.key!r}, what something else is called", "another key")
 
 
 def _check_formula(claim: str, e: sp.Expr, units: Units) -> set[sp.Symbol]:
@@ -216,9 +214,9 @@ def _check_effect(effect: Effect) -> None:
 
 def _check_terms(effect: Effect, symbols: Mapping[sp.Symbol, Parameter]) -> set[sp.Symbol]:
     """The symbols of what an effect adds to the balance."""
-    units = BALANCE | dict.fromkeys(effect.states, of_unit(""))
+    units = BALANCE | dict.fromkeys(effect.states, NUMBER)
     for x, p in symbols.items():
-        units[x] = LIKE_MOTION.get(p.dimensionless, of_unit(""))
+        units[x] = LIKE_MOTION.get(p.dimensionless, NUMBER)
     if effect in declared.SECTION_EFFECTS:
         units |= OF_SECTIONS
     used = _check_formula(_claim(effect, "growth"), effect.growth, units | OF_GROWTH)

@@ -183,11 +183,10 @@ def _list(name: str, unit: str, help: str, key: str, lower: float = _BELOW_0) ->
     return Parameter(name, unit, help, key, lower=lower, kind="list")
 
 
-_LENGTH = Parameter("length", "m", "slip over which friction falls", "length_m", lower=0.0)
 _SOFTENING = (
     _friction("peak", "friction coefficient at the start"),
     _friction("residual", "friction coefficient after much slip"),
-    _LENGTH,
+    Parameter("length", "m", "slip over which friction falls", "length_m", lower=0.0),
 )
 _WEAKENING = (
     _friction("peak", "friction coefficient at rest"),
