@@ -61,9 +61,11 @@ def _declarations() -> int:
     try:
         from derive import guards
     except Exception as error:
-        (*_, place) = traceback.extract_tb(error.__traceback__)
-        where = f"{Path(place.filename).name}, line {getattr(error, 'lineno', place.lineno)}"
-        raise ProofError(f"declarations, {where}", f"{type(error).__name__}: {error}", "what Python can read") from None
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        line = getattr(error, "lineno", place.lineno)
+        file = Path(getattr(error, "filename", place.filename)).name
+        found = f"{type(error).__name__}: {error}"
+        raise ProofError(f"declarations, {file}, line {line}", found, "what Python can read") from None
     return guards.check()
 
 

@@ -129,9 +129,9 @@ def _check_parameters(e: Law | Effect, units: Collection[str]) -> None:
 
 def _check_key(claim: str, p: Parameter, taken: Collection[str]) -> None:
     plain = re.fullmatch("[A-Za-z][A-Za-z0-9_]*", p.key)
-    ends = tuple(p.keys)
-    if not plain or not p.key.endswith(ends):
-        raise ProofError(f"{claim}, key", repr(p.key), f"letters, digits and _, at the end {' or '.join(ends)}")
+    if not plain or not p.per_unit:
+        end = f", at the end the unit, {p.unit} with k, M or nothing before it" if p.unit else ""
+        raise ProofError(f"{claim}, key", repr(p.key), f"letters, digits and _{end}")
     if p.key in taken:
         raise ProofError(f"{claim}, key", f"{p.key!r}, what something else is called", "another key")
 

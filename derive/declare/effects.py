@@ -34,9 +34,17 @@ _INFINITY = float("inf")
 _BELOW_0 = -5e-324  # bounds are open, and zero is allowed
 # Limits of plausible numbers by unit: values beyond are in a wrong unit or mistyped.
 LIMITS = {
-    "": (1e-12, 1e12), "m": (1e-13, 1e20), "s": (1e-12, 1e18), "m/s": (1e-18, 3e8), "m/s^2": (1e-13, 1e15),
-    "N/m^3": (1e-3, 1e9), "Pa": (1e-9, 1e15), "Pa s": (1e-12, 1e20), "Pa/K": (1e-9, 1e15), "J/m^3 K": (1e-3, 1e15),
-}  # fmt: skip
+    "": (1e-12, 1e12),
+    "m": (1e-13, 1e20),
+    "s": (1e-12, 1e18),
+    "m/s": (1e-18, 3e8),
+    "m/s^2": (1e-13, 1e15),
+    "N/m^3": (1e-3, 1e9),
+    "Pa": (1e-9, 1e15),
+    "Pa s": (1e-12, 1e20),
+    "Pa/K": (1e-9, 1e15),
+    "J/m^3 K": (1e-3, 1e15),
+}
 # Ranges that soils have by unit, and SI values of other units in which a number beyond them may have been meant.
 USUAL = {"N/m^3": (5e3, 1e5), "Pa": (50.0, 1e8)}
 PREFIXES = {"": 1.0, "k": 1e3, "M": 1e6}  # of the units in which scene files write numbers
@@ -75,17 +83,13 @@ class Parameter:
         return least if self.lower == 0.0 else max(self.lower, -most), min(self.upper, most)
 
     @property
-    def keys(self) -> dict[str, float]:
-        """How its key may end, and the SI units in one of the key's."""
-        if not self.unit:
-            return {"": 1.0}
-        unit = re.sub("[/ ]", "_", self.unit).replace("^", "")
-        return {f"_{prefix}{unit}": factor for prefix, factor in PREFIXES.items()}
-
-    @property
     def per_unit(self) -> float:
-        """SI units in one of the key's."""
-        return next((factor for end, factor in self.keys.items() if self.key.endswith(end)), 1.0)
+        """SI units in one of the key's; 0 if the key does not end in the unit."""
+        if not self.unit or not self.key:
+            return 1.0
+        unit = re.sub("[/ ]", "_", self.unit).replace("^", "")
+        written = re.search(f"_([kM]?){unit}$", self.key)
+        return PREFIXES[written[1]] if written else 0.0
 
 
 @dataclass(frozen=True)

@@ -117,8 +117,7 @@ def definitions_module(closed: Mapping[str, Expr]) -> str:
     """The definition of each function of alpha, for comparisons with other ways to compute it."""
     over = {name: re.sub(r"\b(sin|cos|atanh)\(", r"m.\1(", str(x).replace("alpha", "x")) for name, x in closed.items()}
     forms = [f"    {name!r}: lambda m, x: {text},\n" for name, text in over.items()]
-    weights = ((m.kernel[0], m.weight) for m in MOMENTS)
-    integrands = [f"    {name!r}: ({degree(weight, r)}, {weight.has(theta)}),\n" for name, weight in weights]
+    integrands = [f"    {m.kernel[0]!r}: ({degree(m.weight, r)}, {m.weight.has(theta)}),\n" for m in MOMENTS]
     quotients = [f"    {q.name!r}: ({q.numerator!r}, {q.denominator!r}),\n" for q in QUOTIENTS]
     return (
         '"""Closed forms, integrands and quotients: what the functions of alpha are."""\n\n'
