@@ -16,6 +16,7 @@ from derive.declare.effects import GRAVITY, RADIUS, VALUE, Effect, Law, Paramete
 from derive.declare.quantities import Moment
 from derive.declare.units import Units, dimension, of_unit, shown
 from derive.flow import fragments
+from derive.flow.lowering import KNOWN
 
 Declaration = Effect | Law | Moment
 # Equations of the paper, and its figure of laws of friction.
@@ -32,6 +33,7 @@ KEYS = "law rate soils function value scales half_angle gravity radius density r
 UNITS_OF_LAWS = ("", "m", "m/s", "s")
 ARGUMENTS = ("slip", "speed", "time")  # of laws that are tables
 KINDS = ("number", "list", "series", "rotation", "text", "flag")
+OPERATIONS = (sp.exp, sp.log, sp.sin, sp.cos)  # on series, beside those that are powers, and minima
 FARTHEST = 1e6  # slip and speed, over the law's own
 STEEPEST = 10.0  # coefficient
 
@@ -168,11 +170,16 @@ def _check_law(law: Law) -> None:
     for kink in law.kinks:
         if kink not in by_symbol:
             raise ProofError(claim, f"a branch that changes at a slip of {kink}", "at a parameter")
-    fragments.of_law(law)
+    for function in sorted(law.coefficient.atoms(sp.Function), key=str):
+        if type(function) not in OPERATIONS:
+            raise ProofError(claim, function, KNOWN)
     linear_in = [x for x, p in by_symbol.items() if not p.unit]
-    place = domain.fault(sp.collect(sp.expand(law.coefficient), linear_in), _box(law))
+    place = domain.fault(sp.collect(sp.expand_mul(law.coefficient), linear_in), _box(law))
     if place:
         raise ProofError(claim, place, "numbers that are not negative")
+    fragments.of_law(law)
+    if law.kinks:
+        fragments.pieces(law)
 
 
 def _by_symbol(e: Law | Effect) -> dict[sp.Symbol, Parameter]:
@@ -181,12 +188,14 @@ def _by_symbol(e: Law | Effect) -> dict[sp.Symbol, Parameter]:
 
 
 def _box(law: Law) -> dict[sp.Symbol, tuple[float, float]]:
-    """The domain of a law, within what may be expected; parameters with a unit are about 1."""
+    """The domain of a law, within what may be expected; the first parameter of a unit is 1."""
     box = {x: (0.0, FARTHEST) for x in MOTION if str(x) in law.depends_on}
+    first = {p.unit: p for p in reversed(law.parameters)}
     for x, p in _by_symbol(law).items():
         lower = max(p.lower, -STEEPEST) if p.lower < -1e-300 else 0.0
-        upper = min(p.upper, STEEPEST)
-        box[x] = (0.1, 10.0) if p.unit and p.lower >= 0.0 else (lower, upper)
+        box[x] = (lower, min(p.upper, STEEPEST))
+        if p.unit and p.lower >= 0.0:
+            box[x] = (1.0, 1.0) if first[p.unit] is p else (0.01, 100.0)
     return box
 
 

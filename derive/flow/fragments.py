@@ -267,6 +267,8 @@ def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
             raise ProofError(f"{law.name}: piece between branches", of_distance, "a polynomial of the slip")
         polynomial = Poly(of_distance, y)
         beyond = polynomial.all_coeffs()[::-1]
+        if len(beyond) > law.degree + 1:
+            raise ProofError(f"{law.name}: degree of a piece", len(beyond) - 1, f"at most degree={law.degree}")
         zeros = [ZERO] * (law.degree + 1 - len(beyond))
         polynomials.append(beyond + zeros)
     return breaks, polynomials
