@@ -7,7 +7,7 @@ import traceback
 from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 from derive.check.proof import ProofError
 from derive.progress import say
@@ -56,7 +56,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     return timed("generated", "emit", "", write.files, proved)
 
 
-def _declarations() -> int:
+def _declarations() -> list[Any]:
     """Read the declarations and look for faults; one that Python finds is a `ProofError` with its place."""
     try:
         from derive import guards

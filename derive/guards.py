@@ -8,7 +8,6 @@ from collections.abc import Collection, Mapping, Sequence
 import numpy as np
 import sympy as sp
 
-from derive.build import FOLDER
 from derive.check.proof import ProofError
 from derive.declare import domain, quantities
 from derive.declare import effects as declared
@@ -21,17 +20,17 @@ from derive.flow.lowering import KNOWN
 Declaration = Effect | Law | Moment
 # Equations of the paper, and its figure of laws of friction.
 PAPER = re.compile(r"1\.([1-9]|1[0-4])|2\.([1-9]|1\d|2[0-7])|3\.([1-9]|1\d|2[01])|4\.[1-5]|Fig\. 4-1")
-# Other tables and keys of scene files; the package's other functions; words of the texts that hold the kernels; keys of
-# a law beside its parameters, and words of the text that holds these.
+# Other tables and keys of scene files; functions of the package; modules of `generated`, and what else the text of a
+# kernel names; keys of a law beside its parameters, and what else the text of these names.
 TABLES = (
     "accuracy arc circle end_time_s friction ground initial_velocity_m_s layers name note pond search slip soils "
     "surcharge tension_crack water"
 )
 FUNCTIONS = "backanalyse critical ensemble grid load parameters plan read_suite solve synthetic_records"
-IN_KERNELS = "alpha theta_1 theta_2 out where accuracy horner evaluate kernel generated"
+MODULES = "definitions effects flow generated kernels layout motion printed series slopes stable tiers walk"
+ARGUMENTS = "alpha theta_1 theta_2 out where accuracy horner evaluate kernel"
 KEYS = "law rate soils function value scales half_angle gravity radius density reference_stress cover"
 UNITS_OF_LAWS = ("", "m", "m/s", "s")
-ARGUMENTS = ("slip", "speed", "time")  # of laws that are tables
 KINDS = ("number", "list", "series", "rotation", "text", "flag")
 OPERATIONS = (sp.exp, sp.log, sp.sin, sp.cos)  # on series, beside those that are powers, and minima
 FARTHEST = 1e6  # slip and speed, over the law's own
@@ -56,30 +55,25 @@ OF_SECTIONS = dict.fromkeys((*declared.BY_PSI, declared.SLIP_MU, declared.SOIL_M
 OF_GROWTH = dict.fromkeys((declared.MU, declared.EFFECTIVE), NUMBER)
 
 
-def check() -> int:
-    """Raise `ProofError` at the first fault; how many declarations there are."""
+def check() -> list[Declaration]:
+    """All declarations, or a `ProofError` at the first fault."""
     laws = declared.LAWS
     effects = declared.ALL_EFFECTS
     moments = quantities.MOMENTS
     balance = fragments.fragments((), ())
     functions = {"limit_friction", *(x.name for x in (quantities.RESISTANCE, *quantities.QUOTIENTS))}
     functions |= {m.kernel[0] for m in moments if m.amplitude}
-    modules = {path.stem for path in FOLDER.glob("*.py")}
-    words = {*FUNCTIONS.split(), *IN_KERNELS.split(), *dir(builtins), *dir(np)}
+    words = {*FUNCTIONS.split(), *MODULES.split(), *ARGUMENTS.split(), *dir(builtins), *dir(np)}
     _check_names((*laws, *effects), {*balance, "frozen", *TABLES.split()})
-    _check_names(moments, functions | modules | words)
+    _check_names(moments, functions | words)
     for law in laws:
         _check_law(law)
     for effect in effects:
         _check_effect(effect)
-    cells = set[str]()
-    for fragment in balance.values():
-        for row in (*fragment.scalar, *fragment.series):
-            cells |= set(map(str, row))
-    _check_cells(effects, cells)
+    _check_cells(effects, set(re.findall(r"\w+", repr(balance))))
     for moment in moments:
         _ = moment.definition
-    return len(laws) + len(effects) + len(moments)
+    return [*laws, *effects, *moments]
 
 
 def _claim(e: Declaration, what: str) -> str:
@@ -103,8 +97,7 @@ def _check_names(entries: Sequence[Declaration], taken: set[str]) -> None:
 
 
 def _check_name(claim: str, name: str, taken: Collection[str]) -> None:
-    plain = isinstance(name, str) and re.fullmatch("[a-z][a-z0-9_]*", name)
-    if not plain:
+    if not re.fullmatch("[a-z][a-z0-9_]*", name):
         raise ProofError(claim, repr(name), "small letters, digits and _, a letter first")
     if keyword.iskeyword(name):
         raise ProofError(claim, f"{name!r}, a keyword of Python", "another name")
@@ -157,8 +150,8 @@ def _check_law(law: Law) -> None:
     _check_parameters(law, UNITS_OF_LAWS)
     claim = _claim(law, "coefficient")
     if law.coefficient is None:
-        kinds = [p.kind for p in law.parameters]
-        if kinds != ["list", "list"] or law.parameters[0].name not in ARGUMENTS:
+        listed = [p.name for p in law.parameters if p.kind == "list"]
+        if listed[:1] not in (["slip"], ["speed"], ["time"]):
             raise ProofError(claim, "none", "a formula, or two lists: of slip, speed or time, and of coefficients")
         return
     by_symbol = _by_symbol(law)

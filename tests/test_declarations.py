@@ -224,7 +224,7 @@ def test_the_command_says_it_and_leaves_every_byte(tmp_path: Path) -> None:
         ): r"Law\('new'\), coefficient: found exp\(-slip\), where -slip is in m",
         law("_Q"): rf"declarations, effects.py, line {line}: found NameError: name '_Q' is not defined",
         'Law("new", "help")': rf"declarations, effects.py, line {line}: found TypeError: .*'parameters'",
-        "Law)": rf"declarations, effects.py, line {line}: found SyntaxError: ",
+        "Law)": rf"declarations, effects.py, line {line + 1}: found SyntaxError: ",
     }
     for declaration, said in wrong.items():
         file.write_text(text.replace(")  # fmt: skip", f"    {declaration},\n)  # fmt: skip", 1), "utf-8")
@@ -260,6 +260,8 @@ def test_names_that_are_taken_are_those_of_the_package(capsys: pytest.CaptureFix
     main(["schema"])
     keys = json.loads(capsys.readouterr().out)["properties"].keys()
     assert set(guards.TABLES.split()) == keys - {e.name for e in effects.EFFECTS}
+    modules = {path.stem for path in write.FOLDER.glob("[a-z]*.py")}
+    assert set(guards.MODULES.split()) == modules | {"generated"}
     assert set(guards.FUNCTIONS.split()) == {name for name in slipcircle.__all__ if name.islower()}
 
 
