@@ -28,7 +28,7 @@ TABLES = (
 )
 FUNCTIONS = "backanalyse critical ensemble grid load parameters plan read_suite solve synthetic_records"
 MODULES = "definitions effects flow generated kernels layout motion printed series slopes stable tiers walk"
-ARGUMENTS = "alpha theta_1 theta_2 out where accuracy horner evaluate kernel"
+ARGUMENTS = "resistance_factor limit_friction alpha theta_1 theta_2 out where accuracy horner evaluate kernel"
 KEYS = "law rate soils function value scales half_angle gravity radius density reference_stress cover"
 UNITS_OF_LAWS = ("", "m", "m/s", "s")
 KINDS = ("number", "list", "series", "rotation", "text", "flag")
@@ -49,10 +49,10 @@ SCALES = _units(
     {"half_angle cover Theta": "", "radius": "m", "gravity": "m/s^2", "density": "kg/m^3", "reference_stress": "Pa"}
 )
 LIKE_MOTION = {VALUE / RADIUS: of_unit("m"), VALUE / sp.sqrt(GRAVITY * RADIUS): of_unit("m/s")}
-OF_WEIGHT = "Theta J_r J_theta lambda A driving_moment driving_moment_slope normal_load normal_load_slope k_h k_v"
-BALANCE = MOTION | _units({OF_WEIGHT: "", "omega omega_2": ""})
+OF_WEIGHT = "Theta J_r J_theta lambda A driving_moment driving_moment_slope normal_load normal_load_slope"
+BALANCE = MOTION | _units({OF_WEIGHT: "", "omega omega_2 k_h k_v": ""})
 OF_SECTIONS = dict.fromkeys((*declared.BY_PSI, declared.SLIP_MU, declared.SOIL_MU), NUMBER)
-OF_GROWTH = dict.fromkeys((declared.MU, declared.EFFECTIVE), NUMBER)
+OF_GROWTH = _units({"mu effective_stress": ""})
 
 
 def check() -> list[Declaration]:
@@ -61,8 +61,7 @@ def check() -> list[Declaration]:
     effects = declared.ALL_EFFECTS
     moments = quantities.MOMENTS
     balance = fragments.fragments((), ())
-    functions = {"limit_friction", *(x.name for x in (quantities.RESISTANCE, *quantities.QUOTIENTS))}
-    functions |= {m.kernel[0] for m in moments if m.amplitude}
+    functions = {q.name for q in quantities.QUOTIENTS} | {m.kernel[0] for m in moments if m.amplitude}
     words = {*FUNCTIONS.split(), *MODULES.split(), *ARGUMENTS.split(), *dir(builtins), *dir(np)}
     _check_names((*laws, *effects), {*balance, "frozen", *TABLES.split()})
     _check_names(moments, functions | words)
@@ -123,10 +122,9 @@ def _check_parameters(e: Law | Effect, units: Collection[str]) -> None:
 
 
 def _check_key(claim: str, p: Parameter, taken: Collection[str]) -> None:
-    plain = re.fullmatch("[A-Za-z][A-Za-z0-9_]*", p.key)
-    if not plain or not p.per_unit:
-        end = f", at the end the unit, {p.unit} with k, M or nothing before it" if p.unit else ""
-        raise ProofError(f"{claim}, key", repr(p.key), f"letters, digits and _{end}")
+    if not p.key.isidentifier() or not p.per_unit:
+        allowed = f"letters, digits and _, at the end the unit {p.unit!r} with k, M or nothing before it"
+        raise ProofError(f"{claim}, key", repr(p.key), allowed)
     if p.key in taken:
         raise ProofError(f"{claim}, key", f"{p.key!r}, what something else is called", "another key")
 
@@ -194,10 +192,9 @@ def _box(law: Law) -> dict[sp.Symbol, tuple[float, float]]:
 
 def _check_effect(effect: Effect) -> None:
     _check_parameters(effect, declared.LIMITS)
-    names = {p.name for p in effect.parameters}
-    for name in effect.any_of:
-        if name not in names:
-            raise ProofError(_claim(effect, "any_of"), repr(name), "names of its parameters")
+    strange = {*effect.any_of} - {p.name for p in effect.parameters}
+    if strange:
+        raise ProofError(_claim(effect, "any_of"), strange, "names of its parameters")
     symbols = {p.symbol: p for p in effect.parameters if p.symbol is not None}
     values = _units({p.name: p.unit for p in effect.parameters})
     used = set[sp.Symbol]()

@@ -162,7 +162,7 @@ WRONG = [
     (effect("equation=''"), "terms: found none, wanted what it adds to the balance"),
     (
         effect(f"pressure={C}", OF_PRESSURE + ", dimensionless=VALUE / REFERENCE", more=", any_of=('d',)"),
-        "any_of: found 'd'",
+        "any_of: found {'d'}",
     ),
     (
         effect(f"driving_moment=J_R * {C}, normal_load=J_R * {C}", '"c", "", "help", "c"'),
