@@ -183,8 +183,7 @@ def _box(law: Law) -> dict[sp.Symbol, tuple[float, float]]:
     box = {x: (0.0, FARTHEST) for x in MOTION if str(x) in law.depends_on}
     first = {p.unit: p for p in reversed(law.parameters)}
     for x, p in _by_symbol(law).items():
-        lower = max(p.lower, -STEEPEST) if p.lower < -1e-300 else 0.0
-        box[x] = (lower, min(p.upper, STEEPEST))
+        box[x] = (max(p.lower + 1e-300, -STEEPEST), min(p.upper, STEEPEST))  # a bound of 0 may be included
         if p.unit and p.lower >= 0.0:
             box[x] = (1.0, 1.0) if first[p.unit] is p else (0.01, 100.0)
     return box
