@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: e52b8b620dfc4a5912c4bdca462752754880ca80bd35cd138d63307d9c4bb8ef
+# sha256 of the text below: fd2f565d14f35b3d55e2d7a74d5d43846c6c4141fa3ddef531c66720705a5293
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
 from collections.abc import Callable, Sequence
@@ -25,6 +25,8 @@ def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
     """The arguments as arrays, or as Python's numbers, and the floating type of the result; real, at most 64 bits."""
     items = []
     for x in args:
+        if isinstance(x, np.ma.MaskedArray):
+            raise TypeError("masked arrays are not supported: give x.filled(np.nan), or x.data with where=~x.mask")
         number = isinstance(x, (bool, int, float)) and not isinstance(x, np.generic)
         items.append(x if number else np.asarray(x))
     kind = np.result_type(*items)

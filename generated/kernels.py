@@ -1,6 +1,8 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c9b94cd56e7340e7e97d84567ae3f16dca0f9e06aa679e71e76f9e8c88ea38bd
+# sha256 of the text below: 6fec5c5a43a615d5128436d259757128dad62450567179ab35ac414a8f86ad7b
 """Moments, weights and quotients of the arc, from their definitions."""
+
+from __future__ import annotations
 
 from typing import Any
 

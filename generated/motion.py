@@ -1,6 +1,8 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 01dbe71c6705a6df7ed8bd8eaea884257d276e792e46ac7a1ca17e5bfc6c3038
+# sha256 of the text below: 3e321cfb8da23782c1f7bd27d350e5427189551964dbb780b0491bf16ab8f54f
 """The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."""
+
+from __future__ import annotations
 
 from typing import Any
 

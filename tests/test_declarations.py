@@ -206,6 +206,22 @@ def test_a_wrong_declaration_is_one_line(
     assert re.search(r"^(Law|Effect|Moment)\('.*'\), |^new|^normal", line), line
 
 
+def test_the_page_on_extending_shows_what_is_said(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Each answer of its table is one of those above, word by word."""
+    page = (Path(__file__).parents[1] / "notebooks" / "extending.md").read_text("utf-8")
+    answers = re.findall(r"^\| .* \| `(.*)` \|$", page, re.MULTILINE)
+    assert len(answers) == 8
+    said = set[str]()
+    for text, _ in WRONG:
+        with monkeypatch.context() as m:
+            declare(text, m)
+            assert command.main([]) == 1
+        said.add(capsys.readouterr().err.strip().removesuffix("; nothing is written"))
+    assert set(answers) <= said
+
+
 def digests(folder: Path) -> dict[str, str]:
     files = (path for path in sorted(folder.rglob("*")) if path.is_file() and "__pycache__" not in path.parts)
     return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}

@@ -254,6 +254,30 @@ def outside(name: str) -> Iterator[tuple[float, ...]]:
         yield from ((*args[:i], v, *args[i + 1 :]) for v in bad)
 
 
+@pytest.mark.parametrize("name", generated.__all__)
+def test_help_shows_a_signature_that_can_be_read(name: str) -> None:
+    """As it is written: what stands for an array-like is not spelt out."""
+    shown = str(signature(getattr(generated, name)))
+    assert "ArrayLike" in shown
+    assert len(shown) <= 140
+
+
+@each_function
+def test_masked_arrays_are_refused(name: str) -> None:
+    """A mask would be lost."""
+    args = [np.ma.masked_array([x, x], [False, True]) for x in inside(name)]
+    with pytest.raises(TypeError, match="masked arrays are not supported"):
+        FUNCTIONS[name](*args)
+
+
+@pytest.mark.parametrize("accuracy", ["fast", np.array([1e-6, 1e-10]), [1e-6], 1j])
+def test_an_accuracy_that_is_no_number_is_named(accuracy: Any) -> None:
+    with pytest.raises(TypeError, match="polar_moment: accuracy is one number, a relative error above 0, not "):
+        generated.polar_moment(0.5, accuracy=accuracy)
+    small: Any = np.float32(1e-6)
+    assert generated.polar_moment(0.5, accuracy=small) == generated.polar_moment(0.5, accuracy=1e-6)
+
+
 @each_function
 def test_domain(name: str) -> None:
     """Outside the domain NaN and the `invalid` flag, scalar or array, float32 too; the lanes inside are untouched."""

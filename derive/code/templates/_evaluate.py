@@ -23,6 +23,8 @@ def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
     """The arguments as arrays, or as Python's numbers, and the floating type of the result; real, at most 64 bits."""
     items = []
     for x in args:
+        if isinstance(x, np.ma.MaskedArray):
+            raise TypeError("masked arrays are not supported: give x.filled(np.nan), or x.data with where=~x.mask")
         number = isinstance(x, (bool, int, float)) and not isinstance(x, np.generic)
         items.append(x if number else np.asarray(x))
     kind = np.result_type(*items)
