@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: fd2f565d14f35b3d55e2d7a74d5d43846c6c4141fa3ddef531c66720705a5293
+# sha256 of the text below: 426650b6d0c96ee515a6e458a3f416ad278e3c104f748e92a70946a01cb8bd88
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
 from collections.abc import Callable, Sequence
@@ -78,7 +78,7 @@ def _evaluate_numbers(body: Callable[..., Array], inside: Callable[..., Any], ar
     values = [np.float64(x) for x in args]
     with np.errstate(invalid="ignore", under="ignore"):
         result = np.float64(body(*values) if inside(EPS, *values) else np.nan)
-    if np.isnan(result):
+    if result != result and all(x == x for x in args):
         np.subtract(np.inf, np.inf)
     return result
 
@@ -102,8 +102,11 @@ def _block(
         values = [np.where(use, x, s) for x, s in zip(values, safe, strict=True)]
     with np.errstate(under="ignore"):  # a result that underflows is correctly rounded, or nearly so
         result[...] = body(*values)
-    bad = np.isnan(result) & selected
     if not whole:
         np.copyto(result, np.nan, where=~use)
-        bad |= selected & ~valid
-    return bool(np.any(bad))
+    lost = np.isnan(result) & selected
+    if not np.any(lost):
+        return False
+    for x in arrays[:-1]:  # NumPy's functions are silent of NaN
+        lost = lost & (x == x)
+    return bool(np.any(lost))

@@ -136,7 +136,7 @@ def function(f: Function, text: PythonText) -> str:
         f.formula,
         parameters,
         ("ndarray or scalar", returns),
-        f"Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag.",
+        f"Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag, of NaN without.",
         f"Accuracy: {f.accuracy}",
         f"Source: {f.equation}. Operations: {operations(p.operations())}.",
     )
