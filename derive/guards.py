@@ -11,11 +11,12 @@ import sympy as sp
 from derive.check.proof import ProofError
 from derive.declare import domain, quantities
 from derive.declare import effects as declared
-from derive.declare.effects import GRAVITY, RADIUS, VALUE, Effect, Law, Parameter
+from derive.declare.effects import GRAVITY, RADIUS, SLIP, VALUE, Effect, Law, Parameter
 from derive.declare.quantities import Moment
 from derive.declare.units import Units, dimension, of_unit, shown
 from derive.flow import fragments
 from derive.flow.lowering import KNOWN
+from derive.flow.recurrences import OPERATIONS
 
 Declaration = Effect | Law | Moment
 # Equations of the paper, and its figure of laws of friction.
@@ -32,7 +33,11 @@ ARGUMENTS = "resistance_factor limit_friction alpha theta_1 theta_2 out where ac
 KEYS = "law rate soils function value scales half_angle gravity radius density reference_stress cover"
 UNITS_OF_LAWS = ("", "m", "m/s", "s")
 KINDS = ("number", "list", "series", "rotation", "text", "flag")
-OPERATIONS = (sp.exp, sp.log, sp.sin, sp.cos)  # on series, beside those that are powers, and minima
+# Functions of series, beside powers and minima.
+OF_SERIES = set[type]()
+for _operation in OPERATIONS.values():
+    for _meaning in _operation.means:
+        OF_SERIES |= set(map(type, _meaning.atoms(sp.Function)))
 FARTHEST = 1e6  # slip and speed, over the law's own
 STEEPEST = 10.0  # coefficient
 
@@ -131,8 +136,8 @@ def _check_key(claim: str, p: Parameter, taken: Collection[str]) -> None:
 
 def _check_formula(claim: str, e: sp.Expr, units: Units) -> set[sp.Symbol]:
     """The symbols of a formula that is a number without a dimension."""
-    if not isinstance(e, sp.Expr):
-        raise ProofError(claim, repr(e), "an expression of SymPy")
+    if not isinstance(e, sp.Expr) or e.has(sp.I):
+        raise ProofError(claim, repr(e), "an expression of SymPy in real numbers")
     found = dimension(e, units, claim)
     if found != 1:
         raise ProofError(claim, f"{e}, in {shown(found)}", "a number without a dimension")
@@ -158,12 +163,10 @@ def _check_law(law: Law) -> None:
     _check_used(law, [p.name for x, p in by_symbol.items() if x not in used])
     if MOTION.keys() <= used:
         raise ProofError(claim, "slip and speed", "one: in a scene a law of speed multiplies one of slip")
+    _check_functions(claim, law.coefficient)
     for kink in law.kinks:
         if kink not in by_symbol:
             raise ProofError(claim, f"a branch that changes at a slip of {kink}", "at a parameter")
-    for function in sorted(law.coefficient.atoms(sp.Function), key=str):
-        if type(function) not in OPERATIONS:
-            raise ProofError(claim, function, KNOWN)
     linear_in = [x for x, p in by_symbol.items() if not p.unit]
     place = domain.fault(sp.collect(sp.expand_mul(law.coefficient), linear_in), _box(law))
     if place:
@@ -171,6 +174,16 @@ def _check_law(law: Law) -> None:
     fragments.of_law(law)
     if law.kinks:
         fragments.pieces(law)
+
+
+def _check_functions(claim: str, formula: sp.Expr) -> None:
+    """Those that series have, and minima and maxima of two."""
+    for function in sorted(formula.atoms(sp.Function, sp.Min, sp.Max), key=str):
+        branches = isinstance(function, sp.Min | sp.Max)
+        if branches and [x.is_polynomial(SLIP) for x in function.args] != [True, True]:
+            raise ProofError(claim, function, "min and max of two polynomials of the slip")
+        if not branches and type(function) not in OF_SERIES:
+            raise ProofError(claim, function, KNOWN)
 
 
 def _by_symbol(e: Law | Effect) -> dict[sp.Symbol, Parameter]:
@@ -194,26 +207,28 @@ def _check_effect(effect: Effect) -> None:
     strange = {*effect.any_of} - {p.name for p in effect.parameters}
     if strange:
         raise ProofError(_claim(effect, "any_of"), strange, "names of its parameters")
-    symbols = {p.symbol: p for p in effect.parameters if p.symbol is not None}
     values = _units({p.name: p.unit for p in effect.parameters})
     used = set[sp.Symbol]()
-    for p in symbols.values():
+    for p in effect.symbols.values():
         claim = _claim(effect, f"parameter {p.name!r}, dimensionless")
         used |= _check_formula(claim, p.dimensionless, values | SCALES | {VALUE: of_unit(p.unit)})
-    used |= _check_terms(effect, symbols)
+    used |= _check_terms(effect)
     if not (used or effect.turns):
         raise ProofError(_claim(effect, "terms"), "none", "what it adds to the balance")
-    unused = [p.name for x, p in symbols.items() if x not in used]
-    if "series" not in (p.kind for p in effect.parameters):  # beside one stands how it is made
-        unused += [p.name for x, p in _by_symbol(effect).items() if p.symbol is None and x not in used]
+    in_time = "series" in (p.kind for p in effect.parameters)  # its other parameters say how it is made
+    unused = []
+    for x, p in _by_symbol(effect).items():
+        makes_series = p.symbol is None and in_time
+        if not makes_series and (p.symbol or x) not in used:
+            unused.append(p.name)
     _check_used(effect, unused)
     fragments.of_effect(effect)
 
 
-def _check_terms(effect: Effect, symbols: Mapping[sp.Symbol, Parameter]) -> set[sp.Symbol]:
+def _check_terms(effect: Effect) -> set[sp.Symbol]:
     """The symbols of what an effect adds to the balance."""
     units = BALANCE | dict.fromkeys(effect.states, NUMBER)
-    for x, p in symbols.items():
+    for x, p in effect.symbols.items():
         units[x] = LIKE_MOTION.get(p.dimensionless, NUMBER)
     if effect in declared.SECTION_EFFECTS:
         units |= OF_SECTIONS
@@ -226,8 +241,7 @@ def _check_terms(effect: Effect, symbols: Mapping[sp.Symbol, Parameter]) -> set[
 def _check_cells(effects: Sequence[Effect], taken: set[str]) -> None:
     """A symbol stands for one number of a program: of one effect, and of nothing in the balance."""
     for effect in effects:
-        symbols = [p.symbol for p in effect.parameters if p.symbol is not None]
-        for x in (*symbols, *effect.states):
+        for x in (*effect.symbols, *effect.states):
             names = {str(x), f"{x}_0", f"d{x}"}
             if x not in declared.BY_PSI and names & taken:
                 raise ProofError(_claim(effect, "symbols"), x, "each for one quantity of one effect")

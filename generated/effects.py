@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: bc1420845290352adcbcf393d26ba911d0651f6fd5e7afdbf49e3d2bf2ff1835
+# sha256 of the text below: c621dac8d9bfafdc53afaf769f1a8e095179f3ad22ba4a04567cfe3264ec414d
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -67,7 +67,7 @@ LAWS = {
     'constant': Law('constant', '1.14', (
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficient, tan(phi)', 'angle_deg', 1.0, '',
             lambda value, scales: value, False, 'number'),
-    ), (), 'friction does not change', ),
+    ), (), 'friction does not change'),
     'exponential': Law('exponential', 'Fig. 4-1', (
         Parameter('peak', '', -5e-324, 1000000000000.0, 'friction coefficient at the start', 'peak_deg', 1.0, '',
             lambda value, scales: value, False, 'number'),
@@ -75,7 +75,7 @@ LAWS = {
             '', lambda value, scales: value, False, 'number'),
         Parameter('length', 'm', 1e-13, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
             scales: value, False, 'number'),
-    ), ('slip',), 'residual + (peak - residual) exp(-slip/length)', ),
+    ), ('slip',), 'residual + (peak - residual) exp(-slip/length)'),
     'linear': Law('linear', 'Fig. 4-1', (
         Parameter('peak', '', -5e-324, 1000000000000.0, 'friction coefficient at the start', 'peak_deg', 1.0, '',
             lambda value, scales: value, False, 'number'),
@@ -83,7 +83,7 @@ LAWS = {
             '', lambda value, scales: value, False, 'number'),
         Parameter('length', 'm', 1e-13, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
             scales: value, False, 'number'),
-    ), ('slip',), 'falls from peak to residual over the length, then stays', ),
+    ), ('slip',), 'falls from peak to residual over the length, then stays'),
     'hyperbolic': Law('hyperbolic', 'Fig. 4-1', (
         Parameter('peak', '', -5e-324, 1000000000000.0, 'friction coefficient at the start', 'peak_deg', 1.0, '',
             lambda value, scales: value, False, 'number'),
@@ -91,13 +91,13 @@ LAWS = {
             '', lambda value, scales: value, False, 'number'),
         Parameter('length', 'm', 1e-13, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
             scales: value, False, 'number'),
-    ), ('slip',), 'residual + (peak - residual)/(1 + slip/length)', ),
+    ), ('slip',), 'residual + (peak - residual)/(1 + slip/length)'),
     'tabulated': Law('tabulated', 'Fig. 4-1', (
         Parameter('slip', 'm', -5e-324, 1e+20, 'slips of the table, increasing, from 0', 'slip_m', 1.0, '',
             lambda value, scales: value, False, 'list'),
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficients at these slips', 'angle_deg', 1.0,
             '', lambda value, scales: value, False, 'list'),
-    ), ('slip',), 'monotone cubic interpolation in a table, its last value beyond', ),
+    ), ('slip',), 'monotone cubic interpolation in a table, its last value beyond'),
     'rate_weakening': Law('rate_weakening', '1.14', (
         Parameter('peak', '', -5e-324, 1000000000000.0, 'friction coefficient at rest', 'peak_deg', 1.0, '',
             lambda value, scales: value, False, 'number'),
@@ -105,19 +105,19 @@ LAWS = {
             '', lambda value, scales: value, False, 'number'),
         Parameter('velocity', 'm/s', 1e-18, 300000000.0, 'speed at which half of the change has happened',
             'velocity_m_s', 1.0, '', lambda value, scales: value, False, 'number'),
-    ), ('speed',), 'residual + (peak - residual)/(1 + speed/velocity)', ),
+    ), ('speed',), 'residual + (peak - residual)/(1 + speed/velocity)'),
     'rate_tabulated': Law('rate_tabulated', '1.14', (
         Parameter('speed', 'm/s', 1e-18, 300000000.0, 'speeds of the table, increasing', 'speed_m_s', 1.0, '',
             lambda value, scales: value, False, 'list'),
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficients at these speeds', 'angle_deg',
             1.0, '', lambda value, scales: value, False, 'list'),
-    ), ('speed',), 'monotone cubic interpolation in the logarithm of the speed, the end values beyond', ),
+    ), ('speed',), 'monotone cubic interpolation in the logarithm of the speed, the end values beyond'),
     'prescribed': Law('prescribed', '1.14', (
         Parameter('time', 's', -5e-324, 1e+18, 'times of the table, increasing', 'time_s', 1.0, '', lambda value,
             scales: value, False, 'list'),
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficients at these times', 'angle_deg', 1.0,
             '', lambda value, scales: value, False, 'list'),
-    ), ('time',), 'straight lines between the times of a table, the end values beyond', ),
+    ), ('time',), 'straight lines between the times of a table, the end values beyond'),
 }
 
 EFFECTS = {

@@ -105,6 +105,12 @@ WRONG = [
         law("_P + (_R - _P) * sp.Min(SLIP / _L, 2)"),
         "a branch that changes at a slip of 2*length, wanted at a parameter",
     ),
+    (
+        law("_R + (_P - _R) * sp.Min(SLIP / _L, 1, _R)"),
+        "found Min(1, residual, slip/length), wanted min and max of two",
+    ),
+    (law("_P + _R * sp.Max(sp.Min(SLIP / _L, 1), 0)"), "found Max(0, Min(1, slip/length)), wanted min and max of two"),
+    (law("sp.I * _P + _R * SLIP / _L"), "coefficient: found I*peak + residual*slip/length, wanted an expression"),
     (law("_R + _P * sp.exp(-sp.Min(SLIP / _L, 1))", more=", degree=1"), "piece between branches: found"),
     (law("_R + (_P - _R) * (1 - sp.Min(SLIP / _L, 1)) ** 2", more=", degree=1"), "degree of a piece: found 2, wanted"),
     # dimensions
@@ -214,7 +220,9 @@ def test_the_page_on_extending_shows_what_is_said(
     answers = re.findall(r"^\| .* \| `(.*)` \|$", page, re.MULTILINE)
     assert len(answers) == 8
     said = set[str]()
-    for text, _ in WRONG:
+    for text, start in WRONG:
+        if not any(start in answer for answer in answers):
+            continue
         with monkeypatch.context() as m:
             declare(text, m)
             assert command.main([]) == 1

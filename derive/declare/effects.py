@@ -121,6 +121,11 @@ class Effect:
     any_of: tuple[str, ...] = ()
 
     @property
+    def symbols(self) -> dict[sp.Symbol, Parameter]:
+        """Parameters that the balance names, by their symbols."""
+        return {p.symbol: p for p in self.parameters if p.symbol is not None}
+
+    @property
     def terms(self) -> dict[str, sp.Expr]:
         """What it adds, by the quantity of the balance."""
         return {

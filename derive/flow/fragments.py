@@ -122,7 +122,7 @@ def quantities(effect: Effect) -> dict[str, Expr]:
 
 def odd(effect: Effect) -> set[Symbol]:
     """Parameters that change sign in a mirror image in which only the drive does; `ProofError` if there are none."""
-    symbols = {p.symbol for p in effect.parameters if p.symbol is not None}
+    symbols = effect.symbols.keys()
     free = sorted(symbols - ODD, key=str)
     for chosen in chain.from_iterable(combinations(free, n) for n in range(len(free) + 1)):
         if _symmetric(effect, chosen):

@@ -38,12 +38,9 @@ def module() -> str:
 def _effect(e: Effect | Law) -> str:
     parameters = "".join(f"\n        {_parameter(p)}," for p in e.parameters)
     parameters += "\n    " if parameters else ""
-    if isinstance(e, Effect):
-        more = f"{e.turns!r}, {e.any_of!r}, {formulas(e)!r}"
-    else:
-        more = ""
+    more = f", {e.turns!r}, {e.any_of!r}, {formulas(e)!r}" if isinstance(e, Effect) else ""
     source = e.equation or e.source
-    return f"{type(e).__name__}({e.name!r}, {source!r}, ({parameters}), {e.depends_on!r}, {e.help!r}, {more})"
+    return f"{type(e).__name__}({e.name!r}, {source!r}, ({parameters}), {e.depends_on!r}, {e.help!r}{more})"
 
 
 def _parameter(p: Parameter) -> str:
@@ -63,7 +60,7 @@ _NOTATION = {ALPHA: "alpha", GRAVITY: "g", RADIUS: "R", DENSITY: "rho", REFERENC
 
 def formulas(effect: Effect) -> tuple[str, ...]:
     """What an effect adds to the balance, and what makes its parameters dimensionless (these get a star)."""
-    starred = {p.symbol: p for p in effect.parameters if p.symbol is not None and p.dimensionless != VALUE}
+    starred = {symbol: p for symbol, p in effect.symbols.items() if p.dimensionless != VALUE}
     stars = {symbol: sp.Symbol(f"{symbol}_star") for symbol in starred}
 
     def shown(e: sp.Expr) -> str:

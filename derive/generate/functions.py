@@ -70,9 +70,9 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
 
 def _source(x: Moment | Elementary | Quotient) -> str:
     """Where a quantity is from."""
-    if x.equation:
-        return f"eq. ({x.equation}) of {PAPER}"
-    return getattr(x, "source", "") or "a declaration of one's own"
+    if isinstance(x, Moment) and not x.equation:
+        return x.source or "a declaration of one's own"
+    return f"eq. ({x.equation}) of {PAPER}"
 
 
 def _tiers(name: str) -> dict[str, Program]:
