@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -11,9 +12,10 @@ from scipy.integrate import dblquad
 from scipy.stats import norm
 
 from slipcircle import Arc, Scene, load, solve
-from tests.test_readme import PAGES, blocks
+from tests.support.outputs import blocks
 
-EXPOSED, INFERRED, WAVE, FLOW, ENDS, WALL = blocks(PAGES["recipes"], "python")
+PAGE = Path(__file__).parents[1] / "notebooks/recipes.md"
+EXPOSED, INFERRED, WAVE, FLOW, ENDS, WALL = blocks(PAGE.read_text("utf-8"), "python")
 ARC = Arc(radius=40.0, theta_1=np.deg2rad(210), theta_2=np.deg2rad(290), unit_weight=19e3)
 
 
