@@ -56,6 +56,8 @@ class Quantity:
             return "yes" if value else "no"
         if self.name == "travel_angle" and not motion.moves:
             return "-"
+        if self.name == "slow_run_out" and motion.no_slow_run_out:
+            return f"not given: {motion.no_slow_run_out}"
         if self.point:
             return f"{', '.join(map(shown, np.asarray(value).tolist()))} {self.unit}"
         value, unit = self.seen(value)
@@ -107,6 +109,8 @@ RESULTS: tuple[Quantity, ...] = (
     Quantity("peak_stress", "Pa", "mean normal stress at the peak velocity", "peak.normal_stress", solved=True),
     Quantity("end_stress", "Pa", "mean normal stress at the end", "end.normal_stress", solved=True),
 )
+# Of single motions: of an ensemble it takes a hundred times as long as to solve it.
+SINGLE: tuple[Quantity, ...] = (Quantity("slow_run_out", "m", "run-out if moved slowly", "slow_run_out", solved=True),)
 # Of sections, which have a position.
 JOURNEY: tuple[Quantity, ...] = (
     Quantity("area", "m^2", "area of the section", "plan.scene.arc.area"),
@@ -126,7 +130,8 @@ JOURNEY: tuple[Quantity, ...] = (
 
 def results(motion: Any) -> tuple[Quantity, ...]:
     """The quantities that a motion has."""
-    return (*RESULTS, *JOURNEY) if hasattr(motion, "journey") else RESULTS
+    of_one = () if motion.shape else SINGLE
+    return (*RESULTS, *of_one, *JOURNEY) if hasattr(motion, "journey") else (*RESULTS, *of_one)
 
 
 def end_words(motion: Any) -> dict[str, str]:
@@ -156,11 +161,21 @@ def factors(motion: Any) -> dict[str, Any]:
 def summary(motion: Any) -> dict[str, str]:
     """Key results of a single motion by label, with the factors of safety by every method that is possible."""
     column = {q.label: q.text(motion) for q in RESULTS if q.key} | end_words(motion)
+    if motion.moves and not motion.no_slow_run_out:
+        column |= {q.label: q.text(motion) for q in SINGLE}
     known = factors(motion)
     column |= {factor_label(method): factor_text(factor) for method, factor in known.items()}
     if known[OF_MOTION] < 1.0 <= known.get("bishop", 0.0):
         column["at the start"] = "stable by Bishop, moves by the paper's method"
     return column
+
+
+def slow_words(motion: Any) -> str:
+    """The two ends between which a slide may come to rest, in a sentence; empty where there is no slow one."""
+    slow, free = motion.slow_run_out, motion.run_out
+    return (
+        f"moved slowly it would rest at {slow:.4g} m; free, at {free:.4g} m" if slow > 0.0 and motion.arrested else ""
+    )
 
 
 def factor_text(factor: float | None) -> str:

@@ -21,6 +21,7 @@ from slipcircle.workbench.common.quantities import (
     factors,
     foreland_words,
     results,
+    slow_words,
     stretch_records,
     summary,
     time_text,
@@ -103,6 +104,11 @@ def difference_words(motion: Motion) -> str:
     gap = 100.0 * (known[OF_MOTION] / known.get("bishop", math.nan) - 1.0)
     side = "lower" if gap < 0.0 else "higher"
     return f"{DIFFERENCE} {abs(gap):.1f} % {side} here" if math.isfinite(gap) else ""
+
+
+def motion_words(motion: Motion) -> list[str]:
+    """Sentences about a motion that follow its table."""
+    return [*filter(None, (slow_words(motion), difference_words(motion)))]
 
 
 def motion_column(motion: Motion) -> dict[str, str]:
