@@ -7,16 +7,19 @@ every x, and one chosen.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
 
 from sympy import Expr
 
+from derive.algebra.integrate import derive
 from derive.approximate import shapes
 from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, limit
+from derive.check import ends
 from derive.code.program import Builder, Program, Value, without_dead
+from derive.declare.quantities import LIMIT_FRICTION, MOMENTS
 
 
 @dataclass(frozen=True)
@@ -28,6 +31,7 @@ class Variant:
     tier: str
     form: str
     program: Program
+    part: "Variant | None" = None  # of a function of both ends its function of alpha
 
 
 class Pair(NamedTuple):
@@ -314,4 +318,59 @@ def variants() -> tuple[Variant, ...]:
     every: list[Variant] = []
     for kernel in shapes.kernels():
         every += of(kernel, shapes.records()[kernel.definition])
+    return tuple(every)
+
+
+# --- both ends -------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class OfEnds:
+    """A function of both ends of an arc, the kernel that it turns, and what certificates call it."""
+
+    name: str
+    kernel: str
+    definition: tuple[str, ...]
+
+
+def functions_of_ends() -> list[OfEnds]:
+    """The moments that turn with the bisector, and the limit friction."""
+    every = []
+    for moment in MOMENTS:
+        if moment.amplitude:
+            direction = str(derive(moment).direction).replace("(", " ").rstrip(")")
+            every.append(OfEnds(moment.name, moment.kernel[0], (*moment.definition, direction)))
+    (ratio,) = (k for k in shapes.kernels() if k.name == LIMIT_FRICTION)
+    every.append(OfEnds("limit_friction", ratio.name, (*ratio.definition, "tan psi")))
+    return every
+
+
+def _inlined(name: str, operations: Sequence[Sequence[Any]], part: Program) -> Program:
+    """The program of operations that call this part."""
+    code = Builder()
+    values: list[Value] = []
+    for kind, args, value in operations:
+        operands = [values[k] for k in args]
+        if kind == "call":
+            values += code.inline(part, {"alpha": operands[0]})
+        elif kind == "const":
+            values.append(code.value(float.fromhex(value)))
+        else:
+            values.append(code.put(kind, *operands, value=value))
+    return without_dead(Program(name, ("theta_1", "theta_2"), tuple(code.ops), (values[-1].place,)))
+
+
+@cache
+def variants_of_ends() -> tuple[Variant, ...]:
+    """Every function of both ends in every tier that has a sine; float32 runs what is nearest above it."""
+    every = []
+    for function in functions_of_ends():
+        parts = [v for v in variants() if v.kernel == function.kernel and v.tier in ends.TERMS]
+        for part in parts:
+            listed = ends.operations(function.definition, part.tier, "")
+            program = _inlined(function.name, listed, part.program)
+            of_ends = Variant(function.name, function.definition, part.tier, part.form, program, part)
+            every.append(of_ends)
+            if part.tier == "1e-10":
+                every.append(replace(of_ends, tier="float32"))
     return tuple(every)

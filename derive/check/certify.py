@@ -15,15 +15,17 @@ an operation that computes the rounding error of another one *is* that n_i, so c
 import heapq
 import math
 import time
+from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 from typing import NamedTuple
 
 from flint import arb
 
-from derive.check import rounding, truth
+from derive.check import ends, rounding, truth
 from derive.check.patches import QUARTER, UNDERFLOW, Patch, near_zero, patches
 from derive.check.proof import ProofError
-from derive.check.records import TIERS, Record, assumptions, check_goals, digest, read, rejected
+from derive.check.records import TIERS, Record, assumptions, check_goals, digest, of_both_ends, read, rejected
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, Unbounded, specialise
 from derive.check.truth import BITS, TOP, working
 
@@ -213,7 +215,7 @@ def _prove_claim(record: Record, claim: str, parts: list[Patch]) -> float:
     return bound
 
 
-def checked(record: Record) -> tuple[str, bool]:
+def checked(record: Record, prove: Callable[[Record], float] = prove) -> tuple[str, bool]:
     """The outcome and the time of a record's proof as a line, and whether it is accepted."""
     start = time.perf_counter()
     tier = record["tier"]
@@ -223,8 +225,9 @@ def checked(record: Record) -> tuple[str, bool]:
     except ProofError as refusal:
         return f"{name} REJECTED: {refusal}", False
     seconds = time.perf_counter() - start
-    numbers = f"{proved:>9.4g} {record['bound']:>9.3g} {record['bound_to_quarter_pi']:>9.3g}"
-    return f"{name} {numbers}  {TIERS[tier].unit:<14} {seconds:>7.2f}", True
+    numbers = f"{proved:>9.4g} {record['bound']:>9.3g} {record.get('bound_to_quarter_pi', math.nan):>9.3g}"
+    unit = "relative" if of_both_ends(record) and tier == "best" else TIERS[tier].unit
+    return f"{name} {numbers}  {unit:<14} {seconds:>7.2f}", True
 
 
 def prove_all() -> bool:
@@ -237,6 +240,12 @@ def prove_all() -> bool:
         for line, proved in pool.map(checked, records):
             print(line, flush=True)
             accepted &= proved
+    both_ends = read(both_ends=True)
+    for record in both_ends:
+        line, proved = checked(record, partial(ends.prove, parts=records))
+        print(line, flush=True)
+        accepted &= proved
+    records += both_ends
     outcome = "all proved" if accepted else "NOT all proved"
     seconds = time.perf_counter() - start
     print(f"{len(records)} certificates, {outcome}, {seconds:.1f} s with 2 processes")

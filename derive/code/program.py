@@ -16,8 +16,8 @@ import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 from sympy import Add, Basic, Expr, Function, Integer, Mul, N, Symbol, default_sort_key, nan
 
-from derive.algebra.remainders import Exp, Horner, Primitive, RoundingError, Select
-from derive.code.operations import OPERATIONS, two_sum
+from derive.algebra.remainders import Exp, Horner, Primitive, Select
+from derive.code.operations import OPERATIONS
 
 _NAMES = {operation.meaning: name for name, operation in OPERATIONS.items()}
 _SYMBOLS = {operation.symbol: name for name, operation in OPERATIONS.items()} | {Exp: "exp"}
@@ -146,8 +146,6 @@ class _Lowering(Builder):
             raise ValueError(f"{e.name} is not an input of the program; its inputs are {', '.join(self.inputs)}")
         if e is nan or (e.is_number and not e.has(Function)):
             return self.const(e)
-        if isinstance(e, RoundingError):
-            return self.value(two_sum(*map(self.add, e.args))[1])
         if isinstance(e, Primitive):
             return self.add(e.lower())
         if isinstance(e, Horner):

@@ -40,7 +40,7 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
     for x, (name, form) in zip(quantities, stable_forms(closed).items(), strict=True):
         # Programs of the fitted tiers, or of the stable form where nothing is fitted.
         symbol = x.kernel[1] if isinstance(x, Moment) else x.symbol
-        tiers = _tiers(name)
+        tiers = _tiers(name, variants())
         every.append(
             Function(
                 tiers.get("best") or program(name, ("alpha",), form, let=_CLIP),
@@ -56,16 +56,7 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
                 tiers,
             )
         )
-    friction = _of_ends(
-        "limit_friction",
-        _LIMIT,
-        "weight_moment_per_radial_weight",
-        "mu_eq: friction coefficient at limit equilibrium.",
-        "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
-        f"eq. (3.21) of {PAPER}",
-        ACCURACY,
-    )
-    return [*every, *(_weight(derive(m)) for m in MOMENTS if m.amplitude), friction]
+    return [*every, *_of_ends(proved)]
 
 
 def _source(x: Moment | Elementary | Quotient) -> str:
@@ -75,9 +66,9 @@ def _source(x: Moment | Elementary | Quotient) -> str:
     return f"eq. ({x.equation}) of {PAPER}"
 
 
-def _tiers(name: str) -> dict[str, Program]:
+def _tiers(name: str, among: Sequence[Variant]) -> dict[str, Program]:
     """What NumPy runs at each tier of a fitted kernel."""
-    return {v.tier: v.program for form in ("plain", "numpy") for v in variants() if (v.kernel, v.form) == (name, form)}
+    return {v.tier: v.program for form in ("plain", "numpy") for v in among if (v.kernel, v.form) == (name, form)}
 
 
 def _accuracy(name: str, proved: Sequence[Record]) -> str:
@@ -131,83 +122,44 @@ _ARC = (
     ("theta_1", "Polar angle of the arc's first end, rad, from the positive x axis."),
     ("theta_2", "Polar angle of its other end, rad; theta_1 <= theta_2 <= theta_1 + pi."),
 )
-_ARC_DOMAIN = "0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps)"
+_ARC_DOMAIN = f"0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), |theta| <= {LIMIT:.0f}"
 _ARC_INSIDE = (
     f"(theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= {HALF_PI} * (1.0 + 4.0 * eps)) & np.isfinite(theta_1)"
 )
-# alpha and theta_m as difference and sum, with their rounding errors.
-_DELTA, _EPSILON, _KERNEL = sp.symbols("delta epsilon kernel", real=True)
-_ENDS = {
-    alpha: Min((theta_2 - theta_1) / 2, pi / 2),
-    _DELTA: RoundingError(theta_2, -theta_1) / 2,
-    theta_m: (theta_1 + theta_2) / 2,
-    _EPSILON: RoundingError(theta_1, theta_2) / 2,
-}
 
 
-def _turned(function: type[sp.Function]) -> Expr:
-    """sin or cos of the exact theta_m, to first order in its rounding error."""
-    return function(theta_m) + _EPSILON * diff(function(theta_m), theta_m)
-
-
-# (C_theta/C_r) tan(psi); alpha's rounding error is neglected, as the quotient is O(1) with a slope of O(alpha).
-_LIMIT = _KERNEL * _turned(cos) / _turned(sin)
-
-
-def _direction(d: Derivation) -> Expr:
-    """In theta_m."""
-    return d.direction.subs(PSI, 3 * pi / 2 - theta_m)
-
-
-def _carried(d: Derivation) -> Expr:
-    """J_r or J_theta with the rounding errors of alpha and theta_m carried to first order."""
-    sign, direction = _direction(d).as_coeff_Mul()
-    return sign * (_KERNEL + _DELTA * stable(diff(d.amplitude, alpha)).form) * _turned(type(direction))
-
-
-def prove_carried() -> list[str]:
-    """Prove that these are of the exact angles, to first order in what the rounding of alpha and theta_m takes."""
-    claims = []
-    errors = {alpha: _DELTA, theta_m: _EPSILON}
-    for angle, error in errors.items():
-        claims.append(f"{angle}: the sum of which {error} is lost")
-        rounded = _ENDS[angle].replace(Min, lambda *x: next(y for y in x if not y.is_number))
-        prove_zero(rounded - _ENDS[error].replace(RoundingError, lambda x, y: x + y), claims[-1])
-    forms = {"limit_friction": (_LIMIT, sp.Function("ratio")(alpha), cos(theta_m) / sin(theta_m))}
-    for d in map(derive, MOMENTS):
-        if d.moment.amplitude:
-            forms[d.moment.name] = (_carried(d), d.amplitude, _direction(d))
-    for name, (form, kernel, direction) in forms.items():
-        claims.append(f"{name}: of the exact angles, to first order")
-        carried = {x: error for x, error in errors.items() if form.has(error)}
-        exact = (kernel * direction).subs({x: x + error for x, error in carried.items()})
-        difference = form.subs(_KERNEL, kernel) - exact
-        for zero in (difference, *(diff(difference, error) for error in carried.values())):
-            prove_equal(zero.subs(dict.fromkeys(carried.values(), 0)), Integer(0), claims[-1])
-    return claims
-
-
-def _of_ends(name: str, form: Expr, kernel: str, summary: str, formula: str, source: str, accuracy: str) -> Function:
-    """A function of both ends, by a form in the exact alpha and theta_m and in a kernel of the rounded alpha."""
-    made = program(name, ("theta_1", "theta_2"), form, let=_ENDS | {_KERNEL: _tiers(kernel)["best"]})
-    symbol = summary.partition(":")[0]
-    return Function(made, summary, formula, source, _ARC, f"{symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), accuracy)
-
-
-def _weight(d: Derivation) -> Function:
-    """J_r or J_theta."""
-    m = d.moment
-    name, symbol = d.moment.kernel
-    return _of_ends(
-        m.name,
-        _carried(d),
-        name,
-        f"{m.symbol}: {m.help}, dimensionless.",
-        f"{m.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
-        "psi = 3 pi/2 - (theta_1 + theta_2)/2.",
-        _source(m),
-        f"the error of {name} in NumPy plus 2 ulp of the amplitude (sampled only: no certificate).",
-    )
+def _of_ends(proved: Sequence[Record]) -> list[Function]:
+    """J_r, J_theta and mu_eq."""
+    moments = {m.name: m for m in MOMENTS}
+    every = []
+    for function in functions_of_ends():
+        name = function.name
+        tiers = _tiers(name, variants_of_ends())
+        if "1e-10" in tiers:
+            tiers["float32"] = tiers["1e-10"]
+        if name in moments:
+            m = moments[name]
+            symbol = m.symbol
+            turned = f"{m.kernel[1]}(alpha) {derive(m).direction}"
+            words = (
+                f"{symbol}: {m.help}, dimensionless.",
+                f"{symbol} = {turned}, alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2.",
+                _source(m),
+            )
+        else:
+            symbol = "mu_eq"
+            words = (
+                "mu_eq: friction coefficient at limit equilibrium.",
+                "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
+                f"eq. (3.21) of {PAPER}",
+            )
+        accuracy = _accuracy(name, [r for r in proved if r["kernel"] == name])
+        every.append(
+            Function(
+                tiers["best"], *words, _ARC, f"{symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), accuracy, tiers
+            )
+        )
+    return every
 
 
 def motion() -> list[Function]:
