@@ -3,28 +3,25 @@
 from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
-from sympy import Expr, Integer, Min, N, Rational, atanh, cos, diff, pi, sin
+from sympy import Expr, Min, Rational, atanh, cos, pi, sin
 
 from derive.algebra import dynamics
 from derive.algebra.appendices import APPENDICES, parse
-from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
-from derive.algebra.prove import prove_zero
-from derive.algebra.remainders import RoundingError
-from derive.algebra.rules import prove_equal, stable
-from derive.approximate.programs import variants
-from derive.check.records import Record
+from derive.algebra.integrate import closed_forms, derive
+from derive.algebra.rules import stable
+from derive.approximate.programs import Variant, functions_of_ends, variants, variants_of_ends
+from derive.check.ends import LIMIT
+from derive.check.records import Record, of_both_ends
 from derive.code.emit import Function
 from derive.code.program import Program, program
 from derive.declare.quantities import MOMENTS, PRINTED, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
-from derive.declare.symbols import alpha, theta_1, theta_2, theta_m
+from derive.declare.symbols import alpha
 
-HALF_PI = repr(float(N(pi / 2, 40)))
 PAPER = "the paper"
 ACCURACY = "at most 16 ulp (sampled only: no certificate)."
 
 # alpha up to pi/2 (1 + 4 eps) is inside, for half discs given in degrees; the kernels clip it to pi/2.
 _ALPHA_DOMAIN = "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends"
-_ALPHA_INSIDE = f"(alpha >= 0.0) & (alpha <= {HALF_PI} * (1.0 + 4.0 * eps))"
 _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 _CLIP = {alpha: Min(alpha, pi / 2)}
 
@@ -50,10 +47,8 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
                 (_ALPHA,),
                 f"{symbol}.",
                 _ALPHA_DOMAIN,
-                _ALPHA_INSIDE,
-                (0.0,),
-                _accuracy(name, [r for r in proved if r["kernel"] == name]),
-                tiers,
+                _accuracy(name, proved),
+                tiers=tiers,
             )
         )
     return [*every, *_of_ends(proved)]
@@ -73,9 +68,11 @@ def _tiers(name: str, among: Sequence[Variant]) -> dict[str, Program]:
 
 def _accuracy(name: str, proved: Sequence[Record]) -> str:
     """The proved bounds of a kernel, in words."""
-    if not proved:
+    mine = [r for r in proved if r["kernel"] == name]
+    if not mine:
         return ACCURACY
-    bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in proved}
+    bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in mine}
+    unit = "relative" if of_both_ends(mine[0]) else "ulp"
     plain = bounds["best", "plain"]
     cheap = "".join(
         f"; accuracy={tier}: {bound:.3g} relative"
@@ -87,7 +84,7 @@ def _accuracy(name: str, proved: Sequence[Record]) -> str:
     else:
         single = ""
     return (
-        f"proved, rounding included: {bounds['best', 'fused']:.3g} ulp compiled with FMA, {plain:.3g} without, "
+        f"proved, rounding included: {bounds['best', 'fused']:.3g} {unit} compiled with FMA, {plain:.3g} without, "
         f"{bounds.get(('best', 'numpy'), plain):.3g} in NumPy{cheap}{single} (certificates/{name}.json)."
     )
 
@@ -100,9 +97,11 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
         kernel = r["kernel"]
         tier = r["tier"]
         form = r["form"]
-        bound = f"{r['bound']:.3g} {'relative' if tier[0] == '1' else 'ulp'} (certificates/{kernel}.json)"
+        relative = tier[0] == "1" or (of_both_ends(r) and tier == "best")
+        bound = f"{r['bound']:.3g} {'relative' if relative else 'ulp'} (certificates/{kernel}.json)"
         formula = known[kernel].formula.rstrip(".")
-        texts[kernel, tier, form] = f"{formula}, 0 <= alpha <= pi/2, {tier}, {form}: proved within {bound}"
+        interval = "both ends" if of_both_ends(r) else "0 <= alpha <= pi/2"
+        texts[kernel, tier, form] = f"{formula}, {interval}, {tier}, {form}: proved within {bound}"
     return texts
 
 
@@ -123,9 +122,6 @@ _ARC = (
     ("theta_2", "Polar angle of its other end, rad; theta_1 <= theta_2 <= theta_1 + pi."),
 )
 _ARC_DOMAIN = f"0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), |theta| <= {LIMIT:.0f}"
-_ARC_INSIDE = (
-    f"(theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= {HALF_PI} * (1.0 + 4.0 * eps)) & np.isfinite(theta_1)"
-)
 
 
 def _of_ends(proved: Sequence[Record]) -> list[Function]:
@@ -153,12 +149,8 @@ def _of_ends(proved: Sequence[Record]) -> list[Function]:
                 "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
                 f"eq. (3.21) of {PAPER}",
             )
-        accuracy = _accuracy(name, [r for r in proved if r["kernel"] == name])
-        every.append(
-            Function(
-                tiers["best"], *words, _ARC, f"{symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), accuracy, tiers
-            )
-        )
+        accuracy = _accuracy(name, proved)
+        every.append(Function(tiers["best"], *words, _ARC, f"{symbol}.", _ARC_DOMAIN, accuracy, tiers=tiers))
     return every
 
 
@@ -183,9 +175,9 @@ def motion() -> list[Function]:
                 tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs),
                 "Dimensionless.",
                 f"{domain}, until the solution runs to infinity" if timed else domain,
+                dynamics.ACCURACY,
                 " & ".join(conditions),
                 (1.0, 1.0, 0.0, 0.0) if timed else (-1.0, 1.0, 0.0),
-                dynamics.ACCURACY,
             )
         )
     return every

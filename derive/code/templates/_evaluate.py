@@ -19,6 +19,13 @@ def horner(x: Any, coefficients: Sequence[float]) -> Any:
     return result
 
 
+def lost(a: Any, b: Any) -> Any:
+    """The rounding error of a + b (TwoSum)."""
+    total = a + b
+    of_b = total - a
+    return (a - (total - of_b)) + (b - of_b)
+
+
 def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
     """The arguments as arrays, or as Python's numbers, and the floating type of the result; real, at most 64 bits."""
     items = []
