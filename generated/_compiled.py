@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ae06f6a4e1de32992edcf6654867d06fa94f642ba3868698586218bb01c07280
+# sha256 of the text below: 44f917ef2cfb0450605c0eac4dc4d5d7bf14101049e0461117dc27b54fb0ceb9
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -8,7 +8,7 @@ of a level, such as ``baseline``, asks for the loops of lesser processors.
 
 import os
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from importlib import import_module
 from typing import Any
@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from generated._evaluate import BLOCK, Array, evaluate, real
-from generated.tiers import BOUNDS, DIGEST
+from generated.tiers import BOUNDS, DIGEST, LIMIT
 
 Text = Callable[..., Array]
 CHEAPEST_FIRST = ("1e-6", "1e-10", "best")
@@ -66,21 +66,30 @@ _asked = os.environ.get("SLIPCIRCLE_COMPILED", "")
 LEVEL = _asked if _asked in LEVELS else next(iter(LEVELS))
 
 
-def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
-    """The function ``(alpha, out, where, accuracy)`` behind a public kernel, from its NumPy text of every tier."""
+def _choices(name: str, level: str) -> tuple[Callable[[str], Any], Callable[[str, float], str]]:
+    """The compiled loop of a tier, or None; and the cheapest tier for a float format and an accuracy."""
     form, loops = LEVELS[level]
-    cheapest = cache(partial(_cheapest, name, form))
+    cached = cache(partial(_cheapest, name, form))
 
     def loop_of(tier: str) -> Any:
-        """The compiled loop of a tier, or None; that of float32 is a type of the best one's."""
+        """That of float32 is a type of the best one's."""
         return loops.get("best" if tier == "float32" else tier, {}).get(name)
 
+    def cheapest(kind: str, accuracy: float) -> str:
+        if not isinstance(accuracy, _NUMBERS):
+            raise TypeError(f"{name}: accuracy is one number, a relative error above 0, not {accuracy!r}")
+        return cached(kind, accuracy)
+
+    return loop_of, cheapest
+
+
+def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
+    """The function ``(alpha, out, where, accuracy)`` behind a public kernel, from its NumPy text of every tier."""
+    loop_of, cheapest = _choices(name, level)
     best = loop_of("best")
 
     def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
-        if accuracy is not None and not isinstance(accuracy, _NUMBERS):
-            raise TypeError(f"{name}: accuracy is one number, a relative error above 0, not {accuracy!r}")
         simple = best is not None and where is True
         if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
             loop = best
@@ -90,15 +99,46 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
         if _is_foreign(alpha):
             return _elsewhere(name, texts, alpha, out, where, accuracy)
         (x,), kind = real((alpha,))
-        tier = "float32" if kind.char == "f" and "float32" in texts else "best"
-        if accuracy is not None:
-            tier = cheapest(kind.char, accuracy)
+        tier = _tier(texts, kind, accuracy, cheapest)
         loop = loop_of(tier)
         if loop is None or kind.char not in "df":
             return _numpy(texts[tier], x, kind, out, where)
-        return _masked(loop, np.asarray(x, dtype=kind), out, where)
+        return _masked(loop, (np.asarray(x, dtype=kind),), out, where)
 
     return call
+
+
+def of_ends(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
+    """The function ``(theta_1, theta_2, out, where, accuracy)`` behind one of both ends of an arc."""
+    loop_of, cheapest = _choices(name, level)
+
+    def call(theta_1: Any, theta_2: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
+        ends, kind = real((theta_1, theta_2))
+        tier = _tier(texts, kind, accuracy, cheapest)
+        loop = loop_of(tier)
+        if loop is None or kind.char not in "df":
+            return evaluate(partial(_silent, texts[tier]), _is_arc, (4.0, 5.0), tuple(ends), out, where)
+        return _masked(loop, [np.asarray(x, dtype=kind) for x in ends], out, where)
+
+    return call
+
+
+def _is_arc(eps: float, theta_1: Array, theta_2: Array) -> Any:
+    near = (theta_1 >= -LIMIT) & (theta_2 <= LIMIT)
+    return near & (theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= HALF_PI * (1.0 + 4.0 * eps))
+
+
+def _silent(text: Text, theta_1: Array, theta_2: Array) -> Array:
+    """Where nothing presses on the arc, limit friction is infinite."""
+    with np.errstate(divide="ignore", over="ignore", under="ignore"):
+        return text(theta_1, theta_2)
+
+
+def _tier(texts: Mapping[str, Text], kind: np.dtype[Any], accuracy: float | None, cheapest: Callable[..., str]) -> str:
+    """What serves a float format where the best, or an accuracy, is asked for."""
+    if accuracy is not None:
+        return cheapest(kind.char, accuracy)
+    return "float32" if kind.char == "f" and "float32" in texts else "best"
 
 
 def _is_foreign(alpha: Any) -> bool:
@@ -127,15 +167,15 @@ def _cheapest(name: str, form: str, kind: str, accuracy: float) -> str:
     raise ValueError(f"{name} cannot promise a relative error of {accuracy!r} here: {limit}")
 
 
-def _masked(loop: Any, alpha: Array, out: Any, where: Any) -> Any:
+def _masked(loop: Any, args: Sequence[Array], out: Any, where: Any) -> Any:
     """A compiled loop where a mask is true; elsewhere `out` keeps what it holds, and without one there is NaN."""
     if where is True:
-        return loop(alpha) if out is None else loop(alpha, out)
+        return loop(*args) if out is None else loop(*args, out)
     mask = np.asarray(where, dtype=bool)
     if out is not None:
-        return loop(alpha, out, where=mask)
-    shape = np.broadcast_shapes(alpha.shape, mask.shape)
-    return loop(alpha, np.full(shape, np.nan, alpha.dtype), where=mask)[()]
+        return loop(*args, out, where=mask)
+    shape = np.broadcast_shapes(mask.shape, *(x.shape for x in args))
+    return loop(*args, np.full(shape, np.nan, args[0].dtype), where=mask)[()]
 
 
 _NUMBERS = (int, float, np.integer, np.floating)

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 426650b6d0c96ee515a6e458a3f416ad278e3c104f748e92a70946a01cb8bd88
+# sha256 of the text below: 59d74edb0098d56e9386771e11b0f85102f4bb7dec9b3fe0095e01e2d320ed77
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
 from collections.abc import Callable, Sequence
@@ -19,6 +19,13 @@ def horner(x: Any, coefficients: Sequence[float]) -> Any:
     for c in coefficients[-2::-1]:
         result = result * x + c
     return result
+
+
+def lost(a: Any, b: Any) -> Any:
+    """The rounding error of a + b (TwoSum)."""
+    total = a + b
+    of_b = total - a
+    return (a - (total - of_b)) + (b - of_b)
 
 
 def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
