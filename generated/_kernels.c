@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "d7f93f9e224bda6853d304581f759c422886100372cfae50ec2be0b1fb814e95"
+#define DIGEST "35a012d02cfc70ed4cbb7f99d22d3bd3ffa6a33edebae93a35ed0b10f3553048"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -792,7 +792,7 @@ INLINE double weight_moment_per_radial_weight_best_fused(double alpha)
 #define weight_moment_per_radial_weight_best_fused_KIND whole
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends, best,
- * fused: proved within 8.38e-16 relative (certificates/radial_weight.json) */
+ * fused: proved within 8.4e-16 relative (certificates/radial_weight.json) */
 INLINE double radial_weight_best_fused(double theta_1, double theta_2)
 {
     const double t1 = -theta_1;
@@ -1017,7 +1017,7 @@ INLINE double radial_weight_1e_6_fused(double theta_1, double theta_2)
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
- * ends, best, fused: proved within 8.22e-16 relative (certificates/weight_moment.json) */
+ * ends, best, fused: proved within 8.24e-16 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_best_fused(double theta_1, double theta_2)
 {
     const double t1 = -theta_1;
@@ -1242,7 +1242,7 @@ INLINE double weight_moment_1e_6_fused(double theta_1, double theta_2)
 }
 
 /* mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise, both ends, best,
- * fused: proved within 1.55e-15 relative (certificates/limit_friction.json) */
+ * fused: proved within 1.56e-15 relative (certificates/limit_friction.json) */
 INLINE double limit_friction_best_fused(double theta_1, double theta_2)
 {
     const double t1 = weight_moment_per_radial_weight_best_fused(SMALLER((theta_2 + -theta_1) * 0.5,
@@ -1832,7 +1832,7 @@ INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
 #define weight_moment_per_radial_weight_best_plain_KIND whole
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends, best,
- * plain: proved within 1.58e-15 relative (certificates/radial_weight.json) */
+ * plain: proved within 1.59e-15 relative (certificates/radial_weight.json) */
 INLINE double radial_weight_best_plain(double theta_1, double theta_2)
 {
     const double t1 = -theta_1;

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 225230ef09a969362365f7ceef94d360140b0ddaa74bce579e0ad5eee13e7758
+# sha256 of the text below: 8d8f9bb44a9b5ee6ca3a71c814a4cbe70a8223030db994098c5af207882bc384
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from __future__ import annotations
@@ -7,10 +7,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from generated._compiled import Text, kernel, of_ends
-from generated._evaluate import Array, horner, lost
+from generated._evaluate import Array, Out, horner, lost
 
 __all__ = [
     "polar_moment",
@@ -91,7 +91,7 @@ _call_polar_moment = kernel("polar_moment", TEXTS["polar_moment"])
 
 
 def polar_moment(
-    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
 ) -> Any:
     """I_p*: polar surface moment of inertia of the moving mass, dimensionless.
 
@@ -170,7 +170,7 @@ _call_moment_of_inertia = kernel("moment_of_inertia", TEXTS["moment_of_inertia"]
 
 
 def moment_of_inertia(
-    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
 ) -> Any:
     """Theta*: moment of inertia of the moving mass about the centre, dimensionless.
 
@@ -262,7 +262,7 @@ _call_radial_weight_amplitude = kernel("radial_weight_amplitude", TEXTS["radial_
 
 
 def radial_weight_amplitude(
-    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
 ) -> Any:
     """C_r: weight of the moving mass along the radius, dimensionless.
 
@@ -338,7 +338,7 @@ _call_weight_moment_amplitude = kernel("weight_moment_amplitude", TEXTS["weight_
 
 
 def weight_moment_amplitude(
-    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
 ) -> Any:
     """C_theta: moment of the weight about the centre, dimensionless.
 
@@ -402,7 +402,7 @@ _call_resistance_factor = kernel("resistance_factor", TEXTS["resistance_factor"]
 
 
 def resistance_factor(
-    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
 ) -> Any:
     """lambda: lever of the resistance, arc length times depth, dimensionless.
 
@@ -463,7 +463,7 @@ _call_dynamic_coefficient = kernel("dynamic_coefficient", TEXTS["dynamic_coeffic
 
 
 def dynamic_coefficient(
-    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
 ) -> Any:
     """A: share of the centripetal term in the mean normal stress, dimensionless.
 
@@ -522,7 +522,7 @@ _call_weight_moment_per_inertia = kernel("weight_moment_per_inertia", TEXTS["wei
 
 
 def weight_moment_per_inertia(
-    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
 ) -> Any:
     """C_theta/Theta*: drive of gravity in the equation of motion, dimensionless.
 
@@ -589,7 +589,7 @@ _call_radial_weight_per_inertia = kernel("radial_weight_per_inertia", TEXTS["rad
 
 
 def radial_weight_per_inertia(
-    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
 ) -> Any:
     """C_r/Theta*: brake of static friction in the equation of motion, dimensionless.
 
@@ -652,7 +652,7 @@ _call_polar_moment_per_inertia = kernel("polar_moment_per_inertia", TEXTS["polar
 
 
 def polar_moment_per_inertia(
-    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
 ) -> Any:
     """I_p*/Theta*: brake of centripetal friction in the equation of motion, dimensionless.
 
@@ -718,7 +718,7 @@ _call_weight_moment_per_radial_weight = kernel("weight_moment_per_radial_weight"
 
 
 def weight_moment_per_radial_weight(
-    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
 ) -> Any:
     """C_theta/C_r: limit friction over tan(psi), dimensionless.
 
@@ -972,7 +972,7 @@ _call_radial_weight = of_ends("radial_weight", TEXTS["radial_weight"])
 
 
 def radial_weight(
-    theta_1: ArrayLike, theta_2: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True,
+    theta_1: ArrayLike, theta_2: ArrayLike, /, out: Out = None, *, where: ArrayLike = True,
         accuracy: float | None = None
 ) -> Any:
     """J_r: weight of the moving mass along the radius, dimensionless.
@@ -1002,7 +1002,7 @@ def radial_weight(
     -----
     Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), |theta| <= 65536; elsewhere NaN and NumPy's
     ``invalid`` flag, of NaN without.
-    Accuracy: proved, rounding included: 8.38e-16 relative compiled with FMA, 1.58e-15 without, 1.58e-15 in
+    Accuracy: proved, rounding included: 8.4e-16 relative compiled with FMA, 1.59e-15 without, 1.59e-15 in
     NumPy; accuracy=1e-10: 6.47e-11 relative; accuracy=1e-6: 3.98e-07 relative; float32: 0.502 ulp
     (certificates/radial_weight.json).
     Source: eq. (2.23) of the paper. Operations: 75 mul, 78 add, 4 sub, 2 div, 1 neg, 2 min, 3 max, 1 less, 1
@@ -1230,7 +1230,7 @@ _call_weight_moment = of_ends("weight_moment", TEXTS["weight_moment"])
 
 
 def weight_moment(
-    theta_1: ArrayLike, theta_2: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True,
+    theta_1: ArrayLike, theta_2: ArrayLike, /, out: Out = None, *, where: ArrayLike = True,
         accuracy: float | None = None
 ) -> Any:
     """J_theta: moment of the weight about the centre, dimensionless.
@@ -1260,7 +1260,7 @@ def weight_moment(
     -----
     Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), |theta| <= 65536; elsewhere NaN and NumPy's
     ``invalid`` flag, of NaN without.
-    Accuracy: proved, rounding included: 8.22e-16 relative compiled with FMA, 1.51e-15 without, 1.51e-15 in
+    Accuracy: proved, rounding included: 8.24e-16 relative compiled with FMA, 1.51e-15 without, 1.51e-15 in
     NumPy; accuracy=1e-10: 8.15e-12 relative; accuracy=1e-6: 4.95e-07 relative; float32: 0.501 ulp
     (certificates/weight_moment.json).
     Source: eq. (3.13) of the paper. Operations: 63 mul, 68 add, 5 sub, 2 div, 1 neg, 2 min, 2 max, 1 less, 1
@@ -1366,7 +1366,7 @@ _call_limit_friction = of_ends("limit_friction", TEXTS["limit_friction"])
 
 
 def limit_friction(
-    theta_1: ArrayLike, theta_2: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True,
+    theta_1: ArrayLike, theta_2: ArrayLike, /, out: Out = None, *, where: ArrayLike = True,
         accuracy: float | None = None
 ) -> Any:
     """mu_eq: friction coefficient at limit equilibrium.
@@ -1396,7 +1396,7 @@ def limit_friction(
     -----
     Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), |theta| <= 65536; elsewhere NaN and NumPy's
     ``invalid`` flag, of NaN without.
-    Accuracy: proved, rounding included: 1.55e-15 relative compiled with FMA, 2.23e-15 without, 2.23e-15 in
+    Accuracy: proved, rounding included: 1.56e-15 relative compiled with FMA, 2.23e-15 without, 2.23e-15 in
     NumPy (certificates/limit_friction.json).
     Source: eq. (3.21) of the paper. Operations: 115 mul, 135 add, 8 sub, 3 div, 1 neg, 3 min, 3 max, 1 less, 2
     select, 1 log, 31 lost.

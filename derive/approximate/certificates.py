@@ -13,7 +13,7 @@ import numpy as np
 from flint import arb, ctx
 
 from derive.approximate.programs import Variant, variants_of_ends
-from derive.check import certify, ends, truth
+from derive.check import certify, losses, truth
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest
 from derive.code.operations import Floats
 from derive.progress import track
@@ -142,7 +142,7 @@ def of_ends(proved: Iterable[Record]) -> list[Record]:
     for v in variants_of_ends():
         assert v.part
         part = parts[v.part.kernel, v.part.tier, v.part.form]
-        record = ends.certificate(v.kernel, v.definition, v.tier, v.form, part)
+        record = losses.certificate(v.kernel, v.definition, v.tier, v.form, part)
         certified.append(record | {"bound": round_up(record["bound"])})
         check_goals(certified[-1])
     return certified

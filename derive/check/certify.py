@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 from flint import arb
 
-from derive.check import ends, rounding, truth
+from derive.check import losses, rounding, truth
 from derive.check.patches import QUARTER, UNDERFLOW, Patch, near_zero, patches
 from derive.check.proof import ProofError
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest, of_both_ends, read, rejected
@@ -242,7 +242,7 @@ def prove_all() -> bool:
             accepted &= proved
     both_ends = read(both_ends=True)
     for record in both_ends:
-        line, proved = checked(record, partial(ends.prove, parts=records))
+        line, proved = checked(record, partial(losses.prove, parts=records))
         print(line, flush=True)
         accepted &= proved
     records += both_ends

@@ -9,27 +9,22 @@ sums (Ogita, Rump and Oishi 2005), however little is left of it. To first order 
 
     C(alpha) sin((b + low)/2) = C (b + low k(b/2) + b (lost/d) 3 k(alpha))/2 sinc(b/2),   k(x) = x cot(x),
 
-d = 2 alpha: the slope of C is near that of alpha**3 k-fold, and the sines cancel nowhere. Errors are relative, of the
-exact ends, plus 2**-1000 for what underflows. Standard library and python-flint only.
+d = 2 alpha, as C rises nearly like sin(alpha)**3. Errors are relative, of the exact ends, plus 2**-1000 for what
+underflows. Standard library and python-flint only.
 """
 
 import math
-from collections.abc import Iterable
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cache, partialmethod, reduce
-from itertools import pairwise
 from operator import add
 from typing import Any
 
 from flint import arb
 
 from derive.check import truth
-from derive.check.patches import SMALL
 from derive.check.proof import ProofError
-from derive.check.records import Record, check_goals, digest, rejected
-from derive.check.rounding import ROUNDING_BITS, rounding_sum, specialise
-from derive.check.truth import SEGMENTS, TOP, Definition, ball, fraction, working
+from derive.check.rounding import ROUNDING_BITS, VALUE
+from derive.check.truth import TOP, Definition, fraction, working
 
 LIMIT = 2.0**16  # of an end, rad: ten thousand turns
 PASSES = 3
@@ -37,7 +32,6 @@ ROUND = 1.5 * 2.0**52  # added and taken off, it rounds to an integer
 TURN = 0.5 / math.pi
 TERMS = {"best": 12, "1e-10": 8, "1e-6": 6}  # of sinc's Taylor series
 COTANGENT = (1.0, -1 / 3, -1 / 45, -2 / 945, -1 / 4725)  # x cot(x) in x**2
-HALF_ULP = 2.0**-53
 WIDTH = 37  # bits of the parts of pi but the last
 
 
@@ -112,6 +106,11 @@ def sinc(x: Step, terms: int) -> Step:
     return horner(x * x, tuple(taylor))
 
 
+def cotangent(x: Step) -> Step:
+    """x cot(x), nearly."""
+    return horner(x * x, COTANGENT)
+
+
 def reduced(one: Step, two: Step, odd: bool) -> tuple[Step, Step, Step]:
     """b and low; sin(psi) if odd, else cos(psi), is sin((b + low)/2) times this sign, which is 1/2 or -1/2 here."""
     turns = (one + two) * TURN
@@ -148,10 +147,10 @@ def operations(definition: Definition, tier: str, part: str) -> list[list[Any]]:
     for odd in (True, False):
         b, low, sign = reduced(one, two, odd)
         x = b * 0.5
-        carried = horner(x * x, COTANGENT) * low
+        carried = cotangent(x) * low
         if direction != "tan psi":
             share = lost / d.put("max", 2.0**-1000)
-            carried = carried + b * (horner(alpha * alpha, COTANGENT) * 3.0 * share)
+            carried = carried + b * (cotangent(alpha) * 3.0 * share)
         values.append((b + carried, sinc(x, terms), sign))
     if direction == "tan psi":
         (above, sine, sign), (below, cosine, other) = values
@@ -175,153 +174,57 @@ def _live(result: Step) -> list[list[Any]]:
     return [[kind, [place[a] for a in args], value] for kind, args, value in (every[k] for k in place)]
 
 
-# --- what they lose --------------------------------------------------------------------------------------------------
+# --- what they mean --------------------------------------------------------------------------------------------------
+
+# Arcs of every kind: near and across the x axis, half discs, level, of either dip, turned both ways.
+ARCS = (
+    (0.0, 1e-3),
+    (-1.0, 1.5),
+    (0.1, 3.2),
+    (2.0, 5.1),
+    (3.5, 4.75),
+    (4.0, 6.5),
+    (6.0, 6.5),
+    (-8.0, -7.0),
+    (-3.0, -1.5),
+)
+ARCS += tuple((x + turn, x + turn + 1.25) for turn in (-3e4, 5e4) for x in range(7))
 
 
-def distance(n: int, bits: int) -> arb:
-    """Of n pi from the nearest multiple of 2**-bits."""
-    scaled = arb.pi() * n * arb(2) ** bits
-    return abs(scaled - (scaled + arb(0.5)).floor()) / arb(2) ** bits
-
-
-@cache
-def reduction_loss() -> float:
-    """A bound on the relative error of b + low, for both ends within LIMIT and at most pi (1 + 4 eps) apart.
-
-    Of m terms whose sizes add up to S a pass leaves the sum Sigma as the last one, nearly, and others that add up to
-    at most g S, g = (m - 1) 2**-53: after it, S is at most Sigma + 2 g S. The ratio S/Sigma is bounded by how near the
-    ends' sum can come to n pi. For n = 0 it is a multiple of the smaller end's last place. From |n| = 2 on, with less
-    than 1 between them, both ends are above 1, and their sum is a multiple of 2**-52. For |n| = 1 that holds of one;
-    of the other too down to 2**-106 if it is above 2**-54, and below it changes the distance by no more than itself.
-    """
-    most = math.ceil(2 * LIMIT / math.pi) + 2
-    parts, missing = parts_of_pi()
-    if most >= 2 ** (53 - WIDTH):
-        raise ArithmeticError("a part of pi times n is not exact")
-    with working(400):
-        nearest = min(float(distance(n, 52).lower()) for n in range(2, most + 1))
-        first = min(float(distance(1, 106).lower()), float(distance(1, 52).lower()) - 2.0**-54)
-    rounded = abs(parts[-1]) * HALF_ULP  # of n times the last part, where n is no power of two
-    cases = ((2.0**55, 0.0), (10.0 / first, missing / first))
-    cases += (((4 * LIMIT + 8) / nearest, most * (missing + rounded) / nearest),)
-    g = (len(parts) + 1) * HALF_ULP * (1 + 2.0**-40)
-    worst = 0.0
-    for ratio, rest in cases:
-        for _ in range(PASSES - 1):
-            ratio = 1 + 2 * g * ratio
-        worst = max(worst, len(parts) * HALF_ULP * g * ratio + rest)
-    return worst * (1 + 2.0**-30)
-
-
-@cache
-def sinc_loss(tier: str) -> float:
-    """A bound on the relative error of sinc on [0, TOP]: the first omitted term, and rounding box by box."""
-    listed = [["input", [], "x"]]
-    terms = TERMS[tier]
-    output = sinc(Step(listed), terms).place
-    record = {"operations": listed, "output": output}
-    constants = 0.0
-    for k in range(terms):
-        exact = Fraction(1, math.factorial(2 * k + 1))
-        constants += float(abs(exact - Fraction(float(exact)))) * (math.pi / 2) ** (2 * k)
-    omitted = (math.pi / 2) ** (2 * terms) / math.factorial(2 * terms + 1)
-    worst = 0.0
-    for k in range(128):
-        lower, upper = TOP * k / 128, TOP * (k + 1) / 128
-        with working(ROUNDING_BITS):
-            rest, last = rounding_sum(specialise(record, lower, upper), ball(lower, upper))
-            series = rest + last + omitted + constants
-            worst = max(worst, float((series / ball(lower, upper).sinc()).abs_upper()))
-    return worst
-
-
-@cache
-def slope_gap(statement: str) -> float:
-    """A bound on |alpha C'/C - 3 k(alpha)|, with k as it is computed.
-
-    The chord's end moves: C' = 2 sin(alpha) T_n for r^n cos u (`truth`). Below SMALL, alpha cos(alpha)^n <= T_n <=
-    alpha bounds both within 3 (cos(alpha)^-n - 1) of 3 x cot(x).
-    """
-    power = int(truth.WEIGHT.fullmatch(statement)[1])  # type: ignore[index]
-    with working(truth.BITS):
-        worst = float((3 * (arb(SMALL).cos() ** -(power + 2) - 1)).upper())
-        for segment in SEGMENTS:
-            model = truth.kernel(statement, segment)
-            start = max(segment.lower, SMALL)
-            ratio = segment.upper / start
-            points = [start * ratio ** (k / 128) for k in range(128)]
-            for lower, upper in pairwise([*points, segment.upper]):
-                x = ball(lower, upper)
-                s, c = x.sin_cos()
-                h = -((arb.pi() / 2 - x) / 2).tan().log()
-                amplitude = model(x - segment.centre) * (1 if segment.lower else x**3)
-                slope = 2 * x * s * truth.folded(power, x, s, c, h) / amplitude
-                worst = max(worst, float(abs(slope - 3 * x * c / s).upper()))
-    return worst + 3 * COTANGENT_LOSS
-
-
-# 2 zeta(2 k) (x/pi)**(2 k), k = 5, 6, ..., is what the series of x cot(x) omits: quarters of each other at most.
-COTANGENT_LOSS = 2 * 1.001 * 0.25 ** len(COTANGENT) / 0.75 + 2.0**-40
-
-
-def relative(definition: Definition, tier: str, part: float) -> float:
-    """A bound on the relative error, ``part`` being that of C(alpha)."""
+def agree(definition: Definition, listed: list[list[Any]], tier: str) -> None:
+    """Run operations without rounding at some arcs, and compare with what the definition says; `ProofError`."""
     *statements, direction = definition
-    gaps = sum(map(slope_gap, statements))
-    excess = (8 * HALF_ULP * LIMIT) ** 2  # of b beyond pi, where n is rounded: a half turn's sine is flat
-    turned = HALF_ULP * (1 + COTANGENT_LOSS) + reduction_loss() + excess
-    sine = sinc_loss(tier)
-    products = 2
-    errors = [part, turned, sine, gaps * HALF_ULP]
-    if direction == "tan psi":
-        errors += [turned, sine]
-        products = 4
-    errors += [HALF_ULP] * products
-    total = sum(errors)
-    return total * (1 + 2 * total) + 2.0**-80  # second orders of what is lost, and roundings of first ones
+    turned = {"cos": arb.cos, "sin": arb.sin, "tan": arb.tan}[direction.strip("-")[:3]]
+    goal = 10 * math.pi ** (2 * TERMS[tier]) / 4 ** TERMS[tier] / math.factorial(2 * TERMS[tier] + 1) + 2.0**-50
+    for one, two in ARCS:
+        with working(ROUNDING_BITS * 4):
+            computed = _real(listed, statements, one, two)
+            psi = (3 * arb.pi() - one - two) / 2
+            exact = truth.value(statements, (arb(two) - one) / 2) * turned(psi)
+            if direction.startswith("-"):
+                exact = -exact
+            if not abs(computed / exact - 1) < goal:
+                digits = (number.str(20, radius=False) for number in (computed, exact))
+                raise ProofError(f"operations for {' '.join(definition)} of {one}, {two}", *digits)
 
 
-def _label(part: Record) -> str:
-    """What a call of it says."""
-    return " ".join(str(part[key]) for key in ("kernel", "tier", "form", "sha256"))
-
-
-def certificate(kernel: str, definition: Definition, tier: str, form: str, part: Record) -> Record:
-    """The certificate of a function of both ends, from that of its function of alpha."""
-    if list(definition[:-1]) != part["definition"]:
-        raise ProofError(f"{kernel}: definition of the part", part["definition"], definition[:-1])
-    single = tier == "float32"
-    of_sinc = part["tier"]
-    listed = operations(definition, of_sinc, _label(part))
-    unit = 2.0**-52 if part["tier"] == "best" else 1.0
-    bound = relative(definition, of_sinc, part["bound"] * unit)
-    record: Record = {
-        "kernel": kernel,
-        "definition": list(definition),
-        "tier": tier,
-        "form": form,
-        "output": len(listed) - 1,
-        "operations": listed,
-        "assumptions": part["assumptions"],
-        "bound": 0.5 + bound * 2.0**24 if single else bound,
-    }
-    return record | {"sha256": digest(record)}
-
-
-def prove(record: Record, parts: Iterable[Record]) -> float:
-    """Prove what a record claims, given proved certificates of functions of alpha; the bound that was proved.
-
-    Its operations must be those of this module. Raises `ProofError` with the name of a check: part, or what differs.
-    """
-    called = [value for kind, _, value in record["operations"] if kind == "call"]
-    part = next((p for p in parts if [_label(p)] == called), None)
-    if part is None:
-        raise rejected("part", record, called, "one that is certified")
-    proved = certificate(record["kernel"], record["definition"], record["tier"], record["form"], part)
-    for key, value in proved.items():
-        if key != "bound" and record[key] != value:
-            raise rejected(key, record, record[key], value)
-    if not proved["bound"] <= record["bound"]:
-        raise rejected("bound", record, proved["bound"], f"at most {record['bound']}")
-    check_goals(record)
-    return float(proved["bound"])
+def _real(listed: list[list[Any]], statements: Definition, one: float, two: float) -> arb:
+    """The result of operations that are not rounded, except to integers."""
+    values: list[arb] = []
+    for k, (kind, args, value) in enumerate(listed):
+        operands = [values[a] for a in args]
+        if kind == "input":
+            values.append(arb((one, two)[k]))
+        elif kind == "const":
+            values.append(arb(float.fromhex(value)))
+        elif kind == "call":
+            values.append(truth.value(statements, operands[0]))
+        elif kind == "lost":
+            values.append(arb(0))
+        elif kind in ("min", "max"):
+            values.append(getattr(arb, kind)(*operands))
+        elif kind == "add" and operands[1] == ROUND:
+            values.append((operands[0] + 0.5).floor() + ROUND)
+        else:
+            values.append(VALUE[kind](*operands))
+    return values[-1]

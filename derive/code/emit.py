@@ -150,7 +150,7 @@ def function(f: Function, text: PythonText) -> str:
     inside = f.inside.replace(") & ", ")\n            & ")
     return (
         f"{text.body(p)}\n\n"
-        f"def {p.name}(\n    {typed}, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True\n) -> Any:\n{doc}"
+        f"def {p.name}(\n    {typed}, /, out: Out = None, *, where: ArrayLike = True\n) -> Any:\n{doc}"
         f"    return evaluate(\n        _{p.name},\n        lambda eps, {names}: (\n            {inside}\n        ),\n"
         f"        {f.safe!r},\n        ({args}),\n        out,\n        where,\n    )\n"
     )
@@ -167,7 +167,7 @@ def _tiered(f: Function, text: PythonText, doc: str) -> str:
     typed = ", ".join(f"{x}: ArrayLike" for x in inputs)
     return (
         f'{texts}TEXTS["{name}"] = {{{rows}}}\n_call_{name} = {made}("{name}", TEXTS["{name}"])\n\n\n'
-        f"def {name}(\n    {typed}, /, out: NDArray[Any] | None = None, *, "
+        f"def {name}(\n    {typed}, /, out: Out = None, *, "
         f"where: ArrayLike = True, accuracy: float | None = None\n) -> Any:\n{doc}"
         f"    return _call_{name}({', '.join(inputs)}, out, where, accuracy)\n"
     )
@@ -223,10 +223,10 @@ _IMPORTS = (
     "from typing import Any",
     "",
     "import numpy as np",
-    "from numpy.typing import ArrayLike, NDArray",
+    "from numpy.typing import ArrayLike",
     "",
     "from generated._compiled import Text, kernel, of_ends",
-    "from generated._evaluate import Array, evaluate, horner, lost",
+    "from generated._evaluate import Array, Out, evaluate, horner, lost",
 )
 
 
