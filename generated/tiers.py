@@ -1,8 +1,8 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f61ea1b61ad6ac8d3796918d0cf8428847e45f45d8aaa2e75b705f019278da2b
+# sha256 of the text below: a761863aaddeebfad85ce6732f7d0cd91e7087c81ddc7f6f85be697d4de9236a
 """Proved error bounds of the kernels, and the digest of the C source that they speak of."""
 
-DIGEST = "35a012d02cfc70ed4cbb7f99d22d3bd3ffa6a33edebae93a35ed0b10f3553048"
+DIGEST = "6d78fe6b5ba9b89028ac68beb0450c473779dc979806f7a1598d619badf5d860"
 LIMIT = 65536.0  # of an end of an arc, rad
 
 # kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).

@@ -6,7 +6,7 @@ correction(b), the line without rounding, so that the small correction needs no 
 every x, and one chosen.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
@@ -321,28 +321,19 @@ def variants() -> tuple[Variant, ...]:
     return tuple(every)
 
 
+ROUND = 1.5 * 2.0**52  # added and taken off, it rounds to an integer
+
 # --- both ends -------------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class OfEnds:
-    """A function of both ends of an arc, the kernel that it turns, and what certificates call it."""
-
-    name: str
-    kernel: str
-    definition: tuple[str, ...]
-
-
-def functions_of_ends() -> list[OfEnds]:
-    """The moments that turn with the bisector, and the limit friction."""
-    every = []
+def functions_of_ends() -> Iterator[tuple[str, str, tuple[str, ...]]]:
+    """The moments that turn with the bisector, and the limit friction: name, kernel and what certificates call it."""
     for moment in MOMENTS:
         if moment.amplitude:
             direction = str(derive(moment).direction).replace("(", " ").rstrip(")")
-            every.append(OfEnds(moment.name, moment.kernel[0], (*moment.definition, direction)))
-    (ratio,) = (k for k in shapes.kernels() if k.name == LIMIT_FRICTION)
-    every.append(OfEnds("limit_friction", ratio.name, (*ratio.definition, "tan psi")))
-    return every
+            yield moment.name, moment.kernel[0], (*moment.definition, direction)
+    ratio = next(kernel for kernel in shapes.kernels() if kernel.name == LIMIT_FRICTION)
+    yield "limit_friction", ratio.name, (*ratio.definition, "tan psi")
 
 
 def _inlined(name: str, operations: Sequence[Sequence[Any]], part: Program) -> Program:
@@ -355,6 +346,8 @@ def _inlined(name: str, operations: Sequence[Sequence[Any]], part: Program) -> P
             values += code.inline(part, {"alpha": operands[0]})
         elif kind == "const":
             values.append(code.value(float.fromhex(value)))
+        elif kind == "integer":
+            values.append(operands[0] + ROUND - ROUND)
         else:
             values.append(code.put(kind, *operands, value=value))
     return without_dead(Program(name, ("theta_1", "theta_2"), tuple(code.ops), (values[-1].place,)))
@@ -364,13 +357,13 @@ def _inlined(name: str, operations: Sequence[Sequence[Any]], part: Program) -> P
 def variants_of_ends() -> tuple[Variant, ...]:
     """Every function of both ends in every tier that has a sine; float32 runs what is nearest above it."""
     every = []
-    for function in functions_of_ends():
-        parts = [v for v in variants() if v.kernel == function.kernel and v.tier in ends.TERMS]
-        for part in parts:
-            listed = ends.operations(function.definition, part.tier, "")
-            program = _inlined(function.name, listed, part.program)
-            of_ends = Variant(function.name, function.definition, part.tier, part.form, program, part)
-            every.append(of_ends)
+    for name, kernel, definition in functions_of_ends():
+        for part in variants():
+            if part.kernel != kernel or part.tier not in ends.TERMS:
+                continue
+            listed = ends.operations(definition, part.tier, "")
+            program = _inlined(name, listed, part.program)
+            every.append(Variant(name, definition, part.tier, part.form, program, part))
             if part.tier == "1e-10":
-                every.append(replace(of_ends, tier="float32"))
+                every.append(replace(every[-1], tier="float32"))
     return tuple(every)

@@ -15,7 +15,7 @@ underflows. Standard library and python-flint only.
 
 import math
 from dataclasses import dataclass
-from functools import cache, partialmethod, reduce
+from functools import partial, partialmethod, reduce
 from operator import add
 from typing import Any
 
@@ -24,30 +24,15 @@ from flint import arb
 from derive.check import truth
 from derive.check.proof import ProofError
 from derive.check.rounding import ROUNDING_BITS, VALUE
-from derive.check.truth import TOP, Definition, fraction, working
+from derive.check.truth import TOP, Definition, working
 
 LIMIT = 2.0**16  # of an end, rad: ten thousand turns
 PASSES = 3
-ROUND = 1.5 * 2.0**52  # added and taken off, it rounds to an integer
 TURN = 0.5 / math.pi
 TERMS = {"best": 12, "1e-10": 8, "1e-6": 6}  # of sinc's Taylor series
 COTANGENT = (1.0, -1 / 3, -1 / 45, -2 / 945, -1 / 4725)  # x cot(x) in x**2
-WIDTH = 37  # bits of the parts of pi but the last
-
-
-@cache
-def parts_of_pi() -> tuple[tuple[float, ...], float]:
-    """Three of `WIDTH` bits and a double, and what they miss of pi."""
-    parts = []
-    with working(400):
-        rest = arb.pi()
-        scale = arb(2) ** (WIDTH - 2)
-        for _ in range(3):
-            parts.append(float((rest * scale).floor() / scale))
-            rest -= parts[-1]
-            scale *= arb(2) ** WIDTH
-        parts.append(float(fraction(rest.mid())))
-        return tuple(parts), float(abs(rest - parts[-1]).upper())
+# pi, all parts but the last of 37 bits.
+PI = (3.1415926535846666, 5.1266883031679116e-12, 2.1125998133888136e-23, 8.671810130123781e-35)
 
 
 # --- operations ------------------------------------------------------------------------------------------------------
@@ -77,14 +62,6 @@ class Step:
     __mul__ = partialmethod(put, "mul")
     __truediv__ = partialmethod(put, "div")
 
-    def rounded(self) -> "Step":
-        """The nearest integer."""
-        return self + ROUND - ROUND
-
-    def least(self, limit: float) -> "Step":
-        """This or the limit."""
-        return self.put("min", limit)
-
 
 def two_sum(a: Step, b: Step) -> tuple[Step, Step]:
     """fl(a + b) and its rounding error."""
@@ -113,65 +90,61 @@ def cotangent(x: Step) -> Step:
 
 def reduced(one: Step, two: Step, odd: bool) -> tuple[Step, Step, Step]:
     """b and low; sin(psi) if odd, else cos(psi), is sin((b + low)/2) times this sign, which is 1/2 or -1/2 here."""
-    turns = (one + two) * TURN
-    half = ((turns - 0.5) if odd else turns).rounded()
+    half = (one + two) * TURN
+    if odd:
+        half = half - 0.5
+    half = half.put("integer")
     n = half * 2.0
     if odd:
         n = n + 1.0
-    parts, _ = parts_of_pi()
-    terms = [one, two, *(n * -part for part in parts)]
+    terms = [one, two]
+    for part in PI:
+        terms.append(n * -part)
     for _ in range(PASSES):
         for k in range(1, len(terms)):
             terms[k], terms[k - 1] = two_sum(terms[k - 1], terms[k])
     high = terms.pop()
     b, low = two_sum(high, reduce(add, terms))
-    b = b.least(2 * TOP)
-    b = b.put("max", -2 * TOP)
+    b = b.put("min", 2 * TOP).put("max", -2 * TOP)
     quarter = half * 0.5
-    parity = quarter - quarter.rounded()  # 0, or 1/2 or -1/2
-    sign = parity * parity * (-4.0 if odd else 4.0) + (0.5 if odd else -0.5)
-    return b, low, sign
+    parity = quarter - quarter.put("integer")  # 0, or 1/2 or -1/2
+    size = -4.0 if odd else 4.0
+    return b, low, parity * parity * size - size / 8
 
 
 def operations(definition: Definition, tier: str, part: str) -> list[list[Any]]:
-    """The operations of a function of both ends; ``part`` is what they call for C(alpha)."""
-    start = Step([["input", [], "theta_1"], ["input", [], "theta_2"]])
-    one = start
-    two = Step(start.operations, 1)
-    d, lost = two_sum(two, one.put("neg"))
-    alpha = (d * 0.5).least(TOP)
+    """The operations of a function of both ends; ``part`` is what they call for C(alpha).
+
+    ``integer`` rounds to the nearest one, ties to even, and ``lost`` is the rounding error of a sum.
+    """
+    one = Step([["input", [], "theta_1"], ["input", [], "theta_2"]])
+    two = Step(one.operations, 1)
+    direction = definition[-1]
+    d = two - one
+    alpha = (d * 0.5).put("min", TOP)
     amplitude = alpha.put("call", value=part)
-    terms = TERMS[tier]
-    *_, direction = definition
-    values = []
-    for odd in (True, False):
-        b, low, sign = reduced(one, two, odd)
-        x = b * 0.5
-        carried = cotangent(x) * low
-        if direction != "tan psi":
-            share = lost / d.put("max", 2.0**-1000)
-            carried = carried + b * (cotangent(alpha) * 3.0 * share)
-        values.append((b + carried, sinc(x, terms), sign))
     if direction == "tan psi":
-        (above, sine, sign), (below, cosine, other) = values
+        above, sine, sign = turned(one, two, True, tier)
+        below, cosine, other = turned(one, two, False, tier)
         result = above * (amplitude * sine / cosine) * (sign * other * 4.0) / below
     else:
-        turned, sine, sign = values["cos psi" in direction]
+        lost = two.put("lost", one.put("neg"))
+        share = cotangent(alpha) * 3.0 * (lost / d.put("max", 2.0**-1000))
+        b, sine, sign = turned(one, two, "sin" in direction, tier, share)
         if direction[0] == "-":
             sign = sign * -1.0
-        result = amplitude * sine * sign * turned
-    return _live(result)
+        result = amplitude * sine * sign * b
+    return result.operations
 
 
-def _live(result: Step) -> list[list[Any]]:
-    """The operations that the result needs, it last; both ends stay."""
-    every = result.operations
-    needed = {0, 1, result.place}
-    for k in range(result.place, 1, -1):
-        if k in needed:
-            needed.update(every[k][1])
-    place = {old: new for new, old in enumerate(sorted(needed))}
-    return [[kind, [place[a] for a in args], value] for kind, args, value in (every[k] for k in place)]
+def turned(one: Step, two: Step, odd: bool, tier: str, share: Step | None = None) -> tuple[Step, Step, Step]:
+    """b with what low and alpha's rounding add to it, its sinc, and the sign."""
+    b, low, sign = reduced(one, two, odd)
+    half = b * 0.5
+    carried = cotangent(half) * low
+    if share is not None:
+        carried = carried + b * share
+    return b + carried, sinc(half, TERMS[tier]), sign
 
 
 # --- what they mean --------------------------------------------------------------------------------------------------
@@ -188,7 +161,7 @@ ARCS = (
     (-8.0, -7.0),
     (-3.0, -1.5),
 )
-ARCS += tuple((x + turn, x + turn + 1.25) for turn in (-3e4, 5e4) for x in range(7))
+TURNED = tuple((x + turn, x + turn + 1.25) for turn in (-3e4, 5e4) for x in range(7))
 
 
 def agree(definition: Definition, listed: list[list[Any]], tier: str) -> None:
@@ -196,7 +169,7 @@ def agree(definition: Definition, listed: list[list[Any]], tier: str) -> None:
     *statements, direction = definition
     turned = {"cos": arb.cos, "sin": arb.sin, "tan": arb.tan}[direction.strip("-")[:3]]
     goal = 10 * math.pi ** (2 * TERMS[tier]) / 4 ** TERMS[tier] / math.factorial(2 * TERMS[tier] + 1) + 2.0**-50
-    for one, two in ARCS:
+    for one, two in ARCS + TURNED:
         with working(ROUNDING_BITS * 4):
             computed = _real(listed, statements, one, two)
             psi = (3 * arb.pi() - one - two) / 2
@@ -210,21 +183,17 @@ def agree(definition: Definition, listed: list[list[Any]], tier: str) -> None:
 
 def _real(listed: list[list[Any]], statements: Definition, one: float, two: float) -> arb:
     """The result of operations that are not rounded, except to integers."""
-    values: list[arb] = []
-    for k, (kind, args, value) in enumerate(listed):
-        operands = [values[a] for a in args]
-        if kind == "input":
-            values.append(arb((one, two)[k]))
-        elif kind == "const":
+    meaning = VALUE | {
+        "call": partial(truth.value, statements),
+        "integer": lambda x: (x + 0.5).floor(),
+        "lost": lambda a, b: arb(0),
+        "min": arb.min,
+        "max": arb.max,
+    }
+    values = [arb(one), arb(two)]
+    for kind, args, value in listed[2:]:
+        if kind == "const":
             values.append(arb(float.fromhex(value)))
-        elif kind == "call":
-            values.append(truth.value(statements, operands[0]))
-        elif kind == "lost":
-            values.append(arb(0))
-        elif kind in ("min", "max"):
-            values.append(getattr(arb, kind)(*operands))
-        elif kind == "add" and operands[1] == ROUND:
-            values.append((operands[0] + 0.5).floor() + ROUND)
         else:
-            values.append(VALUE[kind](*operands))
+            values.append(meaning[kind](*(values[a] for a in args)))
     return values[-1]

@@ -5,13 +5,14 @@ Part of the checker (`certify`): standard library and python-flint only.
 
 import math
 from collections.abc import Callable, Iterable
+from fractions import Fraction
 from functools import cache, partial
 from itertools import pairwise
 
 from flint import arb
 
 from derive.check import truth
-from derive.check.ends import LIMIT, PASSES, TERMS, WIDTH, Step, agree, cotangent, operations, parts_of_pi, sinc
+from derive.check.ends import LIMIT, PASSES, PI, TERMS, Step, agree, cotangent, operations, sinc
 from derive.check.patches import SMALL, ideal
 from derive.check.proof import ProofError
 from derive.check.records import Record, check_goals, digest, rejected
@@ -38,21 +39,25 @@ def reduction_loss() -> float:
     of the other too down to 2**-106 if it is above 2**-54, and below it changes the distance by no more than itself.
     """
     most = math.ceil(2 * LIMIT / math.pi) + 2
-    parts, missing = parts_of_pi()
-    if most >= 2 ** (53 - WIDTH):
+    bits = max(Fraction(part).numerator.bit_length() for part in PI[:-1])
+    if bits + most.bit_length() > 53:
         raise ArithmeticError("a part of pi times n is not exact")
     with working(400):
+        missing = float(abs(sum(PI, -arb.pi())).upper())
         nearest = min(float(distance(n, 52).lower()) for n in range(2, most + 1))
         first = min(float(distance(1, 106).lower()), float(distance(1, 52).lower()) - 2.0**-54)
-    rounded = abs(parts[-1]) * HALF_ULP  # of n times the last part, where n is no power of two
-    cases = ((2.0**55, 0.0), (10.0 / first, missing / first))
-    cases += (((4 * LIMIT + 8) / nearest, most * (missing + rounded) / nearest),)
-    g = (len(parts) + 1) * HALF_ULP * (1 + 2.0**-40)
+    rounded = PI[-1] * HALF_ULP  # of n times the last part, where n is no power of two
+    cases = (
+        (2.0**55, 0.0),
+        (10.0 / first, missing / first),
+        ((4 * LIMIT + 8) / nearest, most * (missing + rounded) / nearest),
+    )
+    g = (len(PI) + 1) * HALF_ULP * (1 + 2.0**-40)
     worst = 0.0
     for ratio, rest in cases:
         for _ in range(PASSES - 1):
             ratio = 1 + 2 * g * ratio
-        worst = max(worst, len(parts) * HALF_ULP * g * ratio + rest)
+        worst = max(worst, len(PI) * HALF_ULP * g * ratio + rest)
     return worst * (1 + 2.0**-30)
 
 

@@ -239,22 +239,15 @@ class _Lowering(Builder):
         return result
 
 
-def program(
-    name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Symbol, Expr | Program] | None = None
-) -> Program:
+def program(name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Symbol, Expr] | None = None) -> Program:
     """The program of SymPy expressions in the symbols that ``inputs`` names, in the order of its arguments.
 
     Stable primitives are lowered as they are met; equal subexpressions are computed once. ``let`` gives intermediate
-    values by symbol, in order, as expressions or as programs of what is known by then; one may replace an input of the
-    same name from there on.
+    values by symbol, in order; one may replace an input of the same name from there on.
     """
     low = _Lowering(inputs)
     for symbol, value in (let or {}).items():
-        if isinstance(value, Program):
-            known = {e.name: v for e, v in low.done.items() if e.is_Symbol}
-            (result,) = low.inline(value, known)
-        else:
-            result = low.add(value)
+        result = low.add(value)
         low.done = {e: v for e, v in low.done.items() if not e.has(symbol)}
         low.done[symbol] = result
     results = tuple(low.add(e).place for e in outputs)

@@ -128,8 +128,7 @@ def _of_ends(proved: Sequence[Record]) -> list[Function]:
     """J_r, J_theta and mu_eq."""
     moments = {m.name: m for m in MOMENTS}
     every = []
-    for function in functions_of_ends():
-        name = function.name
+    for name, *_ in functions_of_ends():
         tiers = _tiers(name, variants_of_ends())
         if "1e-10" in tiers:
             tiers["float32"] = tiers["1e-10"]
