@@ -15,16 +15,11 @@ underflows. Standard library and python-flint only.
 
 import math
 from dataclasses import dataclass
-from functools import partial, partialmethod, reduce
+from functools import partialmethod, reduce
 from operator import add
 from typing import Any
 
-from flint import arb
-
-from derive.check import truth
-from derive.check.proof import ProofError
-from derive.check.rounding import ROUNDING_BITS, VALUE
-from derive.check.truth import TOP, Definition, working
+from derive.check.truth import TOP, Definition
 
 LIMIT = 2.0**16  # of an end, rad: ten thousand turns
 PASSES = 3
@@ -145,55 +140,3 @@ def turned(one: Step, two: Step, odd: bool, tier: str, share: Step | None = None
     if share is not None:
         carried = carried + b * share
     return b + carried, sinc(half, TERMS[tier]), sign
-
-
-# --- what they mean --------------------------------------------------------------------------------------------------
-
-# Arcs of every kind: near and across the x axis, half discs, level, of either dip, turned both ways.
-ARCS = (
-    (0.0, 1e-3),
-    (-1.0, 1.5),
-    (0.1, 3.2),
-    (2.0, 5.1),
-    (3.5, 4.75),
-    (4.0, 6.5),
-    (6.0, 6.5),
-    (-8.0, -7.0),
-    (-3.0, -1.5),
-)
-TURNED = tuple((x + turn, x + turn + 1.25) for turn in (-3e4, 5e4) for x in range(7))
-
-
-def agree(definition: Definition, listed: list[list[Any]], tier: str) -> None:
-    """Run operations without rounding at some arcs, and compare with what the definition says; `ProofError`."""
-    *statements, direction = definition
-    turned = {"cos": arb.cos, "sin": arb.sin, "tan": arb.tan}[direction.strip("-")[:3]]
-    goal = 10 * math.pi ** (2 * TERMS[tier]) / 4 ** TERMS[tier] / math.factorial(2 * TERMS[tier] + 1) + 2.0**-50
-    for one, two in ARCS + TURNED:
-        with working(ROUNDING_BITS * 4):
-            computed = _real(listed, statements, one, two)
-            psi = (3 * arb.pi() - one - two) / 2
-            exact = truth.value(statements, (arb(two) - one) / 2) * turned(psi)
-            if direction.startswith("-"):
-                exact = -exact
-            if not abs(computed / exact - 1) < goal:
-                digits = (number.str(20, radius=False) for number in (computed, exact))
-                raise ProofError(f"operations for {' '.join(definition)} of {one}, {two}", *digits)
-
-
-def _real(listed: list[list[Any]], statements: Definition, one: float, two: float) -> arb:
-    """The result of operations that are not rounded, except to integers."""
-    meaning = VALUE | {
-        "call": partial(truth.value, statements),
-        "integer": lambda x: (x + 0.5).floor(),
-        "lost": lambda a, b: arb(0),
-        "min": arb.min,
-        "max": arb.max,
-    }
-    values = [arb(one), arb(two)]
-    for kind, args, value in listed[2:]:
-        if kind == "const":
-            values.append(arb(float.fromhex(value)))
-        else:
-            values.append(meaning[kind](*(values[a] for a in args)))
-    return values[-1]

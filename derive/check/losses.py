@@ -4,22 +4,32 @@ Part of the checker (`certify`): standard library and python-flint only.
 """
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from functools import cache, partial
 from itertools import pairwise
 
-from flint import arb
+from flint import arb, arb_series
 
 from derive.check import truth
-from derive.check.ends import LIMIT, PASSES, PI, TERMS, Step, agree, cotangent, operations, sinc
+from derive.check.ends import LIMIT, PASSES, PI, TERMS, Step, cotangent, operations, sinc
 from derive.check.patches import SMALL, ideal
 from derive.check.proof import ProofError
 from derive.check.records import Record, check_goals, digest, rejected
-from derive.check.rounding import ROUNDING_BITS, rounding_sum, specialise
-from derive.check.truth import BITS, SEGMENTS, TOP, Definition, ball, working
+from derive.check.rounding import DOWN, ROUNDING_BITS, UP, rounding_sum, specialise
+from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Definition, ball, working
 
 HALF_ULP = 2.0**-53
+
+
+def above(x: arb) -> float:
+    """A bound on its size."""
+    return float(x.abs_upper()) * UP
+
+
+def below(x: arb) -> float:
+    """A lower bound on its size."""
+    return float(x.abs_lower()) * DOWN
 
 
 def distance(n: int, bits: int) -> arb:
@@ -39,25 +49,28 @@ def reduction_loss() -> float:
     of the other too down to 2**-106 if it is above 2**-54, and below it changes the distance by no more than itself.
     """
     most = math.ceil(2 * LIMIT / math.pi) + 2
-    bits = max(Fraction(part).numerator.bit_length() for part in PI[:-1])
-    if bits + most.bit_length() > 53:
+    widest = max(Fraction(part).numerator.bit_length() for part in PI[:-1])
+    if widest + most.bit_length() > 53:
         raise ArithmeticError("a part of pi times n is not exact")
     with working(400):
-        missing = float(abs(sum(PI, -arb.pi())).upper())
-        nearest = min(float(distance(n, 52).lower()) for n in range(2, most + 1))
-        first = min(float(distance(1, 106).lower()), float(distance(1, 52).lower()) - 2.0**-54)
-    rounded = PI[-1] * HALF_ULP  # of n times the last part, where n is no power of two
+        missing = above(sum(map(arb, PI), -arb.pi()))
+        nearest = min(below(distance(n, 52)) for n in range(2, most + 1))
+        of_first = below(distance(1, 52)) - 2.0**-54
+        first = min(below(distance(1, 106)), of_first)
+    last = PI[-1] * HALF_ULP  # n times the last part is rounded, where n is no power of two
     cases = (
         (2.0**55, 0.0),
         (10.0 / first, missing / first),
-        ((4 * LIMIT + 8) / nearest, most * (missing + rounded) / nearest),
+        ((4 * LIMIT + 8) / nearest, most * (missing + last) / nearest),
     )
-    g = (len(PI) + 1) * HALF_ULP * (1 + 2.0**-40)
+    sums = len(PI) + 1
+    g = sums * HALF_ULP * (1 + 2.0**-40)
     worst = 0.0
     for ratio, rest in cases:
         for _ in range(PASSES - 1):
             ratio = 1 + 2 * g * ratio
-        worst = max(worst, len(PI) * HALF_ULP * g * ratio + rest)
+        lost = (sums - 1) * HALF_ULP * g * ratio
+        worst = max(worst, lost + rest)
     return worst * (1 + 2.0**-30)
 
 
@@ -73,21 +86,21 @@ def sinc_loss(tier: str) -> float:
     """A bound on the relative error of sinc on [0, TOP]: of its series, and of rounding box by box."""
     terms = TERMS[tier]
     record = traced(partial(sinc, terms=terms))
-    series = (math.pi / 2) ** (2 * terms) / math.factorial(2 * terms + 1)  # the first omitted term
+    end = 1.571  # above pi/2
+    series = end ** (2 * terms) / math.factorial(2 * terms + 1)  # the first omitted term
     with working(BITS):
         computed = ideal(specialise(record, 0.0, TOP), arb(0))
+        taylor = arb_series([0, 1]).sin()
         for k in range(2 * terms):
-            exact = arb((-1) ** (k // 2) * (k % 2 == 0)) / math.factorial(k + 1)
-            series += float(abs(computed[k] - exact).upper()) * (math.pi / 2) ** k
+            series += above(computed[k] - taylor[k + 1]) * end**k
     worst = 0.0
-    for k in range(128):
-        lower = TOP * k / 128
-        upper = TOP * (k + 1) / 128
+    for lower, upper in boxes(0.0, TOP, 128):
         with working(ROUNDING_BITS):
             x = ball(lower, upper)
-            rest, last = rounding_sum(specialise(record, lower, upper), x)
-            relative = (rest + last + series) / x.sinc()
-            worst = max(worst, float(relative.abs_upper()))
+            tape = specialise(record, lower, upper)
+            rest, last = rounding_sum(tape, x)
+            error = (rest + last + series) / x.sinc()
+            worst = max(worst, above(error))
     return worst
 
 
@@ -97,10 +110,11 @@ def cotangent_loss() -> float:
     tape = specialise(traced(cotangent), 0.0, TOP)
     worst = 0.0
     with working(BITS):
-        for k in range(512):
-            x = ball(TOP * k / 512, TOP * (k + 1) / 512)
-            difference = ideal(tape, x)[0] - x.cos() / x.sinc()
-            worst = max(worst, float(difference.abs_upper()))
+        for ends in boxes(0.0, TOP, 512):
+            x = ball(*ends)
+            computed, *_ = ideal(tape, x)
+            exact = x.cos() / x.sinc()
+            worst = max(worst, above(computed - exact))
     return worst + 2.0**-40
 
 
@@ -111,22 +125,32 @@ def slope_gap(statement: str) -> float:
     The chord's end moves: C' = 2 sin(alpha) T_n for r^n cos u (`truth`). Below SMALL, alpha cos(alpha)^n <= T_n <=
     alpha bounds both within 3 (cos(alpha)^-(n + 2) - 1) of each other.
     """
-    power = int(truth.WEIGHT.fullmatch(statement)[1])  # type: ignore[index]
+    power = int(statement.split()[0].removeprefix("r^"))
     with working(BITS):
-        worst = float((3 * (arb(SMALL).cos() ** -(power + 2) - 1)).upper())
+        thin = arb(SMALL).cos() ** -(power + 2)
+        worst = above(3 * (thin - 1))
         for segment in SEGMENTS:
             model = truth.kernel(statement, segment)
-            start = max(segment.lower, SMALL)
-            ratio = segment.upper / start
-            points = [start * ratio ** (k / 128) for k in range(128)]
-            for lower, upper in pairwise([*points, segment.upper]):
-                x = ball(lower, upper)
+            order = 0 if segment.lower else CUBE
+            for ends in boxes(max(segment.lower, SMALL), segment.upper, 128):
+                x = ball(*ends)
                 s, c = x.sin_cos()
-                h = -((arb.pi() / 2 - x) / 2).tan().log()
-                amplitude = model(x - segment.centre) * (1 if segment.lower else x**3)
-                slope = 2 * x * s * truth.folded(power, x, s, c, h) / amplitude
-                worst = max(worst, float(abs(slope - 3 * x * c / s).upper()))
+                half = (arb.pi() / 2 - x) / 2
+                h = -half.tan().log()
+                amplitude = model(x - segment.centre) * x**order
+                slope = 2 * s * truth.folded(power, x, s, c, h)
+                worst = max(worst, above(x * slope / amplitude - 3 * x * c / s))
     return worst + 3 * cotangent_loss()
+
+
+def boxes(lower: float, upper: float, count: int) -> Iterator[tuple[float, float]]:
+    """An interval in so many parts, each as long for its place as the others where it does not start at 0."""
+    if lower:
+        ratio = upper / lower
+        points = [lower * ratio ** (k / count) for k in range(count)]
+    else:
+        points = [upper * k / count for k in range(count)]
+    return pairwise([*points, upper])
 
 
 def relative(definition: Definition, tier: str, part: float) -> float:
@@ -135,14 +159,12 @@ def relative(definition: Definition, tier: str, part: float) -> float:
     gaps = sum(map(slope_gap, statements))
     excess = (8 * HALF_ULP * LIMIT) ** 2  # of b beyond pi, where n is rounded: a half turn's sine is flat
     turned = HALF_ULP * (1 + cotangent_loss()) + reduction_loss() + excess
-    sine = sinc_loss(tier)
+    sine = sinc_loss(tier) + turned
     products = 2
-    errors = [part, turned, sine, gaps * HALF_ULP]
     if direction == "tan psi":
-        errors += [turned, sine]
+        sine *= 2
         products = 4
-    errors += [HALF_ULP] * products
-    total = sum(errors)
+    total = part + sine + (gaps + products) * HALF_ULP
     return total * (1 + 2 * total) + 2.0**-80  # second orders of what is lost, and roundings of first ones
 
 
@@ -153,14 +175,17 @@ def _label(part: Record) -> str:
 
 def certificate(kernel: str, definition: Definition, tier: str, form: str, part: Record) -> Record:
     """The certificate of a function of both ends, from that of its function of alpha."""
-    if list(definition[:-1]) != part["definition"]:
-        raise ProofError(f"{kernel}: definition of the part", part["definition"], definition[:-1])
-    single = tier == "float32"
+    *statements, _ = definition
+    if statements != part["definition"]:
+        raise ProofError(f"{kernel}: definition of its part", part["definition"], statements)
     of_sinc = part["tier"]
     listed = operations(definition, of_sinc, _label(part))
-    agree(definition, listed, of_sinc)
-    unit = 2.0**-52 if part["tier"] == "best" else 1.0
-    bound = relative(definition, of_sinc, part["bound"] * unit)
+    of_part = part["bound"]
+    if of_sinc == "best":
+        of_part *= 2.0**-52
+    bound = relative(definition, of_sinc, of_part)
+    if tier == "float32":
+        bound = 0.5 + bound * 2.0**24
     record: Record = {
         "kernel": kernel,
         "definition": list(definition),
@@ -169,7 +194,7 @@ def certificate(kernel: str, definition: Definition, tier: str, form: str, part:
         "output": len(listed) - 1,
         "operations": listed,
         "assumptions": part["assumptions"],
-        "bound": 0.5 + bound * 2.0**24 if single else bound,
+        "bound": bound,
     }
     return record | {"sha256": digest(record)}
 
@@ -177,17 +202,19 @@ def certificate(kernel: str, definition: Definition, tier: str, form: str, part:
 def prove(record: Record, parts: Iterable[Record]) -> float:
     """Prove what a record claims, given proved certificates of functions of alpha; the bound that was proved.
 
-    Its operations must be those of this module. Raises `ProofError` with the name of a check: part, or what differs.
+    Its operations must be those of `ends`. Raises `ProofError` with the name of a check: part, or what differs.
     """
     called = [value for kind, _, value in record["operations"] if kind == "call"]
-    part = next((p for p in parts if [_label(p)] == called), None)
-    if part is None:
+    serving = [part for part in parts if [_label(part)] == called]
+    if not serving:
         raise rejected("part", record, called, "one that is certified")
-    proved = certificate(record["kernel"], record["definition"], record["tier"], record["form"], part)
+    keys = ("kernel", "definition", "tier", "form")
+    proved = certificate(*(record[key] for key in keys), serving[0])
+    bound = float(proved["bound"])
+    if not bound <= record["bound"]:
+        raise rejected("bound", record, bound, f"at most {record['bound']}")
     for key, value in proved.items():
-        if key != "bound" and record[key] != value:
+        if record[key] != value and key != "bound":
             raise rejected(key, record, record[key], value)
-    if not proved["bound"] <= record["bound"]:
-        raise rejected("bound", record, proved["bound"], f"at most {record['bound']}")
     check_goals(record)
-    return float(proved["bound"])
+    return bound
