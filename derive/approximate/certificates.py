@@ -136,15 +136,16 @@ def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record
 
 def of_ends(proved: Iterable[Record]) -> list[Record]:
     """The records of the functions of both ends, from those of their functions of alpha."""
-    keys = ("kernel", "tier", "form")
-    parts = {tuple(record[key] for key in keys): record for record in proved}
+    parts = {record["sha256"]: record for record in proved}
     certified = []
     for v in variants_of_ends():
         assert v.part
-        part = parts[v.part.kernel, v.part.tier, v.part.form]
-        record = losses.certificate(v.kernel, v.definition, v.tier, v.form, part)
-        certified.append(record | {"bound": round_up(record["bound"])})
-        check_goals(certified[-1])
+        part = plain(v.part)
+        of_part = parts[part["sha256"]]
+        record = losses.certificate(v.kernel, v.definition, v.tier, v.form, of_part)
+        record["bound"] = round_up(record["bound"])
+        check_goals(record)
+        certified.append(record)
     return certified
 
 

@@ -321,17 +321,20 @@ def variants() -> tuple[Variant, ...]:
     return tuple(every)
 
 
-ROUND = 1.5 * 2.0**52  # added and taken off, it rounds to an integer
-
 # --- both ends -------------------------------------------------------------------------------------------------------
+
+ROUND = 1.5 * 2.0**52  # added and taken off, it rounds to an integer
 
 
 def functions_of_ends() -> Iterator[tuple[str, str, tuple[str, ...]]]:
     """The moments that turn with the bisector, and the limit friction: name, kernel and what certificates call it."""
     for moment in MOMENTS:
-        if moment.amplitude:
-            direction = str(derive(moment).direction).replace("(", " ").rstrip(")")
-            yield moment.name, moment.kernel[0], (*moment.definition, direction)
+        if not moment.amplitude:
+            continue
+        kernel, _ = moment.kernel
+        direction = str(derive(moment).direction)
+        words = direction.replace("(", " ").rstrip(")")
+        yield moment.name, kernel, (*moment.definition, words)
     ratio = next(kernel for kernel in shapes.kernels() if kernel.name == LIMIT_FRICTION)
     yield "limit_friction", ratio.name, (*ratio.definition, "tan psi")
 
@@ -347,10 +350,14 @@ def _inlined(name: str, operations: Sequence[Sequence[Any]], part: Program) -> P
         elif kind == "const":
             values.append(code.value(float.fromhex(value)))
         elif kind == "integer":
-            values.append(operands[0] + ROUND - ROUND)
+            (x,) = operands
+            values.append(x + ROUND - ROUND)
         else:
             values.append(code.put(kind, *operands, value=value))
-    return without_dead(Program(name, ("theta_1", "theta_2"), tuple(code.ops), (values[-1].place,)))
+    result = values[-1]
+    inputs = ("theta_1", "theta_2")
+    whole = Program(name, inputs, tuple(code.ops), (result.place,))
+    return without_dead(whole)
 
 
 @cache

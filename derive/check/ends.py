@@ -24,9 +24,11 @@ from derive.check.truth import TOP, Definition
 LIMIT = 2.0**16  # of an end, rad: ten thousand turns
 PASSES = 3
 TURN = 0.5 / math.pi
-TERMS = {"best": 12, "1e-10": 8, "1e-6": 6}  # of sinc's Taylor series
-COTANGENT = (1.0, -1 / 3, -1 / 45, -2 / 945, -1 / 4725)  # x cot(x) in x**2
-# pi, all parts but the last of 37 bits.
+# Of sinc's Taylor series.
+TERMS = {"best": 12, "1e-10": 8, "1e-6": 6}
+# x cot(x) in x**2.
+COTANGENT = (1.0, -1 / 3, -1 / 45, -2 / 945, -1 / 4725)
+# pi; all parts but the last have 37 bits.
 PI = (3.1415926535846666, 5.1266883031679116e-12, 2.1125998133888136e-23, 8.671810130123781e-35)
 
 
@@ -44,8 +46,14 @@ class Step:
         """Append an operation on this and other steps or numbers, or find the equal one that is there."""
         places = [self.place]
         for x in others:
-            places.append(x.place if isinstance(x, Step) else self._find(["const", [], float(x).hex()]))
-        return Step(self.operations, self._find([kind, places, value]))
+            if isinstance(x, Step):
+                place = x.place
+            else:
+                constant = float(x).hex()
+                place = self._find(["const", [], constant])
+            places.append(place)
+        place = self._find([kind, places, value])
+        return Step(self.operations, place)
 
     def _find(self, operation: list[Any]) -> int:
         if operation not in self.operations:
@@ -74,13 +82,26 @@ def horner(x: Step, coefficients: tuple[float, ...]) -> Step:
 
 def sinc(x: Step, terms: int) -> Step:
     """sin(x)/x."""
-    taylor = ((-1) ** k / math.factorial(2 * k + 1) for k in range(terms))
+    taylor = []
+    for k in range(terms):
+        size = 1 / math.factorial(2 * k + 1)
+        taylor.append(-size if k % 2 else size)
     return horner(x * x, tuple(taylor))
 
 
 def cotangent(x: Step) -> Step:
     """x cot(x), nearly."""
     return horner(x * x, COTANGENT)
+
+
+def passed(terms: list[Step]) -> list[Step]:
+    """Their sum, nearly, after what it loses."""
+    total = terms[0]
+    losses = []
+    for term in terms[1:]:
+        total, lost = two_sum(total, term)
+        losses.append(lost)
+    return [*losses, total]
 
 
 def reduced(one: Step, two: Step, odd: bool) -> tuple[Step, Step, Step]:
@@ -96,11 +117,12 @@ def reduced(one: Step, two: Step, odd: bool) -> tuple[Step, Step, Step]:
     for part in PI:
         terms.append(n * -part)
     for _ in range(PASSES):
-        for k in range(1, len(terms)):
-            terms[k], terms[k - 1] = two_sum(terms[k - 1], terms[k])
+        terms = passed(terms)
     high = terms.pop()
-    b, low = two_sum(high, reduce(add, terms))
-    b = b.put("min", 2 * TOP).put("max", -2 * TOP)
+    rest = reduce(add, terms)
+    b, low = two_sum(high, rest)
+    b = b.put("min", 2 * TOP)
+    b = b.put("max", -2 * TOP)
     quarter = half * 0.5
     parity = quarter - quarter.put("integer")  # 0, or 1/2 or -1/2
     size = -4.0 if odd else 4.0
@@ -124,7 +146,8 @@ def operations(definition: Definition, tier: str, part: str) -> list[list[Any]]:
         result = above * (amplitude * sine / cosine) * (sign * other * 4.0) / below
     else:
         lost = two.put("lost", one.put("neg"))
-        share = cotangent(alpha) * 3.0 * (lost / d.put("max", 2.0**-1000))
+        divisor = d.put("max", 2.0**-1000)
+        share = cotangent(alpha) * 3.0 * (lost / divisor)
         b, sine, sign = turned(one, two, "sin" in direction, tier, share)
         if direction[0] == "-":
             sign = sign * -1.0

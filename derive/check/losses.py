@@ -13,11 +13,11 @@ from flint import arb, arb_series
 
 from derive.check import truth
 from derive.check.ends import LIMIT, PASSES, PI, TERMS, Step, cotangent, operations, sinc
-from derive.check.patches import SMALL, ideal
+from derive.check.patches import ideal
 from derive.check.proof import ProofError
 from derive.check.records import Record, check_goals, digest, rejected
-from derive.check.rounding import DOWN, ROUNDING_BITS, UP, rounding_sum, specialise
-from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Definition, ball, working
+from derive.check.rounding import DOWN, ROUNDING_BITS, UP, Tape, rounding_sum, specialise
+from derive.check.truth import BITS, SEGMENTS, TOP, Definition, ball, working
 
 HALF_ULP = 2.0**-53
 
@@ -74,30 +74,28 @@ def reduction_loss() -> float:
     return worst * (1 + 2.0**-30)
 
 
-def traced(function: Callable[[Step], Step]) -> Record:
-    """The operations of a function of one number, and which is the result."""
+def traced(function: Callable[[Step], Step]) -> Tape:
+    """The operations of a function of one number in [0, TOP], for the analysis of rounding."""
     start = Step([["input", [], "x"]])
     output = function(start).place
-    return {"operations": start.operations, "output": output}
+    return specialise({"operations": start.operations, "output": output}, 0.0, TOP)
 
 
 @cache
 def sinc_loss(tier: str) -> float:
     """A bound on the relative error of sinc on [0, TOP]: of its series, and of rounding box by box."""
     terms = TERMS[tier]
-    record = traced(partial(sinc, terms=terms))
+    tape = traced(partial(sinc, terms=terms))
     end = 1.571  # above pi/2
     series = end ** (2 * terms) / math.factorial(2 * terms + 1)  # the first omitted term
     with working(BITS):
-        computed = ideal(specialise(record, 0.0, TOP), arb(0))
+        computed = ideal(tape, arb(0))
         taylor = arb_series([0, 1]).sin()
         for k in range(2 * terms):
             series += above(computed[k] - taylor[k + 1]) * end**k
     worst = 0.0
-    for lower, upper in boxes(0.0, TOP, 128):
-        with working(ROUNDING_BITS):
-            x = ball(lower, upper)
-            tape = specialise(record, lower, upper)
+    with working(ROUNDING_BITS):
+        for x in boxes(0.0, TOP):
             rest, last = rounding_sum(tape, x)
             error = (rest + last + series) / x.sinc()
             worst = max(worst, above(error))
@@ -107,11 +105,10 @@ def sinc_loss(tier: str) -> float:
 @cache
 def cotangent_loss() -> float:
     """A bound on the error of x cot(x) on [0, TOP], that of rounding in it."""
-    tape = specialise(traced(cotangent), 0.0, TOP)
+    tape = traced(cotangent)
     worst = 0.0
     with working(BITS):
-        for ends in boxes(0.0, TOP, 512):
-            x = ball(*ends)
+        for x in boxes(0.0, TOP):
             computed, *_ = ideal(tape, x)
             exact = x.cos() / x.sinc()
             worst = max(worst, above(computed - exact))
@@ -122,35 +119,34 @@ def cotangent_loss() -> float:
 def slope_gap(statement: str) -> float:
     """A bound on |alpha C'/C - 3 k(alpha)|.
 
-    The chord's end moves: C' = 2 sin(alpha) T_n for r^n cos u (`truth`). Below SMALL, alpha cos(alpha)^n <= T_n <=
-    alpha bounds both within 3 (cos(alpha)^-(n + 2) - 1) of each other.
+    The chord's end moves: C' = 2 sin(alpha) T_n for r^n cos u (`truth`). As alpha cos(alpha)^n <= T_n <= alpha, they
+    are within 3 (cos(alpha)^-(n + 2) - 1) of each other, which serves on the first segment.
     """
     power = int(statement.split()[0].removeprefix("r^"))
+    first, *others = SEGMENTS
     with working(BITS):
-        thin = arb(SMALL).cos() ** -(power + 2)
+        thin = arb(first.upper).cos() ** -(power + 2)
         worst = above(3 * (thin - 1))
-        for segment in SEGMENTS:
+        for segment in others:
             model = truth.kernel(statement, segment)
-            order = 0 if segment.lower else CUBE
-            for ends in boxes(max(segment.lower, SMALL), segment.upper, 128):
-                x = ball(*ends)
+            for x in boxes(segment.lower, segment.upper):
                 s, c = x.sin_cos()
                 half = (arb.pi() / 2 - x) / 2
                 h = -half.tan().log()
-                amplitude = model(x - segment.centre) * x**order
                 slope = 2 * s * truth.folded(power, x, s, c, h)
-                worst = max(worst, above(x * slope / amplitude - 3 * x * c / s))
+                amplitude = model(x - segment.centre)
+                steepness = x * slope / amplitude
+                near = 3 * x * c / s
+                worst = max(worst, above(steepness - near))
     return worst + 3 * cotangent_loss()
 
 
-def boxes(lower: float, upper: float, count: int) -> Iterator[tuple[float, float]]:
-    """An interval in so many parts, each as long for its place as the others where it does not start at 0."""
-    if lower:
-        ratio = upper / lower
-        points = [lower * ratio ** (k / count) for k in range(count)]
-    else:
-        points = [upper * k / count for k in range(count)]
-    return pairwise([*points, upper])
+def boxes(lower: float, upper: float) -> Iterator[arb]:
+    """An interval in 256 parts."""
+    width = (upper - lower) / 256
+    points = [lower + k * width for k in range(256)]
+    for ends in pairwise([*points, upper]):
+        yield ball(*ends)
 
 
 def relative(definition: Definition, tier: str, part: float) -> float:
@@ -202,19 +198,17 @@ def certificate(kernel: str, definition: Definition, tier: str, form: str, part:
 def prove(record: Record, parts: Iterable[Record]) -> float:
     """Prove what a record claims, given proved certificates of functions of alpha; the bound that was proved.
 
-    Its operations must be those of `ends`. Raises `ProofError` with the name of a check: part, or what differs.
+    It must state the operations of `ends`. Raises `ProofError` with the name of a check: part, bound or program.
     """
     called = [value for kind, _, value in record["operations"] if kind == "call"]
     serving = [part for part in parts if [_label(part)] == called]
     if not serving:
         raise rejected("part", record, called, "one that is certified")
-    keys = ("kernel", "definition", "tier", "form")
-    proved = certificate(*(record[key] for key in keys), serving[0])
-    bound = float(proved["bound"])
+    proved = certificate(record["kernel"], record["definition"], record["tier"], record["form"], serving[0])
+    bound = float(proved.pop("bound"))
     if not bound <= record["bound"]:
         raise rejected("bound", record, bound, f"at most {record['bound']}")
-    for key, value in proved.items():
-        if record[key] != value and key != "bound":
-            raise rejected(key, record, record[key], value)
+    if record != proved | {"bound": record["bound"]}:
+        raise rejected("program", record, "other operations", "those of the checker")
     check_goals(record)
     return bound

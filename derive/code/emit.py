@@ -160,13 +160,13 @@ def _tiered(f: Function, text: PythonText, doc: str) -> str:
     """A certified function: the text of each tier, and a function that leaves the choice to `_compiled`."""
     name = f.program.name
     inputs = f.program.inputs
-    made, space = ("kernel", "xp") if len(inputs) == 1 else ("of_ends", "np")
+    space, more = ("xp", "") if len(inputs) == 1 else ("np", ", both_ends=True")
     bodies = {tier: identifier(name, "" if tier == "best" else tier) for tier in f.tiers}
     texts = "".join(f"{text.body(of, bodies[tier], space)}\n\n" for tier, of in f.tiers.items())
     rows = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())
     typed = ", ".join(f"{x}: ArrayLike" for x in inputs)
     return (
-        f'{texts}TEXTS["{name}"] = {{{rows}}}\n_call_{name} = {made}("{name}", TEXTS["{name}"])\n\n\n'
+        f'{texts}TEXTS["{name}"] = {{{rows}}}\n_call_{name} = kernel("{name}", TEXTS["{name}"]{more})\n\n\n'
         f"def {name}(\n    {typed}, /, out: Out = None, *, "
         f"where: ArrayLike = True, accuracy: float | None = None\n) -> Any:\n{doc}"
         f"    return _call_{name}({', '.join(inputs)}, out, where, accuracy)\n"
@@ -225,7 +225,7 @@ _IMPORTS = (
     "import numpy as np",
     "from numpy.typing import ArrayLike",
     "",
-    "from generated._compiled import Text, kernel, of_ends",
+    "from generated._compiled import Text, kernel",
     "from generated._evaluate import Array, Out, evaluate, horner, lost",
 )
 

@@ -64,44 +64,20 @@ _asked = os.environ.get("SLIPCIRCLE_COMPILED", "")
 LEVEL = _asked if _asked in LEVELS else next(iter(LEVELS))
 
 
-def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
-    """The function ``(alpha, out, where, accuracy)`` behind a public kernel, from its NumPy text of every tier."""
-    loop_of, cheapest, general = _choices(name, texts, level, _numpy)
-    best = loop_of("best")
+def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: bool = False) -> Callable[..., Any]:
+    """The function behind a public one, from its NumPy text of every tier.
 
-    def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
-        of = type(alpha)
-        simple = best is not None and where is True
-        if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
-            loop = best
-            if accuracy is not None:
-                loop = loop_of(cheapest("d" if of is float else alpha.dtype.char, accuracy))
-            return loop(alpha) if out is None else loop(alpha, out)
-        if _is_foreign(alpha):
-            return _elsewhere(name, texts, alpha, out, where, accuracy)
-        return general((alpha,), out, where, accuracy)
-
-    return call
-
-
-def of_ends(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
-    """The function ``(theta_1, theta_2, out, where, accuracy)`` behind one of both ends of an arc."""
-    *_, general = _choices(name, texts, level, _numpy_of_ends)
-
-    def call(theta_1: Any, theta_2: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
-        return general((theta_1, theta_2), out, where, accuracy)
-
-    return call
-
-
-def _choices(name: str, texts: Mapping[str, Text], level: str, numpy: Callable[..., Any]) -> tuple[Any, Any, Any]:
-    """The loop of a tier, or None; the cheapest tier for a float format and an accuracy; what calls with any arrays."""
+    Of ``(alpha, out, where, accuracy)``, or with ``both_ends`` of ``(theta_1, theta_2, out, where, accuracy)``.
+    """
     form, loops = LEVELS[level]
     cached = cache(partial(_cheapest, name, form))
+    numpy = _numpy_of_ends if both_ends else _numpy
 
     def loop_of(tier: str) -> Any:
-        """That of float32 is a type of the best one's."""
+        """The compiled loop of a tier, or None; that of float32 is a type of the best one's."""
         return loops.get("best" if tier == "float32" else tier, {}).get(name)
+
+    best = loop_of("best")
 
     def cheapest(kind: str, accuracy: float) -> str:
         if not isinstance(accuracy, _NUMBERS):
@@ -118,7 +94,22 @@ def _choices(name: str, texts: Mapping[str, Text], level: str, numpy: Callable[.
             return numpy(texts[tier], items, kind, out, where)
         return _masked(loop, [np.asarray(x, dtype=kind) for x in items], out, where)
 
-    return loop_of, cheapest, general
+    def of_alpha(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
+        of = type(alpha)
+        simple = best is not None and where is True
+        if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
+            loop = best
+            if accuracy is not None:
+                loop = loop_of(cheapest("d" if of is float else alpha.dtype.char, accuracy))
+            return loop(alpha) if out is None else loop(alpha, out)
+        if _is_foreign(alpha):
+            return _elsewhere(name, texts, alpha, out, where, accuracy)
+        return general((alpha,), out, where, accuracy)
+
+    def of_ends(one: Any, two: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
+        return general((one, two), out, where, accuracy)
+
+    return of_ends if both_ends else of_alpha
 
 
 def _is_foreign(alpha: Any) -> bool:
@@ -197,8 +188,10 @@ def _numpy_of_ends(text: Text, items: Sequence[Any], _: np.dtype[Any], out: Any,
 
 
 def _is_arc(eps: float, theta_1: Array, theta_2: Array) -> Any:
+    alpha = 0.5 * theta_2 - 0.5 * theta_1
     near = (theta_1 >= -LIMIT) & (theta_2 <= LIMIT)
-    return near & (theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= HALF_PI * (1.0 + 4.0 * eps))
+    ordered = theta_2 >= theta_1
+    return near & ordered & (alpha <= HALF_PI * (1.0 + 4.0 * eps))
 
 
 def _inside(eps: float, alpha: Array) -> Any:
