@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 44f917ef2cfb0450605c0eac4dc4d5d7bf14101049e0461117dc27b54fb0ceb9
+# sha256 of the text below: a4b5af02d836d5120656fd062a76893f72287ac562755d828659b3c467cc1ff7
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -66,29 +66,38 @@ _asked = os.environ.get("SLIPCIRCLE_COMPILED", "")
 LEVEL = _asked if _asked in LEVELS else next(iter(LEVELS))
 
 
-def _choices(name: str, level: str) -> tuple[Callable[[str], Any], Callable[[str, float], str]]:
-    """The compiled loop of a tier, or None; and the cheapest tier for a float format and an accuracy."""
+def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: bool = False) -> Callable[..., Any]:
+    """The function behind a public one, from its NumPy text of every tier.
+
+    Of ``(alpha, out, where, accuracy)``, or with ``both_ends`` of ``(theta_1, theta_2, out, where, accuracy)``.
+    """
     form, loops = LEVELS[level]
     cached = cache(partial(_cheapest, name, form))
+    numpy = _numpy_of_ends if both_ends else _numpy
 
     def loop_of(tier: str) -> Any:
-        """That of float32 is a type of the best one's."""
+        """The compiled loop of a tier, or None; that of float32 is a type of the best one's."""
         return loops.get("best" if tier == "float32" else tier, {}).get(name)
+
+    best = loop_of("best")
 
     def cheapest(kind: str, accuracy: float) -> str:
         if not isinstance(accuracy, _NUMBERS):
             raise TypeError(f"{name}: accuracy is one number, a relative error above 0, not {accuracy!r}")
         return cached(kind, accuracy)
 
-    return loop_of, cheapest
+    def general(args: tuple[Any, ...], out: Any, where: Any, accuracy: float | None) -> Any:
+        items, kind = real(args)
+        tier = "float32" if kind.char == "f" and "float32" in texts else "best"
+        if accuracy is not None:
+            tier = cheapest(kind.char, accuracy)
+        loop = loop_of(tier)
+        if loop is None or kind.char not in "df":
+            return numpy(texts[tier], items, kind, out, where)
+        arrays = [np.asarray(x, dtype=kind) for x in items]
+        return _masked(loop, arrays, out, where)
 
-
-def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
-    """The function ``(alpha, out, where, accuracy)`` behind a public kernel, from its NumPy text of every tier."""
-    loop_of, cheapest = _choices(name, level)
-    best = loop_of("best")
-
-    def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
+    def of_alpha(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
         simple = best is not None and where is True
         if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
@@ -98,47 +107,12 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
             return loop(alpha) if out is None else loop(alpha, out)
         if _is_foreign(alpha):
             return _elsewhere(name, texts, alpha, out, where, accuracy)
-        (x,), kind = real((alpha,))
-        tier = _tier(texts, kind, accuracy, cheapest)
-        loop = loop_of(tier)
-        if loop is None or kind.char not in "df":
-            return _numpy(texts[tier], x, kind, out, where)
-        return _masked(loop, (np.asarray(x, dtype=kind),), out, where)
+        return general((alpha,), out, where, accuracy)
 
-    return call
+    def of_ends(one: Any, two: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
+        return general((one, two), out, where, accuracy)
 
-
-def of_ends(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
-    """The function ``(theta_1, theta_2, out, where, accuracy)`` behind one of both ends of an arc."""
-    loop_of, cheapest = _choices(name, level)
-
-    def call(theta_1: Any, theta_2: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
-        ends, kind = real((theta_1, theta_2))
-        tier = _tier(texts, kind, accuracy, cheapest)
-        loop = loop_of(tier)
-        if loop is None or kind.char not in "df":
-            return evaluate(partial(_silent, texts[tier]), _is_arc, (4.0, 5.0), tuple(ends), out, where)
-        return _masked(loop, [np.asarray(x, dtype=kind) for x in ends], out, where)
-
-    return call
-
-
-def _is_arc(eps: float, theta_1: Array, theta_2: Array) -> Any:
-    near = (theta_1 >= -LIMIT) & (theta_2 <= LIMIT)
-    return near & (theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= HALF_PI * (1.0 + 4.0 * eps))
-
-
-def _silent(text: Text, theta_1: Array, theta_2: Array) -> Array:
-    """Where nothing presses on the arc, limit friction is infinite."""
-    with np.errstate(divide="ignore", over="ignore", under="ignore"):
-        return text(theta_1, theta_2)
-
-
-def _tier(texts: Mapping[str, Text], kind: np.dtype[Any], accuracy: float | None, cheapest: Callable[..., str]) -> str:
-    """What serves a float format where the best, or an accuracy, is asked for."""
-    if accuracy is not None:
-        return cheapest(kind.char, accuracy)
-    return "float32" if kind.char == "f" and "float32" in texts else "best"
+    return of_ends if both_ends else of_alpha
 
 
 def _is_foreign(alpha: Any) -> bool:
@@ -175,19 +149,20 @@ def _masked(loop: Any, args: Sequence[Array], out: Any, where: Any) -> Any:
     if out is not None:
         return loop(*args, out, where=mask)
     shape = np.broadcast_shapes(mask.shape, *(x.shape for x in args))
-    return loop(*args, np.full(shape, np.nan, args[0].dtype), where=mask)[()]
+    empty = np.full(shape, np.nan, args[0].dtype)
+    return loop(*args, empty, where=mask)[()]
 
 
 _NUMBERS = (int, float, np.integer, np.floating)
 _SCALARS = frozenset((float, np.float64, np.float32))
 
 
-def _numpy(text: Text, x: Any, kind: np.dtype[Any], out: Any, where: Any) -> Any:
+def _numpy(text: Text, items: Sequence[Any], kind: np.dtype[Any], out: Any, where: Any) -> Any:
     """By blocks; those that lie in [0, pi/2], as a rule, need no masks."""
     body = partial(_clipped, text)
     if where is not True:
-        return evaluate(body, _inside, (0.5,), (x,), out, where)
-    alpha = np.asarray(x, dtype=kind)
+        return evaluate(body, _inside, (0.5,), tuple(items), out, where)
+    alpha = np.asarray(items[0], dtype=kind)
     result = np.empty(alpha.shape, kind)
     flat = alpha.reshape(-1)
     values = result.reshape(-1)
@@ -204,6 +179,23 @@ def _numpy(text: Text, x: Any, kind: np.dtype[Any], out: Any, where: Any) -> Any
         return result[()]
     np.copyto(out, result, casting="same_kind")
     return out
+
+
+def _numpy_of_ends(text: Text, items: Sequence[Any], _: np.dtype[Any], out: Any, where: Any) -> Any:
+    """Where nothing presses on an arc its limit friction is infinite, without a flag."""
+
+    def body(theta_1: Array, theta_2: Array) -> Array:
+        with np.errstate(divide="ignore", over="ignore", under="ignore"):
+            return text(theta_1, theta_2)
+
+    return evaluate(body, _is_arc, (4.0, 5.0), tuple(items), out, where)
+
+
+def _is_arc(eps: float, theta_1: Array, theta_2: Array) -> Any:
+    alpha = 0.5 * theta_2 - 0.5 * theta_1
+    near = (theta_1 >= -LIMIT) & (theta_2 <= LIMIT)
+    ordered = theta_2 >= theta_1
+    return near & ordered & (alpha <= HALF_PI * (1.0 + 4.0 * eps))
 
 
 def _inside(eps: float, alpha: Array) -> Any:

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "6d78fe6b5ba9b89028ac68beb0450c473779dc979806f7a1598d619badf5d860"
+#define DIGEST "7aa9f7378ef5e1b0b99325fcdbc3cce75673cc350200fe604ca6d10cfbc79792"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -792,7 +792,7 @@ INLINE double weight_moment_per_radial_weight_best_fused(double alpha)
 #define weight_moment_per_radial_weight_best_fused_KIND whole
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends, best,
- * fused: proved within 8.4e-16 relative (certificates/radial_weight.json) */
+ * fused: proved within 8.42e-16 relative (certificates/radial_weight.json) */
 INLINE double radial_weight_best_fused(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -959,7 +959,7 @@ INLINE double radial_weight_float32_fused(double theta_1, double theta_2)
 }
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends, 1e-6,
- * fused: proved within 3.98e-07 relative (certificates/radial_weight.json) */
+ * fused: proved within 3.99e-07 relative (certificates/radial_weight.json) */
 INLINE double radial_weight_1e_6_fused(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -1013,7 +1013,7 @@ INLINE double radial_weight_1e_6_fused(double theta_1, double theta_2)
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
- * ends, best, fused: proved within 8.24e-16 relative (certificates/weight_moment.json) */
+ * ends, best, fused: proved within 8.33e-16 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_best_fused(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -1070,7 +1070,7 @@ INLINE double weight_moment_best_fused(double theta_1, double theta_2)
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
- * ends, 1e-10, fused: proved within 8.15e-12 relative (certificates/weight_moment.json) */
+ * ends, 1e-10, fused: proved within 8.16e-12 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_1e_10_fused(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -1182,7 +1182,7 @@ INLINE double weight_moment_float32_fused(double theta_1, double theta_2)
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
- * ends, 1e-6, fused: proved within 4.95e-07 relative (certificates/weight_moment.json) */
+ * ends, 1e-6, fused: proved within 4.96e-07 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_1e_6_fused(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -1236,7 +1236,7 @@ INLINE double weight_moment_1e_6_fused(double theta_1, double theta_2)
 }
 
 /* mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise, both ends, best,
- * fused: proved within 1.56e-15 relative (certificates/limit_friction.json) */
+ * fused: proved within 1.57e-15 relative (certificates/limit_friction.json) */
 INLINE double limit_friction_best_fused(double theta_1, double theta_2)
 {
     const double t1 = weight_moment_per_radial_weight_best_fused(SMALLER((theta_2 - theta_1) * 0.5,
@@ -1993,7 +1993,7 @@ INLINE double radial_weight_float32_plain(double theta_1, double theta_2)
 }
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends, 1e-6,
- * plain: proved within 3.98e-07 relative (certificates/radial_weight.json) */
+ * plain: proved within 3.99e-07 relative (certificates/radial_weight.json) */
 INLINE double radial_weight_1e_6_plain(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -2047,7 +2047,7 @@ INLINE double radial_weight_1e_6_plain(double theta_1, double theta_2)
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
- * ends, best, plain: proved within 1.51e-15 relative (certificates/weight_moment.json) */
+ * ends, best, plain: proved within 1.52e-15 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_best_plain(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -2104,7 +2104,7 @@ INLINE double weight_moment_best_plain(double theta_1, double theta_2)
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
- * ends, 1e-10, plain: proved within 8.15e-12 relative (certificates/weight_moment.json) */
+ * ends, 1e-10, plain: proved within 8.16e-12 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_1e_10_plain(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -2216,7 +2216,7 @@ INLINE double weight_moment_float32_plain(double theta_1, double theta_2)
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
- * ends, 1e-6, plain: proved within 4.95e-07 relative (certificates/weight_moment.json) */
+ * ends, 1e-6, plain: proved within 4.96e-07 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_1e_6_plain(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -2270,7 +2270,7 @@ INLINE double weight_moment_1e_6_plain(double theta_1, double theta_2)
 }
 
 /* mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise, both ends, best,
- * plain: proved within 2.23e-15 relative (certificates/limit_friction.json) */
+ * plain: proved within 2.24e-15 relative (certificates/limit_friction.json) */
 INLINE double limit_friction_best_plain(double theta_1, double theta_2)
 {
     const double t1 = weight_moment_per_radial_weight_best_plain(SMALLER((theta_2 - theta_1) * 0.5,

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: de36bed12a96d910253af54f2a5fc386ccb0bce754944d00e8c3708d3f6c3ac1
+# sha256 of the text below: 707f62269b2af85f7623b45ce41e42a1077b752bd5466b99821406fa2179d7ac
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from generated._compiled import Text, kernel, of_ends
+from generated._compiled import Text, kernel
 from generated._evaluate import Array, Out, horner, lost
 
 __all__ = [
@@ -964,7 +964,7 @@ def _radial_weight_1e_6(theta_1: Array, theta_2: Array) -> Array:
 
 TEXTS["radial_weight"] = {"best": _radial_weight, "1e-10": _radial_weight_1e_10, "float32": _radial_weight_float32,
     "1e-6": _radial_weight_1e_6}
-_call_radial_weight = of_ends("radial_weight", TEXTS["radial_weight"])
+_call_radial_weight = kernel("radial_weight", TEXTS["radial_weight"], both_ends=True)
 
 
 def radial_weight(
@@ -998,8 +998,8 @@ def radial_weight(
     -----
     Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), |theta| <= 65536; elsewhere NaN and NumPy's
     ``invalid`` flag, of NaN without.
-    Accuracy: proved, rounding included: 8.4e-16 relative compiled with FMA, 1.59e-15 without, 1.59e-15 in
-    NumPy; accuracy=1e-10: 6.47e-11 relative; accuracy=1e-6: 3.98e-07 relative; float32: 0.502 ulp
+    Accuracy: proved, rounding included: 8.42e-16 relative compiled with FMA, 1.59e-15 without, 1.59e-15 in
+    NumPy; accuracy=1e-10: 6.47e-11 relative; accuracy=1e-6: 3.99e-07 relative; float32: 0.502 ulp
     (certificates/radial_weight.json).
     Source: eq. (2.23) of the paper. Operations: 75 mul, 76 add, 6 sub, 2 div, 1 neg, 2 min, 3 max, 1 less, 1
     select, 1 log, 17 lost.
@@ -1218,7 +1218,7 @@ def _weight_moment_1e_6(theta_1: Array, theta_2: Array) -> Array:
 
 TEXTS["weight_moment"] = {"best": _weight_moment, "1e-10": _weight_moment_1e_10, "float32": _weight_moment_float32,
     "1e-6": _weight_moment_1e_6}
-_call_weight_moment = of_ends("weight_moment", TEXTS["weight_moment"])
+_call_weight_moment = kernel("weight_moment", TEXTS["weight_moment"], both_ends=True)
 
 
 def weight_moment(
@@ -1252,8 +1252,8 @@ def weight_moment(
     -----
     Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), |theta| <= 65536; elsewhere NaN and NumPy's
     ``invalid`` flag, of NaN without.
-    Accuracy: proved, rounding included: 8.24e-16 relative compiled with FMA, 1.51e-15 without, 1.51e-15 in
-    NumPy; accuracy=1e-10: 8.15e-12 relative; accuracy=1e-6: 4.95e-07 relative; float32: 0.501 ulp
+    Accuracy: proved, rounding included: 8.33e-16 relative compiled with FMA, 1.52e-15 without, 1.52e-15 in
+    NumPy; accuracy=1e-10: 8.16e-12 relative; accuracy=1e-6: 4.96e-07 relative; float32: 0.501 ulp
     (certificates/weight_moment.json).
     Source: eq. (3.13) of the paper. Operations: 63 mul, 66 add, 7 sub, 2 div, 1 neg, 2 min, 2 max, 1 less, 1
     select, 17 lost.
@@ -1354,7 +1354,7 @@ def _limit_friction(theta_1: Array, theta_2: Array) -> Array:
 
 
 TEXTS["limit_friction"] = {"best": _limit_friction}
-_call_limit_friction = of_ends("limit_friction", TEXTS["limit_friction"])
+_call_limit_friction = kernel("limit_friction", TEXTS["limit_friction"], both_ends=True)
 
 
 def limit_friction(
@@ -1388,7 +1388,7 @@ def limit_friction(
     -----
     Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), |theta| <= 65536; elsewhere NaN and NumPy's
     ``invalid`` flag, of NaN without.
-    Accuracy: proved, rounding included: 1.56e-15 relative compiled with FMA, 2.23e-15 without, 2.23e-15 in
+    Accuracy: proved, rounding included: 1.57e-15 relative compiled with FMA, 2.24e-15 without, 2.24e-15 in
     NumPy (certificates/limit_friction.json).
     Source: eq. (3.21) of the paper. Operations: 115 mul, 132 add, 11 sub, 3 div, 3 min, 3 max, 1 less, 2
     select, 1 log, 31 lost.

@@ -218,13 +218,19 @@ def checked(record: Record) -> tuple[str, bool]:
     start = time.perf_counter()
     tier = record["tier"]
     name = f"{record['kernel']:<32} {tier:<8} {record['form']:<6}"
+    unit = TIERS[tier].unit
     try:
-        proved = losses.prove(record, read()) if of_both_ends(record) else prove(record)
+        if of_both_ends(record):
+            if tier == "best":
+                unit = "relative"
+            proved = losses.prove(record, read())
+        else:
+            proved = prove(record)
     except ProofError as refusal:
         return f"{name} REJECTED: {refusal}", False
     seconds = time.perf_counter() - start
-    numbers = f"{proved:>9.4g} {record['bound']:>9.3g} {record.get('bound_to_quarter_pi', math.nan):>9.3g}"
-    unit = "relative" if of_both_ends(record) and tier == "best" else TIERS[tier].unit
+    near = record.get("bound_to_quarter_pi", math.nan)
+    numbers = f"{proved:>9.4g} {record['bound']:>9.3g} {near:>9.3g}"
     return f"{name} {numbers}  {unit:<14} {seconds:>7.2f}", True
 
 

@@ -164,18 +164,13 @@ def relative(definition: Definition, tier: str, part: float) -> float:
     return total * (1 + 2 * total) + 2.0**-80  # second orders of what is lost, and roundings of first ones
 
 
-def _label(part: Record) -> str:
-    """What a call of it says."""
-    return " ".join(str(part[key]) for key in ("kernel", "tier", "form", "sha256"))
-
-
 def certificate(kernel: str, definition: Definition, tier: str, form: str, part: Record) -> Record:
     """The certificate of a function of both ends, from that of its function of alpha."""
     *statements, _ = definition
     if statements != part["definition"]:
         raise ProofError(f"{kernel}: definition of its part", part["definition"], statements)
     of_sinc = part["tier"]
-    listed = operations(definition, of_sinc, _label(part))
+    listed = operations(definition, of_sinc, part["sha256"])
     of_part = part["bound"]
     if of_sinc == "best":
         of_part *= 2.0**-52
@@ -201,7 +196,7 @@ def prove(record: Record, parts: Iterable[Record]) -> float:
     It must state the operations of `ends`. Raises `ProofError` with the name of a check: part, bound or program.
     """
     called = [value for kind, _, value in record["operations"] if kind == "call"]
-    serving = [part for part in parts if [_label(part)] == called]
+    serving = [part for part in parts if [part["sha256"]] == called]
     if not serving:
         raise rejected("part", record, called, "one that is certified")
     proved = certificate(record["kernel"], record["definition"], record["tier"], record["form"], serving[0])

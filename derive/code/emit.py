@@ -160,7 +160,11 @@ def _tiered(f: Function, text: PythonText, doc: str) -> str:
     """A certified function: the text of each tier, and a function that leaves the choice to `_compiled`."""
     name = f.program.name
     inputs = f.program.inputs
-    space, more = ("xp", "") if len(inputs) == 1 else ("np", ", both_ends=True")
+    space = "xp"
+    more = ""
+    if len(inputs) > 1:
+        space = "np"
+        more = ", both_ends=True"
     bodies = {tier: identifier(name, "" if tier == "best" else tier) for tier in f.tiers}
     texts = "".join(f"{text.body(of, bodies[tier], space)}\n\n" for tier, of in f.tiers.items())
     rows = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())

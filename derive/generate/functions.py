@@ -73,19 +73,20 @@ def _accuracy(name: str, proved: Sequence[Record]) -> str:
         return ACCURACY
     bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in mine}
     unit = "relative" if of_both_ends(mine[0]) else "ulp"
+    fused = bounds["best", "fused"]
     plain = bounds["best", "plain"]
+    in_numpy = bounds.get(("best", "numpy"), plain)
     cheap = "".join(
         f"; accuracy={tier}: {bound:.3g} relative"
         for (tier, form), bound in bounds.items()
         if form == "fused" and tier[0] == "1"
     )
+    single = ""
     if ("float32", "fused") in bounds:
         single = f"; float32: {bounds['float32', 'fused']:.3g} ulp"
-    else:
-        single = ""
     return (
-        f"proved, rounding included: {bounds['best', 'fused']:.3g} {unit} compiled with FMA, {plain:.3g} without, "
-        f"{bounds.get(('best', 'numpy'), plain):.3g} in NumPy{cheap}{single} (certificates/{name}.json)."
+        f"proved, rounding included: {fused:.3g} {unit} compiled with FMA, {plain:.3g} without, "
+        f"{in_numpy:.3g} in NumPy{cheap}{single} (certificates/{name}.json)."
     )
 
 
@@ -97,10 +98,16 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
         kernel = r["kernel"]
         tier = r["tier"]
         form = r["form"]
-        relative = tier[0] == "1" or (of_both_ends(r) and tier == "best")
-        bound = f"{r['bound']:.3g} {'relative' if relative else 'ulp'} (certificates/{kernel}.json)"
+        interval = "0 <= alpha <= pi/2"
+        unit = "ulp"
+        if of_both_ends(r):
+            interval = "both ends"
+            if tier == "best":
+                unit = "relative"
+        if tier[0] == "1":
+            unit = "relative"
+        bound = f"{r['bound']:.3g} {unit} (certificates/{kernel}.json)"
         formula = known[kernel].formula.rstrip(".")
-        interval = "both ends" if of_both_ends(r) else "0 <= alpha <= pi/2"
         texts[kernel, tier, form] = f"{formula}, {interval}, {tier}, {form}: proved within {bound}"
     return texts
 
@@ -135,7 +142,8 @@ def _of_ends(proved: Sequence[Record]) -> list[Function]:
         if name in moments:
             m = moments[name]
             symbol = m.symbol
-            turned = f"{m.kernel[1]}(alpha) {derive(m).direction}"
+            _, amplitude = m.kernel
+            turned = f"{amplitude}(alpha) {derive(m).direction}"
             words = (
                 f"{symbol}: {m.help}, dimensionless.",
                 f"{symbol} = {turned}, alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2.",
@@ -148,8 +156,10 @@ def _of_ends(proved: Sequence[Record]) -> list[Function]:
                 "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
                 f"eq. (3.21) of {PAPER}",
             )
+        best = tiers["best"]
+        returns = f"{symbol}."
         accuracy = _accuracy(name, proved)
-        every.append(Function(tiers["best"], *words, _ARC, f"{symbol}.", _ARC_DOMAIN, accuracy, tiers=tiers))
+        every.append(Function(best, *words, _ARC, returns, _ARC_DOMAIN, accuracy, tiers=tiers))
     return every
 
 

@@ -92,7 +92,8 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
         loop = loop_of(tier)
         if loop is None or kind.char not in "df":
             return numpy(texts[tier], items, kind, out, where)
-        return _masked(loop, [np.asarray(x, dtype=kind) for x in items], out, where)
+        arrays = [np.asarray(x, dtype=kind) for x in items]
+        return _masked(loop, arrays, out, where)
 
     def of_alpha(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
@@ -146,7 +147,8 @@ def _masked(loop: Any, args: Sequence[Array], out: Any, where: Any) -> Any:
     if out is not None:
         return loop(*args, out, where=mask)
     shape = np.broadcast_shapes(mask.shape, *(x.shape for x in args))
-    return loop(*args, np.full(shape, np.nan, args[0].dtype), where=mask)[()]
+    empty = np.full(shape, np.nan, args[0].dtype)
+    return loop(*args, empty, where=mask)[()]
 
 
 _NUMBERS = (int, float, np.integer, np.floating)
