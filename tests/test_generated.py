@@ -26,8 +26,8 @@ ARGUMENTS = {
 }
 for level in _compiled.LEVELS:  # kernels as every level of the processor computes them
     for name in kernels.TEXTS:
-        made = _compiled.kernel if name in FITTED else _compiled.of_ends
-        FUNCTIONS[f"{name}, {level}"] = made(name, kernels.TEXTS[name], level)
+        of_level = _compiled.kernel(name, kernels.TEXTS[name], level, both_ends=name not in FITTED)
+        FUNCTIONS[f"{name}, {level}"] = of_level
         ARGUMENTS[f"{name}, {level}"] = ARGUMENTS[name]
 each_function = pytest.mark.parametrize("name", list(FUNCTIONS))
 # A point inside every domain, by argument, and its float32 and integer.

@@ -339,7 +339,7 @@ def functions_of_ends() -> Iterator[tuple[str, str, tuple[str, ...]]]:
     yield "limit_friction", ratio.name, (*ratio.definition, "tan psi")
 
 
-def _inlined(name: str, operations: Sequence[Sequence[Any]], part: Program) -> Program:
+def inlined(name: str, operations: Sequence[Sequence[Any]], part: Program) -> Program:
     """The program of operations that call this part."""
     code = Builder()
     values: list[Value] = []
@@ -369,7 +369,7 @@ def variants_of_ends() -> tuple[Variant, ...]:
             if part.kernel != kernel or part.tier not in ends.TERMS:
                 continue
             listed = ends.operations(definition, part.tier, "")
-            program = _inlined(name, listed, part.program)
+            program = inlined(name, listed, part.program)
             every.append(Variant(name, definition, part.tier, part.form, program, part))
             if part.tier == "1e-10":
                 every.append(replace(every[-1], tier="float32"))
