@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 707f62269b2af85f7623b45ce41e42a1077b752bd5466b99821406fa2179d7ac
+# sha256 of the text below: 3fe2d5ca959d3af94a7d7515d71d50357d85611bf3aa632c6d7701982927849c
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from __future__ import annotations
@@ -996,8 +996,8 @@ def radial_weight(
 
     Notes
     -----
-    Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), |theta| <= 65536; elsewhere NaN and NumPy's
-    ``invalid`` flag, of NaN without.
+    Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), both ends within 65536 rad of 0; elsewhere NaN and
+    NumPy's ``invalid`` flag, of NaN without.
     Accuracy: proved, rounding included: 8.42e-16 relative compiled with FMA, 1.59e-15 without, 1.59e-15 in
     NumPy; accuracy=1e-10: 6.47e-11 relative; accuracy=1e-6: 3.99e-07 relative; float32: 0.502 ulp
     (certificates/radial_weight.json).
@@ -1250,8 +1250,8 @@ def weight_moment(
 
     Notes
     -----
-    Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), |theta| <= 65536; elsewhere NaN and NumPy's
-    ``invalid`` flag, of NaN without.
+    Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), both ends within 65536 rad of 0; elsewhere NaN and
+    NumPy's ``invalid`` flag, of NaN without.
     Accuracy: proved, rounding included: 8.33e-16 relative compiled with FMA, 1.52e-15 without, 1.52e-15 in
     NumPy; accuracy=1e-10: 8.16e-12 relative; accuracy=1e-6: 4.96e-07 relative; float32: 0.501 ulp
     (certificates/weight_moment.json).
@@ -1386,8 +1386,8 @@ def limit_friction(
 
     Notes
     -----
-    Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), |theta| <= 65536; elsewhere NaN and NumPy's
-    ``invalid`` flag, of NaN without.
+    Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), both ends within 65536 rad of 0; elsewhere NaN and
+    NumPy's ``invalid`` flag, of NaN without.
     Accuracy: proved, rounding included: 1.57e-15 relative compiled with FMA, 2.24e-15 without, 2.24e-15 in
     NumPy (certificates/limit_friction.json).
     Source: eq. (3.21) of the paper. Operations: 115 mul, 132 add, 11 sub, 3 div, 3 min, 3 max, 1 less, 2

@@ -128,7 +128,7 @@ _ARC = (
     ("theta_1", "Polar angle of the arc's first end, rad, from the positive x axis."),
     ("theta_2", "Polar angle of its other end, rad; theta_1 <= theta_2 <= theta_1 + pi."),
 )
-_ARC_DOMAIN = f"0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), |theta| <= {LIMIT:.0f}"
+_ARC_DOMAIN = f"0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), both ends within {LIMIT:.0f} rad of 0"
 
 
 def _of_ends(proved: Sequence[Record]) -> list[Function]:

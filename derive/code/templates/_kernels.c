@@ -150,6 +150,7 @@ INLINE double lost(double a, double b)
     }
 
 /* Of both ends of an arc: refused is what is none, or beyond LIMIT. */
+#define UNLESS(condition) bits(SELECT(condition, 0.0, NAN))
 #define LOOP_ENDS(T, NAME, FORM, LEVEL) LOOP_ENDS_OF(T, NAME##_##FORM, NAME##_##LEVEL##_##T, LEVEL)
 #define LOOP_ENDS_OF(T, PROGRAM, LOOP_NAME, LEVEL) \
     TARGET_##LEVEL static int LOOP_NAME(char *const *args, npy_intp count) \
@@ -157,14 +158,20 @@ INLINE double lost(double a, double b)
         const T *first = (const T *)args[0], *second = (const T *)args[1]; \
         T *out = (T *)args[2]; \
         uint64_t outside = 0; \
-        INDEPENDENT \
-        for (npy_intp i = 0; i < count; i++) { \
-            const double one = first[i], two = second[i]; \
-            const double known = SELECT(one >= -LIMIT, 0.0, NAN) + SELECT(two <= LIMIT, 0.0, NAN); \
-            const double ordered = SELECT(two >= one, known, NAN); \
-            const double refused = SELECT(0.5 * two - 0.5 * one <= END_##T, ordered, NAN); \
-            out[i] = (T)number(bits(PROGRAM(one, two)) | bits(refused)); \
-            outside |= bits(SELECT(one == one, SELECT(two == two, refused, 0.0), 0.0)); \
+        double results[BLOCK]; \
+        for (npy_intp start = 0, stop; start < count; start = stop) { \
+            stop = count - start < BLOCK ? count : start + BLOCK; \
+            INDEPENDENT \
+            for (npy_intp i = start; i < stop; i++) results[i - start] = PROGRAM(first[i], second[i]); \
+            INDEPENDENT \
+            for (npy_intp i = start; i < stop; i++) { \
+                const double one = first[i], two = second[i]; \
+                const double alpha = 0.5 * two - 0.5 * one; \
+                const uint64_t refused = UNLESS(one >= -LIMIT) | UNLESS(two <= LIMIT) | UNLESS(two >= one) | \
+                                         UNLESS(alpha <= END_##T); \
+                out[i] = (T)number(bits(results[i - start]) | refused); \
+                outside |= refused & ~(UNLESS(one == one) | UNLESS(two == two)); \
+            } \
         } \
         return outside != 0; \
     }
