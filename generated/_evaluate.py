@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 426650b6d0c96ee515a6e458a3f416ad278e3c104f748e92a70946a01cb8bd88
+# sha256 of the text below: 25c24837341442b66db7ca52c0ade36222c3dd7a50be4416217eba5c5d0af6fc
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
 from collections.abc import Callable, Sequence
@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Out = NDArray[Any] | None  # where a result goes
 EPS = 2.0**-52  # of float64
 BLOCK = 8192  # elements whose intermediate values stay in the cache
 
@@ -19,6 +20,13 @@ def horner(x: Any, coefficients: Sequence[float]) -> Any:
     for c in coefficients[-2::-1]:
         result = result * x + c
     return result
+
+
+def lost(a: Any, b: Any) -> Any:
+    """The rounding error of a + b (TwoSum)."""
+    total = a + b
+    of_b = total - a
+    return (a - (total - of_b)) + (b - of_b)
 
 
 def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
@@ -42,7 +50,7 @@ def evaluate(
     inside: Callable[..., Any],
     safe: tuple[float, ...],
     args: tuple[Any, ...],
-    out: NDArray[Any] | None,
+    out: Out,
     where: Any,
 ) -> Any:
     """Compute ``body(*args)`` in float64, block by block, and return it in the arguments' floating type.

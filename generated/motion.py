@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: bede38e1cfdc146744536a080e90a5f9116a070c004da9e9c3f5dba46e487c71
+# sha256 of the text below: 692d00c3a463d239f9ddcd01cb21bf4be1405885743790d7d1e3eb3f359d7134
 """The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."""
 
 from __future__ import annotations
@@ -7,9 +7,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from generated._evaluate import Array, evaluate, horner
+from generated._evaluate import Array, Out, evaluate, horner
 
 __all__ = [
     "frozen_angular_velocity",
@@ -52,8 +52,7 @@ def _frozen_angular_velocity(a: Array, b: Array, omega_0: Array, t: Array) -> Ar
 
 
 def frozen_angular_velocity(
-    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *,
-        where: ArrayLike = True
+    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: Out = None, *, where: ArrayLike = True
 ) -> Any:
     """Angular velocity of the paper's motion, for any sign of a and b and any initial velocity.
 
@@ -131,8 +130,7 @@ def _frozen_rotation(a: Array, b: Array, omega_0: Array, t: Array) -> Array:
 
 
 def frozen_rotation(
-    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *,
-        where: ArrayLike = True
+    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: Out = None, *, where: ArrayLike = True
 ) -> Any:
     """Rotation of the paper's motion, for any sign of a and b and any initial velocity.
 
@@ -205,8 +203,7 @@ def _frozen_angular_acceleration(a: Array, b: Array, omega_0: Array, t: Array) -
 
 
 def frozen_angular_acceleration(
-    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *,
-        where: ArrayLike = True
+    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: Out = None, *, where: ArrayLike = True
 ) -> Any:
     """Angular acceleration of the paper's motion, for any sign of a and b and any initial velocity.
 
@@ -265,7 +262,7 @@ def _frozen_arrest_time(a: Array, b: Array, omega_0: Array) -> Array:
 
 
 def frozen_arrest_time(
-    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True
+    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, /, out: Out = None, *, where: ArrayLike = True
 ) -> Any:
     """Time at which a braked motion stops.
 
@@ -320,7 +317,7 @@ def _frozen_arrest_rotation(a: Array, b: Array, omega_0: Array) -> Array:
 
 
 def frozen_arrest_rotation(
-    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True
+    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, /, out: Out = None, *, where: ArrayLike = True
 ) -> Any:
     """Rotation at which a braked motion stops.
 

@@ -14,6 +14,7 @@ import generated
 from derive.__main__ import derive_all, main
 from derive.generate import write
 from generated import _compiled, kernels, motion
+from tests.support.kernels import FITTED
 
 Function = Callable[..., Any]
 
@@ -25,8 +26,9 @@ ARGUMENTS = {
 }
 for level in _compiled.LEVELS:  # kernels as every level of the processor computes them
     for name in kernels.TEXTS:
-        FUNCTIONS[f"{name}, {level}"] = _compiled.kernel(name, kernels.TEXTS[name], level)
-        ARGUMENTS[f"{name}, {level}"] = ["alpha"]
+        of_level = _compiled.kernel(name, kernels.TEXTS[name], level, both_ends=name not in FITTED)
+        FUNCTIONS[f"{name}, {level}"] = of_level
+        ARGUMENTS[f"{name}, {level}"] = ARGUMENTS[name]
 each_function = pytest.mark.parametrize("name", list(FUNCTIONS))
 # A point inside every domain, by argument, and its float32 and integer.
 INSIDE = {"alpha": 1.0, "theta_1": 4.0, "theta_2": 5.0, "a": -1.0, "t": 0.5}

@@ -6,6 +6,7 @@ import textwrap
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -25,10 +26,10 @@ class Function:
     parameters: tuple[tuple[str, str], ...]
     returns: str
     domain: str  # in words
-    inside: str  # in Python, over the arguments and `eps` of their type
-    safe: tuple[float, ...]  # a point inside, which replaces arguments outside
     accuracy: str
-    tiers: Mapping[str, Program] = field(default_factory=dict)  # a kernel of alpha: what NumPy runs at each tier
+    inside: str = ""  # in Python, over the arguments and `eps` of their type; without tiers
+    safe: tuple[float, ...] = ()  # a point inside, which replaces arguments outside
+    tiers: Mapping[str, Program] = field(default_factory=dict)  # what NumPy runs at each tier of what is certified
 
 
 PYTHON = Language(
@@ -53,6 +54,7 @@ class PythonText:
 
     def __init__(self) -> None:
         self.reader = Reader({"Array": None, "Any": None, "np": np, "horner": HELPERS["horner"]})
+        self.reader.scope["lost"] = partial(self.reader.builder.put, "lost")
         self.parts: list[Part] = []
 
     def body(self, program: Program, name: str = "", space: str = "np") -> str:
@@ -148,23 +150,30 @@ def function(f: Function, text: PythonText) -> str:
     inside = f.inside.replace(") & ", ")\n            & ")
     return (
         f"{text.body(p)}\n\n"
-        f"def {p.name}(\n    {typed}, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True\n) -> Any:\n{doc}"
+        f"def {p.name}(\n    {typed}, /, out: Out = None, *, where: ArrayLike = True\n) -> Any:\n{doc}"
         f"    return evaluate(\n        _{p.name},\n        lambda eps, {names}: (\n            {inside}\n        ),\n"
         f"        {f.safe!r},\n        ({args}),\n        out,\n        where,\n    )\n"
     )
 
 
 def _tiered(f: Function, text: PythonText, doc: str) -> str:
-    """A kernel of alpha: the text of each tier, and a function that leaves the choice to `_compiled`."""
+    """A certified function: the text of each tier, and a function that leaves the choice to `_compiled`."""
     name = f.program.name
+    inputs = f.program.inputs
+    space = "xp"
+    more = ""
+    if len(inputs) > 1:
+        space = "np"
+        more = ", both_ends=True"
     bodies = {tier: identifier(name, "" if tier == "best" else tier) for tier in f.tiers}
-    texts = "".join(f"{text.body(of, bodies[tier], 'xp')}\n\n" for tier, of in f.tiers.items())
+    texts = "".join(f"{text.body(of, bodies[tier], space)}\n\n" for tier, of in f.tiers.items())
     rows = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())
+    typed = ", ".join(f"{x}: ArrayLike" for x in inputs)
     return (
-        f'{texts}TEXTS["{name}"] = {{{rows}}}\n_call_{name} = kernel("{name}", TEXTS["{name}"])\n\n\n'
-        f"def {name}(\n    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, "
+        f'{texts}TEXTS["{name}"] = {{{rows}}}\n_call_{name} = kernel("{name}", TEXTS["{name}"]{more})\n\n\n'
+        f"def {name}(\n    {typed}, /, out: Out = None, *, "
         f"where: ArrayLike = True, accuracy: float | None = None\n) -> Any:\n{doc}"
-        f"    return _call_{name}(alpha, out, where, accuracy)\n"
+        f"    return _call_{name}({', '.join(inputs)}, out, where, accuracy)\n"
     )
 
 
@@ -218,10 +227,10 @@ _IMPORTS = (
     "from typing import Any",
     "",
     "import numpy as np",
-    "from numpy.typing import ArrayLike, NDArray",
+    "from numpy.typing import ArrayLike",
     "",
     "from generated._compiled import Text, kernel",
-    "from generated._evaluate import Array, evaluate, horner",
+    "from generated._evaluate import Array, Out, evaluate, horner, lost",
 )
 
 

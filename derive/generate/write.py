@@ -14,9 +14,10 @@ from sympy import Expr, __version__, degree
 
 from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
-from derive.approximate.programs import variants
+from derive.approximate.programs import variants, variants_of_ends
+from derive.check.ends import LIMIT
 from derive.check.proof import ProofError
-from derive.check.records import Record
+from derive.check.records import Record, of_both_ends
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
@@ -32,7 +33,7 @@ def files(proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
     kernels = functions.kernels(proved)
     closed = closed_forms()
-    c_kernels = emit_c.source(variants(), functions.comments(kernels, proved))
+    c_kernels = emit_c.source((*variants(), *variants_of_ends()), functions.comments(kernels, proved))
     integrator = restricted.integrator()
     walk = {"WALK": restricted_c.functions(integrator), "PROCESSOR": emit.PROCESSOR}
     c_flow = emit.filled("_flow.c", layout.c() | series.c() | walk)
@@ -99,6 +100,8 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
     for record in records:
         bound = record["bound"]
         ulp = ulps.get(record["tier"])
+        if of_both_ends(record) and record["tier"] == "best":
+            ulp = None
         forms = kernels.setdefault(record["kernel"], {}).setdefault(record["tier"], {})
         forms[record["form"]] = (bound * ulp, bound) if ulp else (bound, None)
     lines = []
@@ -106,7 +109,7 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
         lines += [f"    {kernel!r}: {{\n", *(f"        {t!r}: {forms!r},\n" for t, forms in tiers.items()), "    },\n"]
     return (
         '"""Proved error bounds of the kernels, and the digest of the C source that they speak of."""\n\n'
-        f'DIGEST = "{digest}"\n\n'
+        f'DIGEST = "{digest}"\nLIMIT = {LIMIT!r}  # of an end of an arc, rad\n\n'
         "# kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).\n"
         "# What is not here is sampled only.\n"
         f"BOUNDS: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {{\n{''.join(lines)}}}\n"

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Out = NDArray[Any] | None  # where a result goes
 EPS = 2.0**-52  # of float64
 BLOCK = 8192  # elements whose intermediate values stay in the cache
 
@@ -17,6 +18,13 @@ def horner(x: Any, coefficients: Sequence[float]) -> Any:
     for c in coefficients[-2::-1]:
         result = result * x + c
     return result
+
+
+def lost(a: Any, b: Any) -> Any:
+    """The rounding error of a + b (TwoSum)."""
+    total = a + b
+    of_b = total - a
+    return (a - (total - of_b)) + (b - of_b)
 
 
 def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
@@ -40,7 +48,7 @@ def evaluate(
     inside: Callable[..., Any],
     safe: tuple[float, ...],
     args: tuple[Any, ...],
-    out: NDArray[Any] | None,
+    out: Out,
     where: Any,
 ) -> Any:
     """Compute ``body(*args)`` in float64, block by block, and return it in the arguments' floating type.
