@@ -133,6 +133,7 @@ def _example(f: Function, place: str) -> tuple[str, ...]:
     p = f.program
     text = PythonText()
     text.body(p)
+    text.reader.scope["lost"] = HELPERS["lost"]
     value = text.reader.scope[f"_{p.name}"](*map(np.float64, f.safe))
     given = ", ".join(map(str, f.safe))
     return (f">>> from {place} import {p.name}", f'>>> print(f"{{{p.name}({given}):.6f}}")', f"{float(value):.6f}")
@@ -164,7 +165,8 @@ def function(f: Function, text: PythonText, place: str) -> str:
     return (
         f"{text.body(p)}\n\n"
         f"def {p.name}({names}, /, out=None, *, where=True):\n{doc}"
-        f"    return evaluate(\n        {p.name!r},\n        _{p.name},\n        lambda eps, {names}: (\n            {inside}\n        ),\n"
+        f"    return evaluate(\n        {p.name!r},\n        _{p.name},\n"
+        f"        lambda eps, {names}: (\n            {inside}\n        ),\n"
         f"        {f.safe!r},\n        ({args}),\n        out,\n        where,\n    )\n"
     )
 
@@ -252,7 +254,7 @@ def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: 
 
 # Imports of generated modules, in this order.
 _IMPORTS = (
-    "from __future__ import annotations",  # help() then shows ArrayLike, and not what it stands for
+    "from __future__ import annotations",
     "",
     "from typing import Any",
     "",
