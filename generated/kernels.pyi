@@ -1,10 +1,9 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 29dbb23f186ebc66b318b0fb904543d38d5bcefcdc2532e7c25e3149ab94ae31
+# sha256 of the text below: 2e65e02ef999ce9ff95ff918b68f3726dc5ea6e69d970eed19ebc86895f19f5d
 from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from generated._compiled import Text

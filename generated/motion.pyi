@@ -1,10 +1,9 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 89da7bac581475fd1d33d4f3c6da4ca085f04e252328c0cf21f5fb2bfe2687ca
+# sha256 of the text below: 5cb2bff952ac77e02e4ff54b46a6920ebd588462eedcf06d1a2f749001097b82
 from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from generated._evaluate import Out

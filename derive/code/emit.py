@@ -224,8 +224,9 @@ def stub(functions: Sequence[Function]) -> str:
             f"\ndef {f.program.name}(\n    {typed},\n    /,\n    out: Out = None,\n    *,\n"
             f"    where: ArrayLike = True,\n{last}) -> Any: ...\n"
         )
-    code = f"{tables}{code}"
-    return f"{_imports(code)}\n\n__all__: list[str]\n{code}"
+    code = f"__all__: list[str]\n{tables}{code}"
+    imports = _imports(code).replace("import numpy as np\n", "")
+    return f"{imports}\n\n{code}"
 
 
 def raw_module(docstring: str, programs: Sequence[tuple[Program, str]]) -> str:
