@@ -51,9 +51,7 @@ def test_a_travel_angle_is_that_of_the_centroids_way() -> None:
     assert section.journey(0.0).travel_angle == pytest.approx(section.journey(1e-9).travel_angle, rel=1e-8)
 
 
-@pytest.mark.parametrize(
-    ("degrees", "up", "across"), [(10.0, 229.0, 631.0), (13.6, 135.0, 464.0), (15.4, 97.0, 377.0)]
-)
+@pytest.mark.parametrize(("degrees", "up", "across"), [(10.0, 229.0, 631.0), (13.6, 135.0, 464.0), (15.4, 97.0, 377.0)])
 def test_the_toe_of_vaiont_climbs_the_opposite_bank(degrees: float, up: float, across: float) -> None:
     """The lower end of the arc, theta_2, turned about the centre by the run-out over R."""
     motion = solve(replace(load("vaiont"), friction=math.tan(math.radians(degrees))))

@@ -41,36 +41,43 @@ def velocity_times(motion: Any) -> VelocityTimes:
     """How long a single motion is in each class, s, standstills apart; of one that creeps until its settling time."""
     above = np.zeros(len(CLASSES) + 1)  # times above the least velocity of each class, the slowest first
     phases = motion.phases if motion.moves else ()
+    angle = np.linspace(0.0, np.pi, SAMPLES)
+    share = (1.0 - np.cos(angle)) / 2
     for phase in phases:
-        angle = np.linspace(0.0, np.pi, SAMPLES)
-        share = (1.0 - np.cos(angle)) / 2
-        times = phase.start + (phase.end - phase.start) * share
+        length = phase.end - phase.start
+        times = phase.start + length * share
         peak = np.clip(motion.peak.time, phase.start, phase.end)
-        times = np.unique(np.append(times, peak))
-        above[0] += phase.end - phase.start
+        times = np.unique([*times, peak])
+        above[0] += length
         for place, limit in enumerate(LIMITS, 1):
             above[place] += _time_above(motion, times, limit)
-    return VelocityTimes(*(above[:-1] - above[1:]).tolist())
+    in_class = above[:-1] - above[1:]
+    return VelocityTimes(*in_class.tolist())
 
 
 def _time_above(motion: Any, times: Floats, limit: float) -> float:
     """Time between the first and the last of some times during which a motion is faster than a limit, s."""
     faster = _speed(motion, times) > limit
-    low = times[:-1]
-    high = times[1:]
-    crosses = faster[:-1] != faster[1:]
-    whole = np.sum((high - low)[faster[:-1] & faster[1:]])
-    begins_faster = faster[:-1][crosses]
-    start = low[crosses]
-    end = high[crosses]
-    low, high = start, end
+    before = faster[:-1]
+    after = faster[1:]
+    crosses = before != after
+    lengths = np.diff(times)
+    whole = np.sum(lengths[before & after])
+    begins_faster = before[crosses]
+    start = times[:-1][crosses]
+    end = times[1:][crosses]
+    low = start
+    high = end
     every = np.arange(start.size)
     for _ in range(ROUNDS if start.size else 0):
-        inside = low[:, None] + (high - low)[:, None] * SECTIONS
-        has_passed = (_speed(motion, inside) > limit) != begins_faster[:, None]
+        width = high - low
+        inside = low[:, None] + width[:, None] * SECTIONS
+        is_faster = _speed(motion, inside) > limit
+        has_passed = is_faster != begins_faster[:, None]
         has_passed[:, -1] = True
         first = np.maximum(has_passed.argmax(axis=1), 1)
-        low, high = inside[every, first - 1], inside[every, first]
+        low = inside[every, first - 1]
+        high = inside[every, first]
     parts = np.where(begins_faster, high - start, end - high)
     return float(whole + np.sum(parts))
 

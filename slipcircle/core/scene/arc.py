@@ -105,6 +105,7 @@ class Arc(Mass, Generic[Numbers]):
     width: Numbers | float = WIDTH
     given: Mapping[str, float] | None = None
     quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # what scenes vary, each without axes
+    centre = (0.0, 0.0)  # an arc has no other position
 
     if TYPE_CHECKING:  # one array makes an ensemble
 
@@ -316,12 +317,6 @@ class Arc(Mass, Generic[Numbers]):
     def depth(self) -> Any:
         """f, the greatest depth of the mass below its chord (2.12), m."""
         return self.sagitta
-
-    # --- positions, from the centre of the circle --------------------------------------------------------------------
-
-    @property
-    def centre(self) -> Any:
-        return np.zeros(2)
 
     @cached_property
     def exit(self) -> Any:
