@@ -189,8 +189,7 @@ def backanalyse(
     Examples
     --------
     >>> from slipcircle import backanalyse, load
-    >>> analysis = backanalyse(load("vaiont"), run_out=400.0)
-    >>> round(analysis.value, 4)
+    >>> round(backanalyse(load("vaiont"), run_out=400.0).value, 4)
     15.2147
     """
     checked(scene, "backanalyse")
