@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "ea3922454d1f5c699489852630b034d53ccc6ba377b0b529a34fb64e05252ec2"
+#define DIGEST "28c4a3510979750faf004ab1a5160a5fc4ab67600bff598d5a6bd5cd8b431818"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -792,7 +792,7 @@ INLINE double weight_moment_per_radial_weight_best_fused(double alpha)
 #define weight_moment_per_radial_weight_best_fused_KIND whole
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends, best,
- * fused: proved within 8.42e-16 relative (certificates/radial_weight.json) */
+ * fused: proved within 8.56e-16 relative (certificates/radial_weight.json) */
 INLINE double radial_weight_best_fused(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -1013,7 +1013,7 @@ INLINE double radial_weight_1e_6_fused(double theta_1, double theta_2)
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
- * ends, best, fused: proved within 8.33e-16 relative (certificates/weight_moment.json) */
+ * ends, best, fused: proved within 8.47e-16 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_best_fused(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -1070,7 +1070,7 @@ INLINE double weight_moment_best_fused(double theta_1, double theta_2)
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
- * ends, 1e-10, fused: proved within 8.16e-12 relative (certificates/weight_moment.json) */
+ * ends, 1e-10, fused: proved within 8.17e-12 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_1e_10_fused(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -1236,7 +1236,7 @@ INLINE double weight_moment_1e_6_fused(double theta_1, double theta_2)
 }
 
 /* mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise, both ends, best,
- * fused: proved within 1.57e-15 relative (certificates/limit_friction.json) */
+ * fused: proved within 1.59e-15 relative (certificates/limit_friction.json) */
 INLINE double limit_friction_best_fused(double theta_1, double theta_2)
 {
     const double t1 = weight_moment_per_radial_weight_best_fused(SMALLER((theta_2 - theta_1) * 0.5,
@@ -1826,7 +1826,7 @@ INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
 #define weight_moment_per_radial_weight_best_plain_KIND whole
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends, best,
- * plain: proved within 1.59e-15 relative (certificates/radial_weight.json) */
+ * plain: proved within 1.6e-15 relative (certificates/radial_weight.json) */
 INLINE double radial_weight_best_plain(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -2047,7 +2047,7 @@ INLINE double radial_weight_1e_6_plain(double theta_1, double theta_2)
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
- * ends, best, plain: proved within 1.52e-15 relative (certificates/weight_moment.json) */
+ * ends, best, plain: proved within 1.53e-15 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_best_plain(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -2104,7 +2104,7 @@ INLINE double weight_moment_best_plain(double theta_1, double theta_2)
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
- * ends, 1e-10, plain: proved within 8.16e-12 relative (certificates/weight_moment.json) */
+ * ends, 1e-10, plain: proved within 8.17e-12 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_1e_10_plain(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -2270,7 +2270,7 @@ INLINE double weight_moment_1e_6_plain(double theta_1, double theta_2)
 }
 
 /* mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise, both ends, best,
- * plain: proved within 2.24e-15 relative (certificates/limit_friction.json) */
+ * plain: proved within 2.27e-15 relative (certificates/limit_friction.json) */
 INLINE double limit_friction_best_plain(double theta_1, double theta_2)
 {
     const double t1 = weight_moment_per_radial_weight_best_plain(SMALLER((theta_2 - theta_1) * 0.5,

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9ab2f8b27cfc2cef96ab4d03d2de0192bb438a1597bdf4feb650cc29ef7b82c3
+# sha256 of the text below: aa78fdabdcfa44360eaa5345a8e1877105245372603abb0accc2a35b2156c8d2
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from __future__ import annotations
@@ -1034,8 +1034,8 @@ def radial_weight(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
     -----
     Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), both ends within 65536 rad of 0; elsewhere NaN and
     NumPy's ``invalid`` flag, of NaN without.
-    Accuracy: proved, rounding included: 8.42e-16 relative compiled with FMA, 1.59e-15 without, 1.59e-15 in
-    NumPy; accuracy=1e-10: 6.47e-11 relative; accuracy=1e-6: 3.99e-07 relative; float32: 0.502 ulp
+    Accuracy: proved, rounding included: 8.56e-16 relative compiled with FMA, 1.6e-15 without, 1.6e-15 in NumPy;
+    accuracy=1e-10: 6.47e-11 relative; accuracy=1e-6: 3.99e-07 relative; float32: 0.502 ulp
     (certificates/radial_weight.json).
     Source: eq. (2.23) of the paper. Operations: 75 mul, 76 add, 6 sub, 2 div, 1 neg, 2 min, 3 max, 1 less, 1
     select, 1 log, 17 lost.
@@ -1291,8 +1291,8 @@ def weight_moment(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
     -----
     Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), both ends within 65536 rad of 0; elsewhere NaN and
     NumPy's ``invalid`` flag, of NaN without.
-    Accuracy: proved, rounding included: 8.33e-16 relative compiled with FMA, 1.52e-15 without, 1.52e-15 in
-    NumPy; accuracy=1e-10: 8.16e-12 relative; accuracy=1e-6: 4.96e-07 relative; float32: 0.501 ulp
+    Accuracy: proved, rounding included: 8.47e-16 relative compiled with FMA, 1.53e-15 without, 1.53e-15 in
+    NumPy; accuracy=1e-10: 8.17e-12 relative; accuracy=1e-6: 4.96e-07 relative; float32: 0.501 ulp
     (certificates/weight_moment.json).
     Source: eq. (3.13) of the paper. Operations: 63 mul, 66 add, 7 sub, 2 div, 1 neg, 2 min, 2 max, 1 less, 1
     select, 17 lost.
@@ -1430,7 +1430,7 @@ def limit_friction(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
     -----
     Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), both ends within 65536 rad of 0; elsewhere NaN and
     NumPy's ``invalid`` flag, of NaN without.
-    Accuracy: proved, rounding included: 1.57e-15 relative compiled with FMA, 2.24e-15 without, 2.24e-15 in
+    Accuracy: proved, rounding included: 1.59e-15 relative compiled with FMA, 2.27e-15 without, 2.27e-15 in
     NumPy (certificates/limit_friction.json).
     Source: eq. (3.21) of the paper. Operations: 115 mul, 132 add, 11 sub, 3 div, 3 min, 3 max, 1 less, 2
     select, 1 log, 31 lost.

@@ -142,9 +142,9 @@ def slope_gap(statement: str) -> float:
 
 
 def boxes(lower: float, upper: float) -> Iterator[arb]:
-    """An interval in 256 parts."""
-    width = (upper - lower) / 256
-    points = [lower + k * width for k in range(256)]
+    """An interval in 64 parts."""
+    width = (upper - lower) / 64
+    points = [lower + k * width for k in range(64)]
     for ends in pairwise([*points, upper]):
         yield ball(*ends)
 

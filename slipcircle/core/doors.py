@@ -24,6 +24,7 @@ DOORS = {
     "estimate": Door("the error of a motion is asked for", "slipcircle.words.accuracy"),
     "warnings": Door("the warnings of a motion are asked for", "slipcircle.words.warnings"),
     "summary": Door("a motion in one line is asked for", "slipcircle.words.summary"),
+    "velocity": Door("velocity classes are asked for", "slipcircle.words.velocity"),
     "parameters": Door("lanes of an ensemble are chosen", "slipcircle.derivatives.parameters"),
     "sensitivity": Door("derivatives are asked for", "slipcircle.derivatives.sensitivity"),
 }

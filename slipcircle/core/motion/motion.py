@@ -224,10 +224,21 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def journey(self) -> Any:
-        """Position at the end, for a `Section`: toe and its horizontal run-out, drop of the centroid, travel angle."""
+        """Where it ends: rise and horizontal travel of toe and centroid, travel angle."""
         return self.plan.scene.arc.journey(self.end.rotation)
 
     # --- along the way, of a single motion ---------------------------------------------------------------------------
+
+    @property
+    def velocity_class(self) -> str:
+        """Class of the peak velocity by Cruden and Varnes (1996), such as "extremely rapid"; empty without a motion."""
+        name: str = room("velocity").velocity_class(self)
+        return name
+
+    @cached_property
+    def velocity_times(self) -> Any:
+        """How long it moves in each velocity class, s."""
+        return room("velocity").velocity_times(self)
 
     @property
     def lift_off(self) -> tuple[float, ...]:

@@ -262,7 +262,7 @@ def _energy(motion: Motion) -> Part:
 def _value(quantity: Quantity, motion: Motion, text: str = "") -> str:
     """A number of the result, in full precision as attribute and with six digits as text; other values as in tables."""
     value, end = quantity.read(motion), end_words(motion).get(quantity.label)
-    if isinstance(value, bool) or np.ndim(value):
+    if isinstance(value, bool | str) or np.ndim(value) or np.isnan(value):
         return end or text or quantity.text(motion)
     if end:
         return _data(float(value), escaped(end))

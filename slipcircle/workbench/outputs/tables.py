@@ -115,7 +115,8 @@ def motion_column(motion: Motion) -> dict[str, str]:
     """All results of a motion by their labels, key results first."""
     plan, critical = motion.plan, stability_of(motion.plan.scene)
     column = motion_summary(motion)
-    column |= {q.label: q.text(motion) for q in results(motion) if q.label not in column}
+    printed = {q.label: q.text(motion) for q in results(motion) if q.label not in column}
+    column |= {label: text for label, text in printed.items() if text}
     if height := toe_words(motion):
         column["toe at the end"] = f"{height}: the method continues the circle there"
     if critical is not None:
