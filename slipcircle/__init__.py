@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from slipcircle.workbench.stability.stability import Slope
     from slipcircle.workbench.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.workbench.studies.ensemble import ensemble, grid
+    from slipcircle.workbench.studies.problem import Interval
     from slipcircle.workbench.studies.study import Study
     from slipcircle.workbench.studies.suitestudy import SuiteStudy
     from slipcircle.workbench.suites.synthetic import synthetic_records
@@ -64,6 +65,7 @@ _PLACES = {
     "Suite": "workbench.records.suite",
     "SuiteStudy": "workbench.studies.suitestudy",
     "Unattainable": "workbench.studies.backanalysis",
+    "Interval": "workbench.studies.problem",
     "backanalyse": "workbench.studies.backanalysis",
     "critical": "workbench.stability.search",
     "ensemble": "workbench.studies.ensemble",
@@ -81,6 +83,7 @@ __all__ = [
     "Critical",
     "Dimensionless",
     "Energy",
+    "Interval",
     "LayeredSection",
     "Motion",
     "Plan",

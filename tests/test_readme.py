@@ -51,6 +51,10 @@ def test_proved_bounds_of_the_page_on_accuracy() -> None:
     shown = {row[0].strip(" `"): float(row[5]) for row in rows}
     assert shown == {name: BOUNDS[name]["best"]["fused"][1] for name in shown}
     assert len(shown) == 5
+    of_ends = [line.split("|")[1:-1] for line in lines if line.startswith("| `") and line.count("|") == 7]
+    assert len(of_ends) == 3
+    for name, *_, relative in of_ends:
+        assert float(relative) == BOUNDS[name.strip(" `")]["best"]["fused"][0]
     assert f"at most {shown['polar_moment']} ulp with FMA" in PAGES["accuracy"]
     assert f"proved to {BOUNDS['polar_moment']['1e-6']['fused'][0]}" in PAGES["accuracy"]
 

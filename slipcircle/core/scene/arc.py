@@ -105,6 +105,7 @@ class Arc(Mass, Generic[Numbers]):
     width: Numbers | float = WIDTH
     given: Mapping[str, float] | None = None
     quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # what scenes vary, each without axes
+    centre = (0.0, 0.0)  # an arc has no other position
 
     if TYPE_CHECKING:  # one array makes an ensemble
 
@@ -316,6 +317,24 @@ class Arc(Mass, Generic[Numbers]):
     def depth(self) -> Any:
         """f, the greatest depth of the mass below its chord (2.12), m."""
         return self.sagitta
+
+    @cached_property
+    def exit(self) -> Any:
+        angle = choose(np.greater(self.facing, 0.0), self.theta_2, self.theta_1)
+        return self._at(angle, 1.0)
+
+    @cached_property
+    def centroid(self) -> Any:
+        """Of the segment between arc and chord: C_theta over its area from the centre, x and y, m."""
+        alpha = self.half_angle
+        area = alpha - np.sin(alpha) * np.cos(alpha)
+        middle = np.add(self.theta_1, self.theta_2) / 2
+        return self._at(middle, kernels.weight_moment_amplitude(alpha) / area)
+
+    def _at(self, angle: Any, share: Any) -> Any:
+        """A point at an angle and a share of the radius from the centre, m."""
+        distance = np.multiply(self.radius, share)
+        return np.stack([distance * np.cos(angle), distance * np.sin(angle)], axis=-1)
 
     @cached_property
     def limit_friction_angle(self) -> Any:
