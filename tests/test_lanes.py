@@ -123,8 +123,8 @@ def test_tables_begin_where_the_motion_does() -> None:
 
 def test_lanes_of_circles_and_of_strengths_broadcast() -> None:
     scene = load_scene("layered-slope")
-    radius = float(scene.numbers["radius"]) * np.array([[1.0], [1.001]])
-    of_soils = {name: float(value) for name, value in scene.numbers.items() if name.endswith(".cohesion")}
+    radius = np.asarray(scene.numbers["radius"], float) * np.array([[1.0], [1.001]])
+    of_soils = {name: np.asarray(c, float) for name, c in scene.numbers.items() if name.endswith(".cohesion")}
     shares = np.array([1.0, 1.1, 1.2])
     many = solve(with_parameters(scene, {"radius": radius} | {name: c * shares for name, c in of_soils.items()}))
     assert many.shape == (2, 3)
