@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a4b5af02d836d5120656fd062a76893f72287ac562755d828659b3c467cc1ff7
+# sha256 of the text below: 7125d7cb694447069dbf4b5fc11c00c199e3b6c4838ca54da3fbd09b2b931e65
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -73,7 +73,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
     """
     form, loops = LEVELS[level]
     cached = cache(partial(_cheapest, name, form))
-    numpy = _numpy_of_ends if both_ends else _numpy
+    numpy = partial(_numpy_of_ends if both_ends else _numpy, name)
 
     def loop_of(tier: str) -> Any:
         """The compiled loop of a tier, or None; that of float32 is a type of the best one's."""
@@ -157,11 +157,11 @@ _NUMBERS = (int, float, np.integer, np.floating)
 _SCALARS = frozenset((float, np.float64, np.float32))
 
 
-def _numpy(text: Text, items: Sequence[Any], kind: np.dtype[Any], out: Any, where: Any) -> Any:
+def _numpy(name: str, text: Text, items: Sequence[Any], kind: np.dtype[Any], out: Any, where: Any) -> Any:
     """By blocks; those that lie in [0, pi/2], as a rule, need no masks."""
     body = partial(_clipped, text)
     if where is not True:
-        return evaluate(body, _inside, (0.5,), tuple(items), out, where)
+        return evaluate(name, body, _inside, (0.5,), tuple(items), out, where)
     alpha = np.asarray(items[0], dtype=kind)
     result = np.empty(alpha.shape, kind)
     flat = alpha.reshape(-1)
@@ -173,7 +173,7 @@ def _numpy(text: Text, items: Sequence[Any], kind: np.dtype[Any], out: Any, wher
             if inside:
                 part = text(block.astype(np.float64, copy=False))
             else:
-                part = evaluate(body, _inside, (0.5,), (block,), None, True)
+                part = evaluate(name, body, _inside, (0.5,), (block,), None, True)
             values[start : start + BLOCK] = part
     if out is None:
         return result[()]
@@ -181,14 +181,14 @@ def _numpy(text: Text, items: Sequence[Any], kind: np.dtype[Any], out: Any, wher
     return out
 
 
-def _numpy_of_ends(text: Text, items: Sequence[Any], _: np.dtype[Any], out: Any, where: Any) -> Any:
+def _numpy_of_ends(name: str, text: Text, items: Sequence[Any], _: np.dtype[Any], out: Any, where: Any) -> Any:
     """Where nothing presses on an arc its limit friction is infinite, without a flag."""
 
     def body(theta_1: Array, theta_2: Array) -> Array:
         with np.errstate(divide="ignore", over="ignore", under="ignore"):
             return text(theta_1, theta_2)
 
-    return evaluate(body, _is_arc, (4.0, 5.0), tuple(items), out, where)
+    return evaluate(name, body, _is_arc, (4.0, 5.0), tuple(items), out, where)
 
 
 def _is_arc(eps: float, theta_1: Array, theta_2: Array) -> Any:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: cc36aa3b7f7c0f3de12aa56a9604bd6d6aee70c89dc2639040f1518683f2b717
+# sha256 of the text below: aa78fdabdcfa44360eaa5345a8e1877105245372603abb0accc2a35b2156c8d2
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from __future__ import annotations
@@ -7,10 +7,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from generated._compiled import Text, kernel
-from generated._evaluate import Array, Out, horner, lost
+from generated._evaluate import Array, horner, lost
 
 __all__ = [
     "polar_moment",
@@ -90,9 +89,7 @@ TEXTS["polar_moment"] = {"best": _polar_moment, "1e-10": _polar_moment_1e_10, "1
 _call_polar_moment = kernel("polar_moment", TEXTS["polar_moment"])
 
 
-def polar_moment(
-    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
-) -> Any:
+def polar_moment(alpha, /, out=None, *, where=True, accuracy=None):
     """I_p*: polar surface moment of inertia of the moving mass, dimensionless.
 
     I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3
@@ -122,6 +119,12 @@ def polar_moment(
     accuracy=1e-10: 6.69e-11 relative; accuracy=1e-6: 6.63e-07 relative; float32: 0.504 ulp
     (certificates/polar_moment.json).
     Source: eq. (2.17) of the paper. Operations: 32 mul, 29 add, 1 sub, 1 div, 1 max, 1 less, 1 select, 1 log.
+
+    Examples
+    --------
+    >>> from generated import polar_moment
+    >>> print(f"{polar_moment(0.5):.6f}")
+    0.075433
     """
     return _call_polar_moment(alpha, out, where, accuracy)
 
@@ -169,9 +172,7 @@ TEXTS["moment_of_inertia"] = {"best": _moment_of_inertia, "1e-10": _moment_of_in
 _call_moment_of_inertia = kernel("moment_of_inertia", TEXTS["moment_of_inertia"])
 
 
-def moment_of_inertia(
-    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
-) -> Any:
+def moment_of_inertia(alpha, /, out=None, *, where=True, accuracy=None):
     """Theta*: moment of inertia of the moving mass about the centre, dimensionless.
 
     Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24
@@ -201,6 +202,12 @@ def moment_of_inertia(
     accuracy=1e-10: 3.56e-12 relative; accuracy=1e-6: 2.42e-07 relative; float32: 0.503 ulp
     (certificates/moment_of_inertia.json).
     Source: eq. (3.12) of the paper. Operations: 25 mul, 22 add, 1 sub, 1 div, 1 less, 1 select.
+
+    Examples
+    --------
+    >>> from generated import moment_of_inertia
+    >>> print(f"{moment_of_inertia(0.5):.6f}")
+    0.071867
     """
     return _call_moment_of_inertia(alpha, out, where, accuracy)
 
@@ -261,9 +268,7 @@ TEXTS["radial_weight_amplitude"] = {"best": _radial_weight_amplitude, "1e-10": _
 _call_radial_weight_amplitude = kernel("radial_weight_amplitude", TEXTS["radial_weight_amplitude"])
 
 
-def radial_weight_amplitude(
-    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
-) -> Any:
+def radial_weight_amplitude(alpha, /, out=None, *, where=True, accuracy=None):
     """C_r: weight of the moving mass along the radius, dimensionless.
 
     C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha))
@@ -293,6 +298,12 @@ def radial_weight_amplitude(
     accuracy=1e-10: 5.86e-11 relative; accuracy=1e-6: 3.41e-07 relative; float32: 0.505 ulp
     (certificates/radial_weight_amplitude.json).
     Source: eq. (2.23) of the paper. Operations: 37 mul, 33 add, 1 sub, 1 div, 1 max, 1 less, 1 select, 1 log.
+
+    Examples
+    --------
+    >>> from generated import radial_weight_amplitude
+    >>> print(f"{radial_weight_amplitude(0.5):.6f}")
+    0.077223
     """
     return _call_radial_weight_amplitude(alpha, out, where, accuracy)
 
@@ -337,9 +348,7 @@ TEXTS["weight_moment_amplitude"] = {"best": _weight_moment_amplitude, "1e-10": _
 _call_weight_moment_amplitude = kernel("weight_moment_amplitude", TEXTS["weight_moment_amplitude"])
 
 
-def weight_moment_amplitude(
-    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
-) -> Any:
+def weight_moment_amplitude(alpha, /, out=None, *, where=True, accuracy=None):
     """C_theta: moment of the weight about the centre, dimensionless.
 
     C_theta = 2*sin(alpha)**3/3
@@ -369,6 +378,12 @@ def weight_moment_amplitude(
     accuracy=1e-10: 2.07e-12 relative; accuracy=1e-6: 4.38e-07 relative; float32: 0.503 ulp
     (certificates/weight_moment_amplitude.json).
     Source: eq. (3.13) of the paper. Operations: 25 mul, 22 add, 1 sub, 1 div, 1 less, 1 select.
+
+    Examples
+    --------
+    >>> from generated import weight_moment_amplitude
+    >>> print(f"{weight_moment_amplitude(0.5):.6f}")
+    0.073464
     """
     return _call_weight_moment_amplitude(alpha, out, where, accuracy)
 
@@ -401,9 +416,7 @@ TEXTS["resistance_factor"] = {"best": _resistance_factor, "1e-10": _resistance_f
 _call_resistance_factor = kernel("resistance_factor", TEXTS["resistance_factor"])
 
 
-def resistance_factor(
-    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
-) -> Any:
+def resistance_factor(alpha, /, out=None, *, where=True, accuracy=None):
     """lambda: lever of the resistance, arc length times depth, dimensionless.
 
     lambda = 2*alpha*(1 - cos(alpha))
@@ -433,6 +446,12 @@ def resistance_factor(
     accuracy=1e-10: 2.74e-12 relative; accuracy=1e-6: 1.71e-07 relative; float32: 0.501 ulp
     (certificates/resistance_factor.json).
     Source: eq. (3.14) of the paper. Operations: 11 mul, 8 add.
+
+    Examples
+    --------
+    >>> from generated import resistance_factor
+    >>> print(f"{resistance_factor(0.5):.6f}")
+    0.122417
     """
     return _call_resistance_factor(alpha, out, where, accuracy)
 
@@ -462,9 +481,7 @@ TEXTS["dynamic_coefficient"] = {"best": _dynamic_coefficient}
 _call_dynamic_coefficient = kernel("dynamic_coefficient", TEXTS["dynamic_coefficient"])
 
 
-def dynamic_coefficient(
-    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
-) -> Any:
+def dynamic_coefficient(alpha, /, out=None, *, where=True, accuracy=None):
     """A: share of the centripetal term in the mean normal stress, dimensionless.
 
     A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish.
@@ -493,6 +510,12 @@ def dynamic_coefficient(
     Accuracy: proved, rounding included: 0.791 ulp compiled with FMA, 3.98 without, 3.98 in NumPy
     (certificates/dynamic_coefficient.json).
     Source: eq. (2.24) of the paper. Operations: 41 mul, 39 add, 1 sub, 2 div, 1 max, 1 less, 4 select, 1 log.
+
+    Examples
+    --------
+    >>> from generated import dynamic_coefficient
+    >>> print(f"{dynamic_coefficient(0.5):.6f}")
+    0.616194
     """
     return _call_dynamic_coefficient(alpha, out, where, accuracy)
 
@@ -521,9 +544,7 @@ TEXTS["weight_moment_per_inertia"] = {"best": _weight_moment_per_inertia}
 _call_weight_moment_per_inertia = kernel("weight_moment_per_inertia", TEXTS["weight_moment_per_inertia"])
 
 
-def weight_moment_per_inertia(
-    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
-) -> Any:
+def weight_moment_per_inertia(alpha, /, out=None, *, where=True, accuracy=None):
     """C_theta/Theta*: drive of gravity in the equation of motion, dimensionless.
 
     C_theta/Theta* = weight_moment_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both
@@ -553,6 +574,12 @@ def weight_moment_per_inertia(
     Accuracy: proved, rounding included: 0.849 ulp compiled with FMA, 3.25 without, 3.25 in NumPy
     (certificates/weight_moment_per_inertia.json).
     Source: eq. (3.17) of the paper. Operations: 43 mul, 44 add, 1 sub, 1 div, 1 less, 2 select.
+
+    Examples
+    --------
+    >>> from generated import weight_moment_per_inertia
+    >>> print(f"{weight_moment_per_inertia(0.5):.6f}")
+    1.022210
     """
     return _call_weight_moment_per_inertia(alpha, out, where, accuracy)
 
@@ -588,9 +615,7 @@ TEXTS["radial_weight_per_inertia"] = {"best": _radial_weight_per_inertia}
 _call_radial_weight_per_inertia = kernel("radial_weight_per_inertia", TEXTS["radial_weight_per_inertia"])
 
 
-def radial_weight_per_inertia(
-    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
-) -> Any:
+def radial_weight_per_inertia(alpha, /, out=None, *, where=True, accuracy=None):
     """C_r/Theta*: brake of static friction in the equation of motion, dimensionless.
 
     C_r/Theta* = radial_weight_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish.
@@ -619,6 +644,12 @@ def radial_weight_per_inertia(
     Accuracy: proved, rounding included: 1.06 ulp compiled with FMA, 3.68 without, 3.68 in NumPy
     (certificates/radial_weight_per_inertia.json).
     Source: eq. (3.17) of the paper. Operations: 55 mul, 55 add, 1 sub, 1 div, 1 max, 1 less, 2 select, 1 log.
+
+    Examples
+    --------
+    >>> from generated import radial_weight_per_inertia
+    >>> print(f"{radial_weight_per_inertia(0.5):.6f}")
+    1.074524
     """
     return _call_radial_weight_per_inertia(alpha, out, where, accuracy)
 
@@ -651,9 +682,7 @@ TEXTS["polar_moment_per_inertia"] = {"best": _polar_moment_per_inertia}
 _call_polar_moment_per_inertia = kernel("polar_moment_per_inertia", TEXTS["polar_moment_per_inertia"])
 
 
-def polar_moment_per_inertia(
-    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
-) -> Any:
+def polar_moment_per_inertia(alpha, /, out=None, *, where=True, accuracy=None):
     """I_p*/Theta*: brake of centripetal friction in the equation of motion, dimensionless.
 
     I_p*/Theta* = polar_moment(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish.
@@ -682,6 +711,12 @@ def polar_moment_per_inertia(
     Accuracy: proved, rounding included: 0.859 ulp compiled with FMA, 3.2 without, 3.2 in NumPy
     (certificates/polar_moment_per_inertia.json).
     Source: eq. (3.18) of the paper. Operations: 50 mul, 50 add, 1 sub, 1 div, 1 max, 1 less, 2 select, 1 log.
+
+    Examples
+    --------
+    >>> from generated import polar_moment_per_inertia
+    >>> print(f"{polar_moment_per_inertia(0.5):.6f}")
+    1.049612
     """
     return _call_polar_moment_per_inertia(alpha, out, where, accuracy)
 
@@ -717,9 +752,7 @@ _call_weight_moment_per_radial_weight = kernel("weight_moment_per_radial_weight"
     TEXTS["weight_moment_per_radial_weight"])
 
 
-def weight_moment_per_radial_weight(
-    alpha: ArrayLike, /, out: Out = None, *, where: ArrayLike = True, accuracy: float | None = None
-) -> Any:
+def weight_moment_per_radial_weight(alpha, /, out=None, *, where=True, accuracy=None):
     """C_theta/C_r: limit friction over tan(psi), dimensionless.
 
     C_theta/C_r = weight_moment_amplitude(alpha)/radial_weight_amplitude(alpha), finite at alpha = 0 where both
@@ -749,6 +782,12 @@ def weight_moment_per_radial_weight(
     Accuracy: proved, rounding included: 0.95 ulp compiled with FMA, 4 without, 4 in NumPy
     (certificates/weight_moment_per_radial_weight.json).
     Source: eq. (3.21) of the paper. Operations: 56 mul, 56 add, 1 sub, 1 div, 1 max, 1 less, 2 select, 1 log.
+
+    Examples
+    --------
+    >>> from generated import weight_moment_per_radial_weight
+    >>> print(f"{weight_moment_per_radial_weight(0.5):.6f}")
+    0.951314
     """
     return _call_weight_moment_per_radial_weight(alpha, out, where, accuracy)
 
@@ -967,10 +1006,7 @@ TEXTS["radial_weight"] = {"best": _radial_weight, "1e-10": _radial_weight_1e_10,
 _call_radial_weight = kernel("radial_weight", TEXTS["radial_weight"], both_ends=True)
 
 
-def radial_weight(
-    theta_1: ArrayLike, theta_2: ArrayLike, /, out: Out = None, *, where: ArrayLike = True,
-        accuracy: float | None = None
-) -> Any:
+def radial_weight(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
     """J_r: weight of the moving mass along the radius, dimensionless.
 
     J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2.
@@ -1003,6 +1039,12 @@ def radial_weight(
     (certificates/radial_weight.json).
     Source: eq. (2.23) of the paper. Operations: 75 mul, 76 add, 6 sub, 2 div, 1 neg, 2 min, 3 max, 1 less, 1
     select, 1 log, 17 lost.
+
+    Examples
+    --------
+    >>> from generated import radial_weight
+    >>> print(f"{radial_weight(4.0, 5.0):.6f}")
+    0.075488
     """
     return _call_radial_weight(theta_1, theta_2, out, where, accuracy)
 
@@ -1221,10 +1263,7 @@ TEXTS["weight_moment"] = {"best": _weight_moment, "1e-10": _weight_moment_1e_10,
 _call_weight_moment = kernel("weight_moment", TEXTS["weight_moment"], both_ends=True)
 
 
-def weight_moment(
-    theta_1: ArrayLike, theta_2: ArrayLike, /, out: Out = None, *, where: ArrayLike = True,
-        accuracy: float | None = None
-) -> Any:
+def weight_moment(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
     """J_theta: moment of the weight about the centre, dimensionless.
 
     J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2.
@@ -1257,6 +1296,12 @@ def weight_moment(
     (certificates/weight_moment.json).
     Source: eq. (3.13) of the paper. Operations: 63 mul, 66 add, 7 sub, 2 div, 1 neg, 2 min, 2 max, 1 less, 1
     select, 17 lost.
+
+    Examples
+    --------
+    >>> from generated import weight_moment
+    >>> print(f"{weight_moment(4.0, 5.0):.6f}")
+    0.015486
     """
     return _call_weight_moment(theta_1, theta_2, out, where, accuracy)
 
@@ -1357,10 +1402,7 @@ TEXTS["limit_friction"] = {"best": _limit_friction}
 _call_limit_friction = kernel("limit_friction", TEXTS["limit_friction"], both_ends=True)
 
 
-def limit_friction(
-    theta_1: ArrayLike, theta_2: ArrayLike, /, out: Out = None, *, where: ArrayLike = True,
-        accuracy: float | None = None
-) -> Any:
+def limit_friction(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
     """mu_eq: friction coefficient at limit equilibrium.
 
     mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.
@@ -1392,5 +1434,11 @@ def limit_friction(
     NumPy (certificates/limit_friction.json).
     Source: eq. (3.21) of the paper. Operations: 115 mul, 132 add, 11 sub, 3 div, 3 min, 3 max, 1 less, 2
     select, 1 log, 31 lost.
+
+    Examples
+    --------
+    >>> from generated import limit_friction
+    >>> print(f"{limit_friction(4.0, 5.0):.6f}")
+    0.205143
     """
     return _call_limit_friction(theta_1, theta_2, out, where, accuracy)

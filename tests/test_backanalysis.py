@@ -180,6 +180,21 @@ def test_intervals_count_as_uniform_distributions() -> None:
     assert found.intervals == intervals
 
 
+REPORTED = {"run_out": (300.0, 450.0), "peak_velocity": (20.0, 30.0), "duration": (0.0, 45.0)}
+
+
+@pytest.mark.parametrize(
+    ("degrees", "missed", "slow", "climb"),
+    [(10.0, {"run_out"}, 348, 229), (13.6, set[str](), 249, 135), (14.0, set[str](), 238, 126)],
+)
+def test_what_one_friction_angle_meets_of_vaiont(degrees: float, missed: set[str], slow: int, climb: int) -> None:
+    """Which of the reported ranges it misses by more than a tenth."""
+    motion = solve(replace(VAIONT, friction=math.tan(math.radians(degrees))))
+    outside = {n for n, (low, high) in REPORTED.items() if not 0.9 * low <= motion.outcomes[n] <= 1.1 * high}
+    assert outside == missed
+    assert (round(motion.slow_run_out), round(motion.journey.rise)) == (slow, climb)
+
+
 def test_one_interval_is_met_in_its_middle() -> None:
     found = backanalyse(VAIONT, run_out=Interval(350.0, 450.0))
     assert found.motion.run_out == pytest.approx(400.0, rel=1e-9)

@@ -28,7 +28,7 @@ class Function:
     domain: str  # in words
     accuracy: str
     inside: str = ""  # in Python, over the arguments and `eps` of their type; without tiers
-    safe: tuple[float, ...] = ()  # a point inside, which replaces arguments outside
+    safe: tuple[float, ...] = ()  # a point inside, of the example, which replaces arguments outside
     tiers: Mapping[str, Program] = field(default_factory=dict)  # what NumPy runs at each tier of what is certified
 
 
@@ -99,6 +99,7 @@ def numpydoc(
     parameters: Iterable[tuple[str, str, str]],
     returns: tuple[str, str],
     *notes: str,
+    examples: Sequence[str] = (),
     width: int = 112,
 ) -> str:
     """The docstring of a function; parameters are named, typed and described."""
@@ -120,12 +121,25 @@ def numpydoc(
         "Notes",
         "-----",
         *notes,
-        '"""',
     ]
+    if examples:
+        lines += ["", "Examples", "--------", *examples]
+    lines.append('"""')
     return "".join(f"{_fill(f'    {line}'.rstrip(), width)}\n" for line in lines)
 
 
-def function(f: Function, text: PythonText) -> str:
+def _example(f: Function, place: str) -> tuple[str, ...]:
+    """A call and what it prints: so few digits are the same on every processor."""
+    p = f.program
+    text = PythonText()
+    text.body(p)
+    text.reader.scope["lost"] = HELPERS["lost"]
+    value = text.reader.scope[f"_{p.name}"](*map(np.float64, f.safe))
+    given = ", ".join(map(str, f.safe))
+    return (f">>> from {place} import {p.name}", f'>>> print(f"{{{p.name}({given}):.6f}}")', f"{float(value):.6f}")
+
+
+def function(f: Function, text: PythonText, place: str) -> str:
     """A public function: signature, numpydoc docstring, and the call of its body."""
     p = f.program
     parameters = [(name, "array_like", words) for name, words in f.parameters]
@@ -141,17 +155,18 @@ def function(f: Function, text: PythonText) -> str:
         f"Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag, of NaN without.",
         f"Accuracy: {f.accuracy}",
         f"Source: {f.equation}. Operations: {operations(p.operations())}.",
+        examples=_example(f, place),
     )
     if f.tiers:
         return _tiered(f, text, doc)
     names = ", ".join(p.inputs)
-    typed = ", ".join(f"{x}: ArrayLike" for x in p.inputs)
     args = f"{names}," if len(p.inputs) == 1 else names
     inside = f.inside.replace(") & ", ")\n            & ")
     return (
         f"{text.body(p)}\n\n"
-        f"def {p.name}(\n    {typed}, /, out: Out = None, *, where: ArrayLike = True\n) -> Any:\n{doc}"
-        f"    return evaluate(\n        _{p.name},\n        lambda eps, {names}: (\n            {inside}\n        ),\n"
+        f"def {p.name}({names}, /, out=None, *, where=True):\n{doc}"
+        f"    return evaluate(\n        {p.name!r},\n        _{p.name},\n"
+        f"        lambda eps, {names}: (\n            {inside}\n        ),\n"
         f"        {f.safe!r},\n        ({args}),\n        out,\n        where,\n    )\n"
     )
 
@@ -168,12 +183,11 @@ def _tiered(f: Function, text: PythonText, doc: str) -> str:
     bodies = {tier: identifier(name, "" if tier == "best" else tier) for tier in f.tiers}
     texts = "".join(f"{text.body(of, bodies[tier], space)}\n\n" for tier, of in f.tiers.items())
     rows = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())
-    typed = ", ".join(f"{x}: ArrayLike" for x in inputs)
+    names = ", ".join(inputs)
     return (
         f'{texts}TEXTS["{name}"] = {{{rows}}}\n_call_{name} = kernel("{name}", TEXTS["{name}"]{more})\n\n\n'
-        f"def {name}(\n    {typed}, /, out: Out = None, *, "
-        f"where: ArrayLike = True, accuracy: float | None = None\n) -> Any:\n{doc}"
-        f"    return _call_{name}({', '.join(inputs)}, out, where, accuracy)\n"
+        f"def {name}({names}, /, out=None, *, where=True, accuracy=None):\n{doc}"
+        f"    return _call_{name}({names}, out, where, accuracy)\n"
     )
 
 
@@ -188,12 +202,31 @@ def _fill(line: str, width: int = 112) -> str:
     return textwrap.fill(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
-def module(docstring: str, functions: Sequence[Function]) -> str:
-    """A module of public functions."""
+def module(docstring: str, functions: Sequence[Function], place: str = "generated") -> str:
+    """A module of public functions, which are imported from ``place``."""
     text = PythonText()
     tables = "# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
-    code = "".join(f"\n\n{function(f, text)}" for f in functions)
+    code = "".join(f"\n\n{function(f, text, place)}" for f in functions)
     return _module(docstring, [f.program.name for f in functions], (tables if "TEXTS[" in code else "") + code)
+
+
+def stub(functions: Sequence[Function]) -> str:
+    """The types of a module's functions, apart: with them `help` has no line for a signature."""
+    tables = ""
+    code = ""
+    for f in functions:
+        typed = ", ".join(f"{x}: ArrayLike" for x in f.program.inputs)
+        last = ""
+        if f.tiers:
+            tables = "TEXTS: dict[str, dict[str, Text]]\n"
+            last = "    accuracy: float | None = None,\n"
+        code += (
+            f"\ndef {f.program.name}(\n    {typed},\n    /,\n    out: Out = None,\n    *,\n"
+            f"    where: ArrayLike = True,\n{last}) -> Any: ...\n"
+        )
+    code = f"__all__: list[str]\n{tables}{code}"
+    imports = _imports(code).replace("import numpy as np\n", "")
+    return f"{imports}\n\n{code}"
 
 
 def raw_module(docstring: str, programs: Sequence[tuple[Program, str]]) -> str:
@@ -222,7 +255,7 @@ def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: 
 
 # Imports of generated modules, in this order.
 _IMPORTS = (
-    "from __future__ import annotations",  # help() then shows ArrayLike, and not what it stands for
+    "from __future__ import annotations",
     "",
     "from typing import Any",
     "",

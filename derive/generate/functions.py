@@ -48,6 +48,7 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
                 f"{symbol}.",
                 _ALPHA_DOMAIN,
                 _accuracy(name, proved),
+                safe=(0.5,),
                 tiers=tiers,
             )
         )
@@ -159,7 +160,7 @@ def _of_ends(proved: Sequence[Record]) -> list[Function]:
         best = tiers["best"]
         returns = f"{symbol}."
         accuracy = _accuracy(name, proved)
-        every.append(Function(best, *words, _ARC, returns, _ARC_DOMAIN, accuracy, tiers=tiers))
+        every.append(Function(best, *words, _ARC, returns, _ARC_DOMAIN, accuracy, safe=(4.0, 5.0), tiers=tiers))
     return every
 
 
@@ -186,7 +187,7 @@ def motion() -> list[Function]:
                 f"{domain}, until the solution runs to infinity" if timed else domain,
                 dynamics.ACCURACY,
                 " & ".join(conditions),
-                (1.0, 1.0, 0.0, 0.0) if timed else (-1.0, 1.0, 0.0),
+                (1.0, 1.0, 0.0, 0.5) if timed else (-1.0, 1.0, 0.5),
             )
         )
     return every

@@ -44,6 +44,7 @@ def files(proved: list[Record]) -> dict[str, str]:
         "_evaluate.py": emit.filled("_evaluate.py"),
         "effects.py": effects.module(),
         "flow.py": module.module(),
+        "kernels.pyi": emit.stub(kernels),
         "kernels.py": emit.module("Moments, weights and quotients of the arc, from their definitions.", kernels),
         "_flow.c": c_flow,
         "_kernels.c": c_kernels,
@@ -68,7 +69,9 @@ def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
         "motion.py": emit.module(
             "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest.",
             functions.motion(),
+            "generated.motion",
         ),
+        "motion.pyi": emit.stub(functions.motion()),
         "printed.py": emit.raw_module(
             "The paper's own forms, as printed, for comparison only: they cancel and overflow.", printed
         ),
@@ -84,7 +87,7 @@ def header(name: str, text: str) -> str:
     written = f"Written by `{MEND}` with SymPy {__version__}; do not edit."
     if name.endswith(".c"):
         return f'/* {written} */\n#define DIGEST "{digest_of(text)}"\n'
-    if name.endswith(".py"):
+    if name.endswith((".py", ".pyi")):
         return f"# {written}\n# sha256 of the text below: {digest_of(text)}\n"
     return ""
 

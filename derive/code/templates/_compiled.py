@@ -71,7 +71,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
     """
     form, loops = LEVELS[level]
     cached = cache(partial(_cheapest, name, form))
-    numpy = _numpy_of_ends if both_ends else _numpy
+    numpy = partial(_numpy_of_ends if both_ends else _numpy, name)
 
     def loop_of(tier: str) -> Any:
         """The compiled loop of a tier, or None; that of float32 is a type of the best one's."""
@@ -155,11 +155,11 @@ _NUMBERS = (int, float, np.integer, np.floating)
 _SCALARS = frozenset((float, np.float64, np.float32))
 
 
-def _numpy(text: Text, items: Sequence[Any], kind: np.dtype[Any], out: Any, where: Any) -> Any:
+def _numpy(name: str, text: Text, items: Sequence[Any], kind: np.dtype[Any], out: Any, where: Any) -> Any:
     """By blocks; those that lie in [0, pi/2], as a rule, need no masks."""
     body = partial(_clipped, text)
     if where is not True:
-        return evaluate(body, _inside, (0.5,), tuple(items), out, where)
+        return evaluate(name, body, _inside, (0.5,), tuple(items), out, where)
     alpha = np.asarray(items[0], dtype=kind)
     result = np.empty(alpha.shape, kind)
     flat = alpha.reshape(-1)
@@ -171,7 +171,7 @@ def _numpy(text: Text, items: Sequence[Any], kind: np.dtype[Any], out: Any, wher
             if inside:
                 part = text(block.astype(np.float64, copy=False))
             else:
-                part = evaluate(body, _inside, (0.5,), (block,), None, True)
+                part = evaluate(name, body, _inside, (0.5,), (block,), None, True)
             values[start : start + BLOCK] = part
     if out is None:
         return result[()]
@@ -179,14 +179,14 @@ def _numpy(text: Text, items: Sequence[Any], kind: np.dtype[Any], out: Any, wher
     return out
 
 
-def _numpy_of_ends(text: Text, items: Sequence[Any], _: np.dtype[Any], out: Any, where: Any) -> Any:
+def _numpy_of_ends(name: str, text: Text, items: Sequence[Any], _: np.dtype[Any], out: Any, where: Any) -> Any:
     """Where nothing presses on an arc its limit friction is infinite, without a flag."""
 
     def body(theta_1: Array, theta_2: Array) -> Array:
         with np.errstate(divide="ignore", over="ignore", under="ignore"):
             return text(theta_1, theta_2)
 
-    return evaluate(body, _is_arc, (4.0, 5.0), tuple(items), out, where)
+    return evaluate(name, body, _is_arc, (4.0, 5.0), tuple(items), out, where)
 
 
 def _is_arc(eps: float, theta_1: Array, theta_2: Array) -> Any:

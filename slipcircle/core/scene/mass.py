@@ -211,7 +211,7 @@ class Mass:
         return Journey(
             toe=toe,
             run_out=toe_moved[..., 0] * self.facing,
-            rise=toe_moved[..., 1],
+            rise=toe_moved[..., 1][()],
             travel=moved[..., 0] * self.facing,
             fall=-moved[..., 1],
             travel_angle=np.arctan2(fall, run),
