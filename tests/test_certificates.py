@@ -347,6 +347,15 @@ def test_both_ends_have_their_certificates_and_the_checker_proves_them() -> None
         assert 0.98 * record["bound"] <= losses.prove(record, RECORDS) <= record["bound"]
 
 
+@pytest.mark.parametrize("tier", ["1e-10", "1e-6"])
+def test_a_part_at_its_goal_serves_both_ends(tier: str) -> None:
+    """As one of a moment of one's own may be; the run must not stop for what the sine adds."""
+    part = find("radial_weight_amplitude", tier, "plain") | {"bound": records.TIERS[tier].other}
+    turned = losses.certificate("radial_weight", ("r^1 cos u", "cos psi"), tier, "plain", part)
+    assert turned["bound"] > part["bound"]
+    records.check_goals(turned)
+
+
 def test_what_the_reduction_loses_is_bounded_by_what_is_left() -> None:
     """The nearest that n pi comes to a multiple of 2**-52, by another way: convergents would be as good."""
     with mpmath.workdps(60):

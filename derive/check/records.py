@@ -29,6 +29,8 @@ class Tier:
         """The largest bound that a certificate may have."""
         if of_both_ends(record) and self.bits == 53:
             return ENDS
+        if of_both_ends(record) and not self.bits:
+            return 2 * self.other  # the part may take all that its own goal allows
         if record["form"] != "fused":
             return self.other
         if len(record["definition"]) > 1:
