@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "28c4a3510979750faf004ab1a5160a5fc4ab67600bff598d5a6bd5cd8b431818"
+#define DIGEST "da08385d9d438d4353e984471b741c1ffcd7d31da51348fe8bb4925fdf741782"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -225,7 +225,7 @@ INLINE double polar_moment_1e_6_fused(double alpha)
 #define polar_moment_1e_6_fused_KIND short
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
- * fused: proved within 0.504 ulp (certificates/polar_moment.json) */
+ * fused: proved within 0.504 ulp of float32 (certificates/polar_moment.json) */
 INLINE double polar_moment_float32_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
@@ -304,7 +304,7 @@ INLINE double moment_of_inertia_1e_6_fused(double alpha)
 #define moment_of_inertia_1e_6_fused_KIND short
 
 /* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp
- * (certificates/moment_of_inertia.json) */
+ * of float32 (certificates/moment_of_inertia.json) */
 INLINE double moment_of_inertia_float32_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
@@ -391,7 +391,7 @@ INLINE double radial_weight_amplitude_1e_6_fused(double alpha)
 #define radial_weight_amplitude_1e_6_fused_KIND whole
 
 /* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.505 ulp
- * (certificates/radial_weight_amplitude.json) */
+ * of float32 (certificates/radial_weight_amplitude.json) */
 INLINE double radial_weight_amplitude_float32_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
@@ -471,7 +471,7 @@ INLINE double weight_moment_amplitude_1e_6_fused(double alpha)
 }
 #define weight_moment_amplitude_1e_6_fused_KIND short
 
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp of float32
  * (certificates/weight_moment_amplitude.json) */
 INLINE double weight_moment_amplitude_float32_fused(double alpha)
 {
@@ -523,7 +523,7 @@ INLINE double resistance_factor_1e_6_fused(double alpha)
 }
 #define resistance_factor_1e_6_fused_KIND short
 
-/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.501 ulp
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.501 ulp of float32
  * (certificates/resistance_factor.json) */
 INLINE double resistance_factor_float32_fused(double alpha)
 {
@@ -904,7 +904,7 @@ INLINE double radial_weight_1e_10_fused(double theta_1, double theta_2)
 }
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends,
- * float32, fused: proved within 0.502 ulp (certificates/radial_weight.json) */
+ * float32, fused: proved within 0.502 ulp of float32 (certificates/radial_weight.json) */
 INLINE double radial_weight_float32_fused(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -1126,7 +1126,7 @@ INLINE double weight_moment_1e_10_fused(double theta_1, double theta_2)
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
- * ends, float32, fused: proved within 0.501 ulp (certificates/weight_moment.json) */
+ * ends, float32, fused: proved within 0.501 ulp of float32 (certificates/weight_moment.json) */
 INLINE double weight_moment_float32_fused(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -1409,7 +1409,7 @@ INLINE double polar_moment_1e_6_plain(double alpha)
 #define polar_moment_1e_6_plain_KIND whole
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
- * plain: proved within 0.504 ulp (certificates/polar_moment.json) */
+ * plain: proved within 0.504 ulp of float32 (certificates/polar_moment.json) */
 INLINE double polar_moment_float32_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
@@ -1477,7 +1477,7 @@ INLINE double moment_of_inertia_1e_6_plain(double alpha)
 #define moment_of_inertia_1e_6_plain_KIND short
 
 /* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, plain: proved within 0.503 ulp
- * (certificates/moment_of_inertia.json) */
+ * of float32 (certificates/moment_of_inertia.json) */
 INLINE double moment_of_inertia_float32_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
@@ -1554,7 +1554,7 @@ INLINE double radial_weight_amplitude_1e_6_plain(double alpha)
 #define radial_weight_amplitude_1e_6_plain_KIND whole
 
 /* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 0.505 ulp
- * (certificates/radial_weight_amplitude.json) */
+ * of float32 (certificates/radial_weight_amplitude.json) */
 INLINE double radial_weight_amplitude_float32_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
@@ -1624,7 +1624,7 @@ INLINE double weight_moment_amplitude_1e_6_plain(double alpha)
 }
 #define weight_moment_amplitude_1e_6_plain_KIND short
 
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, plain: proved within 0.503 ulp
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, plain: proved within 0.503 ulp of float32
  * (certificates/weight_moment_amplitude.json) */
 INLINE double weight_moment_amplitude_float32_plain(double alpha)
 {
@@ -1670,7 +1670,7 @@ INLINE double resistance_factor_1e_6_plain(double alpha)
 }
 #define resistance_factor_1e_6_plain_KIND short
 
-/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 0.501 ulp
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 0.501 ulp of float32
  * (certificates/resistance_factor.json) */
 INLINE double resistance_factor_float32_plain(double alpha)
 {
@@ -1938,7 +1938,7 @@ INLINE double radial_weight_1e_10_plain(double theta_1, double theta_2)
 }
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends,
- * float32, plain: proved within 0.502 ulp (certificates/radial_weight.json) */
+ * float32, plain: proved within 0.502 ulp of float32 (certificates/radial_weight.json) */
 INLINE double radial_weight_float32_plain(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;
@@ -2160,7 +2160,7 @@ INLINE double weight_moment_1e_10_plain(double theta_1, double theta_2)
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
- * ends, float32, plain: proved within 0.501 ulp (certificates/weight_moment.json) */
+ * ends, float32, plain: proved within 0.501 ulp of float32 (certificates/weight_moment.json) */
 INLINE double weight_moment_float32_plain(double theta_1, double theta_2)
 {
     const double t1 = theta_2 - theta_1;

@@ -23,7 +23,7 @@ from flint import arb
 from derive.check import losses, rounding, truth
 from derive.check.patches import QUARTER, UNDERFLOW, Patch, near_zero, patches
 from derive.check.proof import ProofError
-from derive.check.records import TIERS, Record, assumptions, check_goals, digest, of_both_ends, read, rejected
+from derive.check.records import TIERS, Record, assumptions, check_goals, digest, of_both_ends, read, rejected, unit
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, Unbounded, specialise
 from derive.check.truth import BITS, TOP, working
 
@@ -218,11 +218,8 @@ def checked(record: Record) -> tuple[str, bool]:
     start = time.perf_counter()
     tier = record["tier"]
     name = f"{record['kernel']:<32} {tier:<8} {record['form']:<6}"
-    unit = TIERS[tier].unit
     try:
         if of_both_ends(record):
-            if tier == "best":
-                unit = "relative"
             proved = losses.prove(record, read())
         else:
             proved = prove(record)
@@ -231,7 +228,7 @@ def checked(record: Record) -> tuple[str, bool]:
     seconds = time.perf_counter() - start
     near = record.get("bound_to_quarter_pi", math.nan)
     numbers = f"{proved:>9.4g} {record['bound']:>9.3g} {near:>9.3g}"
-    return f"{name} {numbers}  {unit:<14} {seconds:>7.2f}", True
+    return f"{name} {numbers}  {unit(record):<14} {seconds:>7.2f}", True
 
 
 def prove_all() -> bool:

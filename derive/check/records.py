@@ -76,6 +76,13 @@ def of_both_ends(record: Record) -> bool:
     return str(record["definition"][-1]).endswith("psi")
 
 
+def unit(record: Record) -> str:
+    """The unit of its bound: of both ends, that of the best tier is relative, too."""
+    tier = TIERS[record["tier"]]
+    is_relative = of_both_ends(record) and tier.bits == 53
+    return "relative" if is_relative else tier.unit
+
+
 def read(folder: Path = FOLDER, both_ends: bool = False) -> list[Record]:
     """The records of all certificate files, of functions of alpha or of both ends."""
     records: list[Record] = []

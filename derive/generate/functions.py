@@ -11,7 +11,7 @@ from derive.algebra.integrate import closed_forms, derive
 from derive.algebra.rules import stable
 from derive.approximate.programs import Variant, functions_of_ends, variants, variants_of_ends
 from derive.check.ends import LIMIT
-from derive.check.records import Record, of_both_ends
+from derive.check.records import Record, of_both_ends, unit
 from derive.code.emit import Function
 from derive.code.program import Program, program
 from derive.declare.quantities import MOMENTS, PRINTED, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
@@ -73,7 +73,7 @@ def _accuracy(name: str, proved: Sequence[Record]) -> str:
     if not mine:
         return ACCURACY
     bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in mine}
-    unit = "relative" if of_both_ends(mine[0]) else "ulp"
+    (unit_of_best,) = {unit(r) for r in mine if r["tier"] == "best"}
     fused = bounds["best", "fused"]
     plain = bounds["best", "plain"]
     in_numpy = bounds.get(("best", "numpy"), plain)
@@ -86,7 +86,7 @@ def _accuracy(name: str, proved: Sequence[Record]) -> str:
     if ("float32", "fused") in bounds:
         single = f"; float32: {bounds['float32', 'fused']:.3g} ulp"
     return (
-        f"proved, rounding included: {fused:.3g} {unit} compiled with FMA, {plain:.3g} without, "
+        f"proved, rounding included: {fused:.3g} {unit_of_best} compiled with FMA, {plain:.3g} without, "
         f"{in_numpy:.3g} in NumPy{cheap}{single} (certificates/{name}.json)."
     )
 
@@ -99,15 +99,8 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
         kernel = r["kernel"]
         tier = r["tier"]
         form = r["form"]
-        interval = "0 <= alpha <= pi/2"
-        unit = "ulp"
-        if of_both_ends(r):
-            interval = "both ends"
-            if tier == "best":
-                unit = "relative"
-        if tier[0] == "1":
-            unit = "relative"
-        bound = f"{r['bound']:.3g} {unit} (certificates/{kernel}.json)"
+        interval = "both ends" if of_both_ends(r) else "0 <= alpha <= pi/2"
+        bound = f"{r['bound']:.3g} {unit(r)} (certificates/{kernel}.json)"
         formula = known[kernel].formula.rstrip(".")
         texts[kernel, tier, form] = f"{formula}, {interval}, {tier}, {form}: proved within {bound}"
     return texts
@@ -138,8 +131,6 @@ def _of_ends(proved: Sequence[Record]) -> list[Function]:
     every = []
     for name, *_ in functions_of_ends():
         tiers = _tiers(name, variants_of_ends())
-        if "1e-10" in tiers:
-            tiers["float32"] = tiers["1e-10"]
         if name in moments:
             m = moments[name]
             symbol = m.symbol

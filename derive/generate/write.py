@@ -17,7 +17,7 @@ from derive.approximate import certificates
 from derive.approximate.programs import variants, variants_of_ends
 from derive.check.ends import LIMIT
 from derive.check.proof import ProofError
-from derive.check.records import Record, of_both_ends
+from derive.check.records import Record, unit
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
@@ -99,12 +99,11 @@ def digest_of(text: str) -> str:
 def tiers_module(records: Iterable[Record], digest: str) -> str:
     """The proved bounds for the run time, and the C source to which they apply."""
     kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
-    ulps = {"best": 2.0**-52, "float32": 2.0**-23}  # where they are the measure: the relative error of one in [1, 2)
+    # The relative error of one in [1, 2), where they are the measure.
+    ulps = {"ulp": 2.0**-52, "ulp of float32": 2.0**-23}
     for record in records:
         bound = record["bound"]
-        ulp = ulps.get(record["tier"])
-        if of_both_ends(record) and record["tier"] == "best":
-            ulp = None
+        ulp = ulps.get(unit(record))
         forms = kernels.setdefault(record["kernel"], {}).setdefault(record["tier"], {})
         forms[record["form"]] = (bound * ulp, bound) if ulp else (bound, None)
     lines = []

@@ -321,20 +321,15 @@ class Arc(Mass, Generic[Numbers]):
     @cached_property
     def exit(self) -> Any:
         angle = choose(np.greater(self.facing, 0.0), self.theta_2, self.theta_1)
-        return self._at(angle, 1.0)
+        return _point(self.radius, np.sin(angle), np.cos(angle))
 
     @cached_property
     def centroid(self) -> Any:
         """Of the segment between arc and chord: C_theta over its area from the centre, x and y, m."""
         alpha = self.half_angle
         area = alpha - np.sin(alpha) * np.cos(alpha)
-        middle = np.add(self.theta_1, self.theta_2) / 2
-        return self._at(middle, kernels.weight_moment_amplitude(alpha) / area)
-
-    def _at(self, angle: Any, share: Any) -> Any:
-        """A point at an angle and a share of the radius from the centre, m."""
-        distance = np.multiply(self.radius, share)
-        return np.stack([distance * np.cos(angle), distance * np.sin(angle)], axis=-1)
+        distance = self.radius * kernels.weight_moment_amplitude(alpha) / area
+        return _point(distance, *self._middle)
 
     @cached_property
     def limit_friction_angle(self) -> Any:
@@ -397,3 +392,8 @@ class GivenArc(Arc[Numbers]):
     @cached_property
     def normal_load(self) -> Any:
         return self.dimensionless.radial_weight_per_inertia
+
+
+def _point(distance: Any, sine: Any, cosine: Any) -> Any:
+    """A point at a distance from the centre in a direction, x and y, m."""
+    return np.stack([distance * cosine, distance * sine], axis=-1)
