@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "cadc16d2a8680b36b4ba216f3e27d002cf54acdb7a459e4860195d8aead453aa"
+#define DIGEST "8bf1e7951b90a4906b3169e5ae97f69206bc6b9ed7aac3a7475e2b712160d808"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1810,7 +1810,7 @@ INLINE void choose_step(Batch *b, M here, V room, int top)
     V *const c = b->c;
     V radius = broadcast(INFINITY);
     for (const State *q = job->state; q < job->state + job->states; q++) {
-        if (!(q->rate == job->role->omega)) {
+        if (q->rate != job->role->omega) {
             radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
         }
     }

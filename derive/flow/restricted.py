@@ -53,7 +53,7 @@ _OF_TABLE = {
 ENTRIES = {(kind, x): entry for kind in ("LANES", "LANE") for x, entry in _OF_LANES.items()}
 ENTRIES |= {("T", before + x): entry for before in ("", "before.") for x, entry in _OF_TABLE.items()}
 ENTRIES |= {
-    ("Q", "is_rotation"): ("IS_ROTATION", "N"),
+    ("Q", "has_own_radius"): ("HAS_OWN_RADIUS", "N"),
     ("Q", "now"): ("NOW", "V"),
     ("Q", "series"): ("STATE", "S"),
     ("Q", "rate"): ("STATE", "S"),

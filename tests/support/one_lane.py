@@ -90,7 +90,7 @@ class Lane(Entries):
                 polynomials=[[number(x) for x in row] for row in data.coefficients.tolist()]))  # fmt: skip
         names = ("x", "omega", "net", "normal", "upright")
         states = [Entries(cells, {"now": cell}, series=registers[r], rate=registers[rate],
-                           is_rotation=rate == program.roles["omega"])
+                           has_own_radius=rate != program.roles["omega"])
                   for cell, r, rate in program.states]  # fmt: skip
         super().__init__(
             cells, places, program=program, registers=registers, states=states, tables=tables, notes=[], samples=0,

@@ -216,7 +216,7 @@ def choose_step(s: Lanes, here: M, room: V, top: N) -> None:
     """
     radius: V = INFINITY
     for q in s.states:
-        if not q.is_rotation:
+        if q.has_own_radius:
             radius = minimum(radius_of_convergence(s, q.series, top, s.series_order), radius)
     s.step = where(s.series_order < s.order, room, minimum(s.factor * radius, room))
 
