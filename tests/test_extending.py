@@ -30,12 +30,49 @@ STEP = re.compile(r"[Aa]t the end of\s+``(\w+)`` in\s+``(\S+)``::\n\n((?: {4}.*\
 SLOPE = {"radius_m": 100.0, "theta_1_deg": 205.0, "theta_2_deg": 285.0, "unit_weight_kN_m3": 19.0}
 SOFTENING = {"peak": 0.35, "residual": 0.2, "length": 1.5}
 SUCTION = 12e3
+# Others that are right, as a user would add them: laws of slip with and without a kink, of speed and of time, effects
+# of slip and of a state, moments of each class.
+MORE = {
+    "LAWS": """
+    Law("gaussian", "residual + (peak - residual) exp(-(slip/length)^2)", _SOFTENING,
+        _R + (_P - _R) * sp.exp(-((SLIP / _L) ** 2))),
+    Law("parabolic", "falls ever more slowly to residual, over the length", _SOFTENING,
+        _R + (_P - _R) * (1 - sp.Min(SLIP / _L, 1)) ** 2, degree=2),
+    Law("logarithmic", "coefficient + gain log(1 + speed/velocity)", (
+        _friction("coefficient", "friction coefficient at rest", "angle_deg"),
+        Parameter("gain", "", "what a speed e times as great adds", "gain"),
+        Parameter("velocity", "m/s", "speed from which it grows", "velocity_m_s", lower=0.0)),
+        _C + sp.Symbol("gain", real=True) * sp.log(1 + SPEED / _V)),
+    Law("thawing", "straight lines between the times of a table", (
+        _list("time", "s", "times of the table, increasing", "time_s"),
+        _friction("coefficient", "friction coefficients at these times", "angle_deg", kind="list"))),
+""",
+    "EFFECTS": """
+    Effect("anchors", "bars across the slip surface stretch and hold", (
+        Parameter("strength", "Pa", "their greatest resistance", "strength_kPa", sp.Symbol("strength", real=True),
+                  VALUE / REFERENCE),
+        Parameter("stretch", "m", "slip after which they resist with 63 % of it", "stretch_m",
+                  sp.Symbol("stretch", real=True), VALUE / RADIUS, lower=0.0)),
+           resistance=LAMBDA * sp.Symbol("strength", real=True) * (1 - sp.exp(-SLIP / sp.Symbol("stretch", real=True)))),
+    Effect("crushing", "grains break, and the pore pressure grows with rotation and friction", (
+        Parameter("gain", "Pa", "its rise in a rotation of 1 at a friction coefficient of 1", "gain_kPa",
+                  sp.Symbol("crushing_gain", real=True), VALUE / REFERENCE),),
+           pressure=sp.Symbol("crushed", real=True), states=(sp.Symbol("crushed", real=True),),
+           growth=sp.Symbol("crushing_gain", real=True) * MU),
+""",
+    "MOMENTS": """
+    Moment("fourth_moment", "M_4", r**4, "fourth moment of the moving mass"),
+    Moment("height_moment", "M_y", r**3 * sp.sin(theta), "of a density that grows with r", ("height_amplitude", "C_y")),
+    Moment("width_moment", "M_x", -r * sp.cos(theta), "weight along the chord", amplitude=("width_amplitude", "C_x")),
+""",
+}
 
 
 def follow(root: Path) -> list[str]:
     """Do what the docstring of `derive` says to a copy of the repository; the names that were added to."""
     steps = STEP.findall((root / "derive" / "__init__.py").read_text("utf-8"))
     for name, file, code in steps:
+        code += MORE[name].lstrip("\n")
         lines = (root / file).read_text("utf-8").splitlines(keepends=True)
         start = next(k for k, line in enumerate(lines) if re.match(rf"(def )?{name}\b", line))
         end = next(k for k in range(start + 1, len(lines)) if re.match(r" *[)}]( |$)", lines[k]))
