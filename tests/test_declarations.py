@@ -189,6 +189,9 @@ def declare(text: str, monkeypatch: pytest.MonkeyPatch) -> Any:
     return declared
 
 
+BEFORE = write.present()
+
+
 @pytest.mark.parametrize(("text", "said"), WRONG, ids=[f"{k}" for k in range(len(WRONG))])
 def test_a_wrong_declaration_is_one_line(
     text: str, said: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
@@ -210,6 +213,7 @@ def test_a_wrong_declaration_is_one_line(
     assert len(line) <= 240
     assert line.endswith("; nothing is written")
     assert re.search(r"^(Law|Effect|Moment)\('.*'\), |^new|^normal", line), line
+    assert write.present() == BEFORE
 
 
 def test_the_page_on_extending_shows_what_is_said(
@@ -260,6 +264,7 @@ def test_the_command_says_it_and_leaves_every_byte(tmp_path: Path) -> None:
         (found,) = done.stderr.splitlines()
         assert re.match(said, found), found
         assert digests(tmp_path / "generated") == before
+    write.importable(tmp_path)
 
 
 def test_what_cannot_be_imported_replaces_nothing(tmp_path: Path) -> None:

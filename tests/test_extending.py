@@ -6,7 +6,7 @@ A new kind of mass is a class: here an arc with a rigid load on top.
 import json
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -16,6 +16,7 @@ import mpmath
 import numpy as np
 import pytest
 from flint import arb_series
+from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from slipcircle import Arc, Scene, solve
@@ -53,7 +54,8 @@ MORE = {
                   VALUE / REFERENCE),
         Parameter("stretch", "m", "slip after which they resist with 63 % of it", "stretch_m",
                   sp.Symbol("stretch", real=True), VALUE / RADIUS, lower=0.0)),
-           resistance=LAMBDA * sp.Symbol("strength", real=True) * (1 - sp.exp(-SLIP / sp.Symbol("stretch", real=True)))),
+           resistance=LAMBDA * sp.Symbol("strength", real=True)
+           * (1 - sp.exp(-SLIP / sp.Symbol("stretch", real=True)))),
     Effect("crushing", "grains break, and the pore pressure grows with rotation and friction", (
         Parameter("gain", "Pa", "its rise in a rotation of 1 at a friction coefficient of 1", "gain_kPa",
                   sp.Symbol("crushing_gain", real=True), VALUE / REFERENCE),),
@@ -62,7 +64,7 @@ MORE = {
 """,
     "MOMENTS": """
     Moment("fourth_moment", "M_4", r**4, "fourth moment of the moving mass"),
-    Moment("height_moment", "M_y", r**3 * sp.sin(theta), "of a density that grows with r", ("height_amplitude", "C_y")),
+    Moment("height_moment", "M_y", r**2 * sp.sin(theta), "along the bisector", amplitude=("height_amplitude", "C_y")),
     Moment("width_moment", "M_x", -r * sp.cos(theta), "weight along the chord", amplitude=("width_amplitude", "C_x")),
 """,
 }
@@ -167,6 +169,77 @@ def check_moment(root: Path) -> None:
     assert run(root, "-c", code).split() == ["True", "True"]
 
 
+# A law or an effect, what a scene file says of it, and the same in SI units: friction of slip, speed and time,
+# resistance of slip, gain of the pore pressure.
+Friction = Callable[[float, float, float], float]
+SOFT = "peak = 0.35\nresidual = 0.2\nlength_m = 1.5"
+MOTIONS: dict[str, tuple[str, Friction, Callable[[float], float], float]] = {
+    "gaussian": (SOFT, lambda s, v, t: 0.2 + 0.15 * math.exp(-((s / 1.5) ** 2)), lambda s: 0.0, 0.0),
+    "parabolic": (SOFT, lambda s, v, t: 0.2 + 0.15 * max(1 - s / 1.5, 0.0) ** 2, lambda s: 0.0, 0.0),
+    "logarithmic": ("coefficient = 0.2\ngain = 0.02\nvelocity_m_s = 0.5",
+                    lambda s, v, t: 0.2 + 0.02 * math.log1p(v / 0.5), lambda s: 0.0, 0.0),
+    "thawing": ("time_s = [0, 3, 6]\ncoefficient = [0.3, 0.2, 0.35]",
+                lambda s, v, t: float(np.interp(t, (0, 3, 6), (0.3, 0.2, 0.35))), lambda s: 0.0, 0.0),
+    "anchors": ("strength_kPa = 8\nstretch_m = 2", lambda s, v, t: 0.25,
+                lambda s: 8e3 * (1 - math.exp(-s / 2)), 0.0),
+    "crushing": ("gain_kPa = 100", lambda s, v, t: 0.25, lambda s: 0.0, 1e5),
+}  # fmt: skip
+
+
+def motion_file(name: str, keys: str) -> str:
+    """A mass that turns, with this law or this effect."""
+    arc = "\n".join(["[arc]", *(f"{k} = {v}" for k, v in SLOPE.items())])
+    effect = f"[friction]\ncoefficient = 0.25\n[{name}]" if f'Effect("{name}"' in MORE["EFFECTS"] else ""
+    return "\n".join([arc, "[rotation]", effect or f'[friction]\nlaw = "{name}"', keys])
+
+
+def integrated(friction: Friction, held: Callable[[float], float], gain: float) -> tuple[float, float]:
+    """Peak velocity and run-out by Runge and Kutta's method, of weights that are sums over small pieces."""
+    radius, first, last, _ = RIGHT
+    of_arc = (last - first) * radius**2
+    level, upright = (np.array(turned(x, HOUSE | {"load": 0.0})) for x in (0.0, np.pi / 2))
+    inertia = level[2]
+
+    def rate(t: float, y: Any) -> list[float]:
+        rotation, omega, pressure = y
+        drive, press, _ = level * math.cos(rotation) + upright * math.sin(rotation)
+        mu = friction(radius * rotation, radius * omega, t)
+        resisting = mu * (press - pressure * of_arc) + held(radius * rotation) * of_arc
+        return [omega, (drive - resisting) / inertia, gain * mu * omega]
+
+    def rests(t: float, y: Any) -> float:
+        return float(y[1])
+
+    def fastest(t: float, y: Any) -> float:
+        return rate(t, y)[1]
+
+    rests.terminal, rests.direction = True, -1  # type: ignore[attr-defined]
+    found = solve_ivp(rate, (0.0, 100.0), [0.0] * 3, "DOP853", None, False, (rests, fastest), rtol=1e-12, atol=1e-14,
+                      max_step=0.05)  # fmt: skip
+    (end,), tops = found.y_events
+    return radius * max(y[1] for y in tops), radius * end[0]
+
+
+def check_moments(root: Path) -> None:
+    """Within 1e-14 of the double integral of the weight as it is declared, from the chord to the arc."""
+    arcs = [(3.6, 4.9), (4.0, 4.5)]
+    code = f"from generated import *; print(*(float(x).hex() for a, b in {arcs} for x in "
+    code += "(fourth_moment((b - a) / 2), height_moment(a, b), width_moment(a, b))))"
+    found = [float.fromhex(x) for x in run(root, "-W", "error", "-c", code).split()]
+    weights = (lambda r, at: r**4, lambda r, at: r**2 * mpmath.sin(at), lambda r, at: -r * mpmath.cos(at))
+    exact = []
+    with mpmath.workdps(20):
+        for a, b in arcs:
+            for weight in weights:
+
+                def over_r(at: Any, a: float = a, b: float = b, weight: Any = weight) -> Any:
+                    chord = mpmath.cos((b - a) / 2) / mpmath.cos(at - (a + b) / 2)
+                    return mpmath.quad(lambda r: weight(r, at), [chord, 1], method="gauss-legendre")
+
+                exact.append(mpmath.quad(over_r, [a, (a + b) / 2, b], method="gauss-legendre"))
+    assert found == pytest.approx([float(x) for x in exact], rel=1e-14)
+
+
 # Several commands in one interpreter, which print what they said as a list.
 COMMANDS = """
 import contextlib, io, json, sys
@@ -187,7 +260,16 @@ def test_what_is_added_is_everywhere(tmp_path: Path) -> None:
     (tmp_path / "old.toml").write_text(scene_file("exponential", False), "utf-8")
     lines = ["plan new.toml --json", "run new.toml --json", "plan old.toml --json", "run old.toml --json",
              "schema", "schema --text"]  # fmt: skip
-    plan_new, run_new, plan_old, run_old, schema, guide = json.loads(run(tmp_path, "-c", COMMANDS, *lines))
+    for name, (keys, *_) in MOTIONS.items():
+        (tmp_path / f"{name}.toml").write_text(motion_file(name, keys), "utf-8")
+        lines.append(f"run {name}.toml --json")
+    said = json.loads(run(tmp_path, "-c", COMMANDS, *lines))
+    plan_new, run_new, plan_old, run_old, schema, guide, *motions = said
+    for text, (name, (_, friction, held, gain)) in zip(motions, MOTIONS.items(), strict=True):
+        (motion,) = json.loads(text)
+        seen = motion["peak"]["velocity"], motion["run_out"]
+        assert seen == pytest.approx(integrated(friction, held, gain), rel=1e-9), name
+    check_moments(tmp_path)
     check_scene(plan_new, run_new, "inverse_square", 2, True)
     check_scene(plan_old, run_old, "exponential", 0, False)
     check_schema(schema, guide)
