@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "7ee58f7d879d389fd92a0f9c41371d91efee51ebdacc5e5246f8263276430619"
+#define DIGEST "e421330976d1b3b1ffc5fe781f01e5b73979a8f61139a12f9cea639b8f572ae4"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1995,7 +1995,7 @@ static void leave_rest(Batch *b, unsigned lane, double limit, double room)
 }
 
 /* One step of lanes at rest under forces that change: to the next break, or to where the mass starts. */
-static void wait(Batch *b, M here)
+static void rest_on(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2054,7 +2054,7 @@ static void advance(Batch *b, M here)
         make_step(b, moving);
     }
     if (bits(resting)) {
-        wait(b, resting);
+        rest_on(b, resting);
     }
     begin_phases(b);
     stop_endless(b, here);

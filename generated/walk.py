@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 89184c6f7ab1a1660b6ed9e082615237515f03f09d92809696ac43b452811bfe
+# sha256 of the text below: 7bfbd58064ca5865aee7bbd4b39d8d5b6902054f3f43b5de9b6cbf12f750de41
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1450,7 +1450,7 @@ def leave_rest(lane: Lanes, i: Index, limit: Floats, room: Floats) -> None:
     i, breaks = (i_5, breaks_5)
 
 
-def wait(s: Lanes, here: Mask) -> None:
+def rest_on(s: Lanes, here: Mask) -> None:
     """One step of lanes at rest under forces that change: to the next break, or to where the mass starts."""
     c = s.cells
     limit = next_break(s)
@@ -1502,7 +1502,7 @@ def advance(s: Lanes, here: Mask) -> None:
     if np.any(moving):
         make_step(s, moving)
     if np.any(resting):
-        wait(s, resting)
+        rest_on(s, resting)
     begin_phases(s)
     stop_endless(s, here)
 
