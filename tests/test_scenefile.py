@@ -325,7 +325,8 @@ def test_the_schema_is_one_and_the_shipped_files_obey_it() -> None:
 def test_the_schema_refuses_what_reading_refuses(file: Path) -> None:
     """But for what needs the mechanics, and for numbers that JSON does not have."""
     beyond = ("arc.theta", "arc.given: belongs", "shaking.amplitude_g is missing", "is not TOML", "friction.slip",
-              "pore_pressure.pressure_kPa = [", "pore_pressure.ratio = []", "pore_pressure.time_s and", "observed.run")  # fmt: skip
+              "pore_pressure.pressure_kPa = [", "pore_pressure.ratio = []", "pore_pressure.time_s and",
+              "observed.run")  # fmt: skip
     for text, said in MISTAKES:
         if not said.startswith(beyond) and not re.search(r"= (nan|inf|1{57})", said):
             assert not valid(tomllib.loads(text)), said
