@@ -4,21 +4,21 @@ from importlib import import_module
 from typing import Any
 
 EXTRAS = {
-    "scipy": ("SciPy", "slipcircle[scenes]"),
-    "rich": ("rich", "slipcircle[scenes]"),
-    "matplotlib": ("matplotlib", "slipcircle[plot]"),
-    "dask": ("Dask", "slipcircle[dask]"),
-    "distributed": ("Dask's distributed", "slipcircle[dask]"),
-    "sympy": ("SymPy", "slipcircle[derive]"),
-    "mpmath": ("mpmath", "slipcircle[derive]"),
-    "flint": ("python-flint", "slipcircle[derive]"),
+    "scipy": ("SciPy", "'slipcircle[scenes]'"),
+    "rich": ("rich", "'slipcircle[scenes]'"),
+    "matplotlib": ("matplotlib", "'slipcircle[plot]'"),
+    "dask": ("Dask", "'slipcircle[dask]'"),
+    "distributed": ("Dask's distributed", "'slipcircle[dask]'"),
+    "sympy": ("SymPy", "'slipcircle[derive]'"),
+    "mpmath": ("mpmath", "'slipcircle[derive]'"),
+    "flint": ("python-flint", "'slipcircle[derive]'"),
 }
 
 
 def install(package: str) -> str:
     """The command that installs an optional package."""
     _, requirement = EXTRAS.get(package, ("", package))
-    return f"pip install '{requirement}'"
+    return f"pip install {requirement}"
 
 
 def optional(module: str, purpose: str) -> Any:
