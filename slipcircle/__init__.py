@@ -11,12 +11,18 @@ those of the package `generated`, which `python -m derive` writes.
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-import generated
+try:
+    import generated
+except ModuleNotFoundError as error:
+    if error.name == "numpy":
+        raise ImportError("slipcircle needs NumPy: pip install numpy") from None
+    raise
 
 if getattr(generated, "__project__", None) != "slipcircle":
+    place = getattr(generated, "__file__", None) or list(generated.__path__)
     raise ImportError(
-        f"the package 'generated' found at {getattr(generated, '__file__', None) or list(generated.__path__)} is not "
-        "the one that slipcircle needs: remove it from sys.path, or put slipcircle's folder before it"
+        f"the package 'generated' found at {place} is not the one that slipcircle needs: rename it, start Python in "
+        "another folder, or put the folder of slipcircle first on sys.path"
     )
 
 from slipcircle.base import VERSION

@@ -3,6 +3,7 @@
 JSON, tables, CSV, pictures, reports, sensitivities, studies and back-analyses use these lists.
 """
 
+import json
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, is_dataclass
@@ -12,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base import JSON_FORMAT
 from slipcircle.base.text import DIGITS, digits_left, shown
 from slipcircle.core import Status
 from slipcircle.words import VelocityTimes
@@ -290,6 +292,14 @@ def plain(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return [plain(v) for v in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def json_text(record: Any) -> str:
+    """Records as JSON, each with the version of its keys first; the schema of scene files has its own."""
+    content = plain(record)
+    many = [content] if isinstance(content, dict) else content
+    stamped = [one if "$schema" in one else {"format": JSON_FORMAT} | one for one in many]
+    return json.dumps(stamped if many is content else stamped[0], indent=2, allow_nan=False)
 
 
 def to_error(value: float, error: float) -> str:

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, USUAL_FRICTION, Parameter
+from slipcircle.base import SCENE_FORMAT
 from slipcircle.core import ARC_BOUNDS, GIVEN, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
 from slipcircle.workbench.common.quantities import OUTCOMES, Interval
 
@@ -190,7 +191,13 @@ def declare(
     return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional, kind)
 
 
-_TEXT = {"name": Key("name", "name of the scene, by default the file's"), "note": Key("note", "source of the numbers")}
+_TEXT = {
+    "format": Key(
+        "format", "version of the keys; a newer one needs a newer slipcircle", SCENE_FORMAT, False, SCENE_FORMAT
+    ),
+    "name": Key("name", "name of the scene, by default the file's"),
+    "note": Key("note", "source of the numbers"),
+}
 _TOP = (
     declare(
         "initial_velocity",

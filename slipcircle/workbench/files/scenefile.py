@@ -181,7 +181,8 @@ def _parts(
         parts["arc"], parts["stability"] = _along_slope(replace(slope, strength=strength), keys, tell, file, moving)
         remarks = slope.profile.remarks if slope.profile else []
         parts["remarks"] = (*remarks, *(idle_loads(slope.surcharge, parts["stability"]) if parts["stability"] else ()))
-    return parts | document.arguments[""], keys
+    of_scene = {name: value for name, value in document.arguments[""].items() if name != "format"}
+    return parts | of_scene, keys
 
 
 def _short(friction: Mapping[str, Any] | None) -> Any:

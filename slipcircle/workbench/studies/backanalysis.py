@@ -12,6 +12,7 @@ import numpy as np
 
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
+from slipcircle.base.optional import optional
 from slipcircle.core import Motion, Scene, checked, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES, Interval, Observed
@@ -372,10 +373,10 @@ def fit_warnings(problem: SearchProblem, first: Solution) -> list[str]:
 
 def _misfit_warnings(problem: SearchProblem, chi_square: float) -> list[str]:
     """A sentence where the standard errors, if they are known, do not explain so large a misfit."""
-    from scipy.special import chdtrc
-
     free = problem.degrees_of_freedom
-    chance = float(chdtrc(free, chi_square)) if free else float(chi_square < 1.0)
+    chance = (
+        float(optional("scipy.special", "back-analysis").chdtrc(free, chi_square)) if free else float(chi_square < 1.0)
+    )
     if not problem.is_weighted or chance >= _UNLIKELY:
         return []
     reason = f"chance {chance:.1g}" if free else "as many unknowns as observations, so that all could be met"
