@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from slipcircle.ground import Section
     from slipcircle.layers import LayeredSection, Soil
     from slipcircle.tables import Pulse, Series
+    from slipcircle.workbench.common.quantities import Interval
     from slipcircle.workbench.files.scenefile import load
     from slipcircle.workbench.records.records import Record
     from slipcircle.workbench.records.suite import Suite, read_suite
@@ -41,7 +42,6 @@ if TYPE_CHECKING:
     from slipcircle.workbench.stability.stability import Slope
     from slipcircle.workbench.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.workbench.studies.ensemble import ensemble, grid
-    from slipcircle.workbench.studies.problem import Interval
     from slipcircle.workbench.studies.study import Study
     from slipcircle.workbench.studies.suitestudy import SuiteStudy
     from slipcircle.workbench.suites.synthetic import synthetic_records
@@ -55,7 +55,7 @@ _PLACES = {
     "Critical": "workbench.stability.search",
     "Dimensionless": "core",
     "Energy": "core",
-    "Interval": "workbench.studies.problem",
+    "Interval": "workbench.common.quantities",
     "LayeredSection": "layers",
     "Motion": "core",
     "Plan": "core",

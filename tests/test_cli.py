@@ -19,7 +19,7 @@ import generated
 import slipcircle
 from slipcircle import State, load, solve
 from slipcircle import __main__ as line
-from slipcircle.workbench.common.quantities import record
+from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.scenefile import find, shipped
 from tests.support.outputs import columns
 
@@ -239,7 +239,7 @@ def test_no_command_is_silent(terminal: bool, monkeypatch: pytest.MonkeyPatch, c
             "scene 'viaont' is unknown; known are layered-slope, newmark-pulse, real-slope",
         ),
         ("run viaont --json", 1, "scene 'viaont' is unknown"),
-        ("backanalyse vaiont", 1, "give one of --reach-m, --run-out-m, --peak-velocity-m-s, --duration-s"),
+        ("backanalyse wet-slope", 1, "give one of --reach-m, --run-out-m, --peak-velocity-m-s, --duration-s"),
         ("backanalyse vaiont --duration-s -5", 1, "duration = -5.0: must be a positive number"),
         ("backanalyse vaiont --run-out-m abc", 2, "abc: must be a number, or one with its error"),
         ("backanalyse vaiont --run-out-m 0.3:0.45km", 2, "--run-out-m: 0.3:0.45km: must be a number, or"),

@@ -18,7 +18,7 @@ import pytest
 from slipcircle import Motion, Scene, load, solve
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import RESULTS
-from slipcircle.workbench.common.quantities import record as record_of
+from slipcircle.workbench.common.records import record as record_of
 from slipcircle.workbench.files.scenefile import find
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts

@@ -174,6 +174,7 @@ def _parts(
         raise ValueError("\n".join(f"{file}: {mistake}" for mistake in mistakes))
     effects = _effects(document.arguments, Path(file).parent)
     parts = {"arc": arc, "friction": _short(friction), "effects": effects, "uncertain": document.uncertain}
+    parts["observed"] = document.arguments.get("observed", {})
     parts |= {"stability": None, "remarks": (), "name": Path(file).stem}
     if slope is not None:
         strength = {} if friction is None else soil(friction, effects)

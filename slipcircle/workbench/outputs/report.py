@@ -24,11 +24,11 @@ from slipcircle.workbench.common.quantities import (
     end_words,
     json_text,
     prefixed,
-    record,
     results,
     summary,
     words,
 )
+from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.outputs import live, pictures
