@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7bfbd58064ca5865aee7bbd4b39d8d5b6902054f3f43b5de9b6cbf12f750de41
+# sha256 of the text below: f07dafddb36912ba688fecac893cd18ea45c79285d2977ce52bc489bd5b50ee1
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1273,7 +1273,8 @@ def choose_step(s: Lanes, here: Mask, room: Floats, top: int) -> None:
     c = s.cells
     radius: Floats = INFINITY
     for q in s.states:
-        radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
+        if q.rate != s.roles.omega:
+            radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
     c[ix.STEP] = np.where(here, np.where(c[ix.SERIES_ORDER] < c[ix.ORDER], room, np.minimum(c[ix.FACTOR] * radius,
         room)), c[ix.STEP])
 
