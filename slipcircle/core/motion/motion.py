@@ -190,7 +190,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         at, rotation, omega = map(np.ravel, (time / self._time_scale, rotation, omega))
         states = States(at, rotation, omega, None, np.arange(self._problem.lanes))
         pressing = self._shaped(self._mean_forces.outputs(states)["pressing"])
-        return pressing * self._stress_unit + 0.0
+        return pressing * self.stress_unit + 0.0
 
     @property
     def swings_back(self) -> Any:

@@ -233,13 +233,13 @@ class Trajectory:
 
     def _stresses(self, time: Floats) -> Stresses:
         outputs = self._mean_forces.outputs(self._states(time))
-        unit = _before(self._stress_unit, time.ndim)
+        unit = _before(self.stress_unit, time.ndim)
         total = self._by_state(time, outputs["pressing"])
         effective = self._by_state(time, outputs["normal"])
         return Stresses(total * unit, effective * unit)
 
     @property
-    def _stress_unit(self) -> Any:
+    def stress_unit(self) -> Any:
         """Pa for one of normal force over Theta*: sigma_ref over lambda/Theta*."""
         arc = self.plan.scene.arc
         return plain(arc.reference_stress / arc.moment_coefficients.resistance_factor)
@@ -284,7 +284,7 @@ class Trajectory:
         _, omega, _, _, *further = self._read(problem, flat_times)
         names = [program.cells[cell] for cell, _, _ in program.states[2:]]
         rows = dict(zip(names, further, strict=True))
-        unit = self._energy_unit
+        unit = self.energy_unit
         rests = np.ravel(self._rests_at_end) & self._has_ended(flat_times)
         kinetic = np.where(rests, 0.0, omega**2 / 2)
         of_times = partial(self._over_time, time)
@@ -298,7 +298,7 @@ class Trajectory:
         )
 
     @property
-    def _energy_unit(self) -> Any:
+    def energy_unit(self) -> Any:
         """J for one of omega*^2/2."""
         arc = self.plan.scene.arc
         weight_of_area = np.multiply(arc.width, arc.mean_unit_weight)
