@@ -300,5 +300,5 @@ def _runs(inputs: _Inputs) -> dict[str, Any]:
 
 
 def _plain(values: Any) -> list[Any]:
-    """Numbers for JSON, which has no infinity."""
-    return [x if math.isfinite(x) else str(x) for x in np.ravel(values).tolist()]
+    """Numbers for JSON, which has no infinity: that is the word by which JavaScript knows it."""
+    return [x if math.isfinite(x) else str(x).replace("inf", "Infinity") for x in np.ravel(values).tolist()]
