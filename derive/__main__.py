@@ -3,9 +3,11 @@
 import argparse
 import sys
 import time
+import traceback
 from collections.abc import Callable
 from importlib.util import find_spec
-from typing import NamedTuple, TypeVar
+from pathlib import Path
+from typing import Any, NamedTuple, TypeVar
 
 from derive.check.proof import ProofError
 from derive.progress import say
@@ -52,6 +54,19 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     # A recorded certificate is valid as long as its operations are unchanged (`prove` proves it again).
     proved = timed("kernels", "certify", "", certificates.records, variants(), read())
     return timed("generated", "emit", "", write.files, proved)
+
+
+def _declarations() -> list[Any]:
+    """Read the declarations and look for faults; one that Python finds is a `ProofError` with its place."""
+    try:
+        from derive import guards
+    except Exception as error:
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        line = getattr(error, "lineno", place.lineno)
+        file = Path(getattr(error, "filename", place.filename)).name
+        found = f"{type(error).__name__}: {error}"
+        raise ProofError(f"declarations, {file}, line {line}", found, "what Python can read") from None
+    return guards.check()
 
 
 def _stable_forms() -> None:
@@ -175,22 +190,23 @@ def main(argv: list[str] | None = None) -> int:
 
 def generate(check: bool, search: bool, trials: int | None) -> int:
     """Derive everything, and write `generated` and the records of shapes, or compare them with the files there."""
-    from derive.approximate import shapes
-    from derive.build import build_all
-    from derive.generate import write
-
     start = time.perf_counter()
     try:
+        timed("declarations", "check", "{0} of laws, effects and moments", _declarations)
+        from derive.approximate import shapes
+        from derive.build import build_all
+        from derive.generate import write
+
         texts = derive_all(search, trials)
+        records = {shapes.RECORDS.name: shapes.text()}
+        if check:
+            diff = write.difference(texts) + write.difference(records, shapes.RECORDS.parent)
+            print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
+            return 1 if diff else 0
+        changed = write.write(texts, tried=write.importable) + write.write(records, shapes.RECORDS.parent)
     except ProofError as fault:
         say(f"{fault}; nothing is written")
         return 1
-    records = {shapes.RECORDS.name: shapes.text()}
-    if check:
-        diff = write.difference(texts) + write.difference(records, shapes.RECORDS.parent)
-        print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
-        return 1 if diff else 0
-    changed = write.write(texts) + write.write(records, shapes.RECORDS.parent)
     timed("kernels", "compile", "{0}", build_all)
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")

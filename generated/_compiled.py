@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a0798e5fe41102bfb3403d189efab5f312c3081b7da51204375895dd659007ab
+# sha256 of the text below: ae06f6a4e1de32992edcf6654867d06fa94f642ba3868698586218bb01c07280
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -79,6 +79,8 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
 
     def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
+        if accuracy is not None and not isinstance(accuracy, _NUMBERS):
+            raise TypeError(f"{name}: accuracy is one number, a relative error above 0, not {accuracy!r}")
         simple = best is not None and where is True
         if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
             loop = best
@@ -110,7 +112,7 @@ def _cheapest(name: str, form: str, kind: str, accuracy: float) -> str:
     Plain operations are the same in NumPy and in C; NumPy has a form of its own only where its text calls a library.
     """
     if not accuracy > 0:
-        raise ValueError(f"accuracy is a relative error above 0, not {accuracy!r}")
+        raise ValueError(f"{name}: accuracy is a relative error above 0, not {accuracy!r}")
     limit = "nothing is proved"
     proved = BOUNDS.get(name, {})
     tiers = {"d": CHEAPEST_FIRST, "f": ("float32",)}.get(kind, ())
@@ -136,6 +138,7 @@ def _masked(loop: Any, alpha: Array, out: Any, where: Any) -> Any:
     return loop(alpha, np.full(shape, np.nan, alpha.dtype), where=mask)[()]
 
 
+_NUMBERS = (int, float, np.integer, np.floating)
 _SCALARS = frozenset((float, np.float64, np.float32))
 
 

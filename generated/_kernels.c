@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "89f0a5b4d5389d55884109e0b6cf6caf2308f6e80725fa28bb6dc465aa67a9e6"
+#define DIGEST "39f778b9d703d02ce61a3759c94f979d5984ef56c6b44f2be246ef8b9132e4e6"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -1293,7 +1293,7 @@ INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
     const double sign = clipped >= 0.0 ? 0.0 : NAN; \
     const uint64_t refused = bits(x <= END_##T ? sign : NAN); \
     out[i] = (T)number(bits(PROGRAM(clipped)) | refused); \
-    outside |= refused;
+    outside |= bits(x > END_##T ? NAN : sign); /* not of NaN, of which NumPy's functions are silent */
 #define BARE(T, PROGRAM) PASS(T, out[i] = (T)PROGRAM(x);)
 /* Kinds of programs: of two pieces, whole, or so short that over doubles care costs less than a look. */
 #define LOOK_pieces(T) 1

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9dc1e6ae82977efa8c3d8ee16c7ae3a0787c7ee53c90b5f8d5aec3a4cbe50e12
+# sha256 of the text below: c621dac8d9bfafdc53afaf769f1a8e095179f3ad22ba4a04567cfe3264ec414d
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -29,26 +29,24 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """A friction law: equation, parameters, what it depends on, help; its length scale, and the slips of its kinks."""
+    """A friction law: source, parameters, what it depends on, help."""
 
     name: str
-    equation: str
+    source: str
     parameters: tuple[Parameter, ...]
     depends_on: tuple[str, ...]
     help: str
-    scale: str
-    kinks: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """A term of the equation of motion: equation, parameters, what it depends on, help, whether the mass turns.
+    """A term of the equation of motion: source, parameters, what it depends on, help, whether the mass turns.
 
     At least one parameter of ``any_of`` is needed. ``formulas`` say what it adds to the balance.
     """
 
     name: str
-    equation: str
+    source: str
     parameters: tuple[Parameter, ...]
     depends_on: tuple[str, ...]
     help: str
@@ -69,7 +67,7 @@ LAWS = {
     'constant': Law('constant', '1.14', (
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficient, tan(phi)', 'angle_deg', 1.0, '',
             lambda value, scales: value, False, 'number'),
-    ), (), 'friction does not change', '', ()),
+    ), (), 'friction does not change'),
     'exponential': Law('exponential', 'Fig. 4-1', (
         Parameter('peak', '', -5e-324, 1000000000000.0, 'friction coefficient at the start', 'peak_deg', 1.0, '',
             lambda value, scales: value, False, 'number'),
@@ -77,7 +75,7 @@ LAWS = {
             '', lambda value, scales: value, False, 'number'),
         Parameter('length', 'm', 1e-13, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
             scales: value, False, 'number'),
-    ), ('slip',), 'residual + (peak - residual) exp(-slip/length)', 'length', ()),
+    ), ('slip',), 'residual + (peak - residual) exp(-slip/length)'),
     'linear': Law('linear', 'Fig. 4-1', (
         Parameter('peak', '', -5e-324, 1000000000000.0, 'friction coefficient at the start', 'peak_deg', 1.0, '',
             lambda value, scales: value, False, 'number'),
@@ -85,7 +83,7 @@ LAWS = {
             '', lambda value, scales: value, False, 'number'),
         Parameter('length', 'm', 1e-13, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
             scales: value, False, 'number'),
-    ), ('slip',), 'falls from peak to residual over the length, then stays', 'length', ('length',)),
+    ), ('slip',), 'falls from peak to residual over the length, then stays'),
     'hyperbolic': Law('hyperbolic', 'Fig. 4-1', (
         Parameter('peak', '', -5e-324, 1000000000000.0, 'friction coefficient at the start', 'peak_deg', 1.0, '',
             lambda value, scales: value, False, 'number'),
@@ -93,13 +91,13 @@ LAWS = {
             '', lambda value, scales: value, False, 'number'),
         Parameter('length', 'm', 1e-13, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
             scales: value, False, 'number'),
-    ), ('slip',), 'residual + (peak - residual)/(1 + slip/length)', 'length', ()),
+    ), ('slip',), 'residual + (peak - residual)/(1 + slip/length)'),
     'tabulated': Law('tabulated', 'Fig. 4-1', (
         Parameter('slip', 'm', -5e-324, 1e+20, 'slips of the table, increasing, from 0', 'slip_m', 1.0, '',
             lambda value, scales: value, False, 'list'),
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficients at these slips', 'angle_deg', 1.0,
             '', lambda value, scales: value, False, 'list'),
-    ), ('slip',), 'monotone cubic interpolation in a table, its last value beyond', '', ()),
+    ), ('slip',), 'monotone cubic interpolation in a table, its last value beyond'),
     'rate_weakening': Law('rate_weakening', '1.14', (
         Parameter('peak', '', -5e-324, 1000000000000.0, 'friction coefficient at rest', 'peak_deg', 1.0, '',
             lambda value, scales: value, False, 'number'),
@@ -107,25 +105,25 @@ LAWS = {
             '', lambda value, scales: value, False, 'number'),
         Parameter('velocity', 'm/s', 1e-18, 300000000.0, 'speed at which half of the change has happened',
             'velocity_m_s', 1.0, '', lambda value, scales: value, False, 'number'),
-    ), ('speed',), 'residual + (peak - residual)/(1 + speed/velocity)', 'velocity', ()),
+    ), ('speed',), 'residual + (peak - residual)/(1 + speed/velocity)'),
     'rate_tabulated': Law('rate_tabulated', '1.14', (
         Parameter('speed', 'm/s', 1e-18, 300000000.0, 'speeds of the table, increasing', 'speed_m_s', 1.0, '',
             lambda value, scales: value, False, 'list'),
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficients at these speeds', 'angle_deg',
             1.0, '', lambda value, scales: value, False, 'list'),
-    ), ('speed',), 'monotone cubic interpolation in the logarithm of the speed, the end values beyond', '', ()),
+    ), ('speed',), 'monotone cubic interpolation in the logarithm of the speed, the end values beyond'),
     'prescribed': Law('prescribed', '1.14', (
         Parameter('time', 's', -5e-324, 1e+18, 'times of the table, increasing', 'time_s', 1.0, '', lambda value,
             scales: value, False, 'list'),
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficients at these times', 'angle_deg', 1.0,
             '', lambda value, scales: value, False, 'list'),
-    ), ('time',), 'straight lines between the times of a table, the end values beyond', '', ()),
+    ), ('time',), 'straight lines between the times of a table, the end values beyond'),
 }
 
 EFFECTS = {
     'rotation': Effect('rotation', '1.2', (), ('slip',),
         'the mass turns as it slides, and its weight acts in its new position', True, (), ('psi = psi_0 - phi',)),
-    'centripetal': Effect('centripetal', '2.20', (), ('speed squared',),
+    'centripetal': Effect('centripetal', '2.20', (), (),
         'the normal stress on the slip surface increases with the speed of rotation', False, (),
         ('adds A omega^2 to sigma',)),
     'pore_pressure': Effect('pore_pressure', '2.20', (
@@ -156,7 +154,7 @@ EFFECTS = {
             lambda value, scales: value, True, 'number'),
         Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps',
             1.0, '', lambda value, scales: value, True, 'refuse|linear'),
-    ), (), 'water pressure on the slip surface reduces friction', False, ('ratio', 'pressure', 'record'),
+    ), ('time',), 'water pressure on the slip surface reduces friction', False, ('ratio', 'pressure', 'record'),
         ('adds J_r pore_ratio*/lambda + pore_pressure* + water* to u', 'pore_ratio* = cover ratio',
         'pore_pressure* = pressure/sigma_ref', 'water* = level/sigma_ref')),
     'cohesion': Effect('cohesion', '3.11', (
@@ -167,7 +165,7 @@ EFFECTS = {
     'drag': Effect('drag', '3.11', (
         Parameter('xi', 'm/s^2', 1e-13, 1000000000000000.0, 'turbulence coefficient of Voellmy', 'xi_m_s2', 1.0, 'drag',
             lambda value, scales: 2*scales['gravity']*scales['half_angle']/(scales['Theta']*value), False, 'number'),
-    ), ('speed squared',), 'turbulent resistance, which grows with the square of the speed', False, (),
+    ), (), 'turbulent resistance, which grows with the square of the speed', False, (),
         ('adds Theta drag* omega^2 to resistance', 'drag* = 2 alpha g/(Theta xi)')),
     'viscosity': Effect('viscosity', '3.11', (
         Parameter('viscosity', 'Pa s', -5e-324, 1e+20, 'dynamic viscosity of the sheared layer', 'viscosity_Pa_s', 1.0,
@@ -240,7 +238,8 @@ EFFECTS = {
         'friction heats a thin layer, whose pore water expands and reduces its strength; undrained and adiabatic '
         '(neither water nor heat leaves the layer), as in slides of seconds to minutes on some millimetres of clay; '
         'one mean pressure and temperature, constant Lambda, and all work of friction is heat', False, (),
-        ('adds excess to u', "dexcess/dphi = kappa* mu sigma'", 'kappa* = R pressurisation/(heat_capacity thickness)')),
+        ('adds excess to u', 'dexcess/dphi = kappa* max(0, sigma - u) mu',
+        'kappa* = R pressurisation/(heat_capacity thickness)')),
 }
 
 ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself

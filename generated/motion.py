@@ -1,6 +1,8 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 01dbe71c6705a6df7ed8bd8eaea884257d276e792e46ac7a1ca17e5bfc6c3038
+# sha256 of the text below: bede38e1cfdc146744536a080e90a5f9116a070c004da9e9c3f5dba46e487c71
 """The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."""
+
+from __future__ import annotations
 
 from typing import Any
 
@@ -79,7 +81,8 @@ def frozen_angular_velocity(
 
     Notes
     -----
-    Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag.
+    Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag, of NaN
+    without.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (3.20) of the paper. Operations: 43 mul, 33 add, 2 sub, 4 div, 1 neg, 3 min, 2 max, 2 less, 7
     select, 2 abs, 1 exp, 2 sign, 2 sqrt.
@@ -157,7 +160,8 @@ def frozen_rotation(
 
     Notes
     -----
-    Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag.
+    Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag, of NaN
+    without.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (4.3) of the paper. Operations: 47 mul, 34 add, 1 sub, 4 div, 1 neg, 3 min, 3 max, 3 less, 12
     select, 3 abs, 1 exp, 1 log, 1 log1p, 2 sign, 2 sqrt.
@@ -230,7 +234,8 @@ def frozen_angular_acceleration(
 
     Notes
     -----
-    Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag.
+    Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag, of NaN
+    without.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (3.16) of the paper. Operations: 43 mul, 31 add, 2 sub, 4 div, 1 neg, 3 min, 2 max, 2 less, 8
     select, 2 abs, 1 exp, 2 sign, 2 sqrt.
@@ -286,7 +291,7 @@ def frozen_arrest_time(
 
     Notes
     -----
-    Domain: a < 0, b >= 0, omega_0 >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
+    Domain: a < 0, b >= 0, omega_0 >= 0; elsewhere NaN and NumPy's ``invalid`` flag, of NaN without.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (3.20) of the paper. Operations: 3 mul, 4 div, 2 neg, 1 less, 2 select, 2 abs, 1 arctan, 2 sqrt.
     """
@@ -341,7 +346,7 @@ def frozen_arrest_rotation(
 
     Notes
     -----
-    Domain: a < 0, b >= 0, omega_0 >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
+    Domain: a < 0, b >= 0, omega_0 >= 0; elsewhere NaN and NumPy's ``invalid`` flag, of NaN without.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (4.3) of the paper. Operations: 7 mul, 3 div, 2 neg, 1 less, 2 select, 1 abs, 1 log1p.
     """

@@ -1,6 +1,8 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 05d0d3e2b072c7988a398b62eb3879956445c1c900d4ed284cc0abbff263398a
+# sha256 of the text below: 0fb7d50f26b2f71d205af0bbfb339eb41240543bf4894c22177518272eceb59c
 """The paper's own forms, as printed, for comparison only: they cancel and overflow."""
+
+from __future__ import annotations
 
 from typing import Any
 

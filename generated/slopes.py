@@ -1,6 +1,8 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 26fa85e1ad3d6f8da97fe5bf0e04315d1227e86585f44c61a5e5f3a984c4b347
+# sha256 of the text below: 8c1ff10b7798f9211908c09e5ef9345d79386f11c2c319317cfd466791ec9bea
 """The mass between an arc and a ground of straight edges, and the slices above an arc; lengths over R."""
+
+from __future__ import annotations
 
 from typing import Any
 

@@ -1,6 +1,8 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 2582c041c150d6d159b2c7c2b84ca56003e4238dfd88d686f31d7064cd52c1dc
+# sha256 of the text below: 2dd300169e42dce05b5ceab7e61665b06cc275198c4bfff5369535ec27301315
 """The kernels' forms without cancellation, each proved equal to its closed form, for comparison only."""
+
+from __future__ import annotations
 
 from typing import Any
 

@@ -136,7 +136,7 @@ def test_no_flag_but_invalid(name: str, level: str) -> None:
     for alpha in (points(), points().astype(np.float32), points()[::2]):
         with np.errstate(all="raise"):
             function(alpha)
-    for bad in (-5e-324, -1e308, float(np.nextafter(end, 9)), np.inf, np.nan):
+    for bad in (-5e-324, -1e308, float(np.nextafter(end, 9)), np.inf):
         with np.errstate(all="raise", invalid="ignore"):
             assert np.isnan(function(np.full(33, bad))).all()
         for given in (np.array([bad, 0.5])[::-1], np.array([bad] * 9000)):

@@ -14,7 +14,7 @@ import pytest
 import sympy as sp
 
 from derive import __main__ as command
-from derive.algebra import integrate, rules
+from derive.algebra import integrate
 from derive.approximate import certificates, programs, shapes
 from derive.approximate.shapes import Kernel
 from derive.check import certify, truth
@@ -95,16 +95,7 @@ def test_the_checker_knows_the_goals_too() -> None:
     ids=str,
 )  # fmt: skip
 def test_a_weight_that_cannot_be_certified_is_refused(weight: sp.Expr, amplitude: tuple[str, str] | None) -> None:
-    fires(lambda: Moment("odd", "O", "none", weight, "", amplitude).definition, "odd", "weight")
-
-
-def test_another_weight_may_be_sampled_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It has its proved closed and stable forms, and no certificate."""
-    both = Moment("both", "B", "none", r + r**2, "", certified=False)
-    for module in (quantities, integrate, shapes):
-        monkeypatch.setattr(module, "MOMENTS", (*MOMENTS, both), raising=False)
-    assert rules.stable(integrate.closed_forms()["both"]).power == 3
-    assert "both" not in {k.name for k in shapes.kernels()}
+    fires(lambda: Moment("odd", "O", weight, "", amplitude).definition, "odd", "weight")
 
 
 @pytest.mark.parametrize("changed", ["weight", "lambda", "text"])

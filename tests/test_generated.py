@@ -103,7 +103,7 @@ def run_main(argv: list[str], folder: Path, monkeypatch: pytest.MonkeyPatch) -> 
     with monkeypatch.context() as m:
         m.setattr("derive.__main__.derive_all", lambda *_: texts())
         m.setattr(write, "difference", lambda texts, other=folder: difference(texts, other))
-        m.setattr(write, "write", lambda texts, other=folder: write_files(texts, other))
+        m.setattr(write, "write", lambda texts, other=folder, **_: write_files(texts, other))
         return main(argv)
 
 
@@ -118,11 +118,13 @@ def test_binaries_and_caches_do_not_count(copy: Path) -> None:
     assert all(path.exists() for path in kept)
 
 
-@pytest.mark.parametrize("step", ["fdopen", "replace"])
-def test_a_write_that_fails_leaves_whole_files(copy: Path, step: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Every file is the old one or the new one, and nothing else is left behind."""
+@pytest.mark.parametrize(("module", "step", "replaced"), [(Path, "write_text", 0), (os, "replace", 2)])
+def test_a_write_that_fails_leaves_whole_files(
+    copy: Path, module: Any, step: str, replaced: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Every file is the old one or the new one, all of them old until the last is written; nothing else is left."""
     wanted = {name: text + "# later\n" for name, text in texts().items()}
-    before, calls, real = bytes_of(copy), iter(range(99)), getattr(os, step)
+    before, calls, real = bytes_of(copy), iter(range(99)), getattr(module, step)
 
     def fails(*args: Any, **options: Any) -> Any:
         if next(calls) == 2:
@@ -130,13 +132,14 @@ def test_a_write_that_fails_leaves_whole_files(copy: Path, step: str, monkeypatc
         return real(*args, **options)
 
     with monkeypatch.context() as m:
-        m.setattr(os, step, fails)
+        m.setattr(module, step, fails)
         with pytest.raises(OSError, match="disk full"):
             write.write(wanted, copy)
     after = bytes_of(copy)
     assert set(after) == set(before)
     new = {name for name in after if after[name] != before[name]}
-    assert len(new) == 2
+    assert len(new) == replaced
+    assert [*copy.parent.iterdir()] == [copy]
     assert all(after[name] == wanted[name].encode() for name in new)
 
 
@@ -247,8 +250,49 @@ def outside(name: str) -> Iterator[tuple[float, ...]]:
     """Arguments outside the domain of one function."""
     args = inside(name)
     for i, x in enumerate(ARGUMENTS[name]):
-        bad = [np.nan, np.inf, -np.inf, *(OF_ARREST if "arrest" in name else OUTSIDE).get(x, [])]
+        bad = [np.inf, -np.inf, *(OF_ARREST if "arrest" in name else OUTSIDE).get(x, [])]
         yield from ((*args[:i], v, *args[i + 1 :]) for v in bad)
+
+
+@pytest.mark.parametrize("name", generated.__all__)
+def test_help_shows_a_signature_that_can_be_read(name: str) -> None:
+    """As it is written: what stands for an array-like is not spelt out."""
+    shown = str(signature(getattr(generated, name)))
+    assert "ArrayLike" in shown
+    assert len(shown) <= 140
+
+
+@each_function
+def test_masked_arrays_are_refused(name: str) -> None:
+    """A mask would be lost."""
+    args = [np.ma.masked_array([x, x], [False, True]) for x in inside(name)]
+    with pytest.raises(TypeError, match="masked arrays are not supported"):
+        FUNCTIONS[name](*args)
+
+
+@pytest.mark.parametrize("accuracy", ["fast", np.array([1e-6, 1e-10]), [1e-6], 1j])
+def test_an_accuracy_that_is_no_number_is_named(accuracy: Any) -> None:
+    with pytest.raises(TypeError, match="polar_moment: accuracy is one number, a relative error above 0, not "):
+        generated.polar_moment(0.5, accuracy=accuracy)
+    small: Any = np.float32(1e-6)
+    assert generated.polar_moment(0.5, accuracy=small) == generated.polar_moment(0.5, accuracy=1e-6)
+
+
+@each_function
+def test_nan_is_nan_without_a_flag(name: str) -> None:
+    """As of NumPy's functions, beside what is inside; beside what is outside there is one."""
+    function = FUNCTIONS[name]
+    args = inside(name)
+    wrong = next(outside(name))
+    for i in range(len(args)):
+        lost = (*args[:i], np.nan, *args[i + 1 :])
+        with np.errstate(all="raise"):
+            assert np.isnan(function(*lost))
+            assert np.isnan(function(*map(np.float32, lost)))
+            mixed = function(*(np.array([x, y] * 40) for x, y in zip(args, lost, strict=True)))
+        np.testing.assert_array_equal(mixed, [function(*args), np.nan] * 40)
+        with np.errstate(invalid="raise"), pytest.raises(FloatingPointError, match="invalid"):
+            function(*(np.array(x) for x in zip(lost, wrong, strict=True)))
 
 
 @each_function

@@ -135,7 +135,7 @@ ROOMS = ("tables", "ground", "layers", "stiff", "derivatives", "words")
 LAYERS = {
     "derive": (
         *("__init__", "progress", "check", "theorem", "declare", "algebra", "code", "approximate", "flow", "generate"),
-        *("judge", "build", "build_hook", "__main__"),
+        *("judge", "build", "build_hook", "guards", "__main__"),
     ),
     "generated": (
         *("definitions", "effects", "flow", "layout", "series", "walk", "tiers", "_evaluate", "_compiled"),

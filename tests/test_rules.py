@@ -17,7 +17,7 @@ from derive.declare.symbols import alpha, r, t, theta
 
 # Of the fifteen that a moment may have; `python -m tests.campaigns.all_weights` takes all.
 WEIGHTS = {
-    f"r^{n}{name}": Moment("moment", "M", "", r**n * by, "", amplitude=("amplitude", "M") if name else None)
+    f"r^{n}{name}": Moment("moment", "M", r**n * by, "", amplitude=("amplitude", "M") if name else None)
     for n, name, by in (
         *((n, "", sp.Integer(1)) for n in (2, 3, 5)),
         *((n, " sin", -sp.sin(theta)) for n in (1, 4)),

@@ -43,17 +43,16 @@ class Kernel:
 def kernels() -> list[Kernel]:
     """All that are certified: the base quantities and their quotients."""
     closed = closed_forms()
-    definitions = {m.kernel[0]: m.definition for m in MOMENTS if m.certified}
+    definitions = {m.kernel[0]: m.definition for m in MOMENTS}
     definitions[RESISTANCE.name] = RESISTANCE.definition
     certified = []
     for name, definition in definitions.items():
         certified.append(Kernel(name, (closed[name],), definition))
     for q in QUOTIENTS:
         parts = (q.numerator, q.denominator)
-        if all(part in definitions for part in parts):
-            forms = tuple(closed[part] for part in parts)
-            statements = tuple(definitions[part][0] for part in parts)
-            certified.append(Kernel(q.name, forms, statements))
+        forms = tuple(closed[part] for part in parts)
+        statements = tuple(definitions[part][0] for part in parts)
+        certified.append(Kernel(q.name, forms, statements))
     return certified
 
 

@@ -136,7 +136,7 @@ def function(f: Function, text: PythonText) -> str:
         f.formula,
         parameters,
         ("ndarray or scalar", returns),
-        f"Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag.",
+        f"Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag, of NaN without.",
         f"Accuracy: {f.accuracy}",
         f"Source: {f.equation}. Operations: {operations(p.operations())}.",
     )
@@ -213,6 +213,8 @@ def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: 
 
 # Imports of generated modules, in this order.
 _IMPORTS = (
+    "from __future__ import annotations",  # help() then shows ArrayLike, and not what it stands for
+    "",
     "from typing import Any",
     "",
     "import numpy as np",
@@ -246,7 +248,7 @@ def _imports(code: str) -> str:
     imports = []
     for line in _IMPORTS:
         start, _, names = line.rpartition("import ")
-        needed = [x for x in names.split(", ") if x.endswith(" as np") or x in used]
+        needed = [x for x in names.split(", ") if x.endswith((" as np", "annotations")) or x in used]
         if needed:
             imports.append(f"{start}import {', '.join(needed)}")
         elif not line:

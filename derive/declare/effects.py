@@ -5,11 +5,10 @@ runtime half (names, units, bounds, help, conversions) in `generated/effects.py`
 and help.
 """
 
+import re
 from dataclasses import dataclass
 
 import sympy as sp
-
-from derive.declare.symbols import in_words
 
 # The balance (3.11), any effect included: Theta* d(omega*)/dt* = J_theta - resistance - lambda mu (sigma* - u*).
 THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA, OMEGA_2 = sp.symbols(
@@ -26,18 +25,29 @@ DRIVING_MOMENT_SLOPE, NORMAL_LOAD_SLOPE = sp.symbols("driving_moment_slope norma
 ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE, COVER, VALUE = sp.symbols(
     "half_angle gravity radius density reference_stress cover value", real=True
 )
+SLIP, SPEED = sp.symbols("slip speed", real=True)
 DEGREE = 7  # of the pieces of tabulated functions
 
 
+_ZERO = sp.Integer(0)
 _INFINITY = float("inf")
 _BELOW_0 = -5e-324  # bounds are open, and zero is allowed
 # Limits of plausible numbers by unit: values beyond are in a wrong unit or mistyped.
 LIMITS = {
-    "": (1e-12, 1e12), "m": (1e-13, 1e20), "s": (1e-12, 1e18), "m/s": (1e-18, 3e8), "m/s^2": (1e-13, 1e15),
-    "N/m^3": (1e-3, 1e9), "Pa": (1e-9, 1e15), "Pa s": (1e-12, 1e20), "Pa/K": (1e-9, 1e15), "J/m^3 K": (1e-3, 1e15),
-}  # fmt: skip
+    "": (1e-12, 1e12),
+    "m": (1e-13, 1e20),
+    "s": (1e-12, 1e18),
+    "m/s": (1e-18, 3e8),
+    "m/s^2": (1e-13, 1e15),
+    "N/m^3": (1e-3, 1e9),
+    "Pa": (1e-9, 1e15),
+    "Pa s": (1e-12, 1e20),
+    "Pa/K": (1e-9, 1e15),
+    "J/m^3 K": (1e-3, 1e15),
+}
 # Ranges that soils have by unit, and SI values of other units in which a number beyond them may have been meant.
 USUAL = {"N/m^3": (5e3, 1e5), "Pa": (50.0, 1e8)}
+PREFIXES = {"": 1.0, "k": 1e3, "M": 1e6}  # of the units in which scene files write numbers
 OTHER_UNITS = {"N/m^3": {"kN/m^3": 1e3, "kg/m^3": 9.81}, "Pa": {"kPa": 1e3, "MPa": 1e6}}
 USUAL_FRICTION = (0.0174550649282176, 10.0)  # tan(1 deg): less was an angle in rad; more was one in deg
 
@@ -46,32 +56,40 @@ USUAL_FRICTION = (0.0174550649282176, 10.0)  # tan(1 deg): less was an angle in 
 class Parameter:
     """A number that an effect or a law needs: in SI units, with its open bounds, and as a scene file writes it.
 
-    Where bounds say no more than its sign, those of its unit hold, `LIMITS`.
-    ``key`` names it with its unit in a scene file, which gives ``per_unit`` SI units each. ``symbol`` stands
-    for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the effect's
-    other parameters, by their names. An ``optional`` one may be omitted. ``kind`` is "number", "list" (of numbers),
-    "series" (a number, or a function of time), "rotation" (the same of the rotation, which the section gives), "text",
-    "flag" or one of several words, "this|that". What has no ``key`` cannot be written in a file.
+    ``key`` names it in a scene file, and ends in its ``unit``, which may have a prefix: suction_kPa of Pa. ``symbol``
+    stands for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the
+    effect's other parameters, by their names. An ``optional`` one may be omitted. ``kind`` is "number", "list" (of
+    numbers), "series" (a number, or a function of time), "rotation" (the same of the rotation, which the section
+    gives), "text", "flag" or one of several words, "this|that". What has no ``key`` cannot be written in a file.
     """
 
     name: str
     unit: str
-    lower: float
-    upper: float
     help: str
     key: str
-    per_unit: float = 1.0
     symbol: sp.Symbol | None = None
     dimensionless: sp.Expr = VALUE
+    lower: float = _BELOW_0
+    upper: float = _INFINITY
     optional: bool = False
     kind: str = "number"
 
-    def __post_init__(self) -> None:
+    @property
+    def bounds(self) -> tuple[float, float]:
+        """Open bounds; those of its unit, `LIMITS`, where declared ones say no more than its sign."""
+        if not self.key or self.kind not in ("number", "list", "series"):
+            return self.lower, self.upper
         least, most = LIMITS[self.unit]
-        numeric = self.kind in ("number", "list", "series")
-        if numeric and self.key:
-            object.__setattr__(self, "lower", least if self.lower == 0.0 else max(self.lower, -most))
-            object.__setattr__(self, "upper", min(self.upper, most))
+        return least if self.lower == 0.0 else max(self.lower, -most), min(self.upper, most)
+
+    @property
+    def per_unit(self) -> float:
+        """SI units in one of the key's; 0 if the key does not end in the unit."""
+        if not self.unit or not self.key:
+            return 1.0
+        unit = re.sub("[/ ]", "_", self.unit).replace("^", "")
+        written = re.search(f"_([kM]?){unit}$", self.key)
+        return PREFIXES[written[1]] if written else 0.0
 
 
 @dataclass(frozen=True)
@@ -80,89 +98,135 @@ class Effect:
 
     ``stress`` is what it adds to the mean normal stress and ``pressure`` to the pore pressure, over sigma_ref;
     ``resistance`` is a moment that opposes the motion. ``driving_moment`` and ``normal_load`` are what it adds
-    to J_theta and J_r, ``friction`` to the friction coefficient.
+    to J_theta and J_r, ``friction`` to the friction coefficient. Slip is over R here, and speed over sqrt(g R).
     ``turns`` lets the geometry move with the mass. ``states`` are symbols that change with time, and ``growth``
     is their derivative by the rotation. At least one parameter of ``any_of`` is needed.
-    ``depends_on`` decides which methods can solve it.
+    ``equation`` is its number in the paper, ``source`` that of an effect which is not there.
     """
 
     name: str
-    equation: str
-    parameters: tuple[Parameter, ...]
-    depends_on: tuple[str, ...]
     help: str
-    stress: sp.Expr = sp.Integer(0)
-    pressure: sp.Expr = sp.Integer(0)
-    resistance: sp.Expr = sp.Integer(0)
+    parameters: tuple[Parameter, ...] = ()
+    equation: str = ""
+    source: str = ""
+    stress: sp.Expr = _ZERO
+    pressure: sp.Expr = _ZERO
+    resistance: sp.Expr = _ZERO
     turns: bool = False
-    driving_moment: sp.Expr = sp.Integer(0)
-    normal_load: sp.Expr = sp.Integer(0)
-    friction: sp.Expr = sp.Integer(0)
+    driving_moment: sp.Expr = _ZERO
+    normal_load: sp.Expr = _ZERO
+    friction: sp.Expr = _ZERO
     states: tuple[sp.Symbol, ...] = ()
-    growth: sp.Expr = sp.Integer(0)
+    growth: sp.Expr = _ZERO
     any_of: tuple[str, ...] = ()
+
+    @property
+    def symbols(self) -> dict[sp.Symbol, Parameter]:
+        """Parameters that the balance names, by their symbols."""
+        return {p.symbol: p for p in self.parameters if p.symbol is not None}
+
+    @property
+    def terms(self) -> dict[str, sp.Expr]:
+        """What it adds, by the quantity of the balance."""
+        return {
+            "sigma": self.stress,
+            "u": self.pressure,
+            "resistance": self.resistance,
+            "J_theta": self.driving_moment,
+            "J_r": self.normal_load,
+            "mu": self.friction,
+        }
+
+    @property
+    def depends_on(self) -> tuple[str, ...]:
+        """What makes it change along a motion, its quadratic terms in the speed apart."""
+        free = set().union(*(e.free_symbols for e in self.terms.values()))
+        every = {
+            "slip": self.turns or SLIP in free,
+            "speed": {OMEGA, SPEED} & free,
+            "time": "series" in (p.kind for p in self.parameters),
+            "history": self.states,
+        }
+        return tuple(variable for variable, depends in every.items() if depends)
 
 
 @dataclass(frozen=True)
 class Law:
     """A friction law: the friction coefficient as a function of the accumulated slip, of the speed, or of time.
 
-    ``coefficient`` is in `SLIP` or `SPEED` and the parameters' names. ``scale`` names the length over which it
-    changes, ``kinks`` the slips at which it is not smooth. A law without formula (a table) is computed by the runtime,
-    in pieces that are polynomials of this ``degree`` in the slip or in the logarithm of the speed.
+    ``coefficient`` is in `SLIP` or `SPEED` and the parameters' names; a minimum or maximum changes its branch at a slip
+    that is a parameter. A law without formula (a table, whose first parameter is its argument) is computed by the
+    runtime, in pieces that are polynomials of this ``degree`` in the slip or in the logarithm of the speed.
+    ``equation`` is its number in the paper, ``source`` that of a law which is not there.
     """
 
     name: str
-    equation: str
-    parameters: tuple[Parameter, ...]
-    depends_on: tuple[str, ...]
     help: str
+    parameters: tuple[Parameter, ...]
     coefficient: sp.Expr | None = None
-    scale: str = ""
-    kinks: tuple[str, ...] = ()
     degree: int = 0
+    equation: str = ""
+    source: str = ""
+
+    @property
+    def depends_on(self) -> tuple[str, ...]:
+        """Slip, speed or time."""
+        if self.coefficient is None:
+            return (self.parameters[0].name,)
+        return tuple(str(x) for x in (SLIP, SPEED) if x in self.coefficient.free_symbols)
+
+    @property
+    def kinks(self) -> tuple[sp.Symbol, ...]:
+        """Slips at which it is not smooth."""
+        branches = (self.coefficient or _ZERO).atoms(sp.Min, sp.Max)
+        return tuple(x for e in sorted(branches, key=str) for x in sp.solve(sp.Eq(*e.args), SLIP))
 
 
 def _friction(name: str, help: str, key: str = "", kind: str = "number") -> Parameter:
     """A friction coefficient: a key in degrees stands for its angle, and a scene file may name the number instead."""
-    return Parameter(name, "", _BELOW_0, _INFINITY, help, key or f"{name}_deg", kind=kind)
+    return Parameter(name, "", help, key or f"{name}_deg", kind=kind)
 
 
-_LENGTH = Parameter("length", "m", 0.0, _INFINITY, "slip over which friction falls", "length_m")
-_PEAK = _friction("peak", "friction coefficient at the start")
-_RESIDUAL = _friction("residual", "friction coefficient after much slip")
+def _list(name: str, unit: str, help: str, key: str, lower: float = _BELOW_0) -> Parameter:
+    """The arguments of a table."""
+    return Parameter(name, unit, help, key, lower=lower, kind="list")
 
-SLIP, SPEED, _P, _R, _L, _V = sp.symbols("slip speed peak residual length velocity", real=True)
+
+_SOFTENING = (
+    _friction("peak", "friction coefficient at the start"),
+    _friction("residual", "friction coefficient after much slip"),
+    Parameter("length", "m", "slip over which friction falls", "length_m", lower=0.0),
+)
+_WEAKENING = (
+    _friction("peak", "friction coefficient at rest"),
+    _friction("residual", "friction coefficient at great speed"),
+    Parameter("velocity", "m/s", "speed at which half of the change has happened", "velocity_m_s", lower=0.0),
+)
+_P, _R, _L, _V, _C = sp.symbols("peak residual length velocity coefficient", real=True)
 
 LAWS = (
-    Law("constant", "1.14", (_friction("coefficient", "friction coefficient, tan(phi)", "angle_deg"),), (),
-        "friction does not change"),
-    Law("exponential", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
-        "residual + (peak - residual) exp(-slip/length)", _R + (_P - _R) * sp.exp(-SLIP / _L), "length"),
-    Law("linear", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
-        "falls from peak to residual over the length, then stays", _P + (_R - _P) * sp.Min(SLIP / _L, 1),
-         "length", ("length",), 1),
-    Law("hyperbolic", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
-        "residual + (peak - residual)/(1 + slip/length)", _R + (_P - _R) / (1 + SLIP / _L), "length"),
-    Law("tabulated", "Fig. 4-1", (
-        Parameter("slip", "m", _BELOW_0, _INFINITY, "slips of the table, increasing, from 0", "slip_m", kind="list"),
+    Law("constant", "friction does not change", (_friction("coefficient", "friction coefficient, tan(phi)",
+        "angle_deg"),), _C, equation="1.14"),
+    Law("exponential", "residual + (peak - residual) exp(-slip/length)", _SOFTENING,
+        _R + (_P - _R) * sp.exp(-SLIP / _L), equation="Fig. 4-1"),
+    Law("linear", "falls from peak to residual over the length, then stays", _SOFTENING,
+        _P + (_R - _P) * sp.Min(SLIP / _L, 1), degree=1, equation="Fig. 4-1"),
+    Law("hyperbolic", "residual + (peak - residual)/(1 + slip/length)", _SOFTENING,
+        _R + (_P - _R) / (1 + SLIP / _L), equation="Fig. 4-1"),
+    Law("tabulated", "monotone cubic interpolation in a table, its last value beyond", (
+        _list("slip", "m", "slips of the table, increasing, from 0", "slip_m"),
         _friction("coefficient", "friction coefficients at these slips", "angle_deg", kind="list")),
-        ("slip",), "monotone cubic interpolation in a table, its last value beyond", degree=3),
-    Law("rate_weakening", "1.14", (
-        _friction("peak", "friction coefficient at rest"),
-        _friction("residual", "friction coefficient at great speed"),
-        Parameter("velocity", "m/s", 0.0, _INFINITY, "speed at which half of the change has happened",
-                  "velocity_m_s")), ("speed",),
-        "residual + (peak - residual)/(1 + speed/velocity)", _R + (_P - _R) / (1 + SPEED / _V), scale="velocity"),
-    Law("rate_tabulated", "1.14", (
-        Parameter("speed", "m/s", 0.0, _INFINITY, "speeds of the table, increasing", "speed_m_s", kind="list"),
+        degree=3, equation="Fig. 4-1"),
+    Law("rate_weakening", "residual + (peak - residual)/(1 + speed/velocity)", _WEAKENING,
+        _R + (_P - _R) / (1 + SPEED / _V), equation="1.14"),
+    Law("rate_tabulated", "monotone cubic interpolation in the logarithm of the speed, the end values beyond", (
+        _list("speed", "m/s", "speeds of the table, increasing", "speed_m_s", lower=0.0),
         _friction("coefficient", "friction coefficients at these speeds", "angle_deg", kind="list")),
-        ("speed",), "monotone cubic interpolation in the logarithm of the speed, the end values beyond",
-        degree=3),
-    Law("prescribed", "1.14", (
-        Parameter("time", "s", _BELOW_0, _INFINITY, "times of the table, increasing", "time_s", kind="list"),
+        degree=3, equation="1.14"),
+    Law("prescribed", "straight lines between the times of a table, the end values beyond", (
+        _list("time", "s", "times of the table, increasing", "time_s"),
         _friction("coefficient", "friction coefficients at these times", "angle_deg", kind="list")),
-        ("time",), "straight lines between the times of a table, the end values beyond"),
+        equation="1.14"),
 )  # fmt: skip
 
 
@@ -192,12 +256,12 @@ def _optional(
 ) -> Parameter:
     """Any number, a function of time or a text, that may be omitted."""
     key = name if key is None else key
-    return Parameter(name, unit, -_INFINITY, _INFINITY, help, key, symbol=symbol, optional=True, kind=kind)
+    return Parameter(name, unit, help, key, symbol, lower=-_INFINITY, optional=True, kind=kind)
 
 
 def _of_section(name: str, help: str, symbol: sp.Symbol, kind: str = "number") -> Parameter:
     """What a layered section gives, over Theta*: no file and no user does."""
-    return Parameter(name, "", -_INFINITY, _INFINITY, help, "", symbol=symbol, optional=True, kind=kind)
+    return _optional(name, help, "", "", kind, symbol)
 
 
 _OF_A_RECORD = (
@@ -205,45 +269,44 @@ _OF_A_RECORD = (
     _optional("step", "time between samples of a record without times", "s", "step_s"),
     _optional("gaps", "missing samples: refused, or bridged by straight lines", kind="refuse|linear"),
 )
+_LAYER_THICKNESS = Parameter("thickness", "m", "thickness of the sheared layer", "thickness_m", lower=0.0)
 EFFECTS = (
-    Effect("rotation", "1.2", (), ("slip",), "the mass turns as it slides, and its weight acts in its new position",
+    Effect("rotation", "the mass turns as it slides, and its weight acts in its new position", equation="1.2",
            turns=True),
-    Effect("centripetal", "2.20", (), ("speed squared",),
-           "the normal stress on the slip surface increases with the speed of rotation", stress=A * OMEGA_2),
-    Effect("pore_pressure", "2.20", (
-        Parameter("ratio", "", _BELOW_0, 1.0, "r_u, pore pressure over the static normal stress at the position (of a "
-                  "real section over the weight of the soil above), constant or a function of time", "ratio", 1.0,
-                  _RATIO, COVER * VALUE, optional=True, kind="series"),
-        Parameter("pressure", "Pa", _BELOW_0, _INFINITY, "mean pore pressure on the slip surface, constant "
-                  "or a function of time", "pressure_kPa", 1e3, _PRESSURE, VALUE / REFERENCE, optional=True,
-                  kind="series"),
-        Parameter("level", "Pa", _BELOW_0, _INFINITY, "mean pressure on the arc of a real section below its water "
-                  "level, which stays while the mass turns through it", "", 1.0, _WATER, VALUE / REFERENCE,
-                  optional=True, kind="rotation"),
-        Parameter("time", "s", _BELOW_0, _INFINITY, "times of a ratio or pressure given as a list, with linear "
-                  "interpolation", "time_s", optional=True, kind="list"),
+    Effect("centripetal", "the normal stress on the slip surface increases with the speed of rotation",
+           equation="2.20", stress=A * OMEGA_2),
+    Effect("pore_pressure", "water pressure on the slip surface reduces friction", (
+        Parameter("ratio", "", "r_u, pore pressure over the static normal stress at the position (of a "
+                  "real section over the weight of the soil above), constant or a function of time", "ratio",
+                  _RATIO, COVER * VALUE, upper=1.0, optional=True, kind="series"),
+        Parameter("pressure", "Pa", "mean pore pressure on the slip surface, constant or a function of time",
+                  "pressure_kPa", _PRESSURE, VALUE / REFERENCE, optional=True, kind="series"),
+        Parameter("level", "Pa", "mean pressure on the arc of a real section below its water level, which stays "
+                  "while the mass turns through it", "", _WATER, VALUE / REFERENCE, optional=True, kind="rotation"),
+        Parameter("time", "s", "times of a ratio or pressure given as a list, with linear interpolation", "time_s",
+                  optional=True, kind="list"),
         _optional("record", "file of a record of either, relative to the scene's: a table of times and values",
                   kind="text"),
         _optional("units", "unit of the record's values, if the file does not give it: Pa, kPa, MPa, or ratio for r_u",
                   kind="text"),
         _optional("start", "time of its first sample, by default the record's own", "s", "start_s"),
-        *_OF_A_RECORD), (),
-           "water pressure on the slip surface reduces friction", pressure=_RATIO * J_R / LAMBDA + _PRESSURE + _WATER,
+        *_OF_A_RECORD),
+           equation="2.20", pressure=_RATIO * J_R / LAMBDA + _PRESSURE + _WATER,
            any_of=("ratio", "pressure", "record")),
-    Effect("cohesion", "3.11", (
-        Parameter("cohesion", "Pa", _BELOW_0, _INFINITY, "shear strength without normal stress", "cohesion_kPa", 1e3,
-                  _COHESION, VALUE / REFERENCE),), (),
-           "the slip surface has strength without normal stress", resistance=LAMBDA * _COHESION),
-    Effect("drag", "3.11", (
-        Parameter("xi", "m/s^2", 0.0, _INFINITY, "turbulence coefficient of Voellmy", "xi_m_s2", 1.0,
-                  _DRAG, 2 * ALPHA * GRAVITY / (VALUE * THETA)),), ("speed squared",),
-           "turbulent resistance, which grows with the square of the speed", resistance=THETA * _DRAG * OMEGA_2),
-    Effect("viscosity", "3.11", (
-        Parameter("viscosity", "Pa s", _BELOW_0, _INFINITY, "dynamic viscosity of the sheared layer", "viscosity_Pa_s",
-                  1.0, _VISCOSITY, 2 * ALPHA * VALUE / (DENSITY * _THICKNESS * sp.sqrt(GRAVITY * RADIUS) * THETA)),
-        Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("speed",),
-           "viscous resistance of a sheared layer, which grows with the speed", resistance=THETA * _VISCOSITY * OMEGA),
-    Effect("shaking", "3.11", (
+    Effect("cohesion", "the slip surface has strength without normal stress", (
+        Parameter("cohesion", "Pa", "shear strength without normal stress", "cohesion_kPa",
+                  _COHESION, VALUE / REFERENCE),),
+           equation="3.11", resistance=LAMBDA * _COHESION),
+    Effect("drag", "turbulent resistance, which grows with the square of the speed", (
+        Parameter("xi", "m/s^2", "turbulence coefficient of Voellmy", "xi_m_s2",
+                  _DRAG, 2 * ALPHA * GRAVITY / (VALUE * THETA), lower=0.0),),
+           equation="3.11", resistance=THETA * _DRAG * OMEGA_2),
+    Effect("viscosity", "viscous resistance of a sheared layer, which grows with the speed", (
+        Parameter("viscosity", "Pa s", "dynamic viscosity of the sheared layer", "viscosity_Pa_s",
+                  _VISCOSITY, 2 * ALPHA * VALUE / (DENSITY * _THICKNESS * sp.sqrt(GRAVITY * RADIUS) * THETA)),
+        _LAYER_THICKNESS),
+           equation="3.11", resistance=THETA * _VISCOSITY * OMEGA),
+    Effect("shaking", "ground motion tilts and scales gravity", (
         _optional("horizontal", "k_h(t), driving acceleration over g, positive down-slope", "", "", "series", K_H),
         _optional("vertical", "k_v(t), acceleration over g that reduces the effective weight", "", "", "series", K_V),
         _optional("pulse", "name of a pulse", kind="rectangular|half-sine|triangular|sine"),
@@ -265,20 +328,19 @@ EFFECTS = (
                   key="peak_g"),
         *_OF_A_RECORD,
         _optional("two_way", "whether shaking may also start the mass up-slope; by default false", kind="flag")),
-           ("time",), "ground motion tilts and scales gravity", any_of=("horizontal", "pulse", "record"),
+           equation="3.11", any_of=("horizontal", "pulse", "record"),
            driving_moment=K_H * THETA * DRIVING_MOMENT_SLOPE - K_V * J_THETA,
            normal_load=K_H * THETA * NORMAL_LOAD_SLOPE - K_V * J_R),
-    Effect("thermal_pressurisation", "3.11", (
-        Parameter("pressurisation", "Pa/K", _BELOW_0, _INFINITY, "Lambda, rise of the pore pressure in the undrained "
-                  "layer for each kelvin", "pressurisation_MPa_K", 1e6, _KAPPA,
-                  VALUE * RADIUS / (_CAPACITY * _THICKNESS)),
-        Parameter("heat_capacity", "J/m^3 K", 0.0, _INFINITY, "rho c, heat capacity of the layer by volume",
-                  "heat_capacity_MJ_m3_K", 1e6),
-        Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("history",),
+    Effect("thermal_pressurisation",
            "friction heats a thin layer, whose pore water expands and reduces its strength; undrained and adiabatic "
            "(neither water nor heat leaves the layer), as in slides of seconds to minutes on some millimetres of clay; "
-           "one mean pressure and temperature, constant Lambda, and all work of friction is heat",
-           pressure=_EXCESS, states=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
+           "one mean pressure and temperature, constant Lambda, and all work of friction is heat", (
+        Parameter("pressurisation", "Pa/K", "Lambda, rise of the pore pressure in the undrained "
+                  "layer for each kelvin", "pressurisation_MPa_K", _KAPPA, VALUE * RADIUS / (_CAPACITY * _THICKNESS)),
+        Parameter("heat_capacity", "J/m^3 K", "rho c, heat capacity of the layer by volume",
+                  "heat_capacity_MJ_m3_K", lower=0.0),
+        _LAYER_THICKNESS),
+           equation="3.11", pressure=_EXCESS, states=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
 )  # fmt: skip
 
 
@@ -289,7 +351,8 @@ _EXCESS_PRESS = (1 - K_V) * _EXCESS_NORMAL + K_H * _EXCESS_SLOPE + _INERTIA * OM
 _LEFT_PRESS = (1 - K_V) * _LEFT_NORMAL + K_H * _LEFT_SLOPE + _REMAINING_INERTIA * OMEGA_2
 _SOIL_PRESS = (1 - K_V) * SOIL_TURNING + K_H * SOIL_SLOPE + _SOIL_INERTIA * OMEGA_2
 SECTION_EFFECTS = (
-    Effect("layered_strength", "2.23", (
+    Effect("layered_strength",
+           "each soil along the arc has its strength, with the normal stress from the weight above it (2.23)", (
         _of_section("turning", "excess of friction's normal force over the mean, of strength with the mass", TURNING),
         _of_section("turning_slope", "its derivative by the dip", TURNING_SLOPE),
         _of_section("normal", "the same of strength with the base", _NORMAL, "rotation"),
@@ -303,59 +366,20 @@ SECTION_EFFECTS = (
         _of_section("remaining_inertia", "what the square of the angular velocity adds to it", _REMAINING_INERTIA,
                     "rotation"),
         _of_section("remaining_lift", "what water takes from it", _REMAINING_LIFT, "rotation"),
-        _of_section("strength", "strength without normal stress", _COHESIVE, "rotation")), (),
-           "each soil along the arc has its strength, with the normal stress from the weight above it (2.23)",
+        _of_section("strength", "strength without normal stress", _COHESIVE, "rotation")), equation="2.23",
            normal_load=THETA * (_EXCESS_PRESS + _LEFT_PRESS / SLIP_MU),
            pressure=THETA / LAMBDA * (_LIFT + _REMAINING_LIFT / SLIP_MU), resistance=THETA * _COHESIVE),
-    Effect("soil_friction", "2.23", (
+    Effect("soil_friction",
+           "a soil has a friction law of its own, and its part of the normal force; strength moves with the mass", (
         _of_section("share", "share of the normal force at the start", _SHARE),
         _of_section("turning", "excess of the normal force over this share, at the start 0", SOIL_TURNING),
         _of_section("slope", "its derivative by the dip", SOIL_SLOPE),
         _of_section("inertia", "what the square of the angular velocity adds to it", _SOIL_INERTIA),
-        _of_section("lift", "what water takes from the normal force", _SOIL_LIFT, "rotation")), (),
-           "a soil has a friction law of its own, and its part of the normal force; strength moves with the mass",
+        _of_section("lift", "what water takes from the normal force", _SOIL_LIFT, "rotation")), equation="2.23",
            normal_load=THETA * _SOIL_PRESS * SOIL_MU / SLIP_MU,
            pressure=THETA / LAMBDA * _SOIL_LIFT * SOIL_MU / SLIP_MU, friction=_SHARE * SOIL_MU),
 )  # fmt: skip
 ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
-
-
-def formulas(effect: Effect) -> tuple[str, ...]:
-    """What an effect adds to the balance, and what makes its parameters dimensionless (these get a star)."""
-    starred = {p.symbol: p for p in effect.parameters if p.symbol is not None and p.dimensionless != VALUE}
-    notation: dict[sp.Expr, str] = {
-        THETA * DRIVING_MOMENT_SLOPE: "dJ_theta/dpsi",
-        THETA * NORMAL_LOAD_SLOPE: "dJ_r/dpsi",
-        ALPHA: "alpha",
-        GRAVITY: "g",
-        RADIUS: "R",
-        DENSITY: "rho",
-        REFERENCE: "sigma_ref",
-        EFFECTIVE: "sigma'",
-    }
-    notation |= {symbol: f"{symbol}_star" for symbol in starred}
-    symbols = {e: sp.Symbol(name) for e, name in notation.items()}
-
-    def shown(e: sp.Expr) -> str:
-        return in_words(e.subs({OMEGA_2: OMEGA**2} | symbols))
-
-    terms = {
-        "sigma": effect.stress,
-        "u": effect.pressure,
-        "resistance": effect.resistance,
-        "J_theta": effect.driving_moment,
-        "J_r": effect.normal_load,
-        "mu": effect.friction,
-    }
-    lines = ["psi = psi_0 - phi"] if effect.turns else []
-    for quantity, term in terms.items():
-        if term != 0:
-            lines.append(f"adds {shown(term)} to {quantity}")
-    for x in effect.states:
-        lines.append(f"d{x}/dphi = {shown(effect.growth)}")
-    for symbol, p in starred.items():
-        lines.append(f"{symbol}* = {shown(p.dimensionless.subs(VALUE, sp.Symbol(p.name)))}")
-    return tuple(lines)
 
 
 # The derivatives by psi of what turns with the mass.

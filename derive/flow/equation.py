@@ -135,9 +135,9 @@ def of_effect(effect: declared.Effect) -> Terms:
 
 def of_law(law: declared.Law) -> tuple[Term, ...]:
     """The friction coefficient of a law; for a table or a Python function, its arguments."""
-    if law.coefficient is not None or not law.depends_on:
-        return (term("mu", sp.sympify(law.coefficient or Symbol("coefficient"))),)
-    argument = law.depends_on[0]
+    if law.coefficient is not None:
+        return (term("mu", law.coefficient),)
+    (argument,) = law.depends_on
     return (Term("mu", f"mu({argument})", rf"\mu(\mathrm{{{argument}}})"),)
 
 

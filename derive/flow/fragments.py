@@ -1,11 +1,13 @@
 """The declared effects and laws, and the balance itself, lowered to the fragments from which programs are assembled."""
 
 from collections.abc import Sequence
+from functools import cache
 from itertools import chain, combinations
 
 from sympy import Expr, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin, sympify
 
 from derive.algebra.remainders import Select
+from derive.check.proof import ProofError
 from derive.declare.effects import (
     ALL_EFFECTS,
     BY_PSI,
@@ -36,6 +38,7 @@ from derive.declare.effects import (
     A,
     Effect,
     Law,
+    Parameter,
 )
 from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, cell, series, total, varying
 
@@ -59,7 +62,7 @@ FRICTION = cell("friction")
 # In the rate of a state these count in full: there is no base to subtract.
 TOTALS = {x: (ZERO, series(str(x))) for x in (NORMAL, FRICTION, MU)}
 # A Python function of slip, which the runtime turns into pieces.
-CALLABLE = Law("callable", "1.14", (), ("slip",), "a function of the slip, in pieces", degree=DEGREE)
+CALLABLE = Law("callable", "a function of the slip, in pieces", (Parameter("slip", "m", "", ""),), degree=DEGREE)
 
 
 # Quantities that change sign in a mirror, in which the slope falls the other way.
@@ -118,13 +121,13 @@ def quantities(effect: Effect) -> dict[str, Expr]:
 
 
 def odd(effect: Effect) -> set[Symbol]:
-    """Parameters that change sign in a mirror image in which only the drive does; ValueError if there are none."""
-    symbols = {p.symbol for p in effect.parameters if p.symbol is not None}
+    """Parameters that change sign in a mirror image in which only the drive does; `ProofError` if there are none."""
+    symbols = effect.symbols.keys()
     free = sorted(symbols - ODD, key=str)
     for chosen in chain.from_iterable(combinations(free, n) for n in range(len(free) + 1)):
         if _symmetric(effect, chosen):
             return symbols & ODD | {*chosen}
-    raise ValueError(f"{effect.name}: no signs of its parameters make its terms the same in a mirror")
+    raise ProofError(f"{effect.name}: signs of its parameters", "none", "some that make its terms the same in a mirror")
 
 
 def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
@@ -170,6 +173,7 @@ def piece(low: Lowering, table: str, argument: str, degree: int) -> Increment:
     return {(name,): c for name, c in zip((argument, *higher), coefficients, strict=True)}
 
 
+@cache
 def of_effect(effect: Effect) -> Fragment:
     """Terms that an effect adds to the balance, and the rates of its states."""
     if effect.turns:
@@ -207,13 +211,13 @@ def of_effect(effect: Effect) -> Fragment:
     )
 
 
+@cache
 def of_law(law: Law) -> Fragment:
     """Friction of a law: its base and its increment, from its formula or as the polynomial of a table's piece."""
     low = Lowering(law.name, moving())
-    coefficient = law.coefficient if law.depends_on else cell("coefficient")
-    if coefficient is not None and not law.kinks:
+    if law.coefficient is not None and not law.kinks:
         inputs = {cell(p.name): cell(f"{law.name}.{p.name}") for p in law.parameters}
-        return low.fragment({"mu": coefficient.xreplace(inputs)}, [str(x) for x in inputs.values()])
+        return low.fragment({"mu": law.coefficient.xreplace(inputs)}, [str(x) for x in inputs.values()])
     value = cell(f"{law.name}.VALUE")
     (variable,) = law.depends_on
     argument = {"time": f"d{law.name}", "speed": "log_speed"}.get(variable, "x")
@@ -239,15 +243,15 @@ def _log_speed(law: Law, low: Lowering) -> None:
 
 
 def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
-    """Breaks of a law with kinks, over its scale, and the polynomials of its pieces in the distance from the break.
+    """Breaks of a law with kinks, over the first, and the polynomials of its pieces in the distance from the break.
 
     A piece takes the branch of each minimum or maximum that holds there: a constant piece is exactly its parameter.
     """
     s = cell("s")
     y = cell("y")
-    scale = cell(law.scale)
+    scale = law.kinks[0]
     coefficient = sympify(law.coefficient).subs(SLIP, s * scale)
-    breaks = [ZERO, *(cell(kink) / scale for kink in law.kinks)]
+    breaks = [ZERO, *(kink / scale for kink in law.kinks)]
     ends = [*breaks[1:], breaks[-1] + 1]
     polynomials = []
     for start, end in zip(breaks, ends, strict=True):
@@ -258,8 +262,13 @@ def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
             return next(x for x in e.args if x.subs(s, middle) == there)
 
         piece = coefficient.replace(lambda e: isinstance(e, (Min, Max)), branch)
-        polynomial = Poly(expand(piece.subs(s, start + y)), y)
+        of_distance = expand(piece.subs(s, start + y))
+        if not of_distance.is_polynomial(y):
+            raise ProofError(f"{law.name}: piece between branches", of_distance, "a polynomial of the slip")
+        polynomial = Poly(of_distance, y)
         beyond = polynomial.all_coeffs()[::-1]
+        if len(beyond) > law.degree + 1:
+            raise ProofError(f"{law.name}: degree of a piece", len(beyond) - 1, f"at most degree={law.degree}")
         zeros = [ZERO] * (law.degree + 1 - len(beyond))
         polynomials.append(beyond + zeros)
     return breaks, polynomials

@@ -14,6 +14,7 @@ from typing import NamedTuple
 from sympy import Add, Expr, Integer, Min, Mul, Rational, Symbol, Tuple, cos, exp, expand, log, sin
 
 from derive.algebra.remainders import Exp, Select
+from derive.check.proof import ProofError
 from derive.code.program import program
 from derive.flow.recurrences import OPERATIONS, Q, first
 
@@ -22,6 +23,7 @@ Increment = Mapping[tuple[str, ...], Expr]
 Moving = Mapping[Symbol, tuple[Expr, Increment]]  # base and increment by symbol
 ONE = Integer(1)
 ZERO = Integer(0)
+KNOWN = "sums, products, powers, exp, log, sin and cos, and min and max that change branch at a parameter"
 
 
 def cell(name: str) -> Symbol:
@@ -142,7 +144,7 @@ class Lowering:
             if b != 1 and not (2 * e.exp).is_Integer:
                 power = Exp(e.exp * log(b))
             return power, self.apply("pow", relative, power, e.exp)
-        raise ValueError(f"no operation on series for {type(e).__name__}: {e}")
+        raise ProofError(f"{self.name}: operation on series", e, KNOWN)
 
     def apply(self, operation: str, increment: Increment, factor: Expr, *numbers: Expr) -> Increment:
         """A factor times the last result of an operation on an increment, which is 0 if the increment is."""

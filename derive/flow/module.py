@@ -36,7 +36,7 @@ def _pieces(law: Law) -> str:
             coefficients.append(sstr(Float(c) if c.is_Number else c))
         rows.append(f"({', '.join(coefficients)})")
     starts = tuple(map(float, breaks))
-    return f"({law.scale!r}, {starts!r}, lambda {', '.join(sorted(names))}, **_: ({', '.join(rows)}))"
+    return f"({law.kinks[0].name!r}, {starts!r}, lambda {', '.join(sorted(names))}, **_: ({', '.join(rows)}))"
 
 
 def _fragment(f: Fragment) -> str:

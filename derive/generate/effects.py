@@ -6,10 +6,15 @@ import sympy as sp
 
 from derive.code.emit import filled
 from derive.declare.effects import (
+    ALPHA,
+    DENSITY,
     EFFECTS,
+    GRAVITY,
     LAWS,
     LIMITS,
     OTHER_UNITS,
+    RADIUS,
+    REFERENCE,
     SECTION_EFFECTS,
     USUAL,
     USUAL_FRICTION,
@@ -17,8 +22,9 @@ from derive.declare.effects import (
     Effect,
     Law,
     Parameter,
-    formulas,
 )
+from derive.declare.symbols import in_words
+from derive.flow.equation import term
 
 
 def module() -> str:
@@ -32,11 +38,9 @@ def module() -> str:
 def _effect(e: Effect | Law) -> str:
     parameters = "".join(f"\n        {_parameter(p)}," for p in e.parameters)
     parameters += "\n    " if parameters else ""
-    if isinstance(e, Effect):
-        more = f"{e.turns!r}, {e.any_of!r}, {formulas(e)!r}"
-    else:
-        more = f"{e.scale!r}, {e.kinks!r}"
-    return f"{type(e).__name__}({e.name!r}, {e.equation!r}, ({parameters}), {e.depends_on!r}, {e.help!r}, {more})"
+    more = f", {e.turns!r}, {e.any_of!r}, {formulas(e)!r}" if isinstance(e, Effect) else ""
+    source = e.equation or e.source
+    return f"{type(e).__name__}({e.name!r}, {source!r}, ({parameters}), {e.depends_on!r}, {e.help!r}{more})"
 
 
 def _parameter(p: Parameter) -> str:
@@ -45,6 +49,27 @@ def _parameter(p: Parameter) -> str:
     convert = sp.pycode(p.dimensionless, fully_qualified_modules=False)
     for name in sorted((x.name for x in p.dimensionless.free_symbols if x != VALUE), key=len):
         convert = re.sub(rf"\b{name}\b", f"scales[{name!r}]", convert)
-    bounds = f"{p.lower!r}, {p.upper!r}".replace("inf", "INFINITY")
+    bounds = "{!r}, {!r}".format(*p.bounds).replace("inf", "INFINITY")
     words = f"{p.name!r}, {p.unit!r}, {bounds}, {p.help!r}, {p.key!r}, {p.per_unit!r}"
     return f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r})"
+
+
+# What the guide writes for the scales of an arc.
+_NOTATION = {ALPHA: "alpha", GRAVITY: "g", RADIUS: "R", DENSITY: "rho", REFERENCE: "sigma_ref"}
+
+
+def formulas(effect: Effect) -> tuple[str, ...]:
+    """What an effect adds to the balance, and what makes its parameters dimensionless (these get a star)."""
+    starred = {symbol: p for symbol, p in effect.symbols.items() if p.dimensionless != VALUE}
+    stars = {symbol: sp.Symbol(f"{symbol}_star") for symbol in starred}
+
+    def shown(e: sp.Expr) -> str:
+        return term("", e.subs(stars)).formula.replace("J_theta'", "dJ_theta/dpsi").replace("J_r'", "dJ_r/dpsi")
+
+    lines = ["psi = psi_0 - phi"] if effect.turns else []
+    lines += [f"adds {shown(added)} to {quantity}" for quantity, added in effect.terms.items() if added != 0]
+    lines += [f"d{x}/dphi = {shown(effect.growth)}" for x in effect.states]
+    for symbol, p in starred.items():
+        scales = p.dimensionless.subs(_NOTATION | {VALUE: sp.Symbol(p.name)})
+        lines.append(f"{symbol}* = {in_words(scales)}")
+    return tuple(lines)

@@ -46,7 +46,7 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
                 tiers.get("best") or program(name, ("alpha",), form, let=_CLIP),
                 f"{symbol}: {x.help}, dimensionless.",
                 f"{symbol} = {formulas[name]}",
-                f"eq. ({x.equation}) of {PAPER}",
+                _source(x),
                 (_ALPHA,),
                 f"{symbol}.",
                 _ALPHA_DOMAIN,
@@ -62,10 +62,17 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
         "weight_moment_per_radial_weight",
         "mu_eq: friction coefficient at limit equilibrium.",
         "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
-        "3.21",
+        f"eq. (3.21) of {PAPER}",
         ACCURACY,
     )
     return [*every, *(_weight(derive(m)) for m in MOMENTS if m.amplitude), friction]
+
+
+def _source(x: Moment | Elementary | Quotient) -> str:
+    """Where a quantity is from."""
+    if isinstance(x, Moment) and not x.equation:
+        return x.source or "a declaration of one's own"
+    return f"eq. ({x.equation}) of {PAPER}"
 
 
 def _tiers(name: str) -> dict[str, Program]:
@@ -180,10 +187,9 @@ def prove_carried() -> list[str]:
     return claims
 
 
-def _of_ends(name: str, form: Expr, kernel: str, summary: str, formula: str, equation: str, accuracy: str) -> Function:
+def _of_ends(name: str, form: Expr, kernel: str, summary: str, formula: str, source: str, accuracy: str) -> Function:
     """A function of both ends, by a form in the exact alpha and theta_m and in a kernel of the rounded alpha."""
     made = program(name, ("theta_1", "theta_2"), form, let=_ENDS | {_KERNEL: _tiers(kernel)["best"]})
-    source = f"eq. ({equation}) of {PAPER}"
     symbol = summary.partition(":")[0]
     return Function(made, summary, formula, source, _ARC, f"{symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), accuracy)
 
@@ -199,7 +205,7 @@ def _weight(d: Derivation) -> Function:
         f"{m.symbol}: {m.help}, dimensionless.",
         f"{m.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
         "psi = 3 pi/2 - (theta_1 + theta_2)/2.",
-        m.equation,
+        _source(m),
         f"the error of {name} in NumPy plus 2 ulp of the amplitude (sampled only: no certificate).",
     )
 

@@ -4,8 +4,10 @@ import difflib
 import hashlib
 import os
 import re
+import subprocess
+import sys
 import tempfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 from sympy import Expr, __version__, degree
@@ -13,6 +15,7 @@ from sympy import Expr, __version__, degree
 from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
 from derive.approximate.programs import variants
+from derive.check.proof import ProofError
 from derive.check.records import Record
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
@@ -116,8 +119,7 @@ def definitions_module(closed: Mapping[str, Expr]) -> str:
     """The definition of each function of alpha, for comparisons with other ways to compute it."""
     over = {name: re.sub(r"\b(sin|cos|atanh)\(", r"m.\1(", str(x).replace("alpha", "x")) for name, x in closed.items()}
     forms = [f"    {name!r}: lambda m, x: {text},\n" for name, text in over.items()]
-    certified = ((m.kernel[0], m.weight) for m in MOMENTS if m.certified)
-    integrands = [f"    {name!r}: ({degree(weight, r)}, {weight.has(theta)}),\n" for name, weight in certified]
+    integrands = [f"    {m.kernel[0]!r}: ({degree(m.weight, r)}, {m.weight.has(theta)}),\n" for m in MOMENTS]
     quotients = [f"    {q.name!r}: ({q.numerator!r}, {q.denominator!r}),\n" for q in QUOTIENTS]
     return (
         '"""Closed forms, integrands and quotients: what the functions of alpha are."""\n\n'
@@ -149,25 +151,44 @@ def present(folder: Path = FOLDER) -> dict[str, str]:
     }
 
 
-def write(texts: dict[str, str], folder: Path = FOLDER) -> list[str]:
-    """Write the files that differ, by a temporary file that replaces each, and remove the others; names of both."""
+# What a process of its own does with a new tree: import every module, and what reads it.
+_IMPORT = """
+import importlib, pathlib, sys
+sys.path[:0] = sys.argv[1:]
+for path in sorted(pathlib.Path(sys.argv[1], "generated").glob("*.py")):
+    importlib.import_module("generated." + path.stem)
+import slipcircle.workbench.files.keys
+"""
+
+
+def importable(parent: Path) -> None:
+    """Import the `generated` in a folder in a process of its own; `ProofError` with what Python says."""
+    command = [sys.executable, "-I", "-B", "-c", _IMPORT, str(parent), str(ROOT)]
+    alone = os.environ | {"SLIPCIRCLE_COMPILED": "0"}
+    done = subprocess.run(command, env=alone, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise ProofError("generated: import", done.stderr.strip().splitlines()[-1], "no error")
+
+
+def write(texts: dict[str, str], folder: Path = FOLDER, tried: Callable[[Path], None] = lambda _: None) -> list[str]:
+    """Write a new tree beside the folder, which is ``tried``, then replace the files that differ; their names."""
     folder.mkdir(exist_ok=True)
     old = present(folder)
     changed = [name for name in sorted(texts.keys() | old.keys()) if texts.get(name) != old.get(name)]
-    for name in changed:
-        if name not in texts:
-            (folder / name).unlink()
-            continue
-        (folder / name).parent.mkdir(exist_ok=True)
-        handle, temporary = tempfile.mkstemp(dir=folder, prefix=".", suffix=".tmp")
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-                file.write(texts[name])
-            os.chmod(temporary, 0o644)
-            os.replace(temporary, folder / name)
-        except BaseException:
-            Path(temporary).unlink(missing_ok=True)
-            raise
+    if not changed:
+        return []
+    with tempfile.TemporaryDirectory(dir=folder.parent, prefix=".") as beside:
+        tree = Path(beside) / folder.name
+        for name, text in texts.items():
+            (tree / name).parent.mkdir(parents=True, exist_ok=True)
+            (tree / name).write_text(text, encoding="utf-8", newline="\n")
+        tried(tree.parent)
+        for name in changed:
+            (folder / name).parent.mkdir(exist_ok=True)
+            if name in texts:
+                os.replace(tree / name, folder / name)
+            else:
+                (folder / name).unlink()
     return changed
 
 

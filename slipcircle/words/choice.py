@@ -33,7 +33,7 @@ def _words(recipe: Recipe) -> PlanWords:
     effects = tuple(dict.fromkeys(map(without_soil, recipe.effects)))
     symbols = {*map(without_soil, recipe.moving)}
     of_rotation = list[str]()
-    of_time = dict[str, None]()
+    of_time = set[str]()
     for effect in effects:
         for p in ALL_EFFECTS[effect].parameters:
             if p.symbol not in symbols:
@@ -41,11 +41,10 @@ def _words(recipe: Recipe) -> PlanWords:
             if p.kind == "rotation":
                 of_rotation.append(WORDS.get(effect, effect))
             elif p.kind == "series":
-                of_time[effect] = None
+                of_time.add(effect)
     reasons = list[str]()
     for effect in effects:
         reasons += _reasons(effect, effect in of_time)
-    reasons += [f"{e} depends on time" for e in of_time if "time" not in ALL_EFFECTS[e].depends_on]
     reasons += [f"{e} depends on the rotation" for e in dict.fromkeys(of_rotation)]
     reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends_on(recipe.laws)]
     law = _law_in_words(recipe.laws)
@@ -65,6 +64,6 @@ def _reasons(effect: str, in_time: bool) -> Iterator[str]:
     """What asks for an integration: that an effect turns the mass, or what it depends on."""
     declared = ALL_EFFECTS[effect]
     for variable in declared.depends_on:
-        if variable == "speed squared" or (variable == "time" and not in_time):
+        if variable == "time" and not in_time:
             continue
         yield f"{effect} turns the mass" if declared.turns else f"{effect} depends on {WORDS.get(variable, variable)}"

@@ -95,7 +95,7 @@ def declare(root: Path, weights: Sequence[str]) -> None:
         name, expression = kernel(weight), re.sub(r"\b(sin|cos)\b", r"sp.\1", weight)
         amplitude = f', amplitude=("{name}", "K")' if "theta" in weight else ""
         whole = f"whole_{name}" if amplitude else name
-        added.append(f'    Moment("{whole}", "M", "none", {expression}, "moment of the weight {weight}"{amplitude}),\n')
+        added.append(f'    Moment("{whole}", "M", {expression}, "moment of the weight {weight}"{amplitude}),\n')
     path.write_text("".join([*lines[:end], *added, *lines[end:]]), "utf-8")
 
 

@@ -77,6 +77,8 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
 
     def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
+        if accuracy is not None and not isinstance(accuracy, _NUMBERS):
+            raise TypeError(f"{name}: accuracy is one number, a relative error above 0, not {accuracy!r}")
         simple = best is not None and where is True
         if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
             loop = best
@@ -108,7 +110,7 @@ def _cheapest(name: str, form: str, kind: str, accuracy: float) -> str:
     Plain operations are the same in NumPy and in C; NumPy has a form of its own only where its text calls a library.
     """
     if not accuracy > 0:
-        raise ValueError(f"accuracy is a relative error above 0, not {accuracy!r}")
+        raise ValueError(f"{name}: accuracy is a relative error above 0, not {accuracy!r}")
     limit = "nothing is proved"
     proved = BOUNDS.get(name, {})
     tiers = {"d": CHEAPEST_FIRST, "f": ("float32",)}.get(kind, ())
@@ -134,6 +136,7 @@ def _masked(loop: Any, alpha: Array, out: Any, where: Any) -> Any:
     return loop(alpha, np.full(shape, np.nan, alpha.dtype), where=mask)[()]
 
 
+_NUMBERS = (int, float, np.integer, np.floating)
 _SCALARS = frozenset((float, np.float64, np.float32))
 
 

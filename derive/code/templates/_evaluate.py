@@ -23,6 +23,8 @@ def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
     """The arguments as arrays, or as Python's numbers, and the floating type of the result; real, at most 64 bits."""
     items = []
     for x in args:
+        if isinstance(x, np.ma.MaskedArray):
+            raise TypeError("masked arrays are not supported: give x.filled(np.nan), or x.data with where=~x.mask")
         number = isinstance(x, (bool, int, float)) and not isinstance(x, np.generic)
         items.append(x if number else np.asarray(x))
     kind = np.result_type(*items)
@@ -74,7 +76,7 @@ def _evaluate_numbers(body: Callable[..., Array], inside: Callable[..., Any], ar
     values = [np.float64(x) for x in args]
     with np.errstate(invalid="ignore", under="ignore"):
         result = np.float64(body(*values) if inside(EPS, *values) else np.nan)
-    if np.isnan(result):
+    if result != result and all(x == x for x in args):
         np.subtract(np.inf, np.inf)
     return result
 
@@ -98,8 +100,11 @@ def _block(
         values = [np.where(use, x, s) for x, s in zip(values, safe, strict=True)]
     with np.errstate(under="ignore"):  # a result that underflows is correctly rounded, or nearly so
         result[...] = body(*values)
-    bad = np.isnan(result) & selected
     if not whole:
         np.copyto(result, np.nan, where=~use)
-        bad |= selected & ~valid
-    return bool(np.any(bad))
+    lost = np.isnan(result) & selected
+    if not np.any(lost):
+        return False
+    for x in arrays[:-1]:  # NumPy's functions are silent of NaN
+        lost = lost & (x == x)
+    return bool(np.any(lost))

@@ -103,7 +103,7 @@ INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 5
     const double sign = clipped >= 0.0 ? 0.0 : NAN; \
     const uint64_t refused = bits(x <= END_##T ? sign : NAN); \
     out[i] = (T)number(bits(PROGRAM(clipped)) | refused); \
-    outside |= refused;
+    outside |= bits(x > END_##T ? NAN : sign); /* not of NaN, of which NumPy's functions are silent */
 #define BARE(T, PROGRAM) PASS(T, out[i] = (T)PROGRAM(x);)
 /* Kinds of programs: of two pieces, whole, or so short that over doubles care costs less than a look. */
 #define LOOK_pieces(T) 1

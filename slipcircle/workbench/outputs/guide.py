@@ -3,7 +3,7 @@
 import textwrap
 from collections.abc import Iterator
 
-from generated.effects import EFFECTS, LAWS
+from generated.effects import EFFECTS, LAWS, Effect, Law
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.files.keys import Table, tables_of
 from slipcircle.workbench.files.slopekeys import LOADS, SLOPING, SOIL_LAWS, layered_tables
@@ -49,14 +49,18 @@ def guide() -> str:
     ]
     for name, law in LAWS.items():
         keys = tables_of(name)["friction"]
-        lines += ["", *_title(f'  law = "{name}"', f"{law.help} ({law.equation})"), *_keys(keys)]
+        lines += ["", *_title(f'  law = "{name}"', _with_source(law)), *_keys(keys)]
     lines += ["", *_title("[friction.rate]", "a law of speed that multiplies one of slip, with the keys of that law")]
     for name, effect in EFFECTS.items():
-        lines += ["", *_title(f"[{name}]", f"{effect.help} ({effect.equation})")]
+        lines += ["", *_title(f"[{name}]", _with_source(effect))]
         lines += [INDENT * " " + formula for formula in effect.formulas]
         lines += _keys(tables[name])
     lines += ["", *_title("uncertain numbers", _of_uncertain_numbers())]
     return "\n".join(lines)
+
+
+def _with_source(declared: Law | Effect) -> str:
+    return f"{declared.help} ({declared.source})" if declared.source else declared.help
 
 
 def _of_uncertain_numbers() -> str:

@@ -139,8 +139,8 @@ def input_parts(plan: Plan, file: bytes) -> Iterable[Part | Raw]:
     effects = []
     for name, effect in EFFECTS.items():
         use = "used" if name in plan.effects else "not included" if name in plan.left_out else "by the soils"
-        effects.append([name, use, effect.help, effect.equation])
-    yield Part(["effect", "", "what it does", "equation of the paper"], effects)
+        effects.append([name, use, effect.help, effect.source])
+    yield Part(["effect", "", "what it does", "source"], effects)
     laws = []
     for name in law_names(plan.scene.friction):
         laws.append(f"{name}: {LAWS[name].help}" if name in LAWS else name)

@@ -1,0 +1,63 @@
+"""Whether a formula is real, finite and not negative on a domain: interval arithmetic and bisection."""
+
+import heapq
+import math
+from collections.abc import Mapping
+from functools import reduce
+
+import sympy as sp
+from flint import arb
+
+from derive.check.truth import ball
+
+BOXES = 400  # to look at
+SMALL = 1e-3  # of a box that is not bisected further, over its distance from 0 where that is above 1
+BELOW = -1e-9  # what rounding may make of 0
+Ends = tuple[float, float]
+_ARITHMETIC = {name: getattr(arb, name) for name in ("exp", "log", "sin", "cos", "sqrt")} | {
+    "min": lambda *x: reduce(arb.min, map(arb, x)),
+    "max": lambda *x: reduce(arb.max, map(arb, x)),
+}
+
+
+def fault(e: sp.Expr, domain: Mapping[sp.Symbol, Ends]) -> str:
+    """Where an expression has a pole, is complex or is negative; empty if it is shown, or is likely, to be neither.
+
+    Boxes that may hold a pole come first, and one that is small and may still hold it does. Of the others those come
+    first that are large.
+    """
+    value = sp.lambdify([*domain], e, [_ARITHMETIC])
+    boxes = [(0, [*domain.values()])]
+    for count in range(1, BOXES):
+        if not boxes:
+            break
+        _, box = heapq.heappop(boxes)
+        enclosed = arb(value(*(ball(*ends) for ends in box)))
+        if enclosed.lower() > BELOW:
+            continue
+        middle = [_middle(*ends) for ends in box]
+        here = arb(value(*map(arb, middle)))
+        places = ", ".join(f"{x} = {at:.3g}" for x, at in zip(domain, middle, strict=True))
+        if here.upper() < BELOW:
+            return f"{float(here.mid()):.3g} at {places}"
+        widest = max(range(len(box)), key=lambda k: _width(*box[k]))
+        if _width(*box[widest]) < SMALL:
+            if enclosed.is_finite():
+                continue
+            return f"a pole or a complex number next to {places}"
+        rank = count if enclosed.is_finite() else -count
+        low, high = box[widest]
+        for half in ((low, middle[widest]), (middle[widest], high)):
+            heapq.heappush(boxes, (rank, [*box[:widest], half, *box[widest + 1 :]]))
+    return ""
+
+
+def _width(low: float, high: float) -> float:
+    return (high - low) / max(1.0, abs(low))
+
+
+def _middle(low: float, high: float) -> float:
+    """By ratio where the box reaches far, which counts from 1."""
+    if low >= 0.0 and high > 4.0 * max(low, 1.0):
+        return math.sqrt(high * max(low, 1.0))
+    return (low + high) / 2.0

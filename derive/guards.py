@@ -1,0 +1,248 @@
+"""Faults of declarations, in one line each, before anything is derived: names, symbols, units, domains and sources."""
+
+import builtins
+import keyword
+import re
+from collections.abc import Collection, Mapping, Sequence
+
+import numpy as np
+import sympy as sp
+
+from derive.check.proof import ProofError
+from derive.declare import domain, quantities
+from derive.declare import effects as declared
+from derive.declare.effects import GRAVITY, RADIUS, SLIP, VALUE, Effect, Law, Parameter
+from derive.declare.quantities import Moment
+from derive.declare.units import Units, dimension, of_unit, shown
+from derive.flow import fragments
+from derive.flow.lowering import KNOWN
+from derive.flow.recurrences import OPERATIONS
+
+Declaration = Effect | Law | Moment
+# Equations of the paper, and its figure of laws of friction.
+PAPER = re.compile(r"1\.([1-9]|1[0-4])|2\.([1-9]|1\d|2[0-7])|3\.([1-9]|1\d|2[01])|4\.[1-5]|Fig\. 4-1")
+# Other tables and keys of scene files; functions of the package; modules of `generated`, and what else the text of a
+# kernel names; keys of a law beside its parameters, and what else the text of these names.
+TABLES = (
+    "accuracy arc circle end_time_s friction ground initial_velocity_m_s layers name note pond search slip soils "
+    "surcharge tension_crack water"
+)
+FUNCTIONS = "backanalyse critical ensemble grid load parameters plan read_suite solve synthetic_records"
+MODULES = "definitions effects flow generated kernels layout motion printed series slopes stable tiers walk"
+ARGUMENTS = "resistance_factor limit_friction alpha theta_1 theta_2 out where accuracy horner evaluate kernel"
+KEYS = "law rate soils function value scales half_angle gravity radius density reference_stress cover"
+UNITS_OF_LAWS = ("", "m", "m/s", "s")
+KINDS = ("number", "list", "series", "rotation", "text", "flag")
+# Functions of series, beside powers and minima.
+OF_SERIES = set[type]()
+for _operation in OPERATIONS.values():
+    for _meaning in _operation.means:
+        OF_SERIES |= set(map(type, _meaning.atoms(sp.Function)))
+FARTHEST = 1e6  # slip and speed, over the law's own
+STEEPEST = 10.0  # coefficient
+
+
+def _units(by_name: Mapping[str, str]) -> dict[sp.Symbol, sp.Expr]:
+    return {sp.Symbol(name, real=True): of_unit(unit) for names, unit in by_name.items() for name in names.split()}
+
+
+# Units of symbols in the formulas of laws, in those that make a parameter a number, and in the balance, where all are
+# numbers but slip, speed, and what is made a number as these are.
+NUMBER = of_unit("")
+MOTION = _units({"slip": "m", "speed": "m/s"})
+SCALES = _units(
+    {"half_angle cover Theta": "", "radius": "m", "gravity": "m/s^2", "density": "kg/m^3", "reference_stress": "Pa"}
+)
+LIKE_MOTION = {VALUE / RADIUS: of_unit("m"), VALUE / sp.sqrt(GRAVITY * RADIUS): of_unit("m/s")}
+OF_WEIGHT = "Theta J_r J_theta lambda A driving_moment driving_moment_slope normal_load normal_load_slope"
+BALANCE = MOTION | _units({OF_WEIGHT: "", "omega omega_2 k_h k_v": ""})
+OF_SECTIONS = dict.fromkeys((*declared.BY_PSI, declared.SLIP_MU, declared.SOIL_MU), NUMBER)
+OF_GROWTH = _units({"mu effective_stress": ""})
+
+
+def check() -> list[Declaration]:
+    """All declarations, or a `ProofError` at the first fault."""
+    laws = declared.LAWS
+    effects = declared.ALL_EFFECTS
+    moments = quantities.MOMENTS
+    balance = fragments.fragments((), ())
+    functions = {q.name for q in quantities.QUOTIENTS} | {m.kernel[0] for m in moments if m.amplitude}
+    words = {*FUNCTIONS.split(), *MODULES.split(), *ARGUMENTS.split(), *dir(builtins), *dir(np)}
+    _check_names((*laws, *effects), {*balance, "frozen", *TABLES.split()})
+    _check_names(moments, functions | words)
+    for law in laws:
+        _check_law(law)
+    for effect in effects:
+        _check_effect(effect)
+    _check_cells(effects, set(re.findall(r"\w+", repr(balance))))
+    for moment in moments:
+        _ = moment.definition
+    return [*laws, *effects, *moments]
+
+
+def _claim(e: Declaration, what: str) -> str:
+    return f"{type(e).__name__}({e.name!r}), {what}"
+
+
+def _check_names(entries: Sequence[Declaration], taken: set[str]) -> None:
+    """Names that are new and may stand in Python and scene files; help; an equation of the paper or a source."""
+    for e in entries:
+        _check_name(_claim(e, "name"), e.name, taken)
+        taken = taken | {e.name}
+        if not e.help.strip():
+            raise ProofError(_claim(e, "help"), repr(e.help), "a line on what it is")
+        if not e.equation:
+            continue
+        claim = _claim(e, "equation")
+        if not PAPER.fullmatch(e.equation):
+            raise ProofError(claim, repr(e.equation), "one of the paper, 1.1 to 4.5, or source= in its place")
+        if e.source:
+            raise ProofError(claim, f"{e.equation!r} beside source={e.source!r}", "one of them")
+
+
+def _check_name(claim: str, name: str, taken: Collection[str]) -> None:
+    if not re.fullmatch("[a-z][a-z0-9_]*", name):
+        raise ProofError(claim, repr(name), "small letters, digits and _, a letter first")
+    if keyword.iskeyword(name):
+        raise ProofError(claim, f"{name!r}, a keyword of Python", "another name")
+    if name in taken:
+        raise ProofError(claim, f"{name!r}, what something else is called", "another name")
+
+
+def _check_parameters(e: Law | Effect, units: Collection[str]) -> None:
+    """Names, kinds, bounds, units and keys."""
+    taken = {*KEYS.split()}
+    for p in e.parameters:
+        claim = _claim(e, f"parameter {p.name!r}")
+        _check_name(claim, p.name, taken)
+        if p.kind not in KINDS and "|" not in p.kind:
+            raise ProofError(f"{claim}, kind", repr(p.kind), f"{', '.join(KINDS)} or this|that")
+        if p.unit not in units:
+            raise ProofError(f"{claim}, unit", repr(p.unit), f"one of {', '.join(map(repr, units))}")
+        if not p.lower < p.upper:
+            raise ProofError(f"{claim}, bounds", f"{p.lower} and {p.upper}", "a lower one below an upper one")
+        if p.key:
+            _check_key(claim, p, taken)
+        taken |= {p.name, p.key}
+
+
+def _check_key(claim: str, p: Parameter, taken: Collection[str]) -> None:
+    if not p.key.isidentifier() or not p.per_unit:
+        allowed = f"letters, digits and _, at the end the unit {p.unit!r} with k, M or nothing before it"
+        raise ProofError(f"{claim}, key", repr(p.key), allowed)
+    if p.key in taken:
+        raise ProofError(f"{claim}, key", f"{p.key!r}, what something else is called", "another key")
+
+
+def _check_formula(claim: str, e: sp.Expr, units: Units) -> set[sp.Symbol]:
+    """The symbols of a formula that is a number without a dimension."""
+    if not isinstance(e, sp.Expr) or e.has(sp.I):
+        raise ProofError(claim, repr(e), "an expression of SymPy in real numbers")
+    found = dimension(e, units, claim)
+    if found != 1:
+        raise ProofError(claim, f"{e}, in {shown(found)}", "a number without a dimension")
+    return e.free_symbols
+
+
+def _check_used(e: Declaration, unused: Sequence[str]) -> None:
+    if unused:
+        raise ProofError(_claim(e, "parameters"), f"{', '.join(unused)} in no formula", "a use of each")
+
+
+def _check_law(law: Law) -> None:
+    _check_parameters(law, UNITS_OF_LAWS)
+    claim = _claim(law, "coefficient")
+    if law.coefficient is None:
+        listed = [p.name for p in law.parameters if p.kind == "list"]
+        if listed[:1] not in (["slip"], ["speed"], ["time"]):
+            raise ProofError(claim, "none", "a formula, or two lists: of slip, speed or time, and of coefficients")
+        return
+    by_symbol = _by_symbol(law)
+    units = _units({p.name: p.unit for p in law.parameters})
+    used = _check_formula(claim, law.coefficient, MOTION | units)
+    _check_used(law, [p.name for x, p in by_symbol.items() if x not in used])
+    if MOTION.keys() <= used:
+        raise ProofError(claim, "slip and speed", "one: in a scene a law of speed multiplies one of slip")
+    _check_functions(claim, law.coefficient)
+    for kink in law.kinks:
+        if kink not in by_symbol:
+            raise ProofError(claim, f"a branch that changes at a slip of {kink}", "at a parameter")
+    linear_in = [x for x, p in by_symbol.items() if not p.unit]
+    place = domain.fault(sp.collect(sp.expand_mul(law.coefficient), linear_in), _box(law))
+    if place:
+        raise ProofError(claim, place, "numbers that are not negative")
+    fragments.of_law(law)
+    if law.kinks:
+        fragments.pieces(law)
+
+
+def _check_functions(claim: str, formula: sp.Expr) -> None:
+    """Those that series have, and minima and maxima of two."""
+    for function in sorted(formula.atoms(sp.Function, sp.Min, sp.Max), key=str):
+        branches = isinstance(function, sp.Min | sp.Max)
+        if branches and [x.is_polynomial(SLIP) for x in function.args] != [True, True]:
+            raise ProofError(claim, function, "min and max of two polynomials of the slip")
+        if not branches and type(function) not in OF_SERIES:
+            raise ProofError(claim, function, KNOWN)
+
+
+def _by_symbol(e: Law | Effect) -> dict[sp.Symbol, Parameter]:
+    """Parameters by the symbols of their names."""
+    return {sp.Symbol(p.name, real=True): p for p in e.parameters}
+
+
+def _box(law: Law) -> dict[sp.Symbol, tuple[float, float]]:
+    """The domain of a law, within what may be expected; the first parameter of a unit is 1."""
+    box = {x: (0.0, FARTHEST) for x in MOTION if str(x) in law.depends_on}
+    first = {p.unit: p for p in reversed(law.parameters)}
+    for x, p in _by_symbol(law).items():
+        box[x] = (max(p.lower + 1e-300, -STEEPEST), min(p.upper, STEEPEST))  # a bound of 0 may be included
+        if p.unit and p.lower >= 0.0:
+            box[x] = (1.0, 1.0) if first[p.unit] is p else (0.01, 100.0)
+    return box
+
+
+def _check_effect(effect: Effect) -> None:
+    _check_parameters(effect, declared.LIMITS)
+    strange = {*effect.any_of} - {p.name for p in effect.parameters}
+    if strange:
+        raise ProofError(_claim(effect, "any_of"), strange, "names of its parameters")
+    values = _units({p.name: p.unit for p in effect.parameters})
+    used = set[sp.Symbol]()
+    for p in effect.symbols.values():
+        claim = _claim(effect, f"parameter {p.name!r}, dimensionless")
+        used |= _check_formula(claim, p.dimensionless, values | SCALES | {VALUE: of_unit(p.unit)})
+    used |= _check_terms(effect)
+    if not (used or effect.turns):
+        raise ProofError(_claim(effect, "terms"), "none", "what it adds to the balance")
+    in_time = "series" in (p.kind for p in effect.parameters)  # its other parameters say how it is made
+    unused = []
+    for x, p in _by_symbol(effect).items():
+        makes_series = p.symbol is None and in_time
+        if not makes_series and (p.symbol or x) not in used:
+            unused.append(p.name)
+    _check_used(effect, unused)
+    fragments.of_effect(effect)
+
+
+def _check_terms(effect: Effect) -> set[sp.Symbol]:
+    """The symbols of what an effect adds to the balance."""
+    units = BALANCE | dict.fromkeys(effect.states, NUMBER)
+    for x, p in effect.symbols.items():
+        units[x] = LIKE_MOTION.get(p.dimensionless, NUMBER)
+    if effect in declared.SECTION_EFFECTS:
+        units |= OF_SECTIONS
+    used = _check_formula(_claim(effect, "growth"), effect.growth, units | OF_GROWTH)
+    for quantity, term in effect.terms.items():
+        used |= _check_formula(_claim(effect, quantity), term, units)
+    return used
+
+
+def _check_cells(effects: Sequence[Effect], taken: set[str]) -> None:
+    """A symbol stands for one number of a program: of one effect, and of nothing in the balance."""
+    for effect in effects:
+        for x in (*effect.symbols, *effect.states):
+            names = {str(x), f"{x}_0", f"d{x}"}
+            if x not in declared.BY_PSI and names & taken:
+                raise ProofError(_claim(effect, "symbols"), x, "each for one quantity of one effect")
+            taken |= names

@@ -1,0 +1,295 @@
+"""Wrong declarations of laws, effects and moments: one line that says what is wrong, exit status 1, nothing written.
+
+Each is what a user types at the end of a list. Right ones are used in `test_extending`.
+"""
+
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import slipcircle
+from derive import __main__ as command
+from derive import guards
+from derive.check.proof import ProofError
+from derive.declare import effects, quantities
+from derive.generate import write
+from derive.judge.paper import CLAIMS
+from slipcircle.__main__ import main
+from tests.campaigns import all_weights
+
+NUMBER = 'Parameter("n", "", "a number", "n")'
+WIDTH = 'Parameter("width", "m", "a width", "width_m", lower=0.0)'
+
+
+def law(coefficient: str, parameters: str = "_SOFTENING", name: str = "new", more: str = "") -> str:
+    return f'Law("{name}", "help", {parameters}, {coefficient}{more})'
+
+
+def effect(terms: str, parameter: str = "", name: str = "new", more: str = "") -> str:
+    of = f'Parameter({parameter}, symbol=sp.Symbol("c_new", real=True))' if parameter else ""
+    return f'Effect("{name}", "help", ({of}{"," * bool(of)}), {terms}{more})'
+
+
+def moment(weight: str, name: str = "new", more: str = "") -> str:
+    return f'Moment("{name}", "N", {weight}, "help"{more})'
+
+
+FALLS = "_R + (_P - _R) * sp.exp(-SLIP / _L)"
+C = 'sp.Symbol("c_new", real=True)'
+OF_PRESSURE = '"c", "Pa", "help", "c_kPa"'
+WRONG = [
+    # names
+    (law(FALLS, name="exponential"), "name: found 'exponential', what something else is called"),
+    (law(FALLS, name="drag"), "name: found 'drag', what something else is called"),
+    (law(FALLS, name="balance"), "name: found 'balance', what something else is called"),
+    (law(FALLS, name=" "), "name: found ' ', wanted small letters, digits and _"),
+    (law(FALLS, name="my law"), "name: found 'my law', wanted small letters"),
+    (law(FALLS, name="lambda"), "name: found 'lambda', a keyword of Python"),
+    (effect(f"pressure={C}", OF_PRESSURE, "friction"), "name: found 'friction', what something else is called"),
+    (effect(f"pressure={C}", OF_PRESSURE, "cohesion"), "name: found 'cohesion', what something else is called"),
+    (moment("r", "class"), "name: found 'class', a keyword of Python"),
+    (moment("r", "Area"), "name: found 'Area', wanted small letters"),
+    (moment("r", "sin"), "name: found 'sin', what something else is called"),
+    (moment("r", "float"), "name: found 'float', what something else is called"),
+    (moment("r", "tiers"), "name: found 'tiers', what something else is called"),
+    (moment("r", "solve"), "name: found 'solve', what something else is called"),
+    (moment("r", "polar_moment"), "name: found 'polar_moment', what something else is called"),
+    (moment("r", "resistance_factor"), "name: found 'resistance_factor', what something else is called"),
+    (moment("-r*sp.sin(theta)", "new", ', amplitude=("polar_moment", "K")'), "name: found 'polar_moment', what"),
+    # help and source
+    (moment("r", more=', equation="9.9"'), "equation: found '9.9', wanted one of the paper"),
+    (moment("r", more=', equation="2.4", source="Bell"'), "equation: found '2.4' beside source='Bell'"),
+    ('Law("new", " ", _SOFTENING, ' + FALLS + ")", "help: found ' ', wanted a line on what it is"),
+    # parameters
+    (law("_C", '(_friction("lambda", "help"),)'), "parameter 'lambda': found 'lambda', a keyword of Python"),
+    (law(FALLS, "(*_SOFTENING, _SOFTENING[0])"), "parameter 'peak': found 'peak', what something else is called"),
+    (effect("pressure=" + C, '"radius", "m", "help", "radius_m"'), "parameter 'radius': found 'radius', what"),
+    (effect("pressure=" + C, '"c", "kPa", "help", "c_kPa"'), "parameter 'c', unit: found 'kPa', wanted one of '', 'm'"),
+    (effect("pressure=" + C, '"c", "Pa", "help", "c_psi"'), "parameter 'c', key: found 'c_psi', wanted letters"),
+    (effect("pressure=" + C, '"c", "Pa", "help", "the c_Pa"'), "parameter 'c', key: found 'the c_Pa', wanted letters"),
+    (effect("pressure=" + C, OF_PRESSURE + ", lower=1.0, upper=0.0"), "parameter 'c', bounds: found 1.0 and 0.0"),
+    (effect("pressure=" + C, OF_PRESSURE + ', kind="numbers"'), "parameter 'c', kind: found 'numbers'"),
+    (law(FALLS, '(*_SOFTENING, Parameter("stiffness", "Pa", "help", "stiffness_Pa"))'), "unit: found 'Pa', wanted"),
+    # symbols
+    (law('_P * sp.Symbol("strange", real=True)'), "coefficient: found the symbol strange, which is not declared"),
+    (
+        law("_P * sp.exp(-SLIP / sp.Symbol('length'))"),
+        "the symbol length, which is not declared, wanted sp.Symbol('len",
+    ),
+    (law("_P + 0 * _R"), "parameters: found residual, length in no formula, wanted a use of each"),
+    (law("'peak'"), "coefficient: found 'peak', wanted an expression of SymPy"),
+    (law("_R + (_P - _R) * sp.exp(-SLIP / _L) / (1 + SPEED / _V)", "(*_SOFTENING, _WEAKENING[2])"), "slip and speed"),
+    (law("None"), "coefficient: found none, wanted a formula, or two lists"),
+    (effect("pressure=sp.Symbol('strange', real=True)"), "u: found the symbol strange"),
+    (effect("pressure=sp.Integer(1)", OF_PRESSURE + ", dimensionless=VALUE / REFERENCE"), "c in no formula"),
+    (
+        effect(f"pressure={C}", '"c", "", "help", "c", symbol=_DRAG')
+        .replace(', symbol=sp.Symbol("c_new", real=True)', "")
+        .replace(f"pressure={C}", "pressure=_DRAG"),
+        "symbols: found drag, wanted each for one quantity of one effect",
+    ),
+    (effect(f"pressure={C}", '"c", "", "help", "c"').replace("c_new", "normal"), "symbols: found normal, wanted each"),
+    (effect("pressure=SLIP_MU"), "u: found the symbol slip_mu, which is not declared"),
+    # functions
+    (law("_P * (1 + sp.tanh(SLIP / _L)) + _R"), "coefficient: found tanh(slip/length), wanted sums, products"),
+    (law("_P * (1 + sp.erf(SLIP / _L)) + _R"), "coefficient: found erf(slip/length), wanted sums, products"),
+    (
+        law("_P + (_R - _P) * sp.Min(SLIP / _L, 2)"),
+        "a branch that changes at a slip of 2*length, wanted at a parameter",
+    ),
+    (
+        law("_R + (_P - _R) * sp.Min(SLIP / _L, 1, _R)"),
+        "found Min(1, residual, slip/length), wanted min and max of two",
+    ),
+    (law("_P + _R * sp.Max(sp.Min(SLIP / _L, 1), 0)"), "found Max(0, Min(1, slip/length)), wanted min and max of two"),
+    (law("sp.I * _P + _R * SLIP / _L"), "coefficient: found I*peak + residual*slip/length, wanted an expression"),
+    (law("_R + _P * sp.exp(-sp.Min(SLIP / _L, 1))", more=", degree=1"), "piece between branches: found"),
+    (law("_R + (_P - _R) * (1 - sp.Min(SLIP / _L, 1)) ** 2", more=", degree=1"), "degree of a piece: found 2, wanted"),
+    # dimensions
+    (
+        law("_P * sp.exp(-SLIP)", "_SOFTENING[:1]"),
+        "found exp(-slip), where -slip is in m, wanted -slip over a parameter",
+    ),
+    (
+        law("_R + (_P - _R) / (1 + SLIP)", "_SOFTENING[:2]"),
+        "found slip + 1, of terms in numbers and m, wanted terms of",
+    ),
+    (law("_P * SLIP", "_SOFTENING[:1]"), "found peak*slip, in m, wanted a number without a dimension"),
+    (law("_R + (_P - _R) * sp.exp(-SPEED / _L)"), "found exp(-speed/length), where -speed/length is in 1/s"),
+    (law("_R + _P * sp.exp(-SLIP / _L) ** SLIP"), "is in m, wanted"),
+    (
+        effect(f"pressure={C}", OF_PRESSURE),
+        "parameter 'c', dimensionless: found value, in kg/(m s^2)".replace(" s", "*s"),
+    ),
+    (
+        effect(f"pressure={C}", OF_PRESSURE + ", dimensionless=VALUE / (DENSITY * GRAVITY)"),
+        "found value/(density*gravity",
+    ),
+    (effect("resistance=LAMBDA * sp.exp(-SLIP)"), "found exp(-slip), where -slip is in m"),
+    (
+        effect(
+            f"resistance=LAMBDA * sp.exp(-SLIP / {C})", '"c", "m", "help", "c_m", dimensionless=VALUE / (2 * RADIUS)'
+        ),
+        "found exp(-slip/c_new), where -slip/c_new is in m",
+    ),
+    # domains
+    (
+        law("_P - _R * SLIP / _L"),
+        "coefficient: found -3.16e+03 at slip = 1e+03, peak = 3.16, residual = 3.16, length = 1",
+    ),
+    (law("_R - (_P - _R) * sp.exp(-SLIP / _L)"), "coefficient: found -0."),
+    (law("_P / (1 - SLIP / _L)", "(_SOFTENING[0], _SOFTENING[2])"), "coefficient: found -"),
+    (law("_P / (1 - SLIP / _L) ** 2", "(_SOFTENING[0], _SOFTENING[2])"), "a pole or a complex number next to slip = "),
+    (
+        law("_P * sp.sqrt(1 - SLIP / _L)", "(_SOFTENING[0], _SOFTENING[2])"),
+        "a pole or a complex number next to slip = ",
+    ),
+    (law("_P * sp.log(SLIP / _L)", "(_SOFTENING[0], _SOFTENING[2])"), "coefficient: found -"),
+    (law("_P * sp.sqrt(SLIP / _L)", "(_SOFTENING[0], _SOFTENING[2])"), "a pole or a complex number next to slip = "),
+    (law("_P * sp.cos(SLIP / _L)", "(_SOFTENING[0], _SOFTENING[2])"), "coefficient: found -"),
+    (law("_P * _V / SPEED", "(_SOFTENING[0], _WEAKENING[2])"), "a pole or a complex number next to speed = "),
+    # moments
+    (moment("sp.sqrt(r)"), "weight that can be certified: found sqrt(r), wanted r**n, +-r**n*sin(theta)"),
+    (moment("r**6"), "weight that can be certified: found r**6, wanted r**n"),
+    (moment("r**2 * sp.log(r)"), "weight that can be certified: found r**2*log(r), wanted"),
+    (moment("2 * r"), "weight that can be certified: found 2*r, wanted"),
+    (moment("r * sp.cos(2 * theta)", more=', amplitude=("k", "K")'), "found r*cos(2*theta), wanted"),
+    (moment("r * sp.sin(theta)"), "amplitude of the weight r*sin(theta): found None, wanted a name and a symbol"),
+    (moment("r**2", more=', amplitude=("k", "K")'), "amplitude of the weight r**2: found ('k', 'K'), wanted none"),
+    # effects
+    (effect("equation=''"), "terms: found none, wanted what it adds to the balance"),
+    (
+        effect(f"pressure={C}", OF_PRESSURE + ", dimensionless=VALUE / REFERENCE", more=", any_of=('d',)"),
+        "any_of: found {'d'}",
+    ),
+    (
+        effect(f"driving_moment=J_R * {C}, normal_load=J_R * {C}", '"c", "", "help", "c"'),
+        "signs of its parameters: found",
+    ),
+]
+OF = {"Law": (effects, "LAWS"), "Effect": (effects, "EFFECTS"), "Moment": (quantities, "MOMENTS")}
+
+
+def declare(text: str, monkeypatch: pytest.MonkeyPatch) -> Any:
+    """Append a declaration to its list, as its module reads it."""
+    module, name = OF[text.partition("(")[0]]
+    declared = eval(text, dict(vars(module)))
+    entries = (*getattr(module, name), declared)
+    monkeypatch.setattr(module, name, entries)
+    if name == "EFFECTS":
+        monkeypatch.setattr(module, "ALL_EFFECTS", (*entries, *effects.SECTION_EFFECTS))
+    return declared
+
+
+@pytest.mark.parametrize(("text", "said"), WRONG, ids=[f"{k}" for k in range(len(WRONG))])
+def test_a_wrong_declaration_is_one_line(
+    text: str, said: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It names the declaration, what it says and what it may say, in less than 5 s."""
+
+    def no(*_: Any, **__: Any) -> None:
+        pytest.fail("something was written")
+
+    monkeypatch.setattr(write, "write", no)
+    declare(text, monkeypatch)
+    start = time.perf_counter()
+    assert command.main([]) == 1
+    assert time.perf_counter() - start < 5.0
+    out, err = capsys.readouterr()
+    assert not out
+    (line,) = err.splitlines()
+    assert said in line
+    assert len(line) <= 240
+    assert line.endswith("; nothing is written")
+    assert re.search(r"^(Law|Effect|Moment)\('.*'\), |^new|^normal", line), line
+
+
+def test_the_page_on_extending_shows_what_is_said(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Each answer of its table is one of those above, word by word."""
+    page = (Path(__file__).parents[1] / "notebooks" / "extending.md").read_text("utf-8")
+    answers = re.findall(r"^\| .* \| `(.*)` \|$", page, re.MULTILINE)
+    assert len(answers) == 8
+    said = set[str]()
+    for text, start in WRONG:
+        if not any(start in answer for answer in answers):
+            continue
+        with monkeypatch.context() as m:
+            declare(text, m)
+            assert command.main([]) == 1
+        said.add(capsys.readouterr().err.strip().removesuffix("; nothing is written"))
+    assert set(answers) <= said
+
+
+def digests(folder: Path) -> dict[str, str]:
+    files = (path for path in sorted(folder.rglob("*")) if path.is_file() and "__pycache__" not in path.parts)
+    return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
+
+
+def test_the_command_says_it_and_leaves_every_byte(tmp_path: Path) -> None:
+    """Also of what Python cannot read: its error and the line."""
+    all_weights.copy(tmp_path)
+    file = tmp_path / "derive" / "declare" / "effects.py"
+    text = file.read_text("utf-8")
+    before = digests(tmp_path / "generated")
+    line = text[: text.index(")  # fmt: skip")].count("\n") + 1
+    wrong = {
+        law(
+            "_P * sp.exp(-SLIP)", "_SOFTENING[:1]"
+        ): r"Law\('new'\), coefficient: found exp\(-slip\), where -slip is in m",
+        law("_Q"): rf"declarations, effects.py, line {line}: found NameError: name '_Q' is not defined",
+        'Law("new", "help")': rf"declarations, effects.py, line {line}: found TypeError: .*'parameters'",
+        "Law)": rf"declarations, effects.py, line {line + 1}: found SyntaxError: ",
+    }
+    for declaration, said in wrong.items():
+        file.write_text(text.replace(")  # fmt: skip", f"    {declaration},\n)  # fmt: skip", 1), "utf-8")
+        alone = os.environ | {"PYTHONPATH": str(tmp_path)}
+        done = subprocess.run(
+            [sys.executable, "-m", "derive"], cwd=tmp_path, env=alone, capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 1
+        (found,) = done.stderr.splitlines()
+        assert re.match(said, found), found
+        assert digests(tmp_path / "generated") == before
+
+
+def test_what_cannot_be_imported_replaces_nothing(tmp_path: Path) -> None:
+    """Neither a module that Python cannot read nor one that the package cannot use."""
+    folder = tmp_path / "generated"
+    texts = write.present()
+    write.write(texts, folder, write.importable)
+    before = digests(folder)
+    assert before
+    broken = {
+        "kernels.py": (texts["kernels.py"] + "def class(): pass\n", "SyntaxError"),
+        "effects.py": (texts["effects.py"].replace("LIMITS =", "BOUNDS ="), "LIMITS"),
+    }
+    for name, (text, said) in broken.items():
+        with pytest.raises(ProofError, match=f"generated: import: found .*{said}"):
+            write.write({**texts, name: text, "new.py": ""}, folder, write.importable)
+        assert digests(folder) == before
+        assert [*tmp_path.iterdir()] == [folder]
+
+
+def test_names_that_are_taken_are_those_of_the_package(capsys: pytest.CaptureFixture[str]) -> None:
+    main(["schema"])
+    keys = json.loads(capsys.readouterr().out)["properties"].keys()
+    assert set(guards.TABLES.split()) == keys - {e.name for e in effects.EFFECTS}
+    modules = {path.stem for path in write.FOLDER.glob("[a-z]*.py")}
+    assert set(guards.MODULES.split()) == modules | {"generated"}
+    assert set(guards.FUNCTIONS.split()) == {name for name in slipcircle.__all__ if name.islower()}
+
+
+def test_equations_of_the_paper_are_those_that_are_judged() -> None:
+    judged = {match[1] for claim in CLAIMS if (match := re.fullmatch(r"\((\d\.\d+)\)", claim.id))}
+    every = {f"{chapter}.{number}" for chapter in range(10) for number in range(100)}
+    assert {x for x in every if guards.PAPER.fullmatch(x)} == judged
